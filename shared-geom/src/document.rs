@@ -1,0 +1,166 @@
+//! TOML input with line numbers, units and complete error reports.
+//!
+//! A [`Document`] is read once; a [`Table`] hands out the values of one table,
+//! notes every problem with file and line, and at [`Table::finish`] reports the
+//! keys that nobody asked for, with the nearest name that was. Asking for a value
+//! returns `None` both when an optional key is absent and when it is wrong; in
+//! the latter case the problem has been noted and [`Document::finish`] fails.
+
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+
+use toml::de::DeTable;
+
+use crate::error::{Diagnostics, Explain, Place};
+use crate::units::{DECLARABLE, Dimension, Units, parse_as};
+
+mod problem;
+mod table;
+mod tree;
+
+pub use problem::DocumentProblem;
+pub use table::Table;
+
+use tree::{Entry, Lines};
+
+/// A TOML file, its name, the units that it declares, and its problems.
+#[derive(Debug)]
+pub struct Document {
+    file: String,
+    root: Vec<Entry>,
+    problems: RefCell<Diagnostics>,
+    units: RefCell<Units>,
+}
+
+impl Document {
+    /// Reads the file at `path`.
+    ///
+    /// # Errors
+    /// A file that cannot be read, and every error of TOML syntax.
+    pub fn read(path: &Path) -> Result<Self, Diagnostics> {
+        let file = path.display().to_string();
+        let text = read_text(path)?;
+        Self::parse(&text, &file)
+    }
+
+    /// Reads `text`, which is shown as `file` in messages.
+    ///
+    /// # Errors
+    /// Every error of TOML syntax, with its line.
+    pub fn parse(text: &str, file: &str) -> Result<Self, Diagnostics> {
+        let lines = Lines::of(text);
+        let (root, errors) = DeTable::parse_recoverable(text);
+        let mut problems = Diagnostics::new();
+        for error in &errors {
+            let line = lines.at(error.span().map_or(0, |span| span.start));
+            let reason = error.message().to_owned();
+            problems.push(Place::line(file, line), &DocumentProblem::Syntax { reason });
+        }
+        problems.into_result(Self {
+            file: file.to_owned(),
+            root: tree::entries(root.get_ref(), &lines),
+            problems: RefCell::default(),
+            units: RefCell::new(Units::si()),
+        })
+    }
+
+    /// The top table of the file.
+    pub fn root(&self) -> Table<'_> {
+        Table::new(self, &self.root, "the file".to_owned(), 1)
+    }
+
+    /// The file name, as shown in messages.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// A path written in this file: relative paths count from the file's folder.
+    pub fn path(&self, written: &str) -> PathBuf {
+        let folder = Path::new(&self.file).parent().unwrap_or(Path::new(""));
+        folder.join(written)
+    }
+
+    /// Notes a problem at `line`.
+    pub fn note(&self, line: usize, problem: &impl Explain) {
+        let place = Place::line(&self.file, line);
+        self.problems.borrow_mut().push(place, problem);
+    }
+
+    /// Takes over problems found elsewhere (in a file that this one names).
+    pub fn take_over(&self, others: Diagnostics) {
+        self.problems.borrow_mut().append(others);
+    }
+
+    /// The value of a good result; notes the problems of a bad one.
+    pub fn keep<T>(&self, result: Result<T, Diagnostics>) -> Option<T> {
+        self.problems.borrow_mut().keep(result)
+    }
+
+    /// The value, when there is one and no problem was noted.
+    ///
+    /// # Errors
+    /// All noted problems.
+    pub fn finish<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
+        let mut problems = self.problems.into_inner();
+        match value {
+            Some(value) => problems.into_result(value),
+            None => {
+                if problems.is_empty() {
+                    problems.push(Place::file(&self.file), &DocumentProblem::Incomplete);
+                }
+                Err(problems)
+            }
+        }
+    }
+
+    /// Reads the required key `units` of the top table, which sets the meaning of
+    /// every plain number asked for afterwards: the word `"SI"`, or a table with
+    /// some of the keys of [`DECLARABLE`].
+    pub fn declare_units(&self, root: &Table<'_>) {
+        if root.is_text("units") {
+            let _ = root.word("units", &["SI"]);
+            return;
+        }
+        let Some(table) = root.require_table("units", "\"SI\", or a table of units") else {
+            return;
+        };
+        for (key, dimension) in DECLARABLE {
+            let Some(text) = table.text(key) else {
+                continue;
+            };
+            match parse_as(&text, dimension) {
+                Ok(unit) => self.units.borrow_mut().declare(dimension, unit),
+                Err(problem) => {
+                    let key = key.to_owned();
+                    table.note(&key.clone(), &DocumentProblem::Unit { key, problem });
+                }
+            }
+        }
+        table.finish();
+    }
+
+    /// SI units in one declared unit of `dimension` [SI unit of the dimension].
+    pub fn factor(&self, dimension: Dimension) -> f64 {
+        self.units.borrow().factor(dimension)
+    }
+}
+
+/// Reads a text file.
+///
+/// # Errors
+/// The file cannot be read or is no text, in words that a user can act on.
+pub fn read_text(path: &Path) -> Result<String, Diagnostics> {
+    std::fs::read_to_string(path).map_err(|error| {
+        let reason = match error.kind() {
+            std::io::ErrorKind::NotFound => "no such file".to_owned(),
+            std::io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+            std::io::ErrorKind::InvalidData => "not a text file".to_owned(),
+            _ => error.to_string(),
+        };
+        let place = Place::file(path.display().to_string());
+        Diagnostics::one(place, &DocumentProblem::Unreadable { reason })
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,97 @@
+//! What can be wrong with an input file as such.
+
+use crate::error::{Explain, nearest_name};
+use crate::units::UnitProblem;
+
+/// A problem of an input file that does not depend on what the file is about.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DocumentProblem {
+    /// The file cannot be read.
+    #[error("cannot be read: {reason}")]
+    Unreadable {
+        /// The reason in words.
+        reason: String,
+    },
+    /// The text is no TOML.
+    #[error("not valid TOML: {reason}")]
+    Syntax {
+        /// The parser's words.
+        reason: String,
+    },
+    /// A key that no one knows.
+    #[error("unknown key \"{key}\" in {table}")]
+    UnknownKey {
+        /// The key as written.
+        key: String,
+        /// The table that holds it, in words.
+        table: String,
+        /// The keys that the table may have.
+        known: Vec<String>,
+    },
+    /// A required key is absent.
+    #[error("{table} has no \"{key}\", expected {expected}")]
+    MissingKey {
+        /// The absent key.
+        key: String,
+        /// The table, in words.
+        table: String,
+        /// What it should hold, in words.
+        expected: String,
+    },
+    /// A value of another type or outside its range.
+    #[error("\"{key}\" is {found}, expected {expected}")]
+    WrongValue {
+        /// The key.
+        key: String,
+        /// The value found, in words.
+        found: String,
+        /// What was expected, in words.
+        expected: String,
+    },
+    /// A value that is none of a fixed set of words.
+    #[error("\"{key}\" is \"{found}\", expected one of {}", quoted(.known))]
+    WrongWord {
+        /// The key.
+        key: String,
+        /// The word found.
+        found: String,
+        /// The words that may stand there.
+        known: Vec<String>,
+    },
+    /// A unit that is unknown or measures something else.
+    #[error("\"{key}\": {problem}")]
+    Unit {
+        /// The key.
+        key: String,
+        /// What is wrong with the unit.
+        problem: UnitProblem,
+    },
+    /// Something was wrong without a note of its own (a defect of the reader).
+    #[error("the file is incomplete")]
+    Incomplete,
+}
+
+fn quoted(words: &[String]) -> String {
+    let words: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
+    words.join(", ")
+}
+
+impl Explain for DocumentProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::UnknownKey { key, known, .. } => {
+                let near = nearest_name(key, known.iter().map(String::as_str));
+                Some(match near {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => format!("known keys: {}", known.join(", ")),
+                })
+            }
+            Self::WrongWord { found, known, .. } => {
+                nearest_name(found, known.iter().map(String::as_str))
+                    .map(|near| format!("did you mean \"{near}\"?"))
+            }
+            Self::Unit { problem, .. } => problem.help(),
+            _ => None,
+        }
+    }
+}

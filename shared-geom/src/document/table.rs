@@ -1,0 +1,357 @@
+//! One table of an input file, and the values in it.
+
+use std::cell::RefCell;
+
+use nalgebra::Vector3;
+
+use super::tree::{Entry, Kind, Value};
+use super::{Document, DocumentProblem};
+use crate::error::Explain;
+use crate::units::{Dimension, parse_quantity};
+
+/// A table of a [`Document`]. Each reading method notes its own problems.
+#[derive(Debug)]
+pub struct Table<'a> {
+    document: &'a Document,
+    entries: &'a [Entry],
+    /// The table in words, for messages: `material "steel"`.
+    title: String,
+    line: usize,
+    asked: RefCell<Vec<String>>,
+}
+
+impl<'a> Table<'a> {
+    pub(super) fn new(
+        document: &'a Document,
+        entries: &'a [Entry],
+        title: String,
+        line: usize,
+    ) -> Self {
+        Self {
+            document,
+            entries,
+            title,
+            line,
+            asked: RefCell::default(),
+        }
+    }
+
+    /// The file that holds the table.
+    pub fn document(&self) -> &'a Document {
+        self.document
+    }
+
+    /// The table in words, for messages.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// The line on which the table begins.
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// The line of `key`, or of the table when it has no such key.
+    pub fn line_of(&self, key: &str) -> usize {
+        self.entry(key).map_or(self.line, |entry| entry.line)
+    }
+
+    /// Notes a problem at the line of `key`.
+    pub fn note(&self, key: &str, problem: &impl Explain) {
+        self.document.note(self.line_of(key), problem);
+    }
+
+    /// Notes that the value of `key` is not what was expected.
+    pub fn wrong(&self, key: &str, expected: &str) {
+        if let Some(entry) = self.entry(key) {
+            let _: Option<()> = self.wrong_value(key, &entry.value, expected);
+        }
+    }
+
+    /// Whether the table has `key`. The key then counts as known.
+    pub fn has(&self, key: &str) -> bool {
+        self.ask(key).is_some()
+    }
+
+    /// Whether `key` holds a text.
+    pub fn is_text(&self, key: &str) -> bool {
+        matches!(
+            self.ask(key),
+            Some(Value {
+                kind: Kind::Text(_),
+                ..
+            })
+        )
+    }
+
+    /// Whether `key` holds a table.
+    pub fn is_table(&self, key: &str) -> bool {
+        matches!(
+            self.ask(key),
+            Some(Value {
+                kind: Kind::Table(_),
+                ..
+            })
+        )
+    }
+
+    /// Text under `key`.
+    pub fn text(&self, key: &str) -> Option<String> {
+        let value = self.ask(key)?;
+        match &value.kind {
+            Kind::Text(text) => Some(text.clone()),
+            _ => self.wrong_value(key, value, "a text in quotes"),
+        }
+    }
+
+    /// Required text under `key`; `expected` says what it is for.
+    pub fn require_text(&self, key: &str, expected: &str) -> Option<String> {
+        self.require(key, expected)?;
+        self.text(key)
+    }
+
+    /// One of a set of words under `key`.
+    pub fn word(&self, key: &str, known: &[&str]) -> Option<usize> {
+        let found = self.text(key)?;
+        let place = known.iter().position(|word| *word == found);
+        if place.is_none() {
+            let problem = DocumentProblem::WrongWord {
+                key: key.to_owned(),
+                found,
+                known: known.iter().map(|&word| word.to_owned()).collect(),
+            };
+            self.note(key, &problem);
+        }
+        place
+    }
+
+    /// A truth value under `key`.
+    pub fn boolean(&self, key: &str) -> Option<bool> {
+        let value = self.ask(key)?;
+        match value.kind {
+            Kind::Boolean(flag) => Some(flag),
+            _ => self.wrong_value(key, value, "true or false"),
+        }
+    }
+
+    /// A whole number of at least one under `key`.
+    pub fn count(&self, key: &str) -> Option<usize> {
+        let value = self.ask(key)?;
+        let count = match value.kind {
+            Kind::Integer(number) => usize::try_from(number).ok().filter(|n| *n > 0),
+            _ => None,
+        };
+        match count {
+            Some(count) => Some(count),
+            None => self.wrong_value(key, value, "a whole number of at least 1"),
+        }
+    }
+
+    /// As [`Table::count`], and required.
+    pub fn require_count(&self, key: &str) -> Option<usize> {
+        self.require(key, "a whole number of at least 1")?;
+        self.count(key)
+    }
+
+    /// A quantity under `key` in SI units: a plain number counts in the declared
+    /// unit, a text such as `"0.063 in"` in its own.
+    pub fn quantity(&self, key: &str, dimension: Dimension) -> Option<f64> {
+        let value = self.ask(key)?;
+        self.in_si(key, value, dimension)
+    }
+
+    /// As [`Table::quantity`], and required.
+    pub fn require_quantity(&self, key: &str, dimension: Dimension) -> Option<f64> {
+        self.require(key, &dimension.to_string())?;
+        self.quantity(key, dimension)
+    }
+
+    /// As [`Table::require_quantity`], and greater than zero.
+    pub fn require_positive(&self, key: &str, dimension: Dimension) -> Option<f64> {
+        let number = self.require_quantity(key, dimension)?;
+        if number > 0.0 {
+            return Some(number);
+        }
+        self.wrong(key, &format!("{dimension} greater than zero"));
+        None
+    }
+
+    /// A list of quantities under `key`, in SI units; one quantity is a list of one.
+    pub fn quantities(&self, key: &str, dimension: Dimension) -> Option<Vec<f64>> {
+        let value = self.ask(key)?;
+        let Kind::Array(items) = &value.kind else {
+            return self.in_si(key, value, dimension).map(|number| vec![number]);
+        };
+        // Every item is looked at, so that each wrong one is noted.
+        let numbers: Vec<_> = items
+            .iter()
+            .map(|item| self.in_si(key, item, dimension))
+            .collect();
+        numbers.into_iter().collect()
+    }
+
+    /// Three quantities under `key`, in SI units.
+    pub fn vector(&self, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
+        let numbers = self.quantities(key, dimension)?;
+        match numbers[..] {
+            [x, y, z] => Some(Vector3::new(x, y, z)),
+            _ => {
+                self.wrong(key, &format!("an array of 3, each {dimension}"));
+                None
+            }
+        }
+    }
+
+    /// Rows of plain numbers under `key`, each of `columns`; no unit is applied.
+    pub fn rows(&self, key: &str, rows: usize, columns: usize) -> Option<Vec<Vec<f64>>> {
+        let expected = format!("{rows} rows of {columns} numbers");
+        let value = self.ask(key)?;
+        let Kind::Array(items) = &value.kind else {
+            return self.wrong_value(key, value, &expected);
+        };
+        let row = |item: &Value| -> Option<Vec<f64>> {
+            let Kind::Array(numbers) = &item.kind else {
+                return self.wrong_value(key, item, &format!("a row of {columns} numbers"));
+            };
+            if numbers.len() != columns {
+                return self.wrong_value(key, item, &format!("a row of {columns} numbers"));
+            }
+            let number = |n| self.in_si(key, n, Dimension::NUMBER);
+            numbers.iter().map(number).collect()
+        };
+        let read: Vec<_> = items.iter().map(row).collect();
+        let read: Option<Vec<_>> = read.into_iter().collect();
+        match read {
+            Some(read) if read.len() != rows => self.wrong_value(key, value, &expected),
+            other => other,
+        }
+    }
+
+    /// The table under `key`.
+    pub fn table(&self, key: &str) -> Option<Table<'a>> {
+        let entry = self.ask_entry(key)?;
+        match &entry.value.kind {
+            Kind::Table(entries) => {
+                let title = format!("[{key}]");
+                Some(Table::new(self.document, entries, title, entry.line))
+            }
+            _ => self.wrong_value(key, &entry.value, "a table"),
+        }
+    }
+
+    /// As [`Table::table`], and required.
+    pub fn require_table(&self, key: &str, expected: &str) -> Option<Table<'a>> {
+        self.require(key, expected)?;
+        self.table(key)
+    }
+
+    /// The tables of an array of tables, `[[key]]`; empty when absent.
+    pub fn tables(&self, key: &str) -> Vec<Table<'a>> {
+        let Some(value) = self.ask(key) else {
+            return Vec::new();
+        };
+        let Kind::Array(items) = &value.kind else {
+            let _: Option<()> = self.wrong_value(key, value, &format!("tables [[{key}]]"));
+            return Vec::new();
+        };
+        let table = |(i, item): (usize, &'a Value)| match &item.kind {
+            Kind::Table(entries) => {
+                let title = format!("[[{key}]] number {}", i + 1);
+                Some(Table::new(self.document, entries, title, item.line))
+            }
+            _ => self.wrong_value(key, item, &format!("a table [[{key}]]")),
+        };
+        items.iter().enumerate().filter_map(table).collect()
+    }
+
+    /// The tables `[key.name]` with their names; empty when absent.
+    pub fn named_tables(&self, key: &str) -> Vec<(String, Table<'a>)> {
+        let Some(outer) = self.table(key) else {
+            return Vec::new();
+        };
+        let names = outer.entries.iter().map(|entry| entry.key.clone());
+        names
+            .filter_map(|name| {
+                let mut table = outer.table(&name)?;
+                table.title = format!("{key} \"{name}\"");
+                Some((name, table))
+            })
+            .collect()
+    }
+
+    /// Notes every key that was not asked for.
+    pub fn finish(&self) {
+        let asked = self.asked.borrow();
+        for entry in self.entries {
+            if !asked.contains(&entry.key) {
+                let problem = DocumentProblem::UnknownKey {
+                    key: entry.key.clone(),
+                    table: self.title.clone(),
+                    known: asked.clone(),
+                };
+                self.document.note(entry.line, &problem);
+            }
+        }
+    }
+
+    fn entry(&self, key: &str) -> Option<&'a Entry> {
+        self.entries.iter().find(|entry| entry.key == key)
+    }
+
+    fn ask_entry(&self, key: &str) -> Option<&'a Entry> {
+        let mut asked = self.asked.borrow_mut();
+        if !asked.iter().any(|known| known == key) {
+            asked.push(key.to_owned());
+        }
+        self.entry(key)
+    }
+
+    fn ask(&self, key: &str) -> Option<&'a Value> {
+        self.ask_entry(key).map(|entry| &entry.value)
+    }
+
+    fn require(&self, key: &str, expected: &str) -> Option<()> {
+        if self.ask(key).is_none() {
+            let problem = DocumentProblem::MissingKey {
+                key: key.to_owned(),
+                table: self.title.clone(),
+                expected: expected.to_owned(),
+            };
+            self.document.note(self.line, &problem);
+            return None;
+        }
+        Some(())
+    }
+
+    fn in_si(&self, key: &str, value: &Value, dimension: Dimension) -> Option<f64> {
+        let plain = |number: f64| number * self.document.factor(dimension);
+        let number = match &value.kind {
+            Kind::Integer(number) => plain(*number as f64),
+            Kind::Number(number) => plain(*number),
+            Kind::Text(text) => match parse_quantity(text, dimension) {
+                Ok(number) => number,
+                Err(problem) => {
+                    let key = key.to_owned();
+                    let problem = DocumentProblem::Unit { key, problem };
+                    self.document.note(value.line, &problem);
+                    return None;
+                }
+            },
+            _ => return self.wrong_value(key, value, &dimension.to_string()),
+        };
+        if number.is_finite() {
+            return Some(number);
+        }
+        self.wrong_value(key, value, &format!("{dimension}, finite"))
+    }
+
+    fn wrong_value<T>(&self, key: &str, value: &Value, expected: &str) -> Option<T> {
+        let problem = DocumentProblem::WrongValue {
+            key: key.to_owned(),
+            found: value.kind.describe(),
+            expected: expected.to_owned(),
+        };
+        self.document.note(value.line, &problem);
+        None
+    }
+}

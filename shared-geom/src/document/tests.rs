@@ -1,0 +1,122 @@
+//! Tests of the reader: values in SI units, and every problem at its line.
+
+use super::*;
+
+const TEXT: &str = r#"
+[units]
+length = "in"
+force = "lbf"
+
+[material.alu]
+young = 10.6e6
+poisson = 0.3
+density = "2700 kg/m^3"
+
+[[region]]
+group = "skin"
+offset = [1, 2.5, "25.4 mm"]
+"#;
+
+#[test]
+fn values_come_in_si() {
+    let document = Document::parse(TEXT, "a.toml").unwrap();
+    let root = document.root();
+    document.declare_units(&root);
+    let materials = root.named_tables("material");
+    let (name, alu) = &materials[0];
+    assert_eq!(name, "alu");
+    let young = alu.require_positive("young", Dimension::STRESS).unwrap();
+    assert!((young / (10.6e6 * 6_894.757_293_168) - 1.0).abs() < 1e-12);
+    assert_eq!(alu.quantity("density", Dimension::DENSITY), Some(2700.0));
+    assert_eq!(alu.quantity("poisson", Dimension::NUMBER), Some(0.3));
+    let region = &root.tables("region")[0];
+    let offset = region.vector("offset", Dimension::LENGTH).unwrap();
+    assert_eq!(offset, nalgebra::Vector3::new(0.0254, 2.5 * 0.0254, 0.0254));
+    assert_eq!(region.require_text("group", "a name").unwrap(), "skin");
+    for table in [&root, alu, region] {
+        table.finish();
+    }
+    assert!(document.finish(Some(())).is_ok());
+}
+
+/// Problems of `text` when `read` asks for its values.
+fn problems(text: &str, read: impl Fn(&Table<'_>)) -> String {
+    let document = Document::parse(text, "a.toml").unwrap();
+    let root = document.root();
+    read(&root);
+    root.finish();
+    document.finish(Some(())).unwrap_err().to_string()
+}
+
+#[test]
+fn all_problems_come_at_once_with_lines() {
+    let text = "units = \"SI\"\nlenght = 3\nwidth = \"4 kg\"\ncells = 0\nkind = \"quad5\"\n";
+    let shown = problems(text, |root| {
+        root.document().declare_units(root);
+        assert_eq!(root.require_quantity("length", Dimension::LENGTH), None);
+        assert_eq!(root.quantity("width", Dimension::LENGTH), None);
+        assert_eq!(root.count("cells"), None);
+        assert_eq!(root.word("kind", &["quad4", "quad8"]), None);
+    });
+    let expected = "\
+error: a.toml:1: the file has no \"length\", expected a length
+error: a.toml:3: \"width\": \"kg\" measures a mass, expected a length
+  help: units of it: m, mm, cm, km, um, in, ft
+error: a.toml:4: \"cells\" is 0, expected a whole number of at least 1
+error: a.toml:5: \"kind\" is \"quad5\", expected one of \"quad4\", \"quad8\"
+  help: did you mean \"quad4\"?
+error: a.toml:2: unknown key \"lenght\" in the file
+  help: did you mean \"length\"?";
+    assert_eq!(shown, expected);
+}
+
+#[test]
+fn undeclared_and_unknown_units_are_errors() {
+    let none = problems("a = 1\n", |root| {
+        root.document().declare_units(root);
+        let _ = root.quantity("a", Dimension::LENGTH);
+    });
+    assert!(none.contains("has no \"units\""), "{none}");
+    let wrong = problems("[units]\nlength = \"inch\"\n", |root| {
+        root.document().declare_units(root);
+    });
+    assert!(
+        wrong.contains("a.toml:2: \"length\": unknown unit \"inch\""),
+        "{wrong}"
+    );
+    assert!(wrong.contains("did you mean \"in\"?"), "{wrong}");
+}
+
+#[test]
+fn syntax_errors_carry_their_lines() {
+    let shown = Document::parse("a = 1\nb = \nc = [1,\n", "a.toml").unwrap_err();
+    assert!(
+        shown.to_string().contains("a.toml:2: not valid TOML"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn numbers_must_be_finite() {
+    for text in [
+        "a = nan",
+        "a = inf",
+        "a = 1e999",
+        "a = 99999999999999999999999",
+    ] {
+        let document = Document::parse(text, "a.toml");
+        if let Ok(document) = document {
+            let value = document.root().quantity("a", Dimension::NUMBER);
+            assert!(value.is_none_or(f64::is_finite), "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_missing_file_is_named() {
+    let shown = Document::read(Path::new("no/such.toml")).unwrap_err();
+    assert_eq!(
+        shown.to_string(),
+        "error: no/such.toml: cannot be read: no such file"
+    );
+}

@@ -1,0 +1,216 @@
+//! Diagnostics: what is wrong with an input, where it stands, and the likely remedy.
+//!
+//! Every stage has its own typed problem (an enum deriving `thiserror::Error`);
+//! [`Explain`] adds the remedy, and [`Diagnostics`] collects all problems of an
+//! input so that a user sees them at once rather than one at a time.
+
+use std::fmt;
+
+/// A typed problem that may know its remedy.
+pub trait Explain: std::error::Error {
+    /// The remedy in one line, shown behind `help:`; `None` where none is known.
+    fn help(&self) -> Option<String> {
+        None
+    }
+}
+
+/// Where a problem stands: a file, and a line of it where known.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// File name as the user gave it.
+    pub file: String,
+    /// Line, counted from one.
+    pub line: Option<usize>,
+}
+
+impl Place {
+    /// The whole of `file`.
+    pub fn file(file: impl Into<String>) -> Self {
+        Self {
+            file: file.into(),
+            line: None,
+        }
+    }
+
+    /// Line `line` (from one) of `file`.
+    pub fn line(file: impl Into<String>, line: usize) -> Self {
+        Self {
+            file: file.into(),
+            line: Some(line),
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}", self.file),
+            None => f.write_str(&self.file),
+        }
+    }
+}
+
+/// One problem at one place, ready to be shown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// Where it stands.
+    pub place: Place,
+    /// What was found and what was expected.
+    pub message: String,
+    /// The remedy, where one is known.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// States `problem` at `place`.
+    pub fn new(place: Place, problem: &impl Explain) -> Self {
+        Self {
+            place,
+            message: problem.to_string(),
+            help: problem.help(),
+        }
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.message)?;
+        match &self.help {
+            Some(help) => write!(f, "\n  help: {help}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// All problems of an input, in the order in which they were found.
+///
+/// As an error value it is never empty: see [`Diagnostics::into_result`].
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Diagnostics {
+    items: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    /// No problem so far.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The list that holds `problem` at `place` alone.
+    pub fn one(place: Place, problem: &impl Explain) -> Self {
+        Self {
+            items: vec![Diagnostic::new(place, problem)],
+        }
+    }
+
+    /// Adds `problem` at `place`.
+    pub fn push(&mut self, place: Place, problem: &impl Explain) {
+        self.items.push(Diagnostic::new(place, problem));
+    }
+
+    /// Takes over the problems of `other`.
+    pub fn append(&mut self, mut other: Diagnostics) {
+        self.items.append(&mut other.items);
+    }
+
+    /// Keeps the value of a good result; takes over the problems of a bad one.
+    pub fn keep<T>(&mut self, result: Result<T, Diagnostics>) -> Option<T> {
+        match result {
+            Ok(value) => Some(value),
+            Err(other) => {
+                self.append(other);
+                None
+            }
+        }
+    }
+
+    /// Whether no problem was found.
+    pub fn is_empty(&self) -> bool {
+        self.items.is_empty()
+    }
+
+    /// The problems, in the order in which they were found.
+    pub fn iter(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.items.iter()
+    }
+
+    /// `Ok(value)` when no problem was found, else the problems.
+    ///
+    /// # Errors
+    /// The collected problems, when there is at least one.
+    pub fn into_result<T>(self, value: T) -> Result<T, Diagnostics> {
+        if self.is_empty() {
+            Ok(value)
+        } else {
+            Err(self)
+        }
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, item) in self.items.iter().enumerate() {
+            if i > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "error: {item}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Diagnostics {}
+
+/// The name of `known` nearest to `found`, if it is near enough to be a slip of
+/// the pen: at most a third of the letters differ, or one begins with the other.
+pub fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let lower = found.to_lowercase();
+    known
+        .into_iter()
+        .map(|name| (distance(&lower, &name.to_lowercase()), name))
+        .min_by_key(|(distance, _)| *distance)
+        .filter(|(distance, name)| distance * 3 <= name.len().max(found.len()).max(3))
+        .map(|(_, name)| name)
+}
+
+/// Edit distance, where a missing or added ending counts as one slip.
+fn distance(a: &str, b: &str) -> usize {
+    let slips = strsim::damerau_levenshtein(a, b);
+    let ending = a.len().min(b.len()) >= 2 && (a.starts_with(b) || b.starts_with(a));
+    if ending { slips.min(1) } else { slips }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Debug, thiserror::Error)]
+    #[error("unknown key \"{0}\"")]
+    struct Unknown(String);
+
+    impl Explain for Unknown {
+        fn help(&self) -> Option<String> {
+            nearest_name(&self.0, ["region", "material"]).map(|n| format!("did you mean \"{n}\"?"))
+        }
+    }
+
+    #[test]
+    fn all_problems_are_shown_with_place_and_remedy() {
+        let mut all = Diagnostics::new();
+        all.push(Place::line("a.toml", 3), &Unknown("materail".into()));
+        all.push(Place::file("b.toml"), &Unknown("zzz".into()));
+        assert_eq!(
+            all.to_string(),
+            "error: a.toml:3: unknown key \"materail\"\n  help: did you mean \"material\"?\n\
+             error: b.toml: unknown key \"zzz\""
+        );
+        assert!(all.into_result(()).is_err());
+    }
+
+    #[test]
+    fn nearest_name_takes_slips_and_endings_but_not_strangers() {
+        assert_eq!(nearest_name("inch", ["in", "ft", "m"]), Some("in"));
+        assert_eq!(nearest_name("steal", ["steel", "alu"]), Some("steel"));
+        assert_eq!(nearest_name("carbon", ["steel", "alu"]), None);
+    }
+}

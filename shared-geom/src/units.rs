@@ -1,0 +1,487 @@
+//! Units: names, compound units such as `lbf*s^2/in^4`, and the system of units
+//! that an input file declares.
+//!
+//! Everything inside the programs is SI; only input and output convert.
+
+use std::fmt;
+
+use crate::error::{Explain, nearest_name};
+
+/// Exponents of the base quantities of a physical quantity.
+///
+/// Angle is kept apart from the pure numbers so that degrees cannot be given
+/// where a ratio is expected; it is the radian inside.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Dimension {
+    /// Exponent of length (m).
+    pub length: i8,
+    /// Exponent of mass (kg).
+    pub mass: i8,
+    /// Exponent of time (s).
+    pub time: i8,
+    /// Exponent of angle (rad).
+    pub angle: i8,
+}
+
+impl Dimension {
+    /// A pure number.
+    pub const NUMBER: Self = Self::of(0, 0, 0, 0);
+    /// Length, in meters inside.
+    pub const LENGTH: Self = Self::of(1, 0, 0, 0);
+    /// Mass, in kilograms inside.
+    pub const MASS: Self = Self::of(0, 1, 0, 0);
+    /// Time, in seconds inside.
+    pub const TIME: Self = Self::of(0, 0, 1, 0);
+    /// Angle, in radians inside.
+    pub const ANGLE: Self = Self::of(0, 0, 0, 1);
+    /// Force, in newtons inside.
+    pub const FORCE: Self = Self::of(1, 1, -2, 0);
+    /// Stress and moduli, in pascals inside.
+    pub const STRESS: Self = Self::of(-1, 1, -2, 0);
+    /// Mass per volume, in kg/m^3 inside.
+    pub const DENSITY: Self = Self::of(-3, 1, 0, 0);
+    /// Speed of rotation, in rad/s inside.
+    pub const ROTATION_SPEED: Self = Self::of(0, 0, -1, 1);
+    /// Cycles per time, in Hz inside.
+    pub const FREQUENCY: Self = Self::of(0, 0, -1, 0);
+    /// Bending and torsional stiffness, in N m^2 inside.
+    pub const BENDING_STIFFNESS: Self = Self::of(3, 1, -2, 0);
+    /// Moment of force, in N m inside.
+    pub const MOMENT: Self = Self::of(2, 1, -2, 0);
+    /// Mass per length, in kg/m inside.
+    pub const MASS_PER_LENGTH: Self = Self::of(-1, 1, 0, 0);
+    /// Moment of inertia per length, in kg m inside.
+    pub const INERTIA_PER_LENGTH: Self = Self::of(1, 1, 0, 0);
+    /// Moment of inertia, in kg m^2 inside.
+    pub const INERTIA: Self = Self::of(2, 1, 0, 0);
+
+    const fn of(length: i8, mass: i8, time: i8, angle: i8) -> Self {
+        Self {
+            length,
+            mass,
+            time,
+            angle,
+        }
+    }
+
+    /// Product with `other` raised to `power`; exponents saturate.
+    fn times(self, other: Self, power: i8) -> Self {
+        let add = |a: i8, b: i8| a.saturating_add(b.saturating_mul(power));
+        Self {
+            length: add(self.length, other.length),
+            mass: add(self.mass, other.mass),
+            time: add(self.time, other.time),
+            angle: add(self.angle, other.angle),
+        }
+    }
+}
+
+impl fmt::Display for Dimension {
+    /// The field's word where there is one, else the SI unit.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let word = match *self {
+            Self::NUMBER => "a pure number",
+            Self::LENGTH => "a length",
+            Self::MASS => "a mass",
+            Self::TIME => "a time",
+            Self::ANGLE => "an angle",
+            Self::FORCE => "a force",
+            Self::STRESS => "a stress",
+            Self::DENSITY => "a density",
+            Self::ROTATION_SPEED => "a rotation speed",
+            Self::FREQUENCY => "a frequency",
+            Self::BENDING_STIFFNESS => "a bending or torsional stiffness",
+            Self::MOMENT => "a moment",
+            Self::MASS_PER_LENGTH => "a mass per length",
+            Self::INERTIA_PER_LENGTH => "a moment of inertia per length",
+            Self::INERTIA => "a moment of inertia",
+            _ => return self.write_units(f),
+        };
+        f.write_str(word)
+    }
+}
+
+impl Dimension {
+    fn write_units(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a quantity in")?;
+        let parts = [
+            ("kg", self.mass),
+            ("m", self.length),
+            ("s", self.time),
+            ("rad", self.angle),
+        ];
+        for (unit, power) in parts.into_iter().filter(|part| part.1 != 0) {
+            match power {
+                1 => write!(f, " {unit}")?,
+                _ => write!(f, " {unit}^{power}")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A unit: its dimension and the number of SI units in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// What it measures.
+    pub dimension: Dimension,
+    /// SI units in one of it [SI unit of the dimension].
+    pub factor: f64,
+}
+
+/// Pound-force in newtons: 0.45359237 kg times 9.80665 m/s^2 (exact).
+const LBF: f64 = 4.448_221_615_260_5;
+/// Inch in meters (exact).
+const INCH: f64 = 0.0254;
+/// Foot in meters (exact).
+const FOOT: f64 = 0.3048;
+const DEG: f64 = std::f64::consts::PI / 180.0;
+const REV: f64 = 2.0 * std::f64::consts::PI;
+
+/// Names of the simple units, with dimension and factor.
+const NAMES: &[(&str, Dimension, f64)] = &[
+    ("m", Dimension::LENGTH, 1.0),
+    ("mm", Dimension::LENGTH, 1e-3),
+    ("cm", Dimension::LENGTH, 1e-2),
+    ("km", Dimension::LENGTH, 1e3),
+    ("um", Dimension::LENGTH, 1e-6),
+    ("in", Dimension::LENGTH, INCH),
+    ("ft", Dimension::LENGTH, FOOT),
+    ("kg", Dimension::MASS, 1.0),
+    ("g", Dimension::MASS, 1e-3),
+    ("t", Dimension::MASS, 1e3),
+    ("lb", Dimension::MASS, 0.453_592_37),
+    ("slug", Dimension::MASS, LBF / FOOT),
+    ("s", Dimension::TIME, 1.0),
+    ("ms", Dimension::TIME, 1e-3),
+    ("min", Dimension::TIME, 60.0),
+    ("h", Dimension::TIME, 3600.0),
+    ("rad", Dimension::ANGLE, 1.0),
+    ("deg", Dimension::ANGLE, DEG),
+    ("rev", Dimension::ANGLE, REV),
+    ("rpm", Dimension::ROTATION_SPEED, REV / 60.0),
+    ("Hz", Dimension::FREQUENCY, 1.0),
+    ("N", Dimension::FORCE, 1.0),
+    ("kN", Dimension::FORCE, 1e3),
+    ("MN", Dimension::FORCE, 1e6),
+    ("lbf", Dimension::FORCE, LBF),
+    ("kip", Dimension::FORCE, 1e3 * LBF),
+    ("Pa", Dimension::STRESS, 1.0),
+    ("kPa", Dimension::STRESS, 1e3),
+    ("MPa", Dimension::STRESS, 1e6),
+    ("GPa", Dimension::STRESS, 1e9),
+    ("psi", Dimension::STRESS, LBF / (INCH * INCH)),
+    ("ksi", Dimension::STRESS, 1e3 * LBF / (INCH * INCH)),
+    ("Msi", Dimension::STRESS, 1e6 * LBF / (INCH * INCH)),
+];
+
+/// What is wrong with a unit or a declaration of units.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum UnitProblem {
+    /// A simple unit whose name is not in the table.
+    #[error("unknown unit \"{found}\"")]
+    Unknown {
+        /// The name as written.
+        found: String,
+    },
+    /// A compound unit that cannot be taken apart.
+    #[error("unit \"{found}\" cannot be read, expected a product like \"lbf*s^2/in^4\"")]
+    Malformed {
+        /// The unit as written.
+        found: String,
+    },
+    /// A unit of another quantity.
+    #[error("\"{found}\" measures {measures}, expected {expected}")]
+    Dimension {
+        /// The unit as written.
+        found: String,
+        /// What it measures.
+        measures: Dimension,
+        /// What was to be measured.
+        expected: Dimension,
+    },
+}
+
+impl Explain for UnitProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Unknown { found } => {
+                let names = NAMES.iter().map(|unit| unit.0);
+                Some(match nearest_name(found, names.clone()) {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => format!("known units: {}", names.collect::<Vec<_>>().join(", ")),
+                })
+            }
+            Self::Malformed { .. } => None,
+            Self::Dimension { expected, .. } => {
+                let fitting: Vec<_> = NAMES
+                    .iter()
+                    .filter(|unit| unit.1 == *expected)
+                    .map(|unit| unit.0)
+                    .collect();
+                (!fitting.is_empty()).then(|| format!("units of it: {}", fitting.join(", ")))
+            }
+        }
+    }
+}
+
+/// Reads a simple or compound unit: factors joined by `*`, a space or `/`, each
+/// with an optional whole power, as in `lbf*s^2/in^4`, `kg/m^3`, `N m^2`.
+/// Each `/` divides by the one factor behind it. `1` stands for no unit.
+///
+/// # Errors
+/// [`UnitProblem`] for an unknown name or a text that is no product of units.
+pub fn parse(text: &str) -> Result<Unit, UnitProblem> {
+    let malformed = || UnitProblem::Malformed { found: text.into() };
+    let mut unit = Unit {
+        dimension: Dimension::NUMBER,
+        factor: 1.0,
+    };
+    let mut sign = 1;
+    let mut after_operator = true;
+    for token in tokens(text) {
+        match token {
+            "*" | "/" if after_operator => return Err(malformed()),
+            "*" => after_operator = true,
+            "/" => {
+                after_operator = true;
+                sign = -1;
+            }
+            name => {
+                let (factor, power) = simple(name).ok_or_else(malformed)??;
+                let power = sign * power;
+                unit.dimension = unit.dimension.times(factor.dimension, power);
+                unit.factor *= factor.factor.powi(i32::from(power));
+                (sign, after_operator) = (1, false);
+            }
+        }
+    }
+    if after_operator || !unit.factor.is_normal() {
+        return Err(malformed());
+    }
+    Ok(unit)
+}
+
+/// Splits at spaces, `*` and `/`, and keeps the operators.
+fn tokens(text: &str) -> impl Iterator<Item = &str> {
+    text.split_inclusive([' ', '*', '/'])
+        .flat_map(|piece| match piece.strip_suffix(['*', '/']) {
+            Some(name) => [name, &piece[name.len()..]],
+            None => [piece, ""],
+        })
+        .map(str::trim)
+        .filter(|token| !token.is_empty())
+}
+
+/// A name with an optional power: `s^2`; `None` when the power is no number.
+fn simple(token: &str) -> Option<Result<(Unit, i8), UnitProblem>> {
+    let (name, power) = match token.split_once('^') {
+        Some((name, power)) => (name, power.parse::<i8>().ok().filter(|p| p.abs() <= 9)?),
+        None => (token, 1),
+    };
+    if name == "1" {
+        let dimension = Dimension::NUMBER;
+        return Some(Ok((
+            Unit {
+                dimension,
+                factor: 1.0,
+            },
+            1,
+        )));
+    }
+    let found = NAMES.iter().find(|unit| unit.0 == name);
+    Some(match found {
+        Some(&(_, dimension, factor)) => Ok((Unit { dimension, factor }, power)),
+        None => Err(UnitProblem::Unknown { found: name.into() }),
+    })
+}
+
+/// As [`parse`], and the unit must measure `expected`.
+///
+/// # Errors
+/// As [`parse`], and [`UnitProblem::Dimension`].
+pub fn parse_as(text: &str, expected: Dimension) -> Result<Unit, UnitProblem> {
+    let unit = parse(text)?;
+    if unit.dimension == expected {
+        Ok(unit)
+    } else {
+        Err(UnitProblem::Dimension {
+            found: text.into(),
+            measures: unit.dimension,
+            expected,
+        })
+    }
+}
+
+/// Quantities that a file may declare a unit for, with the key of each.
+pub const DECLARABLE: [(&str, Dimension); 9] = [
+    ("length", Dimension::LENGTH),
+    ("mass", Dimension::MASS),
+    ("force", Dimension::FORCE),
+    ("time", Dimension::TIME),
+    ("angle", Dimension::ANGLE),
+    ("stress", Dimension::STRESS),
+    ("density", Dimension::DENSITY),
+    ("mass_per_length", Dimension::MASS_PER_LENGTH),
+    ("rotation_speed", Dimension::ROTATION_SPEED),
+];
+
+/// The units of the plain numbers of a file.
+///
+/// A declared quantity uses its unit. What is not declared follows from length,
+/// time, force and mass: quantities with a force in them (mass to the power one,
+/// time to minus two) use the unit of force, others that of mass; a missing one
+/// of the two is consistent with the other. Angles are degrees and rotation
+/// speeds rpm unless declared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Units {
+    declared: Vec<(Dimension, f64)>,
+}
+
+impl Default for Units {
+    fn default() -> Self {
+        Self::si()
+    }
+}
+
+impl Units {
+    /// Meter, kilogram, second, newton; angles in degrees, rotation speeds in rpm.
+    pub fn si() -> Self {
+        Self {
+            declared: Vec::new(),
+        }
+    }
+
+    /// Declares the unit of one quantity.
+    pub fn declare(&mut self, dimension: Dimension, unit: Unit) {
+        self.declared.push((dimension, unit.factor));
+    }
+
+    /// SI units in one declared unit of `dimension` [SI unit of the dimension].
+    pub fn factor(&self, dimension: Dimension) -> f64 {
+        if let Some(factor) = self.declared_factor(dimension) {
+            return factor;
+        }
+        let length = self.declared_factor(Dimension::LENGTH).unwrap_or(1.0);
+        let time = self.declared_factor(Dimension::TIME).unwrap_or(1.0);
+        let angle = match dimension {
+            Dimension::ROTATION_SPEED => return REV / 60.0,
+            _ => self.declared_factor(Dimension::ANGLE).unwrap_or(DEG),
+        };
+        let acceleration = length / (time * time);
+        let mass = self.declared_factor(Dimension::MASS);
+        let force = self.declared_factor(Dimension::FORCE);
+        let Dimension {
+            length: l,
+            mass: m,
+            time: t,
+            angle: a,
+        } = dimension;
+        let rest = angle.powi(i32::from(a));
+        if m == 1 && t == -2 {
+            let force = force
+                .or(mass.map(|mass| mass * acceleration))
+                .unwrap_or(1.0);
+            return force * length.powi(i32::from(l) - 1) * rest;
+        }
+        let mass = mass
+            .or(force.map(|force| force / acceleration))
+            .unwrap_or(1.0);
+        mass.powi(i32::from(m)) * length.powi(i32::from(l)) * time.powi(i32::from(t)) * rest
+    }
+
+    fn declared_factor(&self, dimension: Dimension) -> Option<f64> {
+        let declared = self.declared.iter().find(|pair| pair.0 == dimension);
+        declared.map(|pair| pair.1)
+    }
+}
+
+/// Reads a quantity with its unit, such as `10.6e6 psi` or `0.063 in`; the value
+/// is in SI units.
+///
+/// # Errors
+/// [`UnitProblem`]; a text that does not begin with a number is malformed.
+pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, UnitProblem> {
+    let malformed = || UnitProblem::Malformed { found: text.into() };
+    let trimmed = text.trim();
+    let (number, unit) = trimmed.split_once(' ').ok_or_else(malformed)?;
+    let number: f64 = number.parse().map_err(|_| malformed())?;
+    Ok(number * parse_as(unit, expected)?.factor)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn compound_units_have_their_factors() {
+        // 1 lbf s^2/in^4 = 4.4482216 / 0.0254^4 kg/m^3 (exact definitions).
+        let density = parse_as("lbf*s^2/in^4", Dimension::DENSITY).unwrap();
+        assert_relative_eq!(density.factor, LBF / INCH.powi(4), max_relative = 1e-15);
+        // 1 slug/ft^3 = 515.3788184 kg/m^3 (NIST SP 811, table B.9).
+        let slug = parse_as("slug/ft^3", Dimension::DENSITY).unwrap();
+        assert_relative_eq!(slug.factor, 515.378_818_4, max_relative = 1e-9);
+        // 1 psi = 6894.757293 Pa (NIST SP 811).
+        let psi = parse_as("lbf/in^2", Dimension::STRESS).unwrap();
+        assert_relative_eq!(psi.factor, 6894.757_293, max_relative = 1e-9);
+        assert_relative_eq!(
+            parse("psi").unwrap().factor,
+            psi.factor,
+            max_relative = 1e-15
+        );
+        assert_eq!(
+            parse("N m^2").unwrap().dimension,
+            Dimension::BENDING_STIFFNESS
+        );
+        assert_eq!(parse("rev/min").unwrap(), parse("rpm").unwrap());
+    }
+
+    #[test]
+    fn wrong_units_are_explained() {
+        let unknown = parse("inch").unwrap_err();
+        assert_eq!(unknown.to_string(), "unknown unit \"inch\"");
+        assert_eq!(unknown.help().unwrap(), "did you mean \"in\"?");
+        let other = parse_as("kg", Dimension::STRESS).unwrap_err();
+        assert_eq!(
+            other.to_string(),
+            "\"kg\" measures a mass, expected a stress"
+        );
+        for bad in ["", "*m", "m*", "m//s", "m^x", "m^99", "m**2", "2 m"] {
+            assert!(parse(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn undeclared_units_follow_from_length_force_and_time() {
+        let mut units = Units::si();
+        units.declare(Dimension::LENGTH, parse("in").unwrap());
+        units.declare(Dimension::FORCE, parse("lbf").unwrap());
+        let psi = parse("psi").unwrap().factor;
+        assert_relative_eq!(units.factor(Dimension::STRESS), psi, max_relative = 1e-14);
+        let density = parse("lbf*s^2/in^4").unwrap().factor;
+        assert_relative_eq!(
+            units.factor(Dimension::DENSITY),
+            density,
+            max_relative = 1e-14
+        );
+        let inertia = parse("lbf*s^2").unwrap().factor;
+        let per_length = units.factor(Dimension::INERTIA_PER_LENGTH);
+        assert_relative_eq!(per_length, inertia, max_relative = 1e-14);
+        assert_relative_eq!(units.factor(Dimension::ROTATION_SPEED), REV / 60.0);
+        assert_relative_eq!(units.factor(Dimension::ANGLE), DEG);
+        // Millimeter and newton: mass is the tonne.
+        let mut metric = Units::si();
+        metric.declare(Dimension::LENGTH, parse("mm").unwrap());
+        metric.declare(Dimension::FORCE, parse("N").unwrap());
+        assert_relative_eq!(metric.factor(Dimension::MASS), 1e3, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn quantities_carry_their_unit() {
+        let e = parse_quantity("10.6e6 psi", Dimension::STRESS).unwrap();
+        assert_relative_eq!(e, 10.6e6 * 6894.757_293_168, max_relative = 1e-12);
+        assert!(parse_quantity("psi", Dimension::STRESS).is_err());
+        assert!(parse_quantity("ten psi", Dimension::STRESS).is_err());
+    }
+}
