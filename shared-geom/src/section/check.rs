@@ -1,0 +1,345 @@
+//! What a set of section properties must satisfy before anyone computes with it.
+
+use nalgebra::{DMatrix, Matrix6};
+
+use super::{Damping, SectionProperties};
+use crate::error::Explain;
+use crate::wrench::COMPONENTS;
+
+/// Largest asymmetry accepted, relative to sqrt(Aii Ajj): files written with seven
+/// digits pass, a sign error or an exchanged row does not.
+const SYMMETRY: f64 = 1e-6;
+/// Largest violation accepted of `M11 = M22 = M33` and `M44 = M55 + M66`, relative.
+const MASS_STRUCTURE: f64 = 1e-6;
+/// Smallest eigenvalue of a scaled matrix that still counts as semidefinite:
+/// round-off of a file written with seven digits.
+const SEMIDEFINITE: f64 = -1e-6;
+
+/// Why section properties are refused.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PropertyProblem {
+    /// The text is not the JSON of a property file.
+    #[error("not a property file: {reason}")]
+    Malformed {
+        /// The parser's words.
+        reason: String,
+    },
+    /// The file is of a later version of the format.
+    #[error("written in version {found} of the property-file format, expected at most {known}")]
+    Newer {
+        /// The version of the file.
+        found: u64,
+        /// The version that this program writes.
+        known: u64,
+    },
+    /// The file declares other units.
+    #[error("units are \"{found}\", expected \"SI\"")]
+    Units {
+        /// The word found.
+        found: String,
+    },
+    /// A number that is not finite.
+    #[error("{field} holds a number that is not finite")]
+    NotFinite {
+        /// The field.
+        field: &'static str,
+    },
+    /// A list or matrix of another size.
+    #[error("{field} is {found}, expected {expected}")]
+    Size {
+        /// The field.
+        field: &'static str,
+        /// Size found.
+        found: String,
+        /// Size expected.
+        expected: String,
+    },
+    /// A matrix that is not symmetric.
+    #[error(
+        "{field} is not symmetric: entry ({row}, {column}) is {upper:e} and ({column}, {row}) is {lower:e}"
+    )]
+    Asymmetric {
+        /// The field.
+        field: &'static str,
+        /// Row, from one.
+        row: usize,
+        /// Column, from one.
+        column: usize,
+        /// Entry above the diagonal [unit of the matrix].
+        upper: f64,
+        /// Entry below the diagonal [unit of the matrix].
+        lower: f64,
+    },
+    /// A diagonal entry that must be positive.
+    #[error("{field} has {value:e} at ({index}, {index}) ({component}), expected more than zero")]
+    Diagonal {
+        /// The field.
+        field: &'static str,
+        /// Row and column, from one.
+        index: usize,
+        /// Its component.
+        component: &'static str,
+        /// The entry [unit of the matrix].
+        value: f64,
+    },
+    /// A matrix with a negative (or zero) eigenvalue.
+    #[error("{field} is not {expected}: its smallest scaled eigenvalue is {value:.3e}")]
+    Indefinite {
+        /// The field.
+        field: &'static str,
+        /// The property expected.
+        expected: &'static str,
+        /// Smallest eigenvalue of the matrix scaled to a unit diagonal [-].
+        value: f64,
+    },
+    /// Translational masses that differ.
+    #[error("mass has {found:?} at (1, 1), (2, 2), (3, 3), expected three equal masses")]
+    UnequalMass {
+        /// The three entries [kg/m].
+        found: [f64; 3],
+    },
+    /// A polar moment of inertia that is not the sum of the two others.
+    #[error("mass has {polar:e} at (4, 4), expected (5, 5) + (6, 6) = {sum:e}")]
+    Polar {
+        /// Polar moment of inertia per length [kg m].
+        polar: f64,
+        /// Sum of the two others [kg m].
+        sum: f64,
+    },
+    /// A damping factor below zero.
+    #[error("damping is {found}, expected zero or more")]
+    NegativeDamping {
+        /// The factor [s].
+        found: f64,
+    },
+}
+
+impl Explain for PropertyProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Newer { .. } => Some("use a newer version of this program".to_owned()),
+            Self::Units { .. } => Some("property files are always SI".to_owned()),
+            Self::Asymmetric { .. } | Self::Polar { .. } | Self::UnequalMass { .. } => {
+                Some(format!("the order is {}", COMPONENTS.join(", ")))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Name of the field that a problem is about, and the problem.
+pub(super) type FieldProblem = (&'static str, PropertyProblem);
+
+impl SectionProperties {
+    /// Everything that is wrong with the properties; empty when they are sound:
+    /// finite, symmetric, stiffness positive definite, mass positive semidefinite
+    /// with `M11 = M22 = M33` and `M44 = M55 + M66`.
+    pub fn problems(&self) -> Vec<PropertyProblem> {
+        self.field_problems().into_iter().map(|p| p.1).collect()
+    }
+
+    pub(super) fn field_problems(&self) -> Vec<FieldProblem> {
+        let mut found = Vec::new();
+        stiffness(&self.stiffness, &mut found);
+        mass(&self.mass, &mut found);
+        scalars(self, &mut found);
+        piezo(self, &mut found);
+        damping(self, &mut found);
+        found
+    }
+}
+
+fn stiffness(k: &Matrix6<f64>, found: &mut Vec<FieldProblem>) {
+    let field = "stiffness";
+    if !symmetric(field, &dynamic(k), found) {
+        return;
+    }
+    for i in 0..6 {
+        if k[(i, i)] <= 0.0 {
+            let (index, value) = (i + 1, k[(i, i)]);
+            let component = COMPONENTS[i];
+            let problem = PropertyProblem::Diagonal {
+                field,
+                index,
+                component,
+                value,
+            };
+            return found.push((field, problem));
+        }
+    }
+    let value = smallest_scaled_eigenvalue(&dynamic(k));
+    if value <= 0.0 {
+        let expected = "positive definite";
+        found.push((
+            field,
+            PropertyProblem::Indefinite {
+                field,
+                expected,
+                value,
+            },
+        ));
+    }
+}
+
+fn mass(m: &Matrix6<f64>, found: &mut Vec<FieldProblem>) {
+    let field = "mass";
+    if !symmetric(field, &dynamic(m), found) {
+        return;
+    }
+    semidefinite(field, &dynamic(m), found);
+    let translational = [m[(0, 0)], m[(1, 1)], m[(2, 2)]];
+    let spread = |value: f64| (value - translational[0]).abs();
+    let limit = MASS_STRUCTURE * translational[0].abs();
+    if translational.iter().any(|&value| spread(value) > limit) {
+        let found_masses = translational;
+        let problem = PropertyProblem::UnequalMass {
+            found: found_masses,
+        };
+        found.push((field, problem));
+    }
+    let (polar, sum) = (m[(3, 3)], m[(4, 4)] + m[(5, 5)]);
+    if (polar - sum).abs() > MASS_STRUCTURE * polar.abs().max(sum.abs()) {
+        found.push((field, PropertyProblem::Polar { polar, sum }));
+    }
+}
+
+/// Finiteness of everything that is neither a matrix nor optional data of its own.
+fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
+    let mut finite = |field, good: bool| {
+        if !good {
+            found.push((field, PropertyProblem::NotFinite { field }));
+        }
+    };
+    let all = |values: &[f64]| values.iter().all(|value| value.is_finite());
+    let centers = section.centers;
+    let axes = section.principal_axes;
+    finite("reference_point", all(section.reference_point.as_slice()));
+    finite(
+        "centers",
+        [centers.tension, centers.shear, centers.mass]
+            .iter()
+            .all(|center| all(center.as_slice())),
+    );
+    finite(
+        "principal_axes",
+        all(&[axes.bending_angle, axes.inertia_angle])
+            && all(&axes.bending_stiffness)
+            && all(&axes.inertia),
+    );
+    if let Some(initial) = &section.initial_curvature {
+        let good = all(initial.curvature.as_slice()) && all(initial.slope.as_slice());
+        finite("initial_curvature", good);
+    }
+    if let Some(thermal) = &section.thermal_force {
+        finite("thermal_force", all(thermal.as_slice()));
+    }
+}
+
+fn piezo(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
+    let Some(piezo) = &section.piezo else {
+        return;
+    };
+    let n = piezo.electrodes.len();
+    let mut size = |field, matrix: &DMatrix<f64>, rows: usize| {
+        if matrix.shape() != (rows, n) {
+            let problem = PropertyProblem::Size {
+                field,
+                found: format!("{} x {}", matrix.nrows(), matrix.ncols()),
+                expected: format!("{rows} x {n}, one column an electrode"),
+            };
+            found.push(("piezo", problem));
+        } else if matrix.iter().any(|value| !value.is_finite()) {
+            found.push(("piezo", PropertyProblem::NotFinite { field }));
+        }
+    };
+    size("piezo coupling", &piezo.coupling, 6);
+    size("piezo capacitance", &piezo.capacitance, n);
+    if piezo.capacitance.is_square() {
+        symmetric("piezo capacitance", &piezo.capacitance, found);
+    }
+}
+
+fn damping(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
+    let field = "damping";
+    match &section.damping {
+        Some(Damping::StiffnessProportional(time)) if !time.is_finite() => {
+            found.push((field, PropertyProblem::NotFinite { field }));
+        }
+        Some(Damping::StiffnessProportional(time)) if *time < 0.0 => {
+            found.push((field, PropertyProblem::NegativeDamping { found: *time }));
+        }
+        Some(Damping::Viscous(matrix)) => {
+            if symmetric(field, &dynamic(matrix), found) {
+                semidefinite(field, &dynamic(matrix), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn semidefinite(field: &'static str, matrix: &DMatrix<f64>, found: &mut Vec<FieldProblem>) {
+    let value = smallest_scaled_eigenvalue(matrix);
+    if value < SEMIDEFINITE {
+        let expected = "positive semidefinite";
+        found.push((
+            field,
+            PropertyProblem::Indefinite {
+                field,
+                expected,
+                value,
+            },
+        ));
+    }
+}
+
+/// Notes numbers that are not finite and the first asymmetric pair.
+fn symmetric(field: &'static str, a: &DMatrix<f64>, found: &mut Vec<FieldProblem>) -> bool {
+    if a.iter().any(|value| !value.is_finite()) {
+        found.push((field, PropertyProblem::NotFinite { field }));
+        return false;
+    }
+    for i in 0..a.nrows() {
+        for j in i + 1..a.ncols() {
+            let scale = (a[(i, i)] * a[(j, j)]).abs().sqrt();
+            let (upper, lower) = (a[(i, j)], a[(j, i)]);
+            if (upper - lower).abs() > SYMMETRY * scale.max(f64::MIN_POSITIVE) {
+                let (row, column) = (i + 1, j + 1);
+                let problem = PropertyProblem::Asymmetric {
+                    field,
+                    row,
+                    column,
+                    upper,
+                    lower,
+                };
+                found.push((field, problem));
+                return false;
+            }
+        }
+    }
+    true
+}
+
+/// Smallest eigenvalue of `A` scaled to a unit diagonal; a zero diagonal entry
+/// with a coupling beside it makes the matrix indefinite.
+fn smallest_scaled_eigenvalue(a: &DMatrix<f64>) -> f64 {
+    let largest = a.diagonal().amax();
+    if largest == 0.0 {
+        return -a.amax();
+    }
+    // A zero on the diagonal keeps its row unscaled, so that a coupling shows.
+    let scale = a.diagonal().map(|value| {
+        if value > 0.0 {
+            value.sqrt()
+        } else {
+            largest.sqrt()
+        }
+    });
+    let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| {
+        0.5 * (a[(i, j)] + a[(j, i)]) / (scale[i] * scale[j])
+    });
+    scaled.symmetric_eigenvalues().min()
+}
+
+fn dynamic(matrix: &Matrix6<f64>) -> DMatrix<f64> {
+    DMatrix::from_column_slice(6, 6, matrix.as_slice())
+}

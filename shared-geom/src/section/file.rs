@@ -1,0 +1,302 @@
+//! The property file: versioned JSON.
+
+use std::path::Path;
+
+use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
+use serde::{Deserialize, Serialize};
+
+use super::{
+    Centers, Damping, InitialCurvature, Piezo, PrincipalAxes, PropertyProblem, Provenance,
+    SectionProperties, json,
+};
+use crate::document::read_text;
+use crate::error::{Diagnostics, Place};
+
+/// Version of the file format that this program writes and reads.
+pub const VERSION: u64 = 1;
+const FORMAT: &str = "helicoid section properties";
+const CONVENTION: &str = "x along the beam, y and z in the section; components: axial, \
+    shear y, shear z, torsion, bending y, bending z; at the reference point";
+
+/// The file as written, field by field.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    format: String,
+    version: u64,
+    name: String,
+    units: String,
+    #[serde(default)]
+    convention: String,
+    reference_point: [f64; 2],
+    stiffness: [[f64; 6]; 6],
+    mass: [[f64; 6]; 6],
+    centers: FileCenters,
+    principal_axes: FileAxes,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    initial_curvature: Option<FileCurvature>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    piezo: Option<FilePiezo>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    thermal_force: Option<[f64; 6]>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    damping: Option<FileDamping>,
+    provenance: FileProvenance,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FileCenters {
+    tension: [f64; 2],
+    shear: [f64; 2],
+    mass: [f64; 2],
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FileAxes {
+    bending_angle: f64,
+    bending_stiffness: [f64; 2],
+    inertia_angle: f64,
+    inertia: [f64; 2],
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FileCurvature {
+    curvature: [f64; 3],
+    slope: [f64; 3],
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FilePiezo {
+    electrodes: Vec<String>,
+    coupling: Vec<Vec<f64>>,
+    capacitance: Vec<Vec<f64>>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "snake_case")]
+enum FileDamping {
+    StiffnessProportional(f64),
+    Viscous([[f64; 6]; 6]),
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FileProvenance {
+    program: String,
+    version: String,
+    input_hash: String,
+    nodes: usize,
+    cells: usize,
+}
+
+/// Enough of a file to know whether the rest can be understood.
+#[derive(Debug, Deserialize)]
+struct Head {
+    format: String,
+    version: u64,
+    units: String,
+}
+
+/// The text of the property file of `section`. Numbers keep all their digits.
+pub fn write(section: &SectionProperties) -> String {
+    let file = File::from(section);
+    match serde_json::to_value(&file) {
+        Ok(value) => json::layout(&value),
+        // Plain numbers, words and lists always have a JSON form.
+        Err(error) => error.to_string(),
+    }
+}
+
+/// Reads and checks the property file at `path`.
+///
+/// # Errors
+/// A file that cannot be read, and everything that [`parse`] finds.
+pub fn read(path: &Path) -> Result<SectionProperties, Diagnostics> {
+    parse(&read_text(path)?, &path.display().to_string())
+}
+
+/// Reads and checks the text of a property file, shown as `file` in messages.
+///
+/// # Errors
+/// Text of another format or a newer version, missing or unknown fields (with the
+/// line), and every [`PropertyProblem`] of the content.
+pub fn parse(text: &str, file: &str) -> Result<SectionProperties, Diagnostics> {
+    let malformed = |error: serde_json::Error| {
+        let place = Place::line(file, error.line().max(1));
+        let reason = error.to_string();
+        Diagnostics::one(place, &PropertyProblem::Malformed { reason })
+    };
+    let head: Head = serde_json::from_str(text).map_err(malformed)?;
+    check_head(&head, text, file)?;
+    let content: File = serde_json::from_str(text).map_err(malformed)?;
+    let mut problems = Diagnostics::new();
+    let section = content.section(text, file, &mut problems);
+    for (field, problem) in section.field_problems() {
+        problems.push(place_of(field, text, file), &problem);
+    }
+    problems.into_result(section)
+}
+
+fn check_head(head: &Head, text: &str, file: &str) -> Result<(), Diagnostics> {
+    let mut problems = Diagnostics::new();
+    if head.format != FORMAT {
+        let reason = format!("\"format\" is \"{}\", expected \"{FORMAT}\"", head.format);
+        let problem = PropertyProblem::Malformed { reason };
+        problems.push(place_of("format", text, file), &problem);
+    } else if head.version > VERSION {
+        let (found, known) = (head.version, VERSION);
+        let problem = PropertyProblem::Newer { found, known };
+        problems.push(place_of("version", text, file), &problem);
+    } else if head.units != "SI" {
+        let found = head.units.clone();
+        problems.push(
+            place_of("units", text, file),
+            &PropertyProblem::Units { found },
+        );
+    }
+    problems.into_result(())
+}
+
+/// The line of a field: the first on which its name stands as a key.
+fn place_of(field: &str, text: &str, file: &str) -> Place {
+    let key = format!("\"{field}\":");
+    let line = text
+        .lines()
+        .position(|line| line.trim_start().starts_with(&key));
+    match line {
+        Some(line) => Place::line(file, line + 1),
+        None => Place::file(file),
+    }
+}
+
+impl From<&SectionProperties> for File {
+    fn from(section: &SectionProperties) -> Self {
+        let axes = &section.principal_axes;
+        let source = &section.provenance;
+        Self {
+            format: FORMAT.to_owned(),
+            version: VERSION,
+            name: section.name.clone(),
+            units: "SI".to_owned(),
+            convention: CONVENTION.to_owned(),
+            reference_point: section.reference_point.into(),
+            stiffness: rows(&section.stiffness),
+            mass: rows(&section.mass),
+            centers: FileCenters {
+                tension: section.centers.tension.into(),
+                shear: section.centers.shear.into(),
+                mass: section.centers.mass.into(),
+            },
+            principal_axes: FileAxes {
+                bending_angle: axes.bending_angle,
+                bending_stiffness: axes.bending_stiffness,
+                inertia_angle: axes.inertia_angle,
+                inertia: axes.inertia,
+            },
+            initial_curvature: section.initial_curvature.map(|initial| FileCurvature {
+                curvature: initial.curvature.into(),
+                slope: initial.slope.into(),
+            }),
+            piezo: section.piezo.as_ref().map(|piezo| FilePiezo {
+                electrodes: piezo.electrodes.clone(),
+                coupling: lists(&piezo.coupling),
+                capacitance: lists(&piezo.capacitance),
+            }),
+            thermal_force: section.thermal_force.map(Into::into),
+            damping: section.damping.map(|damping| match damping {
+                Damping::StiffnessProportional(time) => FileDamping::StiffnessProportional(time),
+                Damping::Viscous(matrix) => FileDamping::Viscous(rows(&matrix)),
+            }),
+            provenance: FileProvenance {
+                program: source.program.clone(),
+                version: source.version.clone(),
+                input_hash: source.input_hash.clone(),
+                nodes: source.nodes,
+                cells: source.cells,
+            },
+        }
+    }
+}
+
+impl File {
+    /// The content; ragged matrices are noted and left empty.
+    fn section(self, text: &str, file: &str, problems: &mut Diagnostics) -> SectionProperties {
+        let mut matrix = |field, rows: &[Vec<f64>]| {
+            matrix_of(rows).unwrap_or_else(|| {
+                let found = "ragged".to_owned();
+                let expected = "rows of equal length".to_owned();
+                let problem = PropertyProblem::Size {
+                    field,
+                    found,
+                    expected,
+                };
+                problems.push(place_of("piezo", text, file), &problem);
+                DMatrix::zeros(0, 0)
+            })
+        };
+        let piezo = self.piezo.map(|piezo| Piezo {
+            coupling: matrix("piezo coupling", &piezo.coupling),
+            capacitance: matrix("piezo capacitance", &piezo.capacitance),
+            electrodes: piezo.electrodes,
+        });
+        SectionProperties {
+            name: self.name,
+            reference_point: Vector2::from(self.reference_point),
+            stiffness: matrix6(&self.stiffness),
+            mass: matrix6(&self.mass),
+            centers: Centers {
+                tension: Vector2::from(self.centers.tension),
+                shear: Vector2::from(self.centers.shear),
+                mass: Vector2::from(self.centers.mass),
+            },
+            principal_axes: PrincipalAxes {
+                bending_angle: self.principal_axes.bending_angle,
+                bending_stiffness: self.principal_axes.bending_stiffness,
+                inertia_angle: self.principal_axes.inertia_angle,
+                inertia: self.principal_axes.inertia,
+            },
+            initial_curvature: self.initial_curvature.map(|initial| InitialCurvature {
+                curvature: Vector3::from(initial.curvature),
+                slope: Vector3::from(initial.slope),
+            }),
+            piezo,
+            thermal_force: self.thermal_force.map(Vector6::from),
+            damping: self.damping.map(|damping| match damping {
+                FileDamping::StiffnessProportional(time) => Damping::StiffnessProportional(time),
+                FileDamping::Viscous(matrix) => Damping::Viscous(matrix6(&matrix)),
+            }),
+            provenance: Provenance {
+                program: self.provenance.program,
+                version: self.provenance.version,
+                input_hash: self.provenance.input_hash,
+                nodes: self.provenance.nodes,
+                cells: self.provenance.cells,
+            },
+        }
+    }
+}
+
+fn rows(matrix: &Matrix6<f64>) -> [[f64; 6]; 6] {
+    std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)]))
+}
+
+fn matrix6(rows: &[[f64; 6]; 6]) -> Matrix6<f64> {
+    Matrix6::from_fn(|i, j| rows[i][j])
+}
+
+fn lists(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    matrix
+        .row_iter()
+        .map(|row| row.iter().copied().collect())
+        .collect()
+}
+
+fn matrix_of(rows: &[Vec<f64>]) -> Option<DMatrix<f64>> {
+    let columns = rows.first().map_or(0, Vec::len);
+    let even = rows.iter().all(|row| row.len() == columns);
+    even.then(|| DMatrix::from_fn(rows.len(), columns, |i, j| rows[i][j]))
+}

@@ -1,0 +1,51 @@
+//! JSON laid out for reading: one line a field, one line a row of a matrix.
+
+use std::fmt::Write;
+
+use serde_json::Value;
+
+/// The text of `value`, with rows of numbers and words on one line each.
+pub(super) fn layout(value: &Value) -> String {
+    let mut text = String::new();
+    write_value(&mut text, value, 0);
+    text.push('\n');
+    text
+}
+
+fn write_value(text: &mut String, value: &Value, depth: usize) {
+    match value {
+        Value::Object(fields) if !fields.is_empty() => {
+            let items = fields.iter().map(|(key, item)| (Some(key), item));
+            write_items(text, ['{', '}'], items, depth);
+        }
+        Value::Array(items) if items.iter().any(|item| item.is_array()) => {
+            let items = items.iter().map(|item| (None, item));
+            write_items(text, ['[', ']'], items, depth);
+        }
+        Value::Array(items) => {
+            let words: Vec<_> = items.iter().map(Value::to_string).collect();
+            let _ = write!(text, "[{}]", words.join(", "));
+        }
+        other => {
+            let _ = write!(text, "{other}");
+        }
+    }
+}
+
+fn write_items<'a>(
+    text: &mut String,
+    brackets: [char; 2],
+    items: impl Iterator<Item = (Option<&'a String>, &'a Value)>,
+    depth: usize,
+) {
+    text.push(brackets[0]);
+    for (i, (key, item)) in items.enumerate() {
+        let comma = if i > 0 { "," } else { "" };
+        let _ = write!(text, "{comma}\n{:1$}", "", 2 * depth + 2);
+        if let Some(key) = key {
+            let _ = write!(text, "{}: ", Value::from(key.as_str()));
+        }
+        write_value(text, item, depth + 1);
+    }
+    let _ = write!(text, "\n{:1$}{2}", "", 2 * depth, brackets[1]);
+}
