@@ -1,0 +1,9 @@
+//! The system of equations: nodes, elements, and their sum in a fixed sparse pattern.
+
+pub mod mechanism;
+
+mod pattern;
+mod system;
+
+pub use pattern::{Pattern, Sparse};
+pub use system::{Residual, System, Tangent};

@@ -1,0 +1,288 @@
+//! Free mechanisms: motions that nothing resists.
+//!
+//! Nodes joined by elastic elements move together as a rigid part when no strain
+//! arises. With H the six rigid motions of each part and `Phi_y` the derivatives of
+//! the constraints at the undeformed state, a motion is free when
+//!
+//! ```text
+//! Phi_y H r = 0,   r /= 0
+//! ```
+//!
+//! so that the mechanisms are the null space of a small matrix, whatever the
+//! stiffness of the beams. Rotations are scaled by the size of the part.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use super::System;
+use crate::model::{NODE_UNKNOWNS, TurningFrame, Variable};
+use shared_geom::error::Explain;
+
+/// Singular values below this part of the largest count as zero: the entries are of
+/// order one, their round-off is 1e-16.
+const ZERO: f64 = 1e-9;
+
+/// A part of the model that can move freely.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("free mechanism: node \"{node}\"{} can move without resistance: {}", others(.nodes), .motions.join(", "))]
+pub struct Mechanism {
+    /// The node that moves most.
+    pub node: String,
+    /// Number of nodes in the part.
+    pub nodes: usize,
+    /// The free motions in words.
+    pub motions: Vec<String>,
+}
+
+fn others(nodes: &usize) -> String {
+    match nodes {
+        0 | 1 => String::new(),
+        2 => " and 1 node connected to it".to_owned(),
+        n => format!(" and {} nodes connected to it", n - 1),
+    }
+}
+
+impl Explain for Mechanism {
+    fn help(&self) -> Option<String> {
+        Some(
+            "hold it with a [[clamp]], or connect it by a [[beam]] to a part that is held"
+                .to_owned(),
+        )
+    }
+}
+
+/// A rigid part: its nodes, a point near their middle and its size.
+struct Part {
+    nodes: Vec<usize>,
+    center: Vector3<f64>,
+    /// Largest distance of a node from the center, or one [m].
+    size: f64,
+}
+
+/// Every free mechanism of the undeformed, unloaded model; empty for a sound one.
+pub fn find(system: &System) -> Vec<Mechanism> {
+    let parts = rigid_parts(system);
+    if parts.is_empty() {
+        return Vec::new();
+    }
+    let constraints = constraints_by_rigid_motions(system, &parts);
+    let free = null_space(&constraints);
+    if free.ncols() == 0 {
+        return Vec::new();
+    }
+    let described = parts.iter().enumerate().filter_map(|(i, part)| {
+        let motions = free.rows(6 * i, 6).into_owned();
+        (motions.amax() > 1e-6).then(|| describe(system, part, &motions))
+    });
+    described.collect()
+}
+
+/// Nodes connected through elements without constraints.
+fn rigid_parts(system: &System) -> Vec<Part> {
+    let count = system.nodes().len();
+    let mut part_of: Vec<usize> = (0..count).collect();
+    for element in system.elements().filter(|e| e.multipliers() == 0) {
+        for pair in element.nodes().windows(2) {
+            let (a, b) = (part_of[pair[0]], part_of[pair[1]]);
+            part_of.iter_mut().filter(|p| **p == b).for_each(|p| *p = a);
+        }
+    }
+    let mut names = part_of.clone();
+    names.sort_unstable();
+    names.dedup();
+    let part = |name: usize| {
+        let nodes: Vec<_> = (0..count).filter(|&node| part_of[node] == name).collect();
+        let position = |node: &usize| system.nodes()[*node].position;
+        let center = nodes.iter().map(position).sum::<Vector3<f64>>() / nodes.len() as f64;
+        let reach = nodes.iter().map(|node| (position(node) - center).norm());
+        let size = reach.fold(0.0, f64::max);
+        Part {
+            nodes,
+            center,
+            size: if size > 0.0 { size } else { 1.0 },
+        }
+    };
+    names.into_iter().map(part).collect()
+}
+
+/// Rigid motion number `motion` of a part at a node: displacement, in units of the
+/// size of the part, and rotation.
+fn rigid_motion(part: &Part, motion: usize, position: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    let mut axis = Vector3::zeros();
+    axis[motion % 3] = 1.0;
+    if motion < 3 {
+        [axis, Vector3::zeros()]
+    } else {
+        [axis.cross(&(position - part.center)) / part.size, axis]
+    }
+}
+
+/// `Phi_y H`: a row a constraint, six columns a part, each row scaled to one.
+fn constraints_by_rigid_motions(system: &System, parts: &[Part]) -> DMatrix<f64> {
+    let numbering = system.numbering();
+    let tangent = system.tangent(&system.rest(), &TurningFrame::at_rest());
+    let first = NODE_UNKNOWNS * numbering.nodes();
+    // At least as many rows as columns, so that the decomposition shows the null space.
+    let rows = numbering.multipliers().max(6 * parts.len());
+    let mut matrix = DMatrix::zeros(rows, 6 * parts.len());
+    let mut part_of = vec![0; numbering.nodes()];
+    for (i, part) in parts.iter().enumerate() {
+        part.nodes.iter().for_each(|&node| part_of[node] = i);
+    }
+    for (row, column, value) in tangent.by_unknowns.triplets() {
+        if row < first || column >= first {
+            continue;
+        }
+        let (node, place) = (column / NODE_UNKNOWNS, column % NODE_UNKNOWNS);
+        let part = &parts[part_of[node]];
+        for motion in 0..6 {
+            let [displacement, rotation] =
+                rigid_motion(part, motion, &system.nodes()[node].position);
+            let entry = match place {
+                0..3 => displacement[place] * part.size,
+                3..6 => rotation[place - Variable::Rotation.column()],
+                _ => 0.0,
+            };
+            matrix[(row - first, 6 * part_of[node] + motion)] += value * entry;
+        }
+    }
+    for mut row in matrix.row_iter_mut() {
+        let size = row.amax();
+        if size > 0.0 {
+            row /= size;
+        }
+    }
+    matrix
+}
+
+/// Orthonormal basis of the null space, one column each.
+fn null_space(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let decomposition = matrix.clone().svd(false, true);
+    let largest = decomposition.singular_values.amax();
+    let Some(v_t) = decomposition.v_t else {
+        return DMatrix::zeros(matrix.ncols(), 0);
+    };
+    let values = decomposition.singular_values.iter().enumerate();
+    let free: Vec<DVector<f64>> = values
+        .filter(|(_, value)| **value <= ZERO * largest.max(1.0))
+        .map(|(i, _)| v_t.row(i).transpose())
+        .collect();
+    if free.is_empty() {
+        return DMatrix::zeros(matrix.ncols(), 0);
+    }
+    DMatrix::from_columns(&free)
+}
+
+/// The free motions of one part in words. Unit motions that lie in the null space
+/// are named by their axis, others by their components.
+fn describe(system: &System, part: &Part, motions: &DMatrix<f64>) -> Mechanism {
+    const WORDS: [&str; 6] = [
+        "translation along x",
+        "translation along y",
+        "translation along z",
+        "rotation about x",
+        "rotation about y",
+        "rotation about z",
+    ];
+    // A unit motion is free when its projection on the null space has length one.
+    let pure: Vec<_> = (0..6)
+        .filter(|&i| (motions.row(i).norm() - 1.0).abs() < 1e-6)
+        .collect();
+    let mut words: Vec<_> = pure.iter().map(|&i| WORDS[i].to_owned()).collect();
+    let mixed = motions.column_iter().filter(|column| {
+        let inside: f64 = pure.iter().map(|&i| column[i] * column[i]).sum();
+        column.norm_squared() - inside > 1e-6
+    });
+    if let Some(column) = mixed.max_by(|a, b| a.norm().total_cmp(&b.norm())) {
+        let largest = column.amax();
+        let terms = (0..6).filter(|&i| column[i].abs() > 1e-3 * largest && !pure.contains(&i));
+        let terms: Vec<_> = terms
+            .map(|i| format!("{:+.3} {}", column[i] / largest, WORDS[i]))
+            .collect();
+        words.push(format!("together {}", terms.join(" ")));
+    }
+    let movement = |node: &usize| {
+        let position = &system.nodes()[*node].position;
+        let displacement = motions.column_iter().map(|column| {
+            let moved: Vector3<f64> = (0..6)
+                .map(|i| column[i] * rigid_motion(part, i, position)[0])
+                .sum();
+            moved.norm_squared()
+        });
+        displacement.sum::<f64>()
+    };
+    let most = part
+        .nodes
+        .iter()
+        .max_by(|a, b| movement(a).total_cmp(&movement(b)));
+    Mechanism {
+        node: most.map_or_else(String::new, |&node| system.nodes()[node].label.clone()),
+        nodes: part.nodes.len(),
+        motions: words,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::Element;
+    use crate::elements::beams::{BeamGeometry, BeamNode, ElasticBeam};
+    use crate::elements::joints::Clamp;
+    use crate::model::Node;
+    use nalgebra::{Matrix3, Matrix6};
+
+    fn node(label: &str, x: f64) -> Node {
+        Node {
+            label: label.to_owned(),
+            position: Vector3::new(x, 0.0, 0.0),
+            rotation: Matrix3::identity(),
+        }
+    }
+
+    fn beam(nodes: &[Node]) -> Box<dyn Element> {
+        let geometry = BeamGeometry {
+            nodes: [BeamNode::aligned(); 3],
+        };
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let stiffness = [Matrix6::identity() * 1e9; 2];
+        Box::new(ElasticBeam::new(
+            "beam",
+            [0, 1, 2],
+            geometry,
+            undeformed,
+            stiffness,
+        ))
+    }
+
+    #[test]
+    fn a_clamped_beam_is_sound_and_a_free_one_moves_in_six_ways() {
+        let nodes = vec![node("root", 0.0), node("mid", 1.0), node("tip", 2.0)];
+        let clamp: Box<dyn Element> = Box::new(Clamp::new("clamp", 0, &nodes[0]));
+        let held = System::new(nodes.clone(), vec![beam(&nodes), clamp]);
+        assert_eq!(find(&held), []);
+        let free = System::new(nodes.clone(), vec![beam(&nodes)]);
+        let found = find(&free);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].motions.len(), 6);
+        assert_eq!(found[0].nodes, 3);
+    }
+
+    #[test]
+    fn a_loose_node_is_named() {
+        let nodes = vec![
+            node("root", 0.0),
+            node("mid", 1.0),
+            node("tip", 2.0),
+            node("loose", 5.0),
+        ];
+        let clamp: Box<dyn Element> = Box::new(Clamp::new("clamp", 0, &nodes[0]));
+        let system = System::new(nodes.clone(), vec![beam(&nodes), clamp]);
+        let found = find(&system);
+        assert_eq!(found.len(), 1);
+        let shown = found[0].to_string();
+        assert!(
+            shown.starts_with("free mechanism: node \"loose\" can move"),
+            "{shown}"
+        );
+        assert!(shown.contains("translation along x"), "{shown}");
+    }
+}

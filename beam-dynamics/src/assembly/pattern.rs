@@ -1,0 +1,145 @@
+//! A sparsity pattern that is found once, and the matrices that share it.
+
+use std::sync::Arc;
+
+/// Pattern of a square sparse matrix in compressed columns.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pattern {
+    size: usize,
+    column_starts: Vec<usize>,
+    rows: Vec<usize>,
+}
+
+impl Pattern {
+    /// The pattern of the given places (row, column); repeated ones count once.
+    pub fn new(size: usize, mut places: Vec<(usize, usize)>) -> Self {
+        places.sort_unstable_by_key(|&(row, column)| (column, row));
+        places.dedup();
+        let mut column_starts = vec![0; size + 1];
+        for &(_, column) in &places {
+            column_starts[column + 1] += 1;
+        }
+        for column in 0..size {
+            column_starts[column + 1] += column_starts[column];
+        }
+        Self {
+            size,
+            column_starts,
+            rows: places.into_iter().map(|place| place.0).collect(),
+        }
+    }
+
+    /// Number of rows and of columns.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Number of stored entries.
+    pub fn entries(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Beginning of each column among the entries, and the end.
+    pub fn column_starts(&self) -> &[usize] {
+        &self.column_starts
+    }
+
+    /// Row of each entry, ascending in each column.
+    pub fn rows(&self) -> &[usize] {
+        &self.rows
+    }
+
+    /// Place of (row, column) among the entries, where it is stored.
+    pub fn place(&self, row: usize, column: usize) -> Option<usize> {
+        let range = self.column_starts[column]..self.column_starts[column + 1];
+        let found = self.rows[range.clone()].binary_search(&row).ok()?;
+        Some(range.start + found)
+    }
+}
+
+/// A sparse matrix on a shared pattern.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sparse {
+    pattern: Arc<Pattern>,
+    values: Vec<f64>,
+}
+
+impl Sparse {
+    /// Zero.
+    pub fn zero(pattern: Arc<Pattern>) -> Self {
+        let values = vec![0.0; pattern.entries()];
+        Self { pattern, values }
+    }
+
+    /// The pattern.
+    pub fn pattern(&self) -> &Arc<Pattern> {
+        &self.pattern
+    }
+
+    /// Stored values, in the order of the pattern.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Stored values, to be changed.
+    pub fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
+    }
+
+    /// The entry at (row, column), zero where none is stored.
+    pub fn entry(&self, row: usize, column: usize) -> f64 {
+        let place = self.pattern.place(row, column);
+        place.map_or(0.0, |place| self.values[place])
+    }
+
+    /// Adds `A x` to `y`.
+    pub fn multiply_add(&self, x: &[f64], y: &mut [f64]) {
+        let pattern = &self.pattern;
+        for (column, &factor) in x.iter().enumerate() {
+            let range = pattern.column_starts[column]..pattern.column_starts[column + 1];
+            for place in range {
+                y[pattern.rows[place]] += self.values[place] * factor;
+            }
+        }
+    }
+
+    /// `self + factor other`, on the same pattern.
+    pub fn plus(&self, factor: f64, other: &Self) -> Self {
+        debug_assert!(Arc::ptr_eq(&self.pattern, &other.pattern));
+        let values = self.values.iter().zip(&other.values);
+        Self {
+            pattern: Arc::clone(&self.pattern),
+            values: values.map(|(a, b)| a + factor * b).collect(),
+        }
+    }
+
+    /// Stored entries as (row, column, value), column by column.
+    pub fn triplets(&self) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
+        let pattern = &self.pattern;
+        (0..pattern.size).flat_map(move |column| {
+            let range = pattern.column_starts[column]..pattern.column_starts[column + 1];
+            range.map(move |place| (pattern.rows[place], column, self.values[place]))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn repeated_places_count_once_and_products_match_the_dense_ones() {
+        let places = vec![(2, 1), (0, 0), (1, 2), (0, 0), (1, 1)];
+        let pattern = Arc::new(Pattern::new(3, places));
+        assert_eq!(pattern.entries(), 4);
+        assert_eq!(pattern.place(2, 2), None);
+        let mut a = Sparse::zero(Arc::clone(&pattern));
+        a.values_mut().copy_from_slice(&[2.0, 3.0, 4.0, 5.0]);
+        // Columns: (2, 0, 0), (0, 3, 4), (0, 5, 0).
+        let mut y = vec![1.0; 3];
+        a.multiply_add(&[1.0, 10.0, 100.0], &mut y);
+        assert_eq!(y, [3.0, 531.0, 41.0]);
+        assert_eq!(a.entry(2, 1), 4.0);
+        assert_eq!(a.plus(-1.0, &a).triplets().map(|t| t.2).sum::<f64>(), 0.0);
+    }
+}

@@ -1,0 +1,213 @@
+//! The sum of all elements.
+
+use std::sync::Arc;
+
+use super::{Pattern, Sparse};
+use crate::elements::bodies::NodeBalance;
+use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
+use crate::model::{Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State, TurningFrame};
+
+/// A model as a system of equations `F(y, y') = 0`.
+#[derive(Debug)]
+pub struct System {
+    nodes: Vec<Node>,
+    elements: Vec<Box<dyn Element>>,
+    numbering: Numbering,
+    pattern: Arc<Pattern>,
+    /// For each element, the entries (local row, local column, place in the pattern).
+    scatter: Vec<Vec<(usize, usize, usize)>>,
+}
+
+/// Residual, and what each equation is to be measured against.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Residual {
+    /// The residual [unit of each equation].
+    pub values: Vec<f64>,
+    /// Sum of the absolute values of the terms [unit of each equation].
+    pub sizes: Vec<f64>,
+}
+
+/// Jacobian of a system: `F_y` and `F_y'` on one pattern.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tangent {
+    /// Derivatives by the unknowns.
+    pub by_unknowns: Sparse,
+    /// Derivatives by the rates of the unknowns.
+    pub by_rates: Sparse,
+}
+
+impl System {
+    /// The system of `nodes` and `elements`. The balance of momentum of every node
+    /// is added here.
+    pub fn new(nodes: Vec<Node>, elements: Vec<Box<dyn Element>>) -> Self {
+        let balances = nodes.iter().enumerate().map(|(i, node)| {
+            let balance: Box<dyn Element> = Box::new(NodeBalance::new(&node.label, i));
+            balance
+        });
+        let elements: Vec<_> = balances.chain(elements).collect();
+        let counts = elements.iter().map(|element| element.multipliers());
+        let numbering = Numbering::new(nodes.len(), counts);
+        let mut system = Self {
+            pattern: Arc::new(Pattern::new(0, Vec::new())),
+            scatter: Vec::new(),
+            nodes,
+            elements,
+            numbering,
+        };
+        system.find_pattern();
+        system
+    }
+
+    /// Lets every element add its Jacobian once, and notes where.
+    fn find_pattern(&mut self) {
+        let state = State::at_rest(&self.nodes, &self.numbering);
+        let frame = TurningFrame::at_rest();
+        let mut touched = Vec::with_capacity(self.elements.len());
+        for index in 0..self.elements.len() {
+            let jacobian = self.local_jacobian(index, &state, &frame);
+            let places: Vec<_> = jacobian
+                .touched()
+                .column_iter()
+                .enumerate()
+                .flat_map(|(j, column)| {
+                    let rows: Vec<_> = column.iter().enumerate().map(|(i, &t)| (i, t)).collect();
+                    rows.into_iter()
+                        .filter(|row| row.1)
+                        .map(move |row| (row.0, j))
+                })
+                .collect();
+            touched.push((self.places_of(index), places));
+        }
+        let all = touched
+            .iter()
+            .flat_map(|(places, entries)| entries.iter().map(|&(i, j)| (places[i], places[j])));
+        // The diagonal is always stored: the factorization may shift it.
+        let diagonal = (0..self.numbering.unknowns()).map(|i| (i, i));
+        let pattern = Pattern::new(self.numbering.unknowns(), all.chain(diagonal).collect());
+        self.scatter = touched
+            .into_iter()
+            .map(|(places, entries)| {
+                let stored = entries
+                    .into_iter()
+                    .filter_map(|(i, j)| Some((i, j, pattern.place(places[i], places[j])?)));
+                stored.collect()
+            })
+            .collect();
+        self.pattern = Arc::new(pattern);
+    }
+
+    /// Nodes of the model.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// Order of the unknowns.
+    pub fn numbering(&self) -> &Numbering {
+        &self.numbering
+    }
+
+    /// Elements, the balances of the nodes first.
+    pub fn elements(&self) -> impl Iterator<Item = &dyn Element> {
+        self.elements.iter().map(AsRef::as_ref)
+    }
+
+    /// The undeformed state at rest.
+    pub fn rest(&self) -> State {
+        State::at_rest(&self.nodes, &self.numbering)
+    }
+
+    /// Place in the system of each local row of an element.
+    fn places_of(&self, index: usize) -> Vec<usize> {
+        let element = &self.elements[index];
+        let of_nodes = element
+            .nodes()
+            .iter()
+            .flat_map(|&node| (0..NODE_UNKNOWNS).map(move |i| NODE_UNKNOWNS * node + i));
+        let first = self.numbering.first_multiplier_of(index);
+        of_nodes
+            .chain(first..first + element.multipliers())
+            .collect()
+    }
+
+    fn motions(&self, index: usize, state: &State) -> Vec<NodeMotion> {
+        let nodes = self.elements[index].nodes();
+        nodes.iter().map(|&node| state.nodes[node]).collect()
+    }
+
+    fn local_jacobian(&self, index: usize, state: &State, frame: &TurningFrame) -> LocalJacobian {
+        let element = &self.elements[index];
+        let nodes = self.motions(index, state);
+        let mut local = LocalJacobian::new(nodes.len(), element.multipliers());
+        let at = Local {
+            nodes: &nodes,
+            multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
+            frame,
+        };
+        element.jacobian(&at, &mut local);
+        local
+    }
+
+    /// The residual at a state.
+    pub fn residual(&self, state: &State, frame: &TurningFrame) -> Residual {
+        let n = self.numbering.unknowns();
+        let mut residual = Residual {
+            values: vec![0.0; n],
+            sizes: vec![0.0; n],
+        };
+        for (index, element) in self.elements.iter().enumerate() {
+            let nodes = self.motions(index, state);
+            let mut local = LocalResidual::new(nodes.len(), element.multipliers());
+            let at = Local {
+                nodes: &nodes,
+                multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
+                frame,
+            };
+            element.residual(&at, &mut local);
+            for (i, place) in self.places_of(index).into_iter().enumerate() {
+                residual.values[place] += local.values()[i];
+                residual.sizes[place] += local.sizes()[i];
+            }
+        }
+        residual
+    }
+
+    /// The Jacobian at a state, by the spatial variations of the unknowns.
+    pub fn tangent(&self, state: &State, frame: &TurningFrame) -> Tangent {
+        let mut by_unknowns = Sparse::zero(Arc::clone(&self.pattern));
+        let mut by_rates = Sparse::zero(Arc::clone(&self.pattern));
+        for (index, scatter) in self.scatter.iter().enumerate() {
+            let local = self.local_jacobian(index, state, frame);
+            for &(i, j, place) in scatter {
+                by_unknowns.values_mut()[place] += local.by_unknowns()[(i, j)];
+                by_rates.values_mut()[place] += local.by_rates()[(i, j)];
+            }
+        }
+        Tangent {
+            by_unknowns,
+            by_rates,
+        }
+    }
+
+    /// The equation at a place of the residual, in words: what and whose.
+    pub fn describe_equation(&self, place: usize) -> String {
+        if place < NODE_UNKNOWNS * self.nodes.len() {
+            let node = &self.nodes[place / NODE_UNKNOWNS].label;
+            let row = place % NODE_UNKNOWNS;
+            let equation = Equation::ALL[row / 3].words();
+            let axis = ["x", "y", "z"][row % 3];
+            return format!("{equation} along {axis} of node \"{node}\"");
+        }
+        let of_element = |index: &usize| {
+            let first = self.numbering.first_multiplier_of(*index);
+            (first..first + self.elements[*index].multipliers()).contains(&place)
+        };
+        match (0..self.elements.len()).find(of_element) {
+            Some(index) => {
+                let number = place - self.numbering.first_multiplier_of(index) + 1;
+                let label = self.elements[index].label();
+                format!("constraint {number} of \"{label}\"")
+            }
+            None => format!("equation {place}"),
+        }
+    }
+}

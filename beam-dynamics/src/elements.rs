@@ -1,0 +1,53 @@
+//! What acts on nodes: the [`Element`] trait and its families.
+
+use std::fmt::Debug;
+
+use crate::model::{NodeMotion, TurningFrame};
+
+pub mod beams;
+pub mod bodies;
+pub mod joints;
+
+mod local;
+
+#[cfg(test)]
+mod jacobian_tests;
+
+pub use local::{LocalJacobian, LocalResidual};
+
+/// What an element sees: the motion of its nodes, its multipliers, and the frame.
+#[derive(Debug, Clone, Copy)]
+pub struct Local<'a> {
+    /// Motion of the element's nodes, in its own order.
+    pub nodes: &'a [NodeMotion],
+    /// The element's multipliers.
+    pub multipliers: &'a [f64],
+    /// The frame of the model.
+    pub frame: &'a TurningFrame,
+}
+
+/// A part of the model that contributes to the equations of its nodes.
+///
+/// The residual of the system is the sum of the contributions; it vanishes in
+/// motion. Force and moment rows hold what acts *on* the node, momentum rows the
+/// momentum of the node minus that of the bodies. The Jacobian is exact, by the
+/// spatial variation of each variable (see [`crate::model::Variable`]).
+pub trait Element: Debug + Send + Sync {
+    /// Name, for messages.
+    fn label(&self) -> &str;
+
+    /// Nodes on which the element acts.
+    fn nodes(&self) -> &[usize];
+
+    /// Number of multipliers (constraint equations) that the element brings.
+    fn multipliers(&self) -> usize {
+        0
+    }
+
+    /// Adds the residual.
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual);
+
+    /// Adds the derivatives of the residual. The blocks that are added must be the
+    /// same at every state, so that the pattern of the system is found once.
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian);
+}

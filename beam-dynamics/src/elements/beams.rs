@@ -1,0 +1,10 @@
+//! Geometrically exact three-node beam by finite volumes, and its inertia.
+
+mod elastic;
+mod geometry;
+mod inertia;
+mod interpolation;
+
+pub use elastic::ElasticBeam;
+pub use geometry::{BeamGeometry, BeamNode};
+pub use inertia::{BeamInertia, lumped_bodies};

@@ -1,0 +1,247 @@
+//! Elastic forces of the three-node finite-volume beam.
+//!
+//! The beam is cut at the evaluation points I and II (xi = -+1/sqrt 3) into three
+//! portions, each in balance with its node. At an evaluation point, in section axes,
+//!
+//! ```text
+//! nu = R^T l - (R^T l)_ref        kappa = G(g~)^T g~' - (G^T g~')_ref
+//! [F~; M~] = K [nu; kappa]        F = R F~,  M = R M~
+//! ```
+//!
+//! and the forces on the nodes are
+//!
+//! ```text
+//! node 1:   F_I              M_I        + (p_I - x_1) x F_I
+//! node 2:   F_II - F_I       M_II - M_I + (p_II - x_2) x F_II - (p_I - x_2) x F_I
+//! node 3: - F_II           - M_II       - (p_II - x_3) x F_II
+//! ```
+//!
+//! Variations (see [`super::interpolation`] for theta and d p):
+//!
+//! ```text
+//! d nu = R^T (d l + [l]x theta)        d kappa = G^T d g~' + d(G^T g~')/dg~ d g~
+//! d F = R d F~ - [F]x theta            d M = R d M~ - [M]x theta
+//! d[(P - x) x F] = [P - x]x d F - [F]x (d P - d x)
+//! ```
+//!
+//! References: [Masarati], the three-node finite-volume beam (5.2-5.4).
+
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use shared_geom::rotation::{gibbs, skew};
+
+use super::geometry::{BeamGeometry, ReferencePoint};
+use super::interpolation::{NodalKinematics, PointKinematics, Shape};
+use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
+use crate::model::Equation::{Force, Moment};
+use crate::model::{Node, NodeMotion, Variable};
+
+/// xi of the evaluation points: the Gauss points, which make the beam of constant
+/// properties exact at its ends.
+const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
+
+/// Nodes whose portions meet at each evaluation point: the force of the point acts
+/// with plus on the first and with minus on the second.
+const NEIGHBORS: [(usize, usize); 2] = [(0, 1), (1, 2)];
+
+/// A geometrically exact elastic beam through three nodes.
+#[derive(Debug, Clone)]
+pub struct ElasticBeam {
+    label: String,
+    nodes: [usize; 3],
+    geometry: BeamGeometry,
+    points: [EvaluationPoint; 2],
+}
+
+#[derive(Debug, Clone)]
+struct EvaluationPoint {
+    shape: Shape,
+    reference: ReferencePoint,
+    /// Section stiffness, section axes [N, N m, N m^2].
+    stiffness: Matrix6<f64>,
+}
+
+/// Force and moment at an evaluation point, model axes, and what they hang on.
+struct Internal {
+    point: PointKinematics,
+    /// Force [N] and moment [N m] in model axes.
+    force: Vector3<f64>,
+    moment: Vector3<f64>,
+}
+
+/// Derivatives at an evaluation point by the variables of one node.
+struct ByNode {
+    position: Matrix3<f64>,
+    force: [Matrix3<f64>; 2],
+    moment: [Matrix3<f64>; 2],
+    point_by_rotation: Matrix3<f64>,
+}
+
+impl ElasticBeam {
+    /// A beam on nodes number `nodes`, undeformed at `undeformed`, with the stiffness
+    /// given at the evaluation points xi = -1/sqrt 3 and 1/sqrt 3.
+    pub fn new(
+        label: impl Into<String>,
+        nodes: [usize; 3],
+        geometry: BeamGeometry,
+        undeformed: [&Node; 3],
+        stiffness: [Matrix6<f64>; 2],
+    ) -> Self {
+        let points = std::array::from_fn(|i| {
+            let xi = EVALUATION_POINTS[i];
+            EvaluationPoint {
+                shape: Shape::at(xi),
+                reference: geometry.reference_point(&undeformed, xi),
+                stiffness: stiffness[i],
+            }
+        });
+        Self {
+            label: label.into(),
+            nodes,
+            geometry,
+            points,
+        }
+    }
+
+    /// xi of the two evaluation points.
+    pub fn evaluation_points() -> [f64; 2] {
+        EVALUATION_POINTS
+    }
+
+    /// Generalized strains at the two evaluation points, section axes, for the given
+    /// motion of the three nodes [-, 1/m].
+    pub fn strains(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
+        let nodal = NodalKinematics::new(&self.geometry, nodes);
+        std::array::from_fn(|i| self.points[i].strain(&nodal.at_point(&self.points[i])))
+    }
+
+    /// Internal forces at the two evaluation points, section axes [N, N m].
+    pub fn internal_forces(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
+        let strains = self.strains(nodes);
+        std::array::from_fn(|i| self.points[i].stiffness * strains[i])
+    }
+}
+
+impl NodalKinematics {
+    fn at_point(&self, point: &EvaluationPoint) -> PointKinematics {
+        self.at(&point.shape, point.reference.j0)
+    }
+}
+
+impl EvaluationPoint {
+    fn strain(&self, point: &PointKinematics) -> Vector6<f64> {
+        let (slope, curvature) = point.strain_measures();
+        let nu = slope - self.reference.slope;
+        let kappa = curvature - self.reference.curvature;
+        Vector6::new(nu.x, nu.y, nu.z, kappa.x, kappa.y, kappa.z)
+    }
+
+    fn internal(&self, nodal: &NodalKinematics) -> Internal {
+        let point = nodal.at_point(self);
+        let section = self.stiffness * self.strain(&point);
+        Internal {
+            point,
+            force: point.r * section.fixed_rows::<3>(0),
+            moment: point.r * section.fixed_rows::<3>(3),
+        }
+    }
+
+    /// `d F` and `d M` by position and rotation of each node.
+    fn variation(&self, nodal: &NodalKinematics, at: &Internal) -> [ByNode; 3] {
+        let point = &at.point;
+        let shape = &self.shape;
+        let j0 = self.reference.j0;
+        let relative = nodal.relative_variation();
+        let theta = nodal.rotation_variation(shape, point, &relative);
+        let offset = nodal.offset_skew();
+        let tangent = gibbs::tangent(&point.g).transpose();
+        let bent = gibbs::tangent_transpose_derivative(&point.g, &point.g_prime);
+        // d kappa by theta_1 and theta_3; theta_2 takes minus their sum.
+        let kappa_outer = [0, 1].map(|k| {
+            let j = 2 * k;
+            (tangent * (shape.d[j] / j0) + bent * shape.n[j]) * relative[k]
+        });
+        let kappa = [
+            kappa_outer[0],
+            -kappa_outer[0] - kappa_outer[1],
+            kappa_outer[1],
+        ];
+        let rt = point.r.transpose();
+        let slope = skew(&point.l);
+        std::array::from_fn(|j| {
+            let nu_position = rt * (shape.d[j] / j0);
+            let nu_rotation = rt * (slope * theta[j] - offset[j] * (shape.d[j] / j0));
+            let zero = Matrix3::zeros();
+            let [force_x, moment_x] = self.section_forces(&point.r, &nu_position, &zero);
+            let [force_r, moment_r] = self.section_forces(&point.r, &nu_rotation, &kappa[j]);
+            ByNode {
+                position: shape.n[j] * Matrix3::identity(),
+                force: [force_x, force_r - skew(&at.force) * theta[j]],
+                moment: [moment_x, moment_r - skew(&at.moment) * theta[j]],
+                point_by_rotation: -offset[j] * shape.n[j],
+            }
+        })
+    }
+
+    /// `R K [d nu; d kappa]`, split into force and moment.
+    fn section_forces(
+        &self,
+        r: &Matrix3<f64>,
+        nu: &Matrix3<f64>,
+        kappa: &Matrix3<f64>,
+    ) -> [Matrix3<f64>; 2] {
+        let k = &self.stiffness;
+        [0, 3].map(|row| {
+            r * (k.fixed_view::<3, 3>(row, 0) * nu + k.fixed_view::<3, 3>(row, 3) * kappa)
+        })
+    }
+}
+
+impl Element for ElasticBeam {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        for (evaluation, (plus, minus)) in self.points.iter().zip(NEIGHBORS) {
+            let internal = evaluation.internal(&nodal);
+            for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
+                let arm = internal.point.p - nodal.x[node];
+                out.add(node, Force, &(sign * internal.force));
+                out.add(node, Moment, &(sign * internal.moment));
+                out.add(node, Moment, &(sign * arm.cross(&internal.force)));
+            }
+        }
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        for (evaluation, (plus, minus)) in self.points.iter().zip(NEIGHBORS) {
+            let internal = evaluation.internal(&nodal);
+            let variation = evaluation.variation(&nodal, &internal);
+            let force = skew(&internal.force);
+            for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
+                let arm = skew(&(internal.point.p - nodal.x[node]));
+                for (j, by) in variation.iter().enumerate() {
+                    let own = if j == node { 1.0 } else { 0.0 };
+                    let lever = [
+                        force * (by.position - own * Matrix3::identity()),
+                        force * by.point_by_rotation,
+                    ];
+                    for (k, variable) in [Variable::Position, Variable::Rotation]
+                        .into_iter()
+                        .enumerate()
+                    {
+                        let moment = by.moment[k] + arm * by.force[k] - lever[k];
+                        out.add((node, Force), (j, variable), &(sign * by.force[k]));
+                        out.add((node, Moment), (j, variable), &(sign * moment));
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Undeformed geometry of a three-node beam.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::interpolation::{NodalKinematics, PointKinematics, Shape};
+use crate::model::{Node, NodeMotion};
+
+/// How the beam is attached to one of its nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeamNode {
+    /// Offset of the reference line from the node, in node axes [m].
+    pub offset: Vector3<f64>,
+    /// Section axes (columns) in node axes [-].
+    pub orientation: Matrix3<f64>,
+}
+
+impl BeamNode {
+    /// On the node, with section axes along those of the node.
+    pub fn aligned() -> Self {
+        Self {
+            offset: Vector3::zeros(),
+            orientation: Matrix3::identity(),
+        }
+    }
+}
+
+/// Attachment of a three-node beam, and its undeformed nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeamGeometry {
+    /// Attachment to nodes 1, 2, 3.
+    pub nodes: [BeamNode; 3],
+}
+
+/// The undeformed beam at one point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ReferencePoint {
+    /// Undeformed length per unit of xi [m].
+    pub j0: f64,
+    /// Position [m].
+    pub p: Vector3<f64>,
+    /// Section axes.
+    pub r: Matrix3<f64>,
+    /// Slope in section axes [-].
+    pub slope: Vector3<f64>,
+    /// Curvature in section axes [1/m].
+    pub curvature: Vector3<f64>,
+}
+
+impl BeamGeometry {
+    /// The undeformed beam at xi, with `J0 = |N'_j p_j|`.
+    pub(super) fn reference_point(&self, nodes: &[&Node; 3], xi: f64) -> ReferencePoint {
+        let motion = nodes.map(NodeMotion::at_rest);
+        let nodal = NodalKinematics::new(self, &motion);
+        let shape = Shape::at(xi);
+        let j0 = nodal.at(&shape, 1.0).l.norm();
+        let point: PointKinematics = nodal.at(&shape, j0);
+        let (slope, curvature) = point.strain_measures();
+        ReferencePoint {
+            j0,
+            p: point.p,
+            r: point.r,
+            slope,
+            curvature,
+        }
+    }
+
+    /// Undeformed length of the reference line, by three Gauss points [m].
+    pub fn length(&self, nodes: &[&Node; 3]) -> f64 {
+        shared_geom::quadrature::line(3)
+            .iter()
+            .map(|(xi, weight)| weight * self.reference_point(nodes, *xi).j0)
+            .sum()
+    }
+}

@@ -1,0 +1,302 @@
+//! Inertia of the three-node finite-volume beam: momenta of its portions.
+//!
+//! Portion k reaches between the evaluation points around node k. *Lumped*: it moves
+//! rigidly with its node ([`lumped_bodies`]; second order). *Consistent*
+//! ([`BeamInertia`]; fourth order): it moves with the interpolated velocities
+//!
+//! ```text
+//! p' = N_j (v_j + omega_j x f_j)          omega = N_j omega_j
+//! h  = m p' + omega x S                   k = S x p' + J omega       (about p)
+//! momentum          - int_k h ds
+//! angular momentum  - int_k [(p - x_k) x h + k] ds
+//! ```
+//!
+//! with mass m, first moment S and inertia J per length, turned with the section.
+//! The rate of these momenta in the balance of the node is the exact balance of the
+//! portion about the moving node. Variations:
+//!
+//! ```text
+//! d p'    = N_j (d v_j - [f_j]x d omega_j - [omega_j]x [f_j]x theta_j)
+//! d h     = m d p' - [S]x d omega - [omega]x [S]x theta
+//! d k     = [p']x [S]x theta + [S]x d p' + (J [omega]x - [J omega]x) theta + J d omega
+//! ```
+//!
+//! References: [Masarati], consistent and lumped inertia of the finite-volume beam.
+
+use nalgebra::{Matrix3, Matrix6, Vector3};
+use shared_geom::quadrature;
+use shared_geom::rotation::skew;
+
+use super::elastic::ElasticBeam;
+use super::geometry::BeamGeometry;
+use super::interpolation::{NodalKinematics, PointKinematics, Shape};
+use crate::elements::bodies::RigidInertia;
+use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
+use crate::model::Equation::{AngularMomentum, Momentum};
+use crate::model::{Node, NodeMotion, TurningFrame, Variable};
+
+/// Gauss points a portion: products of two quadratic shape functions, an arm and a
+/// varying property are integrated exactly on straight beams.
+const POINTS: usize = 4;
+
+/// Mass, first moment and inertia per length at a point of the undeformed beam.
+#[derive(Debug, Clone)]
+struct MassPoint {
+    /// Portion, hence node, to which the point belongs.
+    portion: usize,
+    shape: Shape,
+    /// Undeformed length per unit of xi [m].
+    j0: f64,
+    /// Length that the point stands for [m].
+    length: f64,
+    /// Mass per length [kg/m].
+    mass: f64,
+    /// First moment per length, section axes [kg].
+    first_moment: Vector3<f64>,
+    /// Moment of inertia per length about the reference line, section axes [kg m].
+    inertia: Matrix3<f64>,
+}
+
+/// Consistent inertia of a three-node beam.
+#[derive(Debug, Clone)]
+pub struct BeamInertia {
+    label: String,
+    nodes: [usize; 3],
+    geometry: BeamGeometry,
+    points: Vec<MassPoint>,
+}
+
+impl BeamInertia {
+    /// Inertia of a beam on nodes number `nodes`, undeformed at `undeformed`, with
+    /// the 6x6 mass per length as a function of xi, section axes [kg/m, kg, kg m].
+    pub fn new(
+        label: impl Into<String>,
+        nodes: [usize; 3],
+        geometry: BeamGeometry,
+        undeformed: [&Node; 3],
+        mass: impl Fn(f64) -> Matrix6<f64>,
+    ) -> Self {
+        Self {
+            label: label.into(),
+            nodes,
+            geometry,
+            points: mass_points(&geometry, &undeformed, mass),
+        }
+    }
+}
+
+/// Points and weights of the three portions.
+fn mass_points(
+    geometry: &BeamGeometry,
+    undeformed: &[&Node; 3],
+    mass: impl Fn(f64) -> Matrix6<f64>,
+) -> Vec<MassPoint> {
+    let [first, second] = ElasticBeam::evaluation_points();
+    let limits = [-1.0, first, second, 1.0];
+    let mut points = Vec::with_capacity(3 * POINTS);
+    for portion in 0..3 {
+        let half = 0.5 * (limits[portion + 1] - limits[portion]);
+        let middle = 0.5 * (limits[portion + 1] + limits[portion]);
+        for (abscissa, weight) in quadrature::line(POINTS) {
+            let xi = middle + half * abscissa;
+            let j0 = geometry.reference_point(undeformed, xi).j0;
+            let m = mass(xi);
+            points.push(MassPoint {
+                portion,
+                shape: Shape::at(xi),
+                j0,
+                length: weight * half * j0,
+                mass: m[(0, 0)],
+                // The momentum of a rotation is omega x S = -[S]x omega.
+                first_moment: Vector3::new(0.5 * (m[(1, 5)] - m[(2, 4)]), -m[(0, 5)], m[(0, 4)]),
+                inertia: m.fixed_view::<3, 3>(3, 3).into_owned(),
+            });
+        }
+    }
+    points
+}
+
+/// Lumped inertia: for each of the three nodes the rigid inertia of its portion,
+/// about the node and in its axes.
+pub fn lumped_bodies(
+    geometry: &BeamGeometry,
+    undeformed: [&Node; 3],
+    mass: impl Fn(f64) -> Matrix6<f64>,
+) -> [RigidInertia; 3] {
+    let mut bodies = [RigidInertia::zero(); 3];
+    let motion = undeformed.map(NodeMotion::at_rest);
+    let nodal = NodalKinematics::new(geometry, &motion);
+    for point in mass_points(geometry, &undeformed, mass) {
+        let node = undeformed[point.portion];
+        let place = nodal.at(&point.shape, point.j0);
+        let into_node = node.rotation.transpose();
+        let r = into_node * place.r;
+        let b = into_node * (place.p - node.position);
+        let s = r * point.first_moment;
+        let j = r * point.inertia * r.transpose();
+        let (arm, moment) = (skew(&b), skew(&s));
+        let body = &mut bodies[point.portion];
+        body.mass += point.length * point.mass;
+        body.first_moment += point.length * (point.mass * b + s);
+        // int -[b + r]x [b + r]x dm, with int r dm = S and -int [r]x [r]x dm = J.
+        let about_node = j - point.mass * arm * arm - arm * moment - moment * arm;
+        body.inertia += point.length * about_node;
+    }
+    bodies
+}
+
+/// Section momenta at a mass point, in model axes, and what they hang on.
+struct Motion {
+    point: PointKinematics,
+    /// Velocity of the reference line in space [m/s].
+    velocity: Vector3<f64>,
+    /// Angular velocity in space [rad/s].
+    omega: Vector3<f64>,
+    /// First moment per length [kg].
+    s: Vector3<f64>,
+    /// Inertia per length [kg m].
+    j: Matrix3<f64>,
+    /// Momentum per length [kg/s].
+    h: Vector3<f64>,
+    /// Angular momentum per length about the reference line [kg m/s].
+    k: Vector3<f64>,
+}
+
+impl MassPoint {
+    fn motion(
+        &self,
+        nodal: &NodalKinematics,
+        nodes: &[NodeMotion],
+        frame: &TurningFrame,
+    ) -> Motion {
+        let point = nodal.at(&self.shape, self.j0);
+        let mut velocity = Vector3::zeros();
+        let mut omega = Vector3::zeros();
+        for (i, node) in nodes.iter().enumerate() {
+            let w = node.angular_velocity_in_space(frame);
+            velocity += self.shape.n[i] * (node.velocity_in_space(frame) + w.cross(&nodal.f[i]));
+            omega += self.shape.n[i] * w;
+        }
+        let s = point.r * self.first_moment;
+        let j = point.r * self.inertia * point.r.transpose();
+        Motion {
+            point,
+            velocity,
+            omega,
+            s,
+            j,
+            h: self.mass * velocity + omega.cross(&s),
+            k: s.cross(&velocity) + j * omega,
+        }
+    }
+}
+
+impl Element for BeamInertia {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        for mass in &self.points {
+            let motion = mass.motion(&nodal, at.nodes, at.frame);
+            let arm = motion.point.p - nodal.x[mass.portion];
+            let angular = arm.cross(&motion.h) + motion.k;
+            out.add(mass.portion, Momentum, &(-mass.length * motion.h));
+            out.add(mass.portion, AngularMomentum, &(-mass.length * angular));
+        }
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let relative = nodal.relative_variation();
+        for mass in &self.points {
+            let motion = mass.motion(&nodal, at.nodes, at.frame);
+            let theta = nodal.rotation_variation(&mass.shape, &motion.point, &relative);
+            for j in 0..3 {
+                let omega_j = at.nodes[j].angular_velocity_in_space(at.frame);
+                let by = mass.variation(&motion, j, &theta[j], &nodal.f[j], &omega_j, at.frame);
+                mass.add_variation(&nodal, &motion, j, &by, out);
+            }
+        }
+    }
+}
+
+/// Variations of the momenta per length by one variable of one node.
+struct ByVariable {
+    variable: Variable,
+    h: Matrix3<f64>,
+    k: Matrix3<f64>,
+    /// Variation of the position of the point.
+    p: Matrix3<f64>,
+}
+
+impl MassPoint {
+    /// Variations by position, rotation, velocity and angular velocity of node `j`,
+    /// whose rotation turns the section by `theta`.
+    fn variation(
+        &self,
+        motion: &Motion,
+        j: usize,
+        theta: &Matrix3<f64>,
+        offset: &Vector3<f64>,
+        omega_j: &Vector3<f64>,
+        frame: &TurningFrame,
+    ) -> [ByVariable; 4] {
+        let n = self.shape.n[j];
+        let zero = Matrix3::zeros();
+        let f = skew(offset);
+        let (s, w) = (skew(&motion.s), skew(&motion.omega));
+        let inertia = motion.j * w - skew(&(motion.j * motion.omega));
+        // (variable, d p', d omega, turning of the section, d p)
+        let identity = n * Matrix3::identity();
+        let rows = [
+            (Variable::Position, n * frame.skew(), zero, zero, identity),
+            (
+                Variable::Rotation,
+                -n * skew(omega_j) * f,
+                zero,
+                *theta,
+                -n * f,
+            ),
+            (Variable::Velocity, identity, zero, zero, zero),
+            (Variable::AngularVelocity, -n * f, identity, zero, zero),
+        ];
+        rows.map(|(variable, velocity, omega, turn, p)| ByVariable {
+            variable,
+            h: self.mass * velocity - s * omega - w * s * turn,
+            k: (skew(&motion.velocity) * s + inertia) * turn + s * velocity + motion.j * omega,
+            p,
+        })
+    }
+
+    /// Adds `-d int h` and `-d int [(p - x_k) x h + k]` for node `j`.
+    fn add_variation(
+        &self,
+        nodal: &NodalKinematics,
+        motion: &Motion,
+        j: usize,
+        by: &[ByVariable; 4],
+        out: &mut LocalJacobian,
+    ) {
+        let node = self.portion;
+        let arm = skew(&(motion.point.p - nodal.x[node]));
+        let h = skew(&motion.h);
+        for variation in by {
+            let own = j == node && variation.variable == Variable::Position;
+            let lever = if own {
+                variation.p - Matrix3::identity()
+            } else {
+                variation.p
+            };
+            let angular = arm * variation.h - h * lever + variation.k;
+            let column = (j, variation.variable);
+            out.add((node, Momentum), column, &(-self.length * variation.h));
+            out.add((node, AngularMomentum), column, &(-self.length * angular));
+        }
+    }
+}

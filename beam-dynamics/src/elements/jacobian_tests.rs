@@ -1,0 +1,248 @@
+//! Every element's Jacobian against central differences at random states.
+//!
+//! Step h = 1e-6 of unit-sized variables: truncation h^2 and round-off
+//! eps/h of terms of order one (properties are chosen so) give about 1e-9 of the
+//! largest entry; 2e-8 leaves a factor for the third derivatives.
+
+use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
+use shared_geom::rotation::{gibbs, vector};
+use shared_geom::wrench;
+
+use super::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
+use super::bodies::{NodeBalance, RigidBody, RigidInertia};
+use super::joints::Clamp;
+use super::{Element, Local, LocalJacobian, LocalResidual};
+use crate::model::{NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
+
+const STEP: f64 = 1e-6;
+const TOLERANCE: f64 = 2e-8;
+
+/// Deterministic numbers in [-1, 1].
+struct Random(u64);
+
+impl Random {
+    fn number(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    fn vector(&mut self, size: f64) -> Vector3<f64> {
+        size * Vector3::new(self.number(), self.number(), self.number())
+    }
+
+    fn rotation(&mut self, size: f64) -> Matrix3<f64> {
+        vector::to_rotation(&self.vector(size))
+    }
+
+    /// A symmetric positive definite 6x6 of unit size.
+    fn stiffness(&mut self) -> Matrix6<f64> {
+        let a = Matrix6::from_fn(|_, _| self.number());
+        a * a.transpose() + Matrix6::identity()
+    }
+
+    /// The mass of a section of unit size with its center off the reference.
+    fn mass(&mut self) -> Matrix6<f64> {
+        let inertia = Vector3::new(0.5, 0.2, 0.3);
+        let mut central = Matrix6::identity();
+        central
+            .fixed_view_mut::<3, 3>(3, 3)
+            .copy_from(&Matrix3::from_diagonal(&inertia));
+        let turned = wrench::rotate(&central, &self.rotation(1.0));
+        wrench::shift(&turned, &self.vector(0.3))
+    }
+}
+
+/// Undeformed nodes near x = 0, 1, 2 with arbitrary attitudes.
+fn nodes(random: &mut Random, count: usize) -> Vec<Node> {
+    (0..count)
+        .map(|i| Node {
+            label: format!("n{i}"),
+            position: Vector3::new(i as f64, 0.0, 0.0) + random.vector(0.1),
+            rotation: random.rotation(1.0),
+        })
+        .collect()
+}
+
+fn moved(random: &mut Random, node: &Node) -> NodeMotion {
+    NodeMotion {
+        position: node.position + random.vector(0.2),
+        rotation: random.rotation(0.4) * node.rotation,
+        momentum: random.vector(1.0),
+        angular_momentum: random.vector(1.0),
+        velocity: random.vector(1.0),
+        angular_velocity: random.vector(1.0),
+        momentum_rate: random.vector(1.0),
+        angular_momentum_rate: random.vector(1.0),
+    }
+}
+
+/// One variable of a node, varied by `step` along an axis.
+fn vary(node: &mut NodeMotion, variable: Variable, axis: usize, step: f64) {
+    let mut by = Vector3::zeros();
+    by[axis] = step;
+    match variable {
+        Variable::Position => node.position += by,
+        Variable::Rotation => node.rotation = gibbs::to_rotation(&by) * node.rotation,
+        Variable::Momentum => node.momentum += by,
+        Variable::AngularMomentum => node.angular_momentum += by,
+        Variable::Velocity => node.velocity += by,
+        Variable::AngularVelocity => node.angular_velocity += by,
+        Variable::MomentumRate => node.momentum_rate += by,
+        Variable::AngularMomentumRate => node.angular_momentum_rate += by,
+    }
+}
+
+fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
+    for _ in 0..5 {
+        let motion: Vec<_> = undeformed.iter().map(|node| moved(random, node)).collect();
+        let multipliers: Vec<_> = (0..element.multipliers())
+            .map(|_| random.number())
+            .collect();
+        let frame = TurningFrame {
+            angular_velocity: random.vector(1.0),
+            center: random.vector(1.0),
+        };
+        check_at(element, &motion, &multipliers, &frame);
+    }
+}
+
+fn check_at(
+    element: &dyn Element,
+    motion: &[NodeMotion],
+    multipliers: &[f64],
+    frame: &TurningFrame,
+) {
+    let residual = |nodes: &[NodeMotion], multipliers: &[f64]| {
+        let mut out = LocalResidual::new(nodes.len(), multipliers.len());
+        element.residual(
+            &Local {
+                nodes,
+                multipliers,
+                frame,
+            },
+            &mut out,
+        );
+        nalgebra::DVector::from_column_slice(out.values())
+    };
+    let mut jacobian = LocalJacobian::new(motion.len(), multipliers.len());
+    let at = Local {
+        nodes: motion,
+        multipliers,
+        frame,
+    };
+    element.jacobian(&at, &mut jacobian);
+
+    let n = NODE_UNKNOWNS * motion.len() + multipliers.len();
+    let mut by_unknowns = DMatrix::zeros(n, n);
+    let mut by_rates = DMatrix::zeros(n, n);
+    for node in 0..motion.len() {
+        for variable in Variable::ALL {
+            for axis in 0..3 {
+                let at = |step: f64| {
+                    let mut nodes = motion.to_vec();
+                    vary(&mut nodes[node], variable, axis, step);
+                    residual(&nodes, multipliers)
+                };
+                let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
+                let place = NODE_UNKNOWNS * node + variable.column() + axis;
+                let target = if variable.is_rate() {
+                    &mut by_rates
+                } else {
+                    &mut by_unknowns
+                };
+                target.set_column(place, &column);
+            }
+        }
+    }
+    for i in 0..multipliers.len() {
+        let at = |step: f64| {
+            let mut changed = multipliers.to_vec();
+            changed[i] += step;
+            residual(motion, &changed)
+        };
+        let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
+        by_unknowns.set_column(NODE_UNKNOWNS * motion.len() + i, &column);
+    }
+    for (exact, difference) in [
+        (jacobian.by_unknowns(), &by_unknowns),
+        (jacobian.by_rates(), &by_rates),
+    ] {
+        let scale = exact.amax().max(1.0);
+        let error = (exact - difference).amax() / scale;
+        assert!(error < TOLERANCE, "{}: {error:e}", element.label());
+    }
+    // Nothing that changes is outside the declared pattern.
+    for ((i, j), touched) in (0..n)
+        .flat_map(|j| (0..n).map(move |i| (i, j)))
+        .zip(jacobian.touched())
+    {
+        let size = by_unknowns[(i, j)].abs() + by_rates[(i, j)].abs();
+        assert!(
+            *touched || size < TOLERANCE,
+            "{}: ({i}, {j}) {size:e}",
+            element.label()
+        );
+    }
+}
+
+fn geometry(random: &mut Random) -> BeamGeometry {
+    BeamGeometry {
+        nodes: std::array::from_fn(|_| BeamNode {
+            offset: random.vector(0.1),
+            orientation: random.rotation(0.5),
+        }),
+    }
+}
+
+#[test]
+fn node_balance() {
+    let mut random = Random(1);
+    let nodes = nodes(&mut random, 1);
+    check(&NodeBalance::new("balance", 0), &nodes, &mut random);
+}
+
+#[test]
+fn rigid_body() {
+    let mut random = Random(2);
+    let nodes = nodes(&mut random, 1);
+    let central = Matrix3::from_diagonal(&Vector3::new(0.5, 0.7, 0.9));
+    let inertia = RigidInertia::about_node(1.3, &random.vector(0.5), &central);
+    check(&RigidBody::new("body", 0, inertia), &nodes, &mut random);
+}
+
+#[test]
+fn clamp() {
+    let mut random = Random(3);
+    let nodes = nodes(&mut random, 1);
+    check(&Clamp::new("clamp", 0, &nodes[0]), &nodes, &mut random);
+}
+
+#[test]
+fn elastic_beam_with_offsets_and_turned_sections() {
+    let mut random = Random(4);
+    for _ in 0..4 {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let stiffness = [random.stiffness(), random.stiffness()];
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let beam = ElasticBeam::new("beam", [0, 1, 2], geometry, undeformed, stiffness);
+        check(&beam, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn consistent_inertia_with_offsets_and_turned_sections() {
+    let mut random = Random(5);
+    for _ in 0..4 {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let (root, tip) = (random.mass(), random.mass());
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let mass = |xi: f64| 0.5 * (1.0 - xi) * root + 0.5 * (1.0 + xi) * tip;
+        let inertia = BeamInertia::new("inertia", [0, 1, 2], geometry, undeformed, mass);
+        check(&inertia, &nodes, &mut random);
+    }
+}

@@ -1,0 +1,13 @@
+//! What is constant during a run (nodes, numbering) and what changes (state).
+
+mod axes;
+mod frame;
+mod node;
+mod numbering;
+mod state;
+
+pub use axes::NamingAxes;
+pub use frame::TurningFrame;
+pub use node::Node;
+pub use numbering::{Equation, NODE_UNKNOWNS, Numbering, Variable};
+pub use state::{NodeMotion, State};

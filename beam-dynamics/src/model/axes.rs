@@ -1,0 +1,24 @@
+//! Directions by which the motion of a node is named: span, lag, flap, torsion.
+
+use nalgebra::Matrix3;
+
+/// Axes of a node for naming modes, in the undeformed configuration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NamingAxes {
+    /// Axes of the blade root (columns): x along the span, y in the direction of lag
+    /// (toward the leading edge), z in that of flap.
+    pub blade: Matrix3<f64>,
+    /// Axes of the section at the node (columns): x along the beam, about which
+    /// torsion turns.
+    pub section: Matrix3<f64>,
+}
+
+impl Default for NamingAxes {
+    /// The axes of the model's frame: span along x, lag along y, flap along z.
+    fn default() -> Self {
+        Self {
+            blade: Matrix3::identity(),
+            section: Matrix3::identity(),
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! Places of unknowns and equations in the vectors of the system, and their names.
+
+/// Unknowns, and equations, of a node.
+pub const NODE_UNKNOWNS: usize = 12;
+
+/// Vector equations of a node, in the order of its rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Equation {
+    /// Definition of the momentum [kg m/s].
+    Momentum,
+    /// Definition of the angular momentum about the node [kg m^2/s].
+    AngularMomentum,
+    /// Balance of forces [N].
+    Force,
+    /// Balance of moments about the node [N m].
+    Moment,
+}
+
+impl Equation {
+    /// All four, in order.
+    pub const ALL: [Self; 4] = [
+        Self::Momentum,
+        Self::AngularMomentum,
+        Self::Force,
+        Self::Moment,
+    ];
+
+    /// First row of the equation among the rows of its node.
+    pub fn row(self) -> usize {
+        3 * self as usize
+    }
+
+    /// The equation in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Momentum => "momentum",
+            Self::AngularMomentum => "angular momentum",
+            Self::Force => "force balance",
+            Self::Moment => "moment balance",
+        }
+    }
+}
+
+/// Vector variables of a node by which a residual is differentiated. Rotation is
+/// the spatial rotation `theta` of `dR = [theta]x R`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Variable {
+    /// Position [m].
+    Position,
+    /// Rotation [rad].
+    Rotation,
+    /// Momentum [kg m/s].
+    Momentum,
+    /// Angular momentum [kg m^2/s].
+    AngularMomentum,
+    /// Velocity relative to the frame [m/s].
+    Velocity,
+    /// Angular velocity relative to the frame [rad/s].
+    AngularVelocity,
+    /// Rate of the momentum [N].
+    MomentumRate,
+    /// Rate of the angular momentum [N m].
+    AngularMomentumRate,
+}
+
+impl Variable {
+    /// All eight: four variables, then their rates in the same order.
+    pub const ALL: [Self; 8] = [
+        Self::Position,
+        Self::Rotation,
+        Self::Momentum,
+        Self::AngularMomentum,
+        Self::Velocity,
+        Self::AngularVelocity,
+        Self::MomentumRate,
+        Self::AngularMomentumRate,
+    ];
+
+    /// First column of the variable among the columns of its node.
+    pub fn column(self) -> usize {
+        3 * (self as usize % 4)
+    }
+
+    /// Whether it is a rate.
+    pub fn is_rate(self) -> bool {
+        self as usize >= 4
+    }
+}
+
+/// Order of the unknowns: twelve a node (position, rotation, momentum, angular
+/// momentum), then the multipliers of each element in turn. The equations stand in
+/// the same order.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Numbering {
+    nodes: usize,
+    /// First multiplier of each element, and the end.
+    first_multiplier: Vec<usize>,
+}
+
+impl Numbering {
+    /// Numbers `nodes` nodes and elements with the given numbers of multipliers.
+    pub fn new(nodes: usize, multipliers_of_elements: impl Iterator<Item = usize>) -> Self {
+        let mut first_multiplier = vec![0];
+        for count in multipliers_of_elements {
+            let end = first_multiplier.last().copied().unwrap_or(0);
+            first_multiplier.push(end + count);
+        }
+        Self {
+            nodes,
+            first_multiplier,
+        }
+    }
+
+    /// Number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        NODE_UNKNOWNS * self.nodes + self.multipliers()
+    }
+
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        self.nodes
+    }
+
+    /// Number of multipliers.
+    pub fn multipliers(&self) -> usize {
+        self.first_multiplier.last().copied().unwrap_or(0)
+    }
+
+    /// Place of the first unknown of a node.
+    pub fn node(&self, node: usize) -> usize {
+        NODE_UNKNOWNS * node
+    }
+
+    /// Multipliers of an element, counted among the multipliers.
+    pub fn multipliers_of(&self, element: usize) -> std::ops::Range<usize> {
+        self.first_multiplier[element]..self.first_multiplier[element + 1]
+    }
+
+    /// Place of the first multiplier of an element among the unknowns.
+    pub fn first_multiplier_of(&self, element: usize) -> usize {
+        NODE_UNKNOWNS * self.nodes + self.first_multiplier[element]
+    }
+}
