@@ -1,0 +1,271 @@
+//! Modes over rotor speed: equilibrium, linearization, eigenvalues, names.
+
+use crate::assembly::System;
+use crate::case::ModesCase;
+use crate::model::State;
+use crate::modes::{EigenProblem, Eigenpair, ModeMotion, assurances, follow, separate};
+use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
+use crate::solver::LinearSolver;
+
+use super::steady::{Equilibrium, NoEquilibrium, equilibrium};
+
+/// Modes computed beyond those reported, so that a mode that rises out of the list
+/// at one speed is still followed to the next.
+const SPARE: usize = 6;
+/// Assurance below which a step in speed is halved to follow the modes.
+const FOLLOWED: f64 = 0.8;
+/// Halvings of a step in speed for following modes.
+const HALVINGS: usize = 5;
+
+/// Why an analysis stopped before its end.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum Failure {
+    /// No equilibrium at some speed.
+    #[error(transparent)]
+    Equilibrium(#[from] Box<NoEquilibrium>),
+    /// The linearized system cannot be inverted.
+    #[error("the model has a motion without stiffness at {speed:.6} rad/s: its frequency is zero")]
+    Singular {
+        /// Speed of rotation [rad/s].
+        speed: f64,
+    },
+}
+
+/// What was reached, and why it ended early if it did.
+#[derive(Debug)]
+pub struct ModesOutcome {
+    /// Frequencies at the speeds that were reached.
+    pub table: FrequencyTable,
+    /// Why the remaining speeds are missing.
+    pub failure: Option<Failure>,
+}
+
+/// Modes at one speed.
+struct Modes {
+    speed: f64,
+    state: State,
+    found: Vec<Mode>,
+    unstable: Vec<f64>,
+}
+
+struct Mode {
+    motion: ModeMotion,
+    point: ModePoint,
+}
+
+/// Steady equilibrium and modes at each speed of `case`.
+pub fn modes(case: &ModesCase) -> ModesOutcome {
+    let mut branches = Branches::default();
+    let mut table = FrequencyTable {
+        name: case.name.clone(),
+        speeds: Vec::new(),
+        branches: Vec::new(),
+        equilibria: Vec::new(),
+        remarks: Vec::new(),
+    };
+    let failure = run(case, &mut branches, &mut table).err();
+    table.branches = branches.into_table(case.count, table.speeds.len());
+    ModesOutcome { table, failure }
+}
+
+fn run(
+    case: &ModesCase,
+    branches: &mut Branches,
+    table: &mut FrequencyTable,
+) -> Result<(), Failure> {
+    let pattern = case.system.tangent(
+        &case.system.rest(),
+        &super::steady::frame_at(&case.spin, 0.0),
+    );
+    let solver = LinearSolver::new(pattern.by_unknowns.pattern());
+    let solver = solver.ok_or(Failure::Singular { speed: 0.0 })?;
+    let mut last: Option<Modes> = None;
+    for &speed in &case.speeds {
+        let rest = (0.0, case.system.rest());
+        let from = last
+            .as_ref()
+            .map_or(rest, |modes| (modes.speed, modes.state.clone()));
+        let steady = equilibrium(&case.system, &solver, &case.spin, (from.0, &from.1), speed)?;
+        let now = at_equilibrium(case, &solver, speed, &steady)?;
+        let links = match &last {
+            Some(before) => Some(links(case, &solver, before, &now, HALVINGS)?),
+            None => None,
+        };
+        branches.add(&now, links.as_deref());
+        table.speeds.push(speed);
+        table.equilibria.push(report(&steady));
+        table.remarks.extend(remarks(&now));
+        last = Some(now);
+    }
+    Ok(())
+}
+
+fn report(steady: &Equilibrium) -> EquilibriumReport {
+    EquilibriumReport {
+        iterations: steady.iterations,
+        residual: steady.residual,
+        positions: steady
+            .state
+            .nodes
+            .iter()
+            .map(|node| node.position.into())
+            .collect(),
+    }
+}
+
+fn remarks(modes: &Modes) -> Option<String> {
+    let worst = modes.unstable.last()?;
+    let speed = modes.speed * 30.0 / std::f64::consts::PI;
+    Some(format!(
+        "at {speed:.6} rpm the equilibrium is unstable: a motion grows with {worst:.3e} 1/s"
+    ))
+}
+
+/// Linearizes at an equilibrium and finds the lowest modes.
+fn at_equilibrium(
+    case: &ModesCase,
+    solver: &LinearSolver,
+    speed: f64,
+    steady: &Equilibrium,
+) -> Result<Modes, Failure> {
+    let system: &System = &case.system;
+    let tangent = system.tangent(&steady.state, &steady.frame);
+    let problem = EigenProblem::new(solver, &tangent, system.nodes().len());
+    let problem = problem.ok_or(Failure::Singular { speed })?;
+    let (pairs, real) = problem.lowest(case.count + SPARE);
+    let pairs = &pairs[..pairs.len().min(case.count + SPARE)];
+    let mut motions: Vec<_> = pairs
+        .iter()
+        .map(|pair| ModeMotion::new(pair, &tangent.by_rates))
+        .collect();
+    let frequencies: Vec<_> = pairs.iter().map(|pair| pair.angular_frequency).collect();
+    separate(&mut motions, &frequencies, &case.naming);
+    let mode = |(pair, motion): (&Eigenpair, ModeMotion)| {
+        let magnitude = pair.growth.hypot(pair.angular_frequency);
+        let point = ModePoint {
+            frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
+            damping_ratio: -pair.growth / magnitude,
+            shares: motion.shares(&case.naming),
+            assurance: None,
+        };
+        Mode { motion, point }
+    };
+    Ok(Modes {
+        speed,
+        state: steady.state.clone(),
+        found: pairs.iter().zip(motions).map(mode).collect(),
+        unstable: real.into_iter().filter(|growth| *growth > 0.0).collect(),
+    })
+}
+
+/// For each mode of `before`, its continuation in `now` and the least assurance on
+/// the way. Where some mode changes its shape too much in one step, the speed half
+/// way is computed as well.
+fn links(
+    case: &ModesCase,
+    solver: &LinearSolver,
+    before: &Modes,
+    now: &Modes,
+    halvings: usize,
+) -> Result<Vec<Option<(usize, f64)>>, Failure> {
+    let motions = |modes: &Modes| {
+        modes
+            .found
+            .iter()
+            .map(|mode| mode.motion.clone())
+            .collect::<Vec<_>>()
+    };
+    let macs = assurances(&motions(before), &motions(now));
+    let continued = follow(&macs);
+    let linked = |(i, next): (usize, &Option<usize>)| next.map(|j| (j, macs[i][j]));
+    let direct: Vec<_> = continued.iter().enumerate().map(linked).collect();
+    let reported = direct.iter().take(case.count);
+    let certain = reported
+        .clone()
+        .all(|link| link.is_some_and(|(_, mac)| mac >= FOLLOWED));
+    if certain || halvings == 0 {
+        return Ok(direct);
+    }
+    let middle = 0.5 * (before.speed + now.speed);
+    let from = (before.speed, &before.state);
+    let steady = equilibrium(&case.system, solver, &case.spin, from, middle)?;
+    let between = at_equilibrium(case, solver, middle, &steady)?;
+    let first = links(case, solver, before, &between, halvings - 1)?;
+    let second = links(case, solver, &between, now, halvings - 1)?;
+    let chained = first.into_iter().map(|link| {
+        let (middle, mac) = link?;
+        let (end, other) = second[middle]?;
+        Some((end, mac.min(other)))
+    });
+    Ok(chained.collect())
+}
+
+/// Modes while they are being followed.
+#[derive(Default)]
+struct Branches {
+    all: Vec<ModeBranch>,
+    /// Branch of each mode at the last speed.
+    current: Vec<usize>,
+    speeds: usize,
+}
+
+impl Branches {
+    /// Adds the modes of one more speed; `links` leads from the modes before.
+    fn add(&mut self, modes: &Modes, links: Option<&[Option<(usize, f64)>]>) {
+        let mut branch_of = vec![None; modes.found.len()];
+        for (i, link) in links.unwrap_or(&[]).iter().enumerate() {
+            if let Some((j, mac)) = link {
+                branch_of[*j] = Some((self.current[i], *mac));
+            }
+        }
+        self.current = modes
+            .found
+            .iter()
+            .zip(branch_of)
+            .map(|(mode, link)| {
+                let branch = link.map_or_else(|| self.begin(mode), |(branch, _)| branch);
+                let mut point = mode.point.clone();
+                point.assurance = link.map(|(_, mac)| mac);
+                self.all[branch].points.resize(self.speeds, None);
+                self.all[branch].points.push(Some(point));
+                branch
+            })
+            .collect();
+        self.speeds += 1;
+    }
+
+    /// A branch that begins with `mode`, named by its kind and the next number of it.
+    fn begin(&mut self, mode: &Mode) -> usize {
+        let kind: ModeKind = ModeMotion::kind(&mode.point.shares);
+        let number = 1 + self.all.iter().filter(|branch| branch.kind == kind).count();
+        self.all.push(ModeBranch {
+            name: format!("{} {number}", kind.word()),
+            kind,
+            points: Vec::new(),
+        });
+        self.all.len() - 1
+    }
+
+    /// The branches that are among the lowest `count` modes at some speed.
+    fn into_table(mut self, count: usize, speeds: usize) -> Vec<ModeBranch> {
+        for branch in &mut self.all {
+            branch.points.resize(speeds, None);
+        }
+        let rank = |branch: &ModeBranch, speed: usize| -> Option<usize> {
+            let own = branch.points[speed].as_ref()?.frequency;
+            let below = self
+                .all
+                .iter()
+                .filter_map(|other| other.points[speed].as_ref());
+            Some(below.filter(|point| point.frequency < own).count())
+        };
+        let kept: Vec<_> = self
+            .all
+            .iter()
+            .map(|b| (0..speeds).any(|speed| rank(b, speed).is_some_and(|r| r < count)))
+            .collect();
+        let mut kept = kept.into_iter();
+        self.all.retain(|_| kept.next().unwrap_or(false));
+        self.all
+    }
+}

@@ -1,0 +1,13 @@
+//! Modes: eigenvalues of the linearized system, what each mode does, and which mode
+//! at one speed is which at the next.
+
+mod eigen;
+mod inverse;
+mod motion;
+mod separation;
+mod tracking;
+
+pub use eigen::{EigenProblem, Eigenpair};
+pub use motion::ModeMotion;
+pub use separation::separate;
+pub use tracking::{assurances, follow};

@@ -1,0 +1,179 @@
+//! Eigenvalues of the linearized system nearest to zero, and their vectors.
+//!
+//! ```text
+//! (F_y + s F_y') v = 0
+//! ```
+//!
+//! The values are found by inversion ([`super::inverse`]), the vectors by inverse
+//! iteration on the original matrices, for all copies of a repeated value at once: a
+//! round blade, or a rotor of equal blades, has every frequency several times.
+
+use faer::c64;
+
+use super::inverse::Inverse;
+use crate::assembly::Tangent;
+use crate::model::NODE_UNKNOWNS;
+use crate::solver::{ComplexFactorization, LinearSolver};
+
+/// Values within this part of each other are copies of one value: far above the
+/// round-off of the eigenvalues of stiff models, far below what frequencies differ by.
+pub(super) const COPIES: f64 = 1e-6;
+/// The matrix is inverted this part beside the eigenvalue: near enough that one
+/// iteration suffices, far enough that the factorization keeps its digits.
+const BESIDE: f64 = 1e-10;
+/// Inverse iterations; the first already leaves other modes smaller by 1e-10 over
+/// their distance.
+const ITERATIONS: usize = 3;
+/// Real parts below this part of the magnitude are round-off of an undamped mode.
+const OSCILLATING: f64 = 1e-9;
+
+/// An eigenvalue `s` [1/s] and its vector: twelve entries a node.
+#[derive(Debug, Clone)]
+pub struct Eigenpair {
+    /// Real part of s: growth [1/s].
+    pub growth: f64,
+    /// Imaginary part of s: angular frequency [rad/s].
+    pub angular_frequency: f64,
+    /// Real parts of the vector [unit of each unknown].
+    pub real: Vec<f64>,
+    /// Imaginary parts of the vector [unit of each unknown].
+    pub imaginary: Vec<f64>,
+}
+
+/// A linearized system, ready for its eigenvalues.
+#[derive(Debug)]
+pub struct EigenProblem<'a> {
+    solver: &'a LinearSolver,
+    tangent: &'a Tangent,
+    inverse: Inverse,
+    /// Unknowns of the nodes.
+    size: usize,
+}
+
+impl<'a> EigenProblem<'a> {
+    /// Prepares the eigenvalues of `tangent`, whose first `nodes` times twelve
+    /// unknowns are those of nodes; `None` when `F_y` is singular.
+    pub fn new(solver: &'a LinearSolver, tangent: &'a Tangent, nodes: usize) -> Option<Self> {
+        let factorization = solver.factorize(tangent.by_unknowns.clone())?;
+        let size = NODE_UNKNOWNS * nodes;
+        Some(Self {
+            solver,
+            tangent,
+            inverse: Inverse::new(factorization, tangent.by_rates.clone(), size)?,
+            size,
+        })
+    }
+
+    /// The `count` eigenpairs of smallest angular frequency above zero, ascending,
+    /// where there are so many; and the real eigenvalues found on the way.
+    pub fn lowest(&self, count: usize) -> (Vec<Eigenpair>, Vec<f64>) {
+        let values = self.inverse.smallest(count);
+        let is_real = |s: &&c64| s.im.abs() <= OSCILLATING * s.norm();
+        let mut real: Vec<_> = values.iter().filter(is_real).map(|s| s.re).collect();
+        real.sort_by(f64::total_cmp);
+        let mut above: Vec<_> = values
+            .into_iter()
+            .filter(|s| !is_real(&s) && s.im > 0.0)
+            .collect();
+        above.sort_by(|a, b| a.im.total_cmp(&b.im));
+        above.truncate(count);
+        let mut pairs = Vec::with_capacity(above.len());
+        while pairs.len() < above.len() {
+            let rest = &above[pairs.len()..];
+            let near = |s: &&c64| (**s - rest[0]).norm() <= COPIES * rest[0].norm();
+            let copies = rest.iter().take_while(near).count().max(1);
+            pairs.extend(self.vectors(&rest[..copies]));
+        }
+        (pairs, real)
+    }
+
+    /// Independent vectors of a value and its copies.
+    fn vectors(&self, copies: &[c64]) -> Vec<Eigenpair> {
+        let mean = copies.iter().sum::<c64>() / copies.len() as f64;
+        let beside = mean * (1.0 + BESIDE);
+        let Tangent {
+            by_unknowns,
+            by_rates,
+        } = self.tangent;
+        let solved = self
+            .solver
+            .factorize_complex(by_unknowns, beside, by_rates)
+            .and_then(|matrix| self.iterate(&matrix, copies.len()));
+        // Where the inversion overflows there is no vector: the mode moves nothing.
+        let zero = || vec![vec![c64::new(0.0, 0.0); self.size]; copies.len()];
+        let vectors = solved.unwrap_or_else(zero);
+        let pair = |(s, vector): (&c64, Vec<c64>)| Eigenpair {
+            growth: s.re,
+            angular_frequency: s.im,
+            real: vector.iter().map(|v| v.re).collect(),
+            imaginary: vector.iter().map(|v| v.im).collect(),
+        };
+        copies.iter().zip(vectors).map(pair).collect()
+    }
+
+    /// `x <- (F_y + s F_y')^-1 F_y' x`, orthonormal, for several x at once; `None`
+    /// when a solution is not finite.
+    fn iterate(&self, matrix: &ComplexFactorization, count: usize) -> Option<Vec<Vec<c64>>> {
+        let n = self.tangent.by_rates.pattern().size();
+        let start = |copy: usize| {
+            let value =
+                |i: usize| c64::new(start_value(i + copy * n), start_value(i + (copy + 7) * n));
+            (0..n).map(value).collect::<Vec<_>>()
+        };
+        let mut vectors: Vec<_> = (0..count).map(start).collect();
+        for _ in 0..ITERATIONS {
+            for vector in &mut vectors {
+                *vector = self.rates_times(vector);
+                matrix.solve(vector)?;
+            }
+            orthonormalize(&mut vectors, self.size);
+        }
+        vectors
+            .iter_mut()
+            .for_each(|vector| vector.truncate(self.size));
+        Some(vectors)
+    }
+
+    /// `F_y' x`.
+    fn rates_times(&self, x: &[c64]) -> Vec<c64> {
+        let mut product = vec![c64::new(0.0, 0.0); x.len()];
+        for (i, j, value) in self.tangent.by_rates.triplets() {
+            product[i] += x[j] * value;
+        }
+        product
+    }
+}
+
+/// Orthonormalizes by Gram and Schmidt, twice for the round-off, in the product of the
+/// positions and rotations of the nodes: the reactions, which follow from these, are
+/// larger by the stiffness and would hide them.
+fn orthonormalize(vectors: &mut [Vec<c64>], size: usize) {
+    let is_motion = |i: &usize| i % NODE_UNKNOWNS < NODE_UNKNOWNS / 2;
+    let product = |a: &[c64], b: &[c64]| -> c64 {
+        (0..size)
+            .filter(is_motion)
+            .map(|i| a[i].conj() * b[i])
+            .sum()
+    };
+    for j in 0..vectors.len() {
+        let (before, rest) = vectors.split_at_mut(j);
+        let vector = &mut rest[0];
+        for other in before.iter().chain(before.iter()) {
+            let along = product(other, vector);
+            vector
+                .iter_mut()
+                .zip(other)
+                .for_each(|(v, o)| *v -= along * o);
+        }
+        let norm = product(vector, vector).re.sqrt();
+        if norm > 0.0 {
+            vector.iter_mut().for_each(|v| *v /= norm);
+        }
+    }
+}
+
+/// Entry of a start vector without structure and without chance.
+pub(super) fn start_value(i: usize) -> f64 {
+    let golden = 0.618_033_988_749_895;
+    ((i + 1) as f64 * golden).fract() - 0.5
+}

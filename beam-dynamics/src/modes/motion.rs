@@ -1,0 +1,154 @@
+//! What a mode does: its motion and the kinetic energy of each direction.
+//!
+//! The mass matrix is read off the linearized definitions of the momenta, `M = -dr/dq'`
+//! with r the rows of momentum and angular momentum and q' velocities and angular
+//! velocities. For the complex motion q of a mode the energy of direction d of a node
+//! is `Re(conj(q_d) (M q)_d)`; the shares of all directions sum to one.
+
+use nalgebra::{Complex, Vector3};
+
+use super::Eigenpair;
+use crate::assembly::Sparse;
+use crate::model::{Equation, NODE_UNKNOWNS, NamingAxes, Variable};
+use crate::result::{ModeKind, Shares};
+
+/// Least share of the kinetic energy for which a mode is named by one kind.
+const PURE_SHARE: f64 = 0.6;
+
+/// Motion of a mode: translation and rotation of each node.
+#[derive(Debug, Clone)]
+pub struct ModeMotion {
+    /// Six complex entries a node: displacement [m] and rotation [rad], of unit energy.
+    motion: Vec<Complex<f64>>,
+    /// `M` times the motion.
+    momentum: Vec<Complex<f64>>,
+}
+
+/// Six rows or columns a node, of the twelve of the system.
+const SIX: usize = 6;
+
+impl ModeMotion {
+    /// The motion of an eigenpair, scaled to unit energy `Re(q^H M q) = 1` and with the
+    /// largest entry real; `by_rates` is `F_y'`.
+    pub fn new(pair: &Eigenpair, by_rates: &Sparse) -> Self {
+        let nodes = pair.real.len() / NODE_UNKNOWNS;
+        let place = |k: usize| NODE_UNKNOWNS * (k / SIX) + k % SIX;
+        let motion: Vec<_> = (0..SIX * nodes)
+            .map(|k| Complex::new(pair.real[place(k)], pair.imaginary[place(k)]))
+            .collect();
+        let momentum = momenta(&motion, by_rates);
+        Self { motion, momentum }.scaled()
+    }
+
+    /// Displacement of each node as (real, imaginary) [m for a unit of energy].
+    pub fn displacements(&self) -> impl Iterator<Item = [Vector3<f64>; 2]> + '_ {
+        self.motion.chunks(SIX).map(|node| {
+            let part = |pick: fn(&Complex<f64>) -> f64| {
+                Vector3::new(pick(&node[0]), pick(&node[1]), pick(&node[2]))
+            };
+            [part(|z| z.re), part(|z| z.im)]
+        })
+    }
+
+    /// `q_a^H M q_b`.
+    pub(super) fn product(&self, other: &Self) -> Complex<f64> {
+        let terms = self.motion.iter().zip(&other.momentum);
+        terms.map(|(q, p)| q.conj() * p).sum()
+    }
+
+    /// Shares of flap, lag, torsion and axial motion, by the axes of each node.
+    pub fn shares(&self, axes: &[NamingAxes]) -> Shares {
+        let mut shares = self.energies(self, axes).map(|energy| energy.re);
+        let total: f64 = shares.iter().sum();
+        if total > 0.0 {
+            shares.iter_mut().for_each(|share| *share /= total);
+        }
+        shares
+    }
+
+    /// `q_a^H P M q_b` with P the projection on flap, lag, torsion and axial motion:
+    /// displacements along the axes of the blade, rotations about those of the section.
+    pub(super) fn energies(&self, other: &Self, axes: &[NamingAxes]) -> [Complex<f64>; 4] {
+        const AXIAL_LAG_FLAP: [usize; 3] = [3, 1, 0];
+        const TORSION_FLAP_LAG: [usize; 3] = [2, 0, 1];
+        let mut energies = [Complex::new(0.0, 0.0); 4];
+        for (k, axes) in axes.iter().enumerate() {
+            let parts = [
+                (SIX * k, &axes.blade, AXIAL_LAG_FLAP),
+                (SIX * k + 3, &axes.section, TORSION_FLAP_LAG),
+            ];
+            for (first, frame, kinds) in parts {
+                let at = |values: &[Complex<f64>]| {
+                    Vector3::new(values[first], values[first + 1], values[first + 2])
+                };
+                let (motion, momentum) = (at(&self.motion), at(&other.momentum));
+                for (axis, kind) in kinds.into_iter().enumerate() {
+                    let direction = frame.column(axis).map(Complex::from);
+                    energies[kind] += direction.dot(&motion).conj() * direction.dot(&momentum);
+                }
+            }
+        }
+        energies
+    }
+
+    /// The sum of `modes`, each times its factor.
+    pub(super) fn combined(modes: &[Self], factors: &[Complex<f64>]) -> Self {
+        let sum = |pick: fn(&Self) -> &Vec<Complex<f64>>| {
+            let length = modes.first().map_or(0, |mode| pick(mode).len());
+            let entry = |i: usize| modes.iter().zip(factors).map(|(m, f)| pick(m)[i] * f).sum();
+            (0..length).map(entry).collect()
+        };
+        Self {
+            motion: sum(|mode| &mode.motion),
+            momentum: sum(|mode| &mode.momentum),
+        }
+        .scaled()
+    }
+
+    /// The same mode with unit energy and its largest entry real.
+    fn scaled(mut self) -> Self {
+        let largest = self
+            .motion
+            .iter()
+            .max_by(|a, b| a.norm().total_cmp(&b.norm()));
+        let turn = largest
+            .filter(|z| z.norm() > 0.0)
+            .map(|z| z.conj() / z.norm());
+        let energy = self.product(&self).re;
+        let scale = if energy > 0.0 {
+            1.0 / energy.sqrt()
+        } else {
+            1.0
+        };
+        let factor = turn.unwrap_or(Complex::new(1.0, 0.0)) * scale;
+        let values = self.motion.iter_mut().chain(&mut self.momentum);
+        values.for_each(|z| *z *= factor);
+        self
+    }
+
+    /// The kind that holds most of the energy, or coupled when none holds enough.
+    pub fn kind(shares: &Shares) -> ModeKind {
+        let pure = ModeKind::PURE.into_iter().zip(shares);
+        match pure.max_by(|a, b| a.1.total_cmp(b.1)) {
+            Some((kind, &share)) if share >= PURE_SHARE => kind,
+            _ => ModeKind::Coupled,
+        }
+    }
+}
+
+/// `M q` from the rows of momentum and angular momentum of `F_y'`.
+fn momenta(motion: &[Complex<f64>], by_rates: &Sparse) -> Vec<Complex<f64>> {
+    let mut momentum = vec![Complex::new(0.0, 0.0); motion.len()];
+    let nodes = motion.len() / SIX;
+    let force = Equation::Force.row();
+    let momenta = Variable::Momentum.column();
+    for (row, column, value) in by_rates.triplets() {
+        let (i, j) = (row % NODE_UNKNOWNS, column % NODE_UNKNOWNS);
+        let of_nodes = row.max(column) < NODE_UNKNOWNS * nodes;
+        if of_nodes && i < force && j < momenta {
+            let from = SIX * (column / NODE_UNKNOWNS) + j;
+            momentum[SIX * (row / NODE_UNKNOWNS) + i] -= value * motion[from];
+        }
+    }
+    momentum
+}

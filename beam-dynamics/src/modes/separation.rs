@@ -1,0 +1,55 @@
+//! Modes of equal frequency: any combination of them is a mode too, and the
+//! eigenvalue solver returns an arbitrary one. Those that are pure flap, lag, torsion
+//! or axial motion are sought, as for a round blade at rest.
+//!
+//! With `G_ij = q_i^H M q_j` and the weighted energies `W_ij = q_i^H P_w M q_j`,
+//! weights 1, 2, 3, 4 of the four kinds, the pure combinations are the eigenvectors of
+//! `W c = w G c`.
+
+use nalgebra::{Complex, DMatrix};
+
+use super::ModeMotion;
+use super::eigen::COPIES;
+use crate::model::NamingAxes;
+
+/// Replaces modes of equal frequency by pure ones; `frequencies` ascend.
+pub fn separate(modes: &mut [ModeMotion], frequencies: &[f64], axes: &[NamingAxes]) {
+    let mut first = 0;
+    while first < modes.len() {
+        let limit = frequencies[first] * (1.0 + COPIES);
+        let count = frequencies[first..]
+            .iter()
+            .take_while(|f| **f <= limit)
+            .count();
+        if count > 1
+            && let Some(pure) = pure_combinations(&modes[first..first + count], axes)
+        {
+            modes[first..first + count].clone_from_slice(&pure);
+        }
+        first += count.max(1);
+    }
+}
+
+/// `None` when the modes are not independent.
+fn pure_combinations(modes: &[ModeMotion], axes: &[NamingAxes]) -> Option<Vec<ModeMotion>> {
+    let n = modes.len();
+    let gram = hermitian(&DMatrix::from_fn(n, n, |i, j| modes[i].product(&modes[j])));
+    let weighted = hermitian(&DMatrix::from_fn(n, n, |i, j| {
+        let energies = modes[i].energies(&modes[j], axes);
+        energies
+            .iter()
+            .zip([1.0, 2.0, 3.0, 4.0])
+            .map(|(e, w)| e * w)
+            .sum()
+    }));
+    // W c = w L L^H c with c = L^-H d: (L^-1 W L^-H) d = w d.
+    let inverse = gram.cholesky()?.l().try_inverse()?;
+    let standard = hermitian(&(&inverse * weighted * inverse.adjoint()));
+    let vectors = inverse.adjoint() * standard.symmetric_eigen().eigenvectors;
+    let combine = |j: usize| ModeMotion::combined(modes, vectors.column(j).as_slice());
+    Some((0..n).map(combine).collect())
+}
+
+fn hermitian(matrix: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
+    (matrix + matrix.adjoint()) * Complex::new(0.5, 0.0)
+}

@@ -1,0 +1,156 @@
+//! Results of an analysis, as values: what output writes.
+
+/// What a mode mainly does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ModeKind {
+    /// Bending out of the plane of rotation.
+    Flap,
+    /// Bending in the plane of rotation.
+    Lag,
+    /// Twist about the beam.
+    Torsion,
+    /// Extension.
+    Axial,
+    /// No kind holds enough of the kinetic energy.
+    Coupled,
+}
+
+impl ModeKind {
+    /// The four pure kinds, in the order of [`Shares`].
+    pub const PURE: [Self; 4] = [Self::Flap, Self::Lag, Self::Torsion, Self::Axial];
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Flap => "flap",
+            Self::Lag => "lag",
+            Self::Torsion => "torsion",
+            Self::Axial => "axial",
+            Self::Coupled => "coupled",
+        }
+    }
+}
+
+/// Shares of the kinetic energy of a mode: flap, lag, torsion, axial; their sum is
+/// one [-].
+pub type Shares = [f64; 4];
+
+/// One mode at one speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModePoint {
+    /// Frequency `Im(s) / 2 pi` [Hz].
+    pub frequency: f64,
+    /// Damping ratio `-Re(s) / |s|` [-].
+    pub damping_ratio: f64,
+    /// What the mode does at this speed [-].
+    pub shares: Shares,
+    /// Modal assurance criterion with the same mode at the speed before; `None` where
+    /// the mode begins [-].
+    pub assurance: Option<f64>,
+}
+
+/// One mode, followed over the speeds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeBranch {
+    /// Name: kind and number, such as `flap 2`; given at the first speed of the branch
+    /// and kept while the mode is followed.
+    pub name: String,
+    /// Kind at the first speed of the branch.
+    pub kind: ModeKind,
+    /// The mode at each speed; `None` where it is not among those computed.
+    pub points: Vec<Option<ModePoint>>,
+}
+
+/// How the steady equilibrium at one speed was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EquilibriumReport {
+    /// Newton iterations, those of intermediate speeds included.
+    pub iterations: usize,
+    /// Largest residual relative to the largest term of its kind [-].
+    pub residual: f64,
+    /// Position of each node [m].
+    pub positions: Vec<[f64; 3]>,
+}
+
+/// Frequencies over rotor speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrequencyTable {
+    /// Name of the model.
+    pub name: String,
+    /// Rotor speeds, ascending [rad/s].
+    pub speeds: Vec<f64>,
+    /// Modes, by the frequency at their first speed.
+    pub branches: Vec<ModeBranch>,
+    /// Equilibrium at each speed.
+    pub equilibria: Vec<EquilibriumReport>,
+    /// Remarks for the reader, such as an unstable equilibrium.
+    pub remarks: Vec<String>,
+}
+
+impl FrequencyTable {
+    /// Branches at speed number `speed` with their points, ascending in frequency.
+    pub fn at_speed(&self, speed: usize) -> Vec<(&ModeBranch, &ModePoint)> {
+        let mut found: Vec<_> = self
+            .branches
+            .iter()
+            .filter_map(|branch| Some((branch, branch.points.get(speed)?.as_ref()?)))
+            .collect();
+        found.sort_by(|a, b| a.1.frequency.total_cmp(&b.1.frequency));
+        found
+    }
+}
+
+/// A measured frequency.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeasuredPoint {
+    /// Rotor speed [rad/s].
+    pub speed: f64,
+    /// Frequency [Hz].
+    pub frequency: f64,
+    /// Place of the mode in ascending order, from one, where the kinds of
+    /// [`Measured::leave_out`] do not count; `None` for a point without a mode.
+    pub order: Option<usize>,
+}
+
+/// Measurements to be set beside the computed frequencies.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Measured {
+    /// The points.
+    pub points: Vec<MeasuredPoint>,
+    /// Kinds of modes that were not measured and do not count in the order.
+    pub leave_out: Vec<ModeKind>,
+}
+
+/// A measured frequency beside the computed one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// The measurement.
+    pub measured: MeasuredPoint,
+    /// Name of the computed mode.
+    pub name: String,
+    /// Computed frequency [Hz].
+    pub computed: f64,
+}
+
+impl Measured {
+    /// Sets each point that has an order and a computed speed (to 1e-6 of the
+    /// largest) beside the mode of that order in `table`.
+    pub fn compare(&self, table: &FrequencyTable) -> Vec<Comparison> {
+        let largest = table.speeds.iter().fold(1.0, |a: f64, b| a.max(*b));
+        let beside = |point: &MeasuredPoint| {
+            let near = |speed: &f64| (speed - point.speed).abs() <= 1e-6 * largest;
+            let speed = table.speeds.iter().position(near)?;
+            let modes = table.at_speed(speed);
+            let counted = modes
+                .into_iter()
+                .filter(|(branch, _)| !self.leave_out.contains(&branch.kind));
+            let (branch, mode) = counted.into_iter().nth(point.order?.checked_sub(1)?)?;
+            Some(Comparison {
+                measured: *point,
+                name: branch.name.clone(),
+                computed: mode.frequency,
+            })
+        };
+        self.points.iter().filter_map(beside).collect()
+    }
+}

@@ -1,0 +1,4 @@
+//! Validation of beam-dynamics against closed forms and published solutions.
+
+mod rotating_beam;
+mod uniform_beam;

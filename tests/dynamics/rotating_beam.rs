@@ -1,0 +1,147 @@
+//! Uniform blade clamped at the axis of rotation.
+//!
+//! Source: `tests/reference/dynamics/rotating_beam_frequencies.csv`: a Ritz solution
+//! with 16 polynomials of the Euler-Bernoulli beam, six digits; eta is the speed and
+//! the columns are frequencies, both in units of sqrt(EI / (m L^4)).
+
+use crate::uniform_beam::{Inertia, UniformBeam, frequencies};
+
+/// Rows of the reference: eta, flap 1..3, lag 1..3.
+fn reference() -> Vec<[f64; 7]> {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/reference/dynamics/rotating_beam_frequencies.csv"
+    );
+    let mut rows = Vec::new();
+    for record in csv::Reader::from_path(path).unwrap().records() {
+        let numbers: Vec<f64> = record.unwrap().iter().map(|x| x.parse().unwrap()).collect();
+        rows.push(numbers.try_into().unwrap());
+    }
+    assert_eq!(rows.len(), 10);
+    rows
+}
+
+/// Largest relative error of mode `mode` (from 0) of flap and lag over all speeds.
+fn errors(elements: usize, inertia: Inertia) -> [f64; 3] {
+    let rows = reference();
+    let speeds: Vec<_> = rows.iter().map(|row| row[0]).collect();
+    let case = UniformBeam::slender(elements, inertia).case(&speeds, 8);
+    let outcome = beam_dynamics::analysis::modes::modes(&case);
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    let mut worst = [0.0_f64; 3];
+    for (s, row) in rows.iter().enumerate() {
+        for (first, word) in [(1, "flap"), (4, "lag")] {
+            for mode in 0..3 {
+                let name = format!("{word} {}", mode + 1);
+                let branch = outcome
+                    .table
+                    .branches
+                    .iter()
+                    .find(|b| b.name == name)
+                    .unwrap();
+                let point = branch.points[s].as_ref().unwrap();
+                let computed = 2.0 * std::f64::consts::PI * point.frequency;
+                let error = (computed / row[first + mode] - 1.0).abs();
+                worst[mode] = worst[mode].max(error);
+            }
+        }
+    }
+    worst
+}
+
+/// 8 lumped elements: 5e-3 in the third mode over all ten speeds; the lower modes are
+/// better as the square of the number of waves.
+#[test]
+fn eight_lumped_elements_meet_the_exact_frequencies() {
+    let [first, second, third] = errors(8, Inertia::Lumped);
+    println!("lumped 8: {first:e} {second:e} {third:e}");
+    assert!(first < 5e-4 && second < 2e-3 && third < 5e-3);
+}
+
+/// Consistent inertia: fourth order. The third mode from 4 to 8 elements, where the
+/// error is well above the six digits of the reference; a slope of 3.7 leaves room
+/// for the next term of the error.
+#[test]
+fn consistent_inertia_converges_with_fourth_order() {
+    let [.., coarse] = errors(4, Inertia::Consistent);
+    let [.., fine] = errors(8, Inertia::Consistent);
+    let slope = (coarse / fine).log2();
+    println!("consistent: {coarse:e} {fine:e} slope {slope}");
+    assert!(slope > 3.7, "{coarse:e} {fine:e}: {slope}");
+    assert!(fine < 1e-3);
+}
+
+/// Without rotation: 2, 4 and 8 elements against `beam_static.json`, free vibration,
+/// and the orders 2 (lumped) and 4 (consistent) in the first mode.
+#[test]
+fn free_vibration_has_the_orders_two_and_four() {
+    // Euler-Bernoulli, clamped-free: beta L = 1.8751040687 (any text on vibration).
+    let exact = 1.875_104_068_711_961_f64.powi(2);
+    let error = |elements, inertia| {
+        let case = UniformBeam::slender(elements, inertia).case(&[0.0], 4);
+        frequencies(&case, 0, "flap")[0] / exact - 1.0
+    };
+    for (inertia, order, reference) in [
+        (Inertia::Lumped, 2.0, [1.4e-3, 3.2e-4, 7.6e-5]),
+        (Inertia::Consistent, 4.0, [7.7e-4, 5.0e-5, 2.9e-6]),
+    ] {
+        let found = [2, 4, 8].map(|elements| error(elements, inertia));
+        println!("{inertia:?}: {found:?}");
+        for (error, expected) in found.iter().zip(reference) {
+            // The reference errors are given with two digits; shear flexibility of
+            // 1e-8 is allowed for with 1e-6 absolute.
+            assert!(
+                (error - expected).abs() < 0.1 * expected + 1e-6,
+                "{found:?}"
+            );
+        }
+        let slope = (found[0] / found[1]).log2();
+        assert!((slope - order).abs() < 0.3, "{inertia:?}: {slope}");
+    }
+}
+
+/// Uniform beam in torsion, GJ = 1, polar inertia 1, clamped-free: omega = pi/2.
+/// Errors of `beam_static.json`: lumped -3.5e-3 (second order), consistent 8e-5
+/// (fourth order) for two elements.
+#[test]
+fn torsion_converges_as_bending_does() {
+    let exact = std::f64::consts::FRAC_PI_2;
+    for (inertia, order) in [(Inertia::Lumped, 2.0), (Inertia::Consistent, 4.0)] {
+        let error = |elements| {
+            let mut beam = UniformBeam::slender(elements, inertia);
+            beam.stiffness = nalgebra::Vector6::new(1e8, 1e8, 1e8, 1.0, 1e4, 1e4);
+            beam.mass = nalgebra::Vector6::new(1.0, 1.0, 1.0, 1.0, 0.5, 0.5);
+            let case = beam.case(&[0.0], 4);
+            frequencies(&case, 0, "torsion")[0] / exact - 1.0
+        };
+        let (coarse, fine): (f64, f64) = (error(2), error(4));
+        let slope = (coarse / fine).abs().log2();
+        println!("torsion {inertia:?}: {coarse:e} {fine:e} {slope}");
+        assert!(
+            (slope - order).abs() < 0.3,
+            "{inertia:?}: {coarse:e} {fine:e}"
+        );
+    }
+}
+/// A model above the size for dense eigenvalues, solved by Krylov iteration: 40
+/// elements, 972 unknowns. A round beam at rest has every bending frequency twice, and
+/// both copies must be found. Error of consistent elements: 2.9e-6 (8 elements) over
+/// 5^4, hence far below the 1e-6 of shear and extension.
+#[test]
+fn large_models_have_all_copies_of_repeated_frequencies() {
+    let case = UniformBeam::slender(40, Inertia::Consistent).case(&[0.0], 8);
+    for word in ["flap", "lag"] {
+        let found = frequencies(&case, 0, word);
+        assert_eq!(found.len(), 4, "{word}: {found:?}");
+        // beta L of the clamped-free beam: roots of cos x cosh x = -1.
+        for (frequency, beta) in found.iter().zip([
+            1.875_104_068_711_961_f64,
+            4.694_091_132_974_175,
+            7.854_757_438_237_613,
+            10.995_540_734_875_467,
+        ]) {
+            let error = (frequency / beta.powi(2) - 1.0).abs();
+            assert!(error < 3e-5, "{word}: {frequency} {error:e}");
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! A uniform straight beam along x, clamped at its root, as a chain of three-node
+//! elements.
+
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{ModesCase, Spin};
+use beam_dynamics::elements::Element;
+use beam_dynamics::elements::beams::{
+    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, lumped_bodies,
+};
+use beam_dynamics::elements::bodies::RigidBody;
+use beam_dynamics::elements::joints::Clamp;
+use beam_dynamics::model::{NamingAxes, Node};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+
+/// How the mass of the elements moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Inertia {
+    Lumped,
+    Consistent,
+}
+
+/// Length one, mass per length one, bending stiffness one; extension and shear so
+/// stiff that they change the bending frequencies by less than 1e-6.
+pub struct UniformBeam {
+    pub elements: usize,
+    pub inertia: Inertia,
+    pub stiffness: Vector6<f64>,
+    pub mass: Vector6<f64>,
+}
+
+impl UniformBeam {
+    pub fn slender(elements: usize, inertia: Inertia) -> Self {
+        Self {
+            elements,
+            inertia,
+            stiffness: Vector6::new(1e8, 1e8, 1e8, 1.0, 1.0, 1.0),
+            mass: Vector6::new(1.0, 1.0, 1.0, 2e-8, 1e-8, 1e-8),
+        }
+    }
+
+    pub fn nodes(&self) -> Vec<Node> {
+        let count = 2 * self.elements + 1;
+        (0..count)
+            .map(|i| Node {
+                label: format!("n{i}"),
+                position: Vector3::new(i as f64 / (count - 1) as f64, 0.0, 0.0),
+                rotation: Matrix3::identity(),
+            })
+            .collect()
+    }
+
+    pub fn system(&self) -> System {
+        let nodes = self.nodes();
+        let geometry = BeamGeometry {
+            nodes: [BeamNode::aligned(); 3],
+        };
+        let stiffness = Matrix6::from_diagonal(&self.stiffness);
+        let mass = Matrix6::from_diagonal(&self.mass);
+        let mut elements: Vec<Box<dyn Element>> = vec![Box::new(Clamp::new("root", 0, &nodes[0]))];
+        for e in 0..self.elements {
+            let on = [2 * e, 2 * e + 1, 2 * e + 2];
+            let undeformed = on.map(|i| &nodes[i]);
+            let name = format!("beam {e}");
+            elements.push(Box::new(ElasticBeam::new(
+                &name,
+                on,
+                geometry,
+                undeformed,
+                [stiffness; 2],
+            )));
+            match self.inertia {
+                Inertia::Consistent => elements.push(Box::new(BeamInertia::new(
+                    &name,
+                    on,
+                    geometry,
+                    undeformed,
+                    |_| mass,
+                ))),
+                Inertia::Lumped => {
+                    let bodies = lumped_bodies(&geometry, undeformed, |_| mass);
+                    for (node, body) in on.into_iter().zip(bodies) {
+                        elements.push(Box::new(RigidBody::new(&name, node, body)));
+                    }
+                }
+            }
+        }
+        System::new(nodes, elements)
+    }
+
+    /// Modes at the given speeds of rotation about z through the root [rad/s].
+    pub fn case(&self, speeds: &[f64], count: usize) -> ModesCase {
+        ModesCase {
+            name: "uniform beam".to_owned(),
+            system: self.system(),
+            naming: vec![NamingAxes::default(); 2 * self.elements + 1],
+            spin: Spin::default(),
+            speeds: speeds.to_vec(),
+            count,
+        }
+    }
+}
+
+/// Angular frequencies of the modes named by a word at speed number `speed` [rad/s].
+pub fn frequencies(case: &ModesCase, speed: usize, word: &str) -> Vec<f64> {
+    let outcome = beam_dynamics::analysis::modes::modes(case);
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    outcome
+        .table
+        .at_speed(speed)
+        .into_iter()
+        .filter(|(branch, _)| branch.name.starts_with(word))
+        .map(|(_, point)| 2.0 * std::f64::consts::PI * point.frequency)
+        .collect()
+}
