@@ -268,10 +268,8 @@ fn damping(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
         Some(Damping::StiffnessProportional(time)) if *time < 0.0 => {
             found.push((field, PropertyProblem::NegativeDamping { found: *time }));
         }
-        Some(Damping::Viscous(matrix)) => {
-            if symmetric(field, &dynamic(matrix), found) {
-                semidefinite(field, &dynamic(matrix), found);
-            }
+        Some(Damping::Viscous(matrix)) if symmetric(field, &dynamic(matrix), found) => {
+            semidefinite(field, &dynamic(matrix), found);
         }
         _ => {}
     }

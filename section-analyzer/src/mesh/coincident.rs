@@ -1,0 +1,54 @@
+//! Nodes at the same place, within a millionth of the size of their cells.
+
+use super::plane::{PlaneMesh, distance};
+
+/// Distance, relative to the shortest side of a cell, within which nodes coincide.
+const NEARNESS: f64 = 1e-6;
+
+/// Pairs of nodes (indices, the smaller first) that lie on each other, sorted.
+pub(super) fn coincident_nodes(mesh: &PlaneMesh) -> Vec<[u32; 2]> {
+    let reach = reaches(mesh);
+    let widest = reach.iter().copied().fold(0.0, f64::max);
+    if !(widest > 0.0 && widest.is_finite()) {
+        return Vec::new();
+    }
+    let mut pairs = Vec::new();
+    // strips of twice the reach, then the same ones moved by half their width: two
+    // nodes that coincide are in one strip at least once
+    for shift in [0.0, 0.5] {
+        let strip = |node: u32| (mesh.nodes[node as usize][0] / (2.0 * widest) + shift).floor();
+        let height = |node: u32| mesh.nodes[node as usize][1];
+        let mut order: Vec<(f64, f64, u32)> = (0..mesh.nodes.len() as u32)
+            .map(|node| (strip(node), height(node), node))
+            .collect();
+        order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        for (i, &(strip, height, a)) in order.iter().enumerate() {
+            let near = order[i + 1..]
+                .iter()
+                .take_while(|other| other.0 == strip && other.1 - height <= widest);
+            for &(_, _, b) in near {
+                let [p, q] = [a, b].map(|node| mesh.nodes[node as usize]);
+                let reach = reach[a as usize].min(reach[b as usize]);
+                if distance(p, q) <= reach {
+                    pairs.push([a.min(b), a.max(b)]);
+                }
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs.dedup();
+    pairs
+}
+
+/// For each node the distance within which another one coincides with it.
+fn reaches(mesh: &PlaneMesh) -> Vec<f64> {
+    let mut reach = vec![f64::INFINITY; mesh.nodes.len()];
+    for cell in &mesh.cells {
+        let size = NEARNESS * mesh.sides(cell).fold(f64::INFINITY, f64::min);
+        for &node in cell.nodes() {
+            let reach = &mut reach[node as usize];
+            *reach = reach.min(size);
+        }
+    }
+    reach
+}

@@ -1,0 +1,182 @@
+//! Orientation of the cells: all of them counterclockwise, none inverted.
+//!
+//! The Jacobian determinant `J = y,r z,s - y,s z,r` of the mapping from the
+//! reference cell is looked at in the integration points, where the analysis needs
+//! it, and in the nodes, where it is smallest in most folded cells.
+
+use std::collections::HashMap;
+
+use shared_geom::lagrange::ShapeValues;
+use shared_geom::mesh::{Cell, CellKind};
+
+use super::plane::{PlaneMesh, distance};
+use super::problem::{Inversion, MeshProblem, limited};
+
+/// Smallest Jacobian relative to the largest of the cell, below which the cell
+/// counts as inverted: far above rounding, far below any cell of use.
+const LEAST_RATIO: f64 = 1e-10;
+/// Largest Jacobian relative to the square of the longest side, below which the
+/// cell has no area.
+const LEAST_AREA: f64 = 1e-13;
+
+/// Direction in which the nodes of a cell run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Turn {
+    Counterclockwise,
+    Clockwise,
+}
+
+/// Lists the cells of clockwise surfaces the other way round; gives their number,
+/// or the cells that are inverted or disagree with the others of their surface.
+pub(super) fn orient(mesh: &mut PlaneMesh) -> Result<usize, Vec<MeshProblem>> {
+    let shapes = CellKind::ALL.map(|kind| (kind, shapes(kind)));
+    let mut problems = Vec::new();
+    let mut turns = Vec::with_capacity(mesh.cells.len());
+    let mut counts: HashMap<i32, [usize; 2]> = HashMap::new();
+    for cell in &mesh.cells {
+        let shapes = shapes.iter().filter(|(kind, _)| *kind == cell.kind);
+        let jacobians =
+            shapes.flat_map(|(_, shapes)| shapes.iter().map(|s| jacobian(mesh, cell, s)));
+        let turn = turn(jacobians, mesh.longest_side(cell));
+        turns.push(turn);
+        match turn {
+            Some(turn) => counts.entry(cell.entity).or_default()[turn as usize] += 1,
+            None => problems.push(MeshProblem::InvertedCell {
+                cell: cell.tag,
+                center: mesh.center(cell),
+                reason: reason(mesh, cell),
+            }),
+        }
+    }
+    let mut problems = limited(problems, "inverted cells");
+    problems.extend(limited(
+        disagreeing(mesh, &turns, &counts),
+        "inverted cells",
+    ));
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    let mut reversed = 0;
+    for (cell, turn) in mesh.cells.iter_mut().zip(turns) {
+        if turn == Some(Turn::Clockwise) {
+            *cell = cell.reversed();
+            reversed += 1;
+        }
+    }
+    Ok(reversed)
+}
+
+/// Shape functions where the Jacobian is looked at.
+fn shapes(kind: CellKind) -> Vec<ShapeValues> {
+    let inside = kind.rule().iter().map(|point| kind.shape(point.r, point.s));
+    let nodes = kind
+        .reference_nodes()
+        .iter()
+        .map(|&[r, s]| kind.shape(r, s));
+    inside.chain(nodes).collect()
+}
+
+/// `J = y,r z,s - y,s z,r`.
+fn jacobian(mesh: &PlaneMesh, cell: &Cell, shape: &ShapeValues) -> f64 {
+    let (mut dr, mut ds) = ([0.0; 2], [0.0; 2]);
+    for (i, &node) in cell.nodes().iter().enumerate() {
+        let place = mesh.nodes[node as usize];
+        for axis in 0..2 {
+            dr[axis] += shape.dr[i] * place[axis];
+            ds[axis] += shape.ds[i] * place[axis];
+        }
+    }
+    dr[0] * ds[1] - dr[1] * ds[0]
+}
+
+/// The direction of a cell; `None` if its Jacobian changes sign or vanishes.
+fn turn(jacobians: impl Iterator<Item = f64>, side: f64) -> Option<Turn> {
+    let (low, high) = jacobians.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), j| {
+        (low.min(j), high.max(j))
+    });
+    let least = LEAST_AREA * side * side;
+    if high > least && low > LEAST_RATIO * high {
+        Some(Turn::Counterclockwise)
+    } else if low < -least && high < LEAST_RATIO * low {
+        Some(Turn::Clockwise)
+    } else {
+        None
+    }
+}
+
+/// The cells that run the other way round than most cells of their surface.
+fn disagreeing(
+    mesh: &PlaneMesh,
+    turns: &[Option<Turn>],
+    counts: &HashMap<i32, [usize; 2]>,
+) -> Vec<MeshProblem> {
+    let mut problems = Vec::new();
+    for (cell, turn) in mesh.cells.iter().zip(turns) {
+        let Some(turn) = turn else { continue };
+        let Some(&[counterclockwise, clockwise]) = counts.get(&cell.entity) else {
+            continue;
+        };
+        let usual = if clockwise > counterclockwise {
+            Turn::Clockwise
+        } else {
+            Turn::Counterclockwise
+        };
+        if *turn != usual {
+            problems.push(MeshProblem::TurnedCell {
+                cell: cell.tag,
+                center: mesh.center(cell),
+                entity: cell.entity,
+                others: counterclockwise.max(clockwise),
+            });
+        }
+    }
+    problems
+}
+
+/// The likely reason why a cell is inverted.
+fn reason(mesh: &PlaneMesh, cell: &Cell) -> Inversion {
+    let corners: Vec<[f64; 2]> = mesh.corners(cell).collect();
+    let count = corners.len();
+    let cross = |i: usize| {
+        let (a, b, c) = (
+            corners[(i + count - 1) % count],
+            corners[i],
+            corners[(i + 1) % count],
+        );
+        (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+    };
+    let crosses: Vec<f64> = (0..count).map(cross).collect();
+    let longest = mesh.longest_side(cell);
+    let least = LEAST_AREA * longest * longest;
+    if crosses.iter().all(|cross| cross.abs() <= least) {
+        return Inversion::NoArea;
+    }
+    // the corners that disagree with the sum of all
+    let sum: f64 = crosses.iter().sum();
+    let worst = (0..count).min_by(|&a, &b| (crosses[a] * sum).total_cmp(&(crosses[b] * sum)));
+    if let Some(worst) = worst
+        && crosses[worst] * sum.signum() <= least
+    {
+        let node = mesh.node_tags[cell.corners()[worst] as usize];
+        return Inversion::Corner { node };
+    }
+    farthest_middle(mesh, cell, longest).unwrap_or(Inversion::NoArea)
+}
+
+/// The node that is farthest from the middle of its side or of the cell.
+fn farthest_middle(mesh: &PlaneMesh, cell: &Cell, longest: f64) -> Option<Inversion> {
+    let place = |local: usize| mesh.nodes[cell.nodes()[local] as usize];
+    let sides = (0..cell.kind.corner_count()).filter_map(|side| {
+        let (a, b, middle) = cell.kind.side(side);
+        let (a, b) = (place(a), place(b));
+        let mean = [0, 1].map(|axis| 0.5 * (a[axis] + b[axis]));
+        Some((middle?, distance(place(middle?), mean) / distance(a, b)))
+    });
+    let center = (cell.kind == CellKind::Quadrilateral9)
+        .then(|| (8, distance(place(8), mesh.center(cell)) / longest));
+    let (local, distance) = sides.chain(center).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(Inversion::Middle {
+        node: mesh.node_tags[cell.nodes()[local] as usize],
+        distance,
+    })
+}

@@ -1,0 +1,138 @@
+//! From the mesh of a file to plane coordinates: the check that the mesh is
+//! plane, and the nodes that cells use.
+
+use nalgebra::Vector3;
+use shared_geom::mesh::{Cell, Mesh};
+
+use super::problem::MeshProblem;
+
+/// Deviation from the plane that is allowed, relative to the size of the mesh:
+/// rounding of coordinates written with nine digits or more.
+const FLATNESS: f64 = 1e-9;
+
+/// The cells of a mesh on the nodes that they use, in the unit of the file.
+#[derive(Debug, Clone)]
+pub(super) struct PlaneMesh {
+    pub(super) nodes: Vec<[f64; 2]>,
+    pub(super) node_tags: Vec<u64>,
+    /// Cells whose nodes are indices in `nodes`.
+    pub(super) cells: Vec<Cell>,
+}
+
+impl PlaneMesh {
+    /// The cells of `mesh`.
+    pub(super) fn new(mesh: &Mesh) -> Self {
+        let mut used = vec![false; mesh.nodes.len()];
+        for cell in &mesh.cells {
+            for &node in cell.nodes() {
+                used[node as usize] = true;
+            }
+        }
+        let mut place = vec![0; mesh.nodes.len()];
+        let (mut nodes, mut node_tags) = (Vec::new(), Vec::new());
+        for (i, node) in mesh.nodes.iter().enumerate().filter(|&(i, _)| used[i]) {
+            place[i] = nodes.len() as u32;
+            nodes.push([node.position.x, node.position.y]);
+            node_tags.push(node.tag);
+        }
+        let cells = mesh.cells.iter().map(|cell| {
+            let node = |i: usize| place[cell.nodes()[i] as usize];
+            let mut moved = Cell::new(cell.tag, cell.kind, cell.entity, node);
+            moved.group = cell.group;
+            moved
+        });
+        let cells = cells.collect();
+        Self {
+            nodes,
+            node_tags,
+            cells,
+        }
+    }
+
+    /// Places of the corners of a cell.
+    pub(super) fn corners(&self, cell: &Cell) -> impl Iterator<Item = [f64; 2]> {
+        cell.corners().iter().map(|&node| self.nodes[node as usize])
+    }
+
+    /// Mean of the corners of a cell.
+    pub(super) fn center(&self, cell: &Cell) -> [f64; 2] {
+        let count = cell.corners().len() as f64;
+        [0, 1].map(|axis| self.corners(cell).map(|p| p[axis]).sum::<f64>() / count)
+    }
+
+    /// Lengths of the sides of a cell, taken as straight.
+    pub(super) fn sides(&self, cell: &Cell) -> impl Iterator<Item = f64> {
+        (0..cell.kind.corner_count()).map(|side| {
+            let (a, b, _) = cell.kind.side(side);
+            let [a, b] = [a, b].map(|local| self.nodes[cell.nodes()[local] as usize]);
+            distance(a, b)
+        })
+    }
+
+    /// Length of the longest side of a cell, taken as straight.
+    pub(super) fn longest_side(&self, cell: &Cell) -> f64 {
+        self.sides(cell).fold(0.0, f64::max)
+    }
+}
+
+pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}
+
+/// States that cells and lines refer to nodes of the mesh.
+pub(super) fn check_references(mesh: &Mesh) -> Result<(), MeshProblem> {
+    let exist = |nodes: &[u32]| nodes.iter().all(|&node| (node as usize) < mesh.nodes.len());
+    let cells = mesh.cells.iter().map(|cell| (cell.tag, cell.nodes()));
+    let lines = mesh.lines.iter().map(|line| (line.tag, line.nodes()));
+    match cells.chain(lines).find(|(_, nodes)| !exist(nodes)) {
+        Some((element, _)) => Err(MeshProblem::MissingNode { element }),
+        None => Ok(()),
+    }
+}
+
+/// States that all nodes that a cell or a line of a physical curve uses lie in
+/// one plane z = constant.
+pub(super) fn check_plane(mesh: &Mesh) -> Result<(), MeshProblem> {
+    let mut used = vec![false; mesh.nodes.len()];
+    let of_cells = mesh.cells.iter().flat_map(|cell| cell.nodes());
+    let lines = mesh.lines.iter().filter(|line| line.group.is_some());
+    for &node in of_cells.chain(lines.flat_map(|line| line.nodes())) {
+        used[node as usize] = true;
+    }
+    let nodes: Vec<_> = mesh
+        .nodes
+        .iter()
+        .zip(used)
+        .filter(|(_, used)| *used)
+        .collect();
+    let positions = || nodes.iter().map(|(node, _)| node.position);
+    let low = positions().fold(Vector3::repeat(f64::INFINITY), |low, p| low.inf(&p));
+    let high = positions().fold(Vector3::repeat(f64::NEG_INFINITY), |high, p| high.sup(&p));
+    let extent = high - low;
+    let tolerance = FLATNESS * extent.max();
+    if nodes.is_empty() || extent.z <= tolerance {
+        return Ok(());
+    }
+
+    let mut heights: Vec<f64> = positions().map(|p| p.z).collect();
+    let middle = heights.len() / 2;
+    let (_, &mut expected, _) = heights.select_nth_unstable_by(middle, f64::total_cmp);
+    let off = |z: f64| (z - expected).abs();
+    let worst = nodes
+        .iter()
+        .max_by(|(a, _), (b, _)| off(a.position.z).total_cmp(&off(b.position.z)));
+    let Some((worst, _)) = worst else {
+        return Ok(());
+    };
+    let other = [('x', 0), ('y', 1)]
+        .into_iter()
+        .find(|&(_, axis)| extent[axis] <= tolerance)
+        .map(|(name, axis)| (name, low[axis]));
+    Err(MeshProblem::NotPlane {
+        node: worst.tag,
+        found: worst.position.z,
+        expected,
+        tolerance,
+        other,
+    })
+}

@@ -1,0 +1,300 @@
+//! What can be wrong with the mesh of a section.
+//!
+//! Coordinates in messages are those of the mesh file, in its unit, so that the
+//! place can be found in the mesh generator.
+
+use std::fmt;
+
+use shared_geom::error::Explain;
+
+/// A problem of the mesh.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MeshProblem {
+    /// A mesh that has no triangles or quadrilaterals.
+    #[error("the mesh has no triangles or quadrilaterals, expected at least one")]
+    NoCells,
+    /// An element of a mesh made by hand that names a node which is not there.
+    #[error("element {element} refers to a node that the mesh does not have")]
+    MissingNode {
+        /// Tag of the element.
+        element: u64,
+    },
+    /// A length unit of no use.
+    #[error("length of the mesh unit: expected a positive number of meters, found {found}")]
+    LengthFactor {
+        /// Meters in a unit of the mesh.
+        found: f64,
+    },
+    /// A mesh out of the plane z = constant.
+    #[error(
+        "the mesh is not plane: node {node} has z = {}, expected {} as for most nodes, \
+         within {}", short(*.found), short(*.expected), short(*.tolerance)
+    )]
+    NotPlane {
+        /// The node farthest from the plane.
+        node: u64,
+        /// Its z [file unit].
+        found: f64,
+        /// The z of the plane: half of the nodes lie on either side [file unit].
+        expected: f64,
+        /// Deviation that is allowed [file unit].
+        tolerance: f64,
+        /// The coordinate plane in which the mesh lies instead: `x` or `y`, and
+        /// its coordinate [file unit].
+        other: Option<(char, f64)>,
+    },
+    /// A cell whose mapping folds.
+    #[error("cell {cell} at {} is inverted: {reason}", place(*.center))]
+    InvertedCell {
+        /// Tag of the cell.
+        cell: u64,
+        /// Mean of its corners [file unit].
+        center: [f64; 2],
+        /// The likely reason.
+        reason: Inversion,
+    },
+    /// A cell listed in the other direction than its neighbors.
+    #[error(
+        "cell {cell} at {} is inverted: its nodes run the other way round than those of the \
+         {others} other cells of surface entity {entity}", place(*.center)
+    )]
+    TurnedCell {
+        /// Tag of the cell.
+        cell: u64,
+        /// Mean of its corners [file unit].
+        center: [f64; 2],
+        /// Surface entity of gmsh.
+        entity: i32,
+        /// Number of cells of the entity that run the common way.
+        others: usize,
+    },
+    /// Cells that lie on each other.
+    #[error(
+        "cells {} and {} overlap: both lie on the same side of the line from node {} to node {}",
+        .cells[0], .cells[1], .nodes[0], .nodes[1]
+    )]
+    Overlap {
+        /// Tags of the cells.
+        cells: [u64; 2],
+        /// Tags of the ends of their common side.
+        nodes: [u64; 2],
+    },
+    /// Cells that meet at a side, but not at its middle.
+    #[error(
+        "cells {} and {} share the side from node {} to node {}, but no node in its middle",
+        .cells[0], .cells[1], .nodes[0], .nodes[1]
+    )]
+    SideMiddle {
+        /// Tags of the cells.
+        cells: [u64; 2],
+        /// Tags of the ends of the side.
+        nodes: [u64; 2],
+    },
+    /// A section in several parts.
+    #[error("{}", disconnected(.parts, .touching, .coincident))]
+    Disconnected {
+        /// The parts, the one with the most cells first.
+        parts: Vec<Part>,
+        /// Tags of the nodes where parts touch.
+        touching: Vec<u64>,
+        /// Tags of nodes of different parts that lie on each other.
+        coincident: Vec<[u64; 2]>,
+    },
+    /// Further problems of a kind of which the first have been told.
+    #[error("and {count} more {what}")]
+    More {
+        /// How many were left out.
+        count: usize,
+        /// Of what.
+        what: &'static str,
+    },
+}
+
+/// Why a cell is inverted.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Inversion {
+    /// Its corners lie on a line, or on each other.
+    NoArea,
+    /// A corner of more than 180 degrees, or crossed sides.
+    Corner {
+        /// Tag of the node at the corner.
+        node: u64,
+    },
+    /// A node in the middle of a side or of the cell too far from there.
+    Middle {
+        /// Tag of the node.
+        node: u64,
+        /// Distance from where it belongs, relative to the length of the side, or
+        /// of the longest side \[-\].
+        distance: f64,
+    },
+}
+
+impl fmt::Display for Inversion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoArea => write!(f, "it has no area"),
+            Self::Corner { node } => write!(
+                f,
+                "the corner at node {node} is not less than 180 degrees, or its sides cross"
+            ),
+            Self::Middle { node, distance } => write!(
+                f,
+                "it is folded, node {node} lies {distance:.2} side lengths off the middle"
+            ),
+        }
+    }
+}
+
+/// A part of a section that shares no side with the others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// Number of cells.
+    pub cells: usize,
+    /// Centroid of the cells, their sides taken as straight [file unit].
+    pub centroid: [f64; 2],
+    /// Smallest coordinates of the corners [file unit].
+    pub low: [f64; 2],
+    /// Largest coordinates of the corners [file unit].
+    pub high: [f64; 2],
+    /// Labels of the physical surfaces.
+    pub groups: Vec<String>,
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let groups: Vec<String> = self.groups.iter().map(|g| format!("\"{g}\"")).collect();
+        write!(
+            f,
+            "{} at {}, between {} and {}, in {}",
+            counted(self.cells, "cell"),
+            place(self.centroid),
+            place(self.low),
+            place(self.high),
+            groups.join(", ")
+        )
+    }
+}
+
+/// Parts, nodes and pairs that a message lists at most.
+const LISTED: usize = 8;
+
+fn disconnected(parts: &[Part], touching: &[u64], coincident: &[[u64; 2]]) -> String {
+    let mut text = format!(
+        "the section falls into {} parts that share no side, expected one",
+        parts.len()
+    );
+    for (part, number) in parts.iter().zip(1..).take(LISTED) {
+        text.push_str(&format!("\n    part {number}: {part}"));
+    }
+    if let Some(more) = parts.len().checked_sub(LISTED + 1) {
+        text.push_str(&format!("\n    and {} more", more + 1));
+    }
+    if !touching.is_empty() {
+        let nodes: Vec<String> = touching.iter().map(u64::to_string).collect();
+        text.push_str(&format!(
+            "\n    parts touch only at {}",
+            listed("node", &nodes)
+        ));
+    }
+    if let Some([first, second]) = coincident.first() {
+        text.push_str(&format!(
+            "\n    {} with nodes of another part, as {first} with {second}",
+            match coincident.len() {
+                1 => "1 node coincides".into(),
+                count => format!("{count} nodes coincide"),
+            }
+        ));
+    }
+    text
+}
+
+/// `node 3` or `nodes 3, 4, 5 and 7 more`.
+fn listed(what: &str, names: &[String]) -> String {
+    let plural = if names.len() == 1 { "" } else { "s" };
+    let shown = &names[..names.len().min(LISTED)];
+    let more = match names.len() - shown.len() {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!("{what}{plural} {}{more}", shown.join(", "))
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+/// A number with six digits at most.
+fn short(value: f64) -> String {
+    let rounded = format!("{value:.5e}").parse().unwrap_or(value);
+    let text = format!("{rounded:?}");
+    text.strip_suffix(".0").unwrap_or(&text).to_string()
+}
+
+fn place([x, y]: [f64; 2]) -> String {
+    format!("({}, {})", short(x), short(y))
+}
+
+impl Explain for MeshProblem {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::NoCells => {
+                "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only \
+                 what is in them, so put the surfaces in a physical surface"
+            }
+            Self::NotPlane {
+                other: Some((axis, value)),
+                ..
+            } => {
+                return Some(format!(
+                    "the mesh lies in the plane {axis} = {}: turn it into the x-y plane, \
+                     where x is the section axis y and y is the section axis z",
+                    short(*value)
+                ));
+            }
+            Self::NotPlane { other: None, .. } => {
+                "the section must lie in one plane z = constant of the mesh file"
+            }
+            Self::InvertedCell {
+                reason: Inversion::Middle { .. },
+                ..
+            } => {
+                "use smaller cells where the boundary is curved, or in gmsh \
+                 Mesh.HighOrderOptimize = 1, or straight sides (Mesh.SecondOrderLinear = 1)"
+            }
+            Self::InvertedCell { .. } | Self::TurnedCell { .. } | Self::Overlap { .. } => {
+                "mesh this place again; in a structured mesh, check the order of the points \
+                 and the numbers of cells on facing curves"
+            }
+            Self::SideMiddle { .. } => {
+                "use cells of one order throughout (in gmsh, Mesh.ElementOrder), and \
+                 Mesh > Remove duplicate nodes if nodes are doubled"
+            }
+            Self::Disconnected { coincident, .. } if !coincident.is_empty() => {
+                "merge the nodes: in gmsh, \"Coherence;\" in the geometry before meshing, \
+                 or Mesh > Remove duplicate nodes"
+            }
+            Self::Disconnected { .. } => {
+                "parts must share whole sides of cells: join them, or analyze each by itself"
+            }
+            Self::MissingNode { .. } | Self::LengthFactor { .. } | Self::More { .. } => {
+                return None;
+            }
+        };
+        Some(help.into())
+    }
+}
+
+/// Problems of one kind that are told at most.
+const LIMIT: usize = 20;
+
+/// The problems of one kind, the first of them told and the others counted.
+pub(super) fn limited(mut problems: Vec<MeshProblem>, what: &'static str) -> Vec<MeshProblem> {
+    if let Some(count) = problems.len().checked_sub(LIMIT)
+        && count > 0
+    {
+        problems.truncate(LIMIT);
+        problems.push(MeshProblem::More { count, what });
+    }
+    problems
+}

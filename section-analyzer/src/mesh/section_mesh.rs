@@ -1,0 +1,268 @@
+//! The plane mesh that the analysis uses, in section axes and meters.
+
+use shared_geom::error::{Diagnostics, Place};
+use shared_geom::mesh::{Cell, CellKind, Line, Mesh};
+
+use super::coincident::coincident_nodes;
+use super::components::check_connected;
+use super::orientation::orient;
+use super::plane::{PlaneMesh, check_plane, check_references};
+use super::problem::MeshProblem;
+use super::sides::sides;
+
+/// Label of the cells that stand in no physical surface.
+const NO_GROUP: &str = "no physical surface";
+
+/// A section mesh: plane, in one part, all cells counterclockwise.
+///
+/// ```text
+///     z (mesh y)
+///     ^
+///     |
+///     +---> y (mesh x)        x, along the beam, points at the reader
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SectionMesh {
+    /// Places (y, z) of the nodes; each is used by a cell \[m\].
+    pub nodes: Vec<[f64; 2]>,
+    /// Tags of the nodes in the mesh file.
+    pub node_tags: Vec<u64>,
+    /// The cells.
+    pub cells: Vec<SectionCell>,
+    /// Labels of the physical surfaces that have cells: name, or tag without one.
+    /// Cells in none come last, under `no physical surface`.
+    pub groups: Vec<String>,
+    /// The physical curves that have lines.
+    pub curves: Vec<Curve>,
+}
+
+/// A cell of a section mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SectionCell {
+    /// Tag of the element in the mesh file.
+    pub tag: u64,
+    /// Shape.
+    pub kind: CellKind,
+    /// Physical surface: index in [`SectionMesh::groups`].
+    pub group: usize,
+    nodes: [u32; 9],
+}
+
+impl SectionCell {
+    /// A cell whose `i`-th node (gmsh order, counterclockwise) is `node(i)`, an
+    /// index in [`SectionMesh::nodes`].
+    pub fn new(tag: u64, kind: CellKind, group: usize, node: impl Fn(usize) -> u32) -> Self {
+        let count = kind.node_count();
+        Self {
+            tag,
+            kind,
+            group,
+            nodes: std::array::from_fn(|i| if i < count { node(i) } else { 0 }),
+        }
+    }
+
+    /// The nodes: indices in [`SectionMesh::nodes`], gmsh order.
+    pub fn nodes(&self) -> &[u32] {
+        &self.nodes[..self.kind.node_count()]
+    }
+}
+
+/// A physical curve: lines that tell a direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Name of the physical group, or its tag without one.
+    pub label: String,
+    /// Its lines, in the order of the mesh file.
+    pub lines: Vec<CurveLine>,
+}
+
+/// A line of a physical curve, in the direction of its nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurveLine {
+    /// Tag of the element in the mesh file.
+    pub tag: u64,
+    /// Where it begins (y, z) \[m\].
+    pub first: [f64; 2],
+    /// Where it ends (y, z) \[m\].
+    pub second: [f64; 2],
+    /// The node in its middle, for quadratic lines (y, z) \[m\].
+    pub middle: Option<[f64; 2]>,
+}
+
+/// What was put right or is worth a word, though no error.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct MeshReport {
+    /// Cells of clockwise surfaces, which were listed the other way round.
+    pub reversed_cells: usize,
+    /// Nodes that no cell uses, which were left out.
+    pub unused_nodes: usize,
+    /// Tags of nodes that lie on each other though the section is in one part: a
+    /// slit, which may be meant.
+    pub coincident_nodes: Vec<[u64; 2]>,
+}
+
+impl SectionMesh {
+    /// The section mesh of `mesh`, whose unit of length is `meters_per_unit`, with
+    /// what is worth reporting; `place` is where the mesh comes from, for messages.
+    ///
+    /// # Errors
+    /// All problems found: a mesh without cells or out of the plane z = constant,
+    /// inverted or overlapping cells, sides that do not fit, a section in parts.
+    pub fn from_mesh(
+        mesh: &Mesh,
+        meters_per_unit: f64,
+        place: &Place,
+    ) -> Result<(Self, MeshReport), Diagnostics> {
+        Self::checked(mesh, meters_per_unit).map_err(|problems| {
+            let mut diagnostics = Diagnostics::new();
+            for problem in &problems {
+                diagnostics.push(place.clone(), problem);
+            }
+            diagnostics
+        })
+    }
+
+    /// As [`SectionMesh::from_mesh`], with typed problems.
+    ///
+    /// # Errors
+    /// As [`SectionMesh::from_mesh`].
+    pub fn checked(
+        mesh: &Mesh,
+        meters_per_unit: f64,
+    ) -> Result<(Self, MeshReport), Vec<MeshProblem>> {
+        check_whole(mesh, meters_per_unit)?;
+        let (groups, group_of_cell) = surface_groups(mesh);
+        let mut plane = PlaneMesh::new(mesh);
+        let coincident = coincident_nodes(&plane);
+        let label = |cell: usize| groups[group_of_cell[cell]].clone();
+        let reversed_cells = check_cells(&mut plane, &coincident, label)?;
+
+        let tag = |node: u32| plane.node_tags[node as usize];
+        let report = MeshReport {
+            reversed_cells,
+            unused_nodes: mesh.nodes.len() - plane.nodes.len(),
+            coincident_nodes: coincident.iter().map(|pair| pair.map(tag)).collect(),
+        };
+        let cell = |(cell, &group): (&Cell, &usize)| {
+            SectionCell::new(cell.tag, cell.kind, group, |i| cell.nodes()[i])
+        };
+        let section = Self {
+            cells: plane.cells.iter().zip(&group_of_cell).map(cell).collect(),
+            nodes: plane
+                .nodes
+                .iter()
+                .map(|p| p.map(|x| meters_per_unit * x))
+                .collect(),
+            node_tags: plane.node_tags,
+            groups,
+            curves: curves(mesh, meters_per_unit),
+        };
+        Ok((section, report))
+    }
+}
+
+/// Turns the cells counterclockwise; gives the number of those that were not.
+fn check_cells(
+    plane: &mut PlaneMesh,
+    coincident: &[[u32; 2]],
+    label: impl Fn(usize) -> String,
+) -> Result<usize, Vec<MeshProblem>> {
+    let oriented = orient(plane);
+    let sides = sides(plane, oriented.is_ok());
+    let connected = check_connected(plane, &sides.neighbors, coincident, label);
+    let mut problems = Vec::new();
+    let reversed = oriented.unwrap_or_else(|inverted| {
+        problems.extend(inverted);
+        0
+    });
+    problems.extend(sides.problems);
+    problems.extend(connected.err());
+    outcome(problems).map(|()| reversed)
+}
+
+fn outcome(problems: Vec<MeshProblem>) -> Result<(), Vec<MeshProblem>> {
+    if problems.is_empty() {
+        Ok(())
+    } else {
+        Err(problems)
+    }
+}
+
+/// The problems after which no other can be told.
+fn check_whole(mesh: &Mesh, meters_per_unit: f64) -> Result<(), Vec<MeshProblem>> {
+    let mut problems = Vec::new();
+    if !(meters_per_unit > 0.0 && meters_per_unit.is_finite()) {
+        problems.push(MeshProblem::LengthFactor {
+            found: meters_per_unit,
+        });
+    }
+    if mesh.cells.is_empty() {
+        problems.push(MeshProblem::NoCells);
+    }
+    let plane = check_references(mesh).and_then(|()| check_plane(mesh));
+    problems.extend(plane.err());
+    outcome(problems)
+}
+
+/// Labels of the physical surfaces that have cells, in the order of the mesh,
+/// and for each cell the number of its surface.
+fn surface_groups(mesh: &Mesh) -> (Vec<String>, Vec<usize>) {
+    let groups = mesh.groups.len();
+    // the last entry stands for cells in no group
+    let entry = |cell: &Cell| cell.group.filter(|&group| group < groups).unwrap_or(groups);
+    let mut used = vec![false; groups + 1];
+    for cell in &mesh.cells {
+        used[entry(cell)] = true;
+    }
+    let mut labels: Vec<String> = Vec::new();
+    let mut number = vec![0; groups + 1];
+    for group in (0..=groups).filter(|&group| used[group]) {
+        let label = mesh
+            .groups
+            .get(group)
+            .map_or(NO_GROUP.into(), |group| group.label());
+        // groups of one name are one
+        number[group] = labels.iter().position(|l| *l == label).unwrap_or_else(|| {
+            labels.push(label);
+            labels.len() - 1
+        });
+    }
+    let of_cell = mesh.cells.iter().map(|cell| number[entry(cell)]).collect();
+    (labels, of_cell)
+}
+
+/// The physical curves, in the order of their first lines, in meters.
+fn curves(mesh: &Mesh, meters_per_unit: f64) -> Vec<Curve> {
+    let place = |node: u32| {
+        let position = mesh.nodes[node as usize].position;
+        [position.x, position.y].map(|x| meters_per_unit * x)
+    };
+    let placed = |line: &Line| {
+        let nodes = line.nodes();
+        CurveLine {
+            tag: line.tag,
+            first: place(nodes[0]),
+            second: place(nodes[1]),
+            middle: nodes.get(2).map(|&node| place(node)),
+        }
+    };
+    let mut curves: Vec<Curve> = Vec::new();
+    for line in &mesh.lines {
+        let Some(group) = line.group.and_then(|group| mesh.groups.get(group)) else {
+            continue;
+        };
+        let label = group.label();
+        match curves.iter_mut().find(|curve| curve.label == label) {
+            Some(curve) => curve.lines.push(placed(line)),
+            None => curves.push(Curve {
+                label,
+                lines: vec![placed(line)],
+            }),
+        }
+    }
+    curves
+}
+
+#[cfg(test)]
+#[path = "section_mesh_tests.rs"]
+mod tests;

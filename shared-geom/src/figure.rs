@@ -1,0 +1,195 @@
+//! Figures for reports: what both programs need to draw.
+//!
+//! A figure is anything that implements [`Drawing`]; [`save`] draws it into a PNG
+//! or SVG file, by the ending of the file's name. Lengths are figure pixels: a
+//! figure [`WIDTH`] pixels wide is meant for the width of a text page, where
+//! [`TEXT`] pixels are the size of the page's own letters. PNG files are drawn
+//! [`OVERSAMPLING`] times larger and averaged, because the bitmap backend itself
+//! leaves the edges of circles and polygons jagged.
+
+use std::ffi::OsStr;
+use std::path::Path;
+use std::sync::OnceLock;
+
+use plotters::backend::{BitMapBackend, DrawingBackend, SVGBackend};
+use plotters::drawing::{DrawingAreaErrorKind, IntoDrawingArea};
+use plotters::style::{FontStyle, WHITE, register_font};
+
+use crate::error::Explain;
+
+mod canvas;
+mod color;
+mod tick;
+
+pub use canvas::{Anchor, Canvas, Label};
+pub use color::{CATEGORIES, category, diverging, sequential};
+pub use tick::{Ticks, tick_label};
+
+/// Name under which the embedded font is registered.
+pub const FONT: &str = "sans-serif";
+/// Width of a figure for the full width of a text page \[figure pixels\].
+pub const WIDTH: u32 = 1800;
+/// Size of the letters of a figure of that width \[figure pixels\].
+pub const TEXT: f64 = 36.0;
+/// Backend pixels in one figure pixel, along each side.
+const OVERSAMPLING: u32 = 2;
+
+/// Something that can be drawn on every backend.
+pub trait Drawing {
+    /// Draws the figure on a white canvas.
+    ///
+    /// # Errors
+    /// [`FigureProblem::Backend`] when the backend refuses.
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem>;
+}
+
+/// Why a figure was not made.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum FigureProblem {
+    /// The embedded font cannot be used.
+    #[error("the embedded font cannot be used")]
+    Font,
+    /// A file name whose ending tells no format.
+    #[error("figure \"{file}\" ends in neither \".png\" nor \".svg\"")]
+    Ending {
+        /// The file name.
+        file: String,
+    },
+    /// The file cannot be written.
+    #[error("figure \"{file}\" cannot be written: {reason}")]
+    Unwritable {
+        /// The file name.
+        file: String,
+        /// The reason in words.
+        reason: String,
+    },
+    /// The drawing backend refused.
+    #[error("the figure cannot be drawn: {reason}")]
+    Backend {
+        /// The backend's words.
+        reason: String,
+    },
+}
+
+impl Explain for FigureProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Ending { .. } => Some("name the file .png or .svg".to_owned()),
+            _ => None,
+        }
+    }
+}
+
+impl<E: std::error::Error + Send + Sync> From<DrawingAreaErrorKind<E>> for FigureProblem {
+    fn from(error: DrawingAreaErrorKind<E>) -> Self {
+        Self::Backend {
+            reason: error.to_string(),
+        }
+    }
+}
+
+/// Makes the embedded font (DejaVu Sans) known as [`FONT`], once for the process.
+///
+/// [`save`] does so itself; who draws with plotters alone calls it before any
+/// drawing, for SVG too.
+///
+/// # Errors
+/// [`FigureProblem::Font`].
+pub fn use_embedded_font() -> Result<(), FigureProblem> {
+    static REGISTERED: OnceLock<bool> = OnceLock::new();
+    let registered = REGISTERED.get_or_init(|| {
+        let normal = register_font(FONT, FontStyle::Normal, dejavu::sans::regular());
+        let bold = register_font(FONT, FontStyle::Bold, dejavu::sans::bold());
+        normal.is_ok() && bold.is_ok()
+    });
+    if *registered {
+        Ok(())
+    } else {
+        Err(FigureProblem::Font)
+    }
+}
+
+/// Draws a figure of `size` (width, height) \[figure pixels\] into the file at
+/// `path`, as PNG or SVG by its ending.
+///
+/// # Errors
+/// [`FigureProblem`]: the ending, the drawing, or the writing of the file.
+pub fn save(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(), FigureProblem> {
+    use_embedded_font()?;
+    let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+    match ending.to_lowercase().as_str() {
+        "png" => save_png(path, size, drawing),
+        "svg" => save_svg(path, size, drawing),
+        _ => Err(FigureProblem::Ending {
+            file: path.display().to_string(),
+        }),
+    }
+}
+
+fn unwritable(path: &Path, reason: impl ToString) -> FigureProblem {
+    FigureProblem::Unwritable {
+        file: path.display().to_string(),
+        reason: reason.to_string(),
+    }
+}
+
+fn save_png(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(), FigureProblem> {
+    let large = (size.0 * OVERSAMPLING, size.1 * OVERSAMPLING);
+    let mut pixels = vec![0; 3 * large.0 as usize * large.1 as usize];
+    {
+        let area = BitMapBackend::with_buffer(&mut pixels, large).into_drawing_area();
+        area.fill(&WHITE)?;
+        let canvas = Canvas::new(area, OVERSAMPLING, canvas::BITMAP_BASELINE);
+        drawing.draw(&canvas)?;
+        canvas.area().present()?;
+    }
+    let mean = averaged(&pixels, size);
+    let mut image = BitMapBackend::new(path, size);
+    let written = image
+        .blit_bitmap((0, 0), size, &mean)
+        .and_then(|()| image.present());
+    written.map_err(|error| unwritable(path, error))
+}
+
+/// The mean color of each square of [`OVERSAMPLING`] pixels; `size` is that of
+/// the result, rows of red, green, blue.
+fn averaged(pixels: &[u8], (width, height): (u32, u32)) -> Vec<u8> {
+    let factor = OVERSAMPLING as usize;
+    let (width, height) = (width as usize, height as usize);
+    let row_length = 3 * factor * width;
+    let mut mean = Vec::with_capacity(3 * width * height);
+    for rows in pixels.chunks_exact(factor * row_length) {
+        for x in 0..width {
+            for channel in 0..3 {
+                let first = 3 * factor * x + channel;
+                let square = (0..factor * factor)
+                    .map(|k| rows[(k / factor) * row_length + first + 3 * (k % factor)]);
+                let sum: u32 = square.map(u32::from).sum();
+                mean.push((sum / (OVERSAMPLING * OVERSAMPLING)) as u8);
+            }
+        }
+    }
+    mean
+}
+
+/// Coordinates of the backend are whole numbers: an SVG is drawn on a finer grid
+/// and shown at its nominal size.
+fn save_svg(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(), FigureProblem> {
+    const FINER: u32 = 8;
+    let fine = (size.0 * FINER, size.1 * FINER);
+    let mut text = String::new();
+    {
+        let area = SVGBackend::with_string(&mut text, fine).into_drawing_area();
+        area.fill(&WHITE)?;
+        let canvas = Canvas::new(area, FINER, canvas::SVG_BASELINE);
+        drawing.draw(&canvas)?;
+        canvas.area().present()?;
+    }
+    let drawn = format!("<svg width=\"{}\" height=\"{}\"", fine.0, fine.1);
+    let shown = format!("<svg width=\"{}\" height=\"{}\"", size.0, size.1);
+    let text = text.replacen(&drawn, &shown, 1);
+    std::fs::write(path, text).map_err(|error| unwritable(path, error))
+}
+
+#[cfg(test)]
+mod tests;

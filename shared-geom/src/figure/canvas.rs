@@ -1,0 +1,236 @@
+//! A canvas in figure pixels, on any backend.
+
+use plotters::backend::DrawingBackend;
+use plotters::coord::Shift;
+use plotters::drawing::DrawingArea;
+use plotters::element::{Circle, PathElement, Polygon, Text};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{
+    BLACK, Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle,
+};
+
+use super::{FONT, FigureProblem};
+
+/// Where the bitmap backend puts the baseline of a text below its top, in sizes
+/// of the font.
+pub(super) const BITMAP_BASELINE: f64 = 0.5;
+/// The same for the SVG backend: 0.76 em, where an em is the size over 1.24.
+pub(super) const SVG_BASELINE: f64 = 0.76 / 1.24;
+/// Height of the digits and capitals of the font, in sizes of the font.
+const CAPITAL: f64 = 0.63;
+
+/// Which part of a label stands at the given place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// The beginning of the text.
+    Start,
+    /// The middle of the text.
+    Middle,
+    /// The end of the text.
+    End,
+}
+
+/// How a text is set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Label {
+    /// Size of the font \[figure pixels, unit of the canvas\].
+    pub size: f64,
+    /// Which part of the text stands at the given place.
+    pub anchor: Anchor,
+    /// Whether the text runs upward.
+    pub upward: bool,
+    /// Whether the letters are bold.
+    pub bold: bool,
+    /// Color of the letters.
+    pub color: RGBColor,
+}
+
+impl Label {
+    /// A black text of `size` \[figure pixels\] that begins at its place.
+    pub fn new(size: f64) -> Self {
+        Self {
+            size,
+            anchor: Anchor::Start,
+            upward: false,
+            bold: false,
+            color: BLACK,
+        }
+    }
+
+    /// The same with another part of the text at the given place.
+    pub fn anchored(self, anchor: Anchor) -> Self {
+        Self { anchor, ..self }
+    }
+
+    /// The same running upward.
+    pub fn upward(self) -> Self {
+        Self {
+            upward: true,
+            ..self
+        }
+    }
+
+    /// The same in bold letters.
+    pub fn bold(self) -> Self {
+        Self { bold: true, ..self }
+    }
+
+    /// The same in another color.
+    pub fn colored(self, color: RGBColor) -> Self {
+        Self { color, ..self }
+    }
+}
+
+/// A drawing area with coordinates in figure pixels: x to the right, y down, from
+/// the upper left corner.
+///
+/// Charts of plotters are drawn on [`Canvas::area`]; their pixel lengths (margins,
+/// label areas, font sizes) are then multiplied by [`Canvas::scale`].
+pub struct Canvas<B: DrawingBackend> {
+    area: DrawingArea<B, Shift>,
+    scale: u32,
+    baseline: f64,
+}
+
+impl<B: DrawingBackend> std::fmt::Debug for Canvas<B> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (width, height) = self.size();
+        write!(f, "Canvas({width} x {height}, scale {})", self.scale)
+    }
+}
+
+impl<B: DrawingBackend> Canvas<B> {
+    pub(super) fn new(area: DrawingArea<B, Shift>, scale: u32, baseline: f64) -> Self {
+        Self {
+            area,
+            scale,
+            baseline,
+        }
+    }
+
+    /// The area of plotters behind the canvas.
+    pub fn area(&self) -> &DrawingArea<B, Shift> {
+        &self.area
+    }
+
+    /// Backend pixels in one figure pixel.
+    pub fn scale(&self) -> u32 {
+        self.scale
+    }
+
+    /// Width and height \[figure pixels\].
+    pub fn size(&self) -> (f64, f64) {
+        let (width, height) = self.area.dim_in_pixel();
+        let scale = f64::from(self.scale);
+        (f64::from(width) / scale, f64::from(height) / scale)
+    }
+
+    /// Fills the polygon with these corners, without hairlines between neighbors
+    /// of the same color.
+    ///
+    /// # Errors
+    /// [`FigureProblem::Backend`].
+    pub fn polygon(&self, corners: &[[f64; 2]], color: RGBColor) -> Result<(), FigureProblem> {
+        let mut corners = self.backend(corners);
+        if corners.len() < 3 {
+            return Ok(());
+        }
+        self.area
+            .draw(&Polygon::new(corners.clone(), color.filled()))?;
+        corners.push(corners[0]);
+        Ok(self.area.draw(&PathElement::new(corners, color))?)
+    }
+
+    /// Draws the line through these points, `width` wide \[figure pixels\].
+    ///
+    /// # Errors
+    /// [`FigureProblem::Backend`].
+    pub fn line(
+        &self,
+        points: &[[f64; 2]],
+        width: f64,
+        color: RGBColor,
+    ) -> Result<(), FigureProblem> {
+        let points = self.backend(points);
+        let style = self.stroke(width, color);
+        // Piece by piece: the backend fills a long bent line as one polygon that
+        // crosses itself.
+        for piece in points.windows(2) {
+            self.area.draw(&PathElement::new(piece.to_vec(), style))?;
+        }
+        Ok(())
+    }
+
+    /// Fills a disc.
+    ///
+    /// # Errors
+    /// [`FigureProblem::Backend`].
+    pub fn disc(
+        &self,
+        center: [f64; 2],
+        radius: f64,
+        color: RGBColor,
+    ) -> Result<(), FigureProblem> {
+        let center = self.backend(&[center])[0];
+        let radius = (radius * f64::from(self.scale)).round() as i32;
+        Ok(self
+            .area
+            .draw(&Circle::new(center, radius, color.filled()))?)
+    }
+
+    /// Writes a text whose capitals are centered on the height of `place` (for an
+    /// upward text: on the width).
+    ///
+    /// # Errors
+    /// [`FigureProblem::Backend`].
+    pub fn text(&self, text: &str, place: [f64; 2], label: Label) -> Result<(), FigureProblem> {
+        let to_baseline = label.size * (0.5 * CAPITAL - self.baseline);
+        let [x, y] = place;
+        let place = match label.upward {
+            true => [x + to_baseline, y],
+            false => [x, y + to_baseline],
+        };
+        let place = self.backend(&[place])[0];
+        let style = self.text_style(label);
+        Ok(self.area.draw(&Text::new(text.to_owned(), place, style))?)
+    }
+
+    /// Width of a text set in letters of `size` \[figure pixels\].
+    pub fn text_width(&self, text: &str, size: f64) -> f64 {
+        let style = self.text_style(Label::new(size));
+        let estimate = self.area.estimate_text_size(text, &style);
+        estimate.map_or(0.0, |(width, _)| f64::from(width) / f64::from(self.scale))
+    }
+
+    fn text_style(&self, label: Label) -> TextStyle<'static> {
+        let size = label.size * f64::from(self.scale);
+        let style = if label.bold {
+            FontStyle::Bold
+        } else {
+            FontStyle::Normal
+        };
+        let font = FontDesc::new(FontFamily::from(FONT), size, style);
+        let horizontal = match label.anchor {
+            Anchor::Start => HPos::Left,
+            Anchor::Middle => HPos::Center,
+            Anchor::End => HPos::Right,
+        };
+        let font = match label.upward {
+            true => font.transform(FontTransform::Rotate270),
+            false => font,
+        };
+        let mut style = TextStyle::from(font).pos(Pos::new(horizontal, VPos::Top));
+        style.color = label.color.to_backend_color();
+        style
+    }
+
+    fn stroke(&self, width: f64, color: RGBColor) -> ShapeStyle {
+        let width = (width * f64::from(self.scale)).round().max(1.0) as u32;
+        color.stroke_width(width)
+    }
+
+    fn backend(&self, points: &[[f64; 2]]) -> Vec<(i32, i32)> {
+        let whole = |length: f64| (length * f64::from(self.scale)).round() as i32;
+        points.iter().map(|[x, y]| (whole(*x), whole(*y))).collect()
+    }
+}

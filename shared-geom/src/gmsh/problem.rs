@@ -1,0 +1,202 @@
+//! What can be wrong with a mesh file.
+
+use crate::error::{Diagnostics, Explain, Place, nearest_name};
+
+/// How many problems of one file are told; the others are counted.
+const LIMIT: usize = 20;
+
+/// A problem of a mesh file.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub(super) enum ReadProblem {
+    #[error("the file cannot be read: {0}")]
+    Unreadable(String),
+    #[error("the line holds bytes that are no UTF-8 text")]
+    NotText,
+    #[error("the file is empty, expected a gmsh mesh")]
+    Empty,
+    #[error("no section \"$MeshFormat\" found: this is no gmsh mesh of version 2 or later")]
+    NotGmsh,
+    #[error("binary mesh found, expected ascii")]
+    Binary,
+    #[error("file type \"{0}\" found, expected 0 (ascii)")]
+    FileType(String),
+    #[error("mesh format version \"{0}\" found, expected 2.2 or 4.1")]
+    Version(String),
+    #[error("section \"{0}\" is missing")]
+    MissingSection(&'static str),
+    #[error("section \"{section}\" is not closed: expected \"$End{}\", found {found}", &section[1..])]
+    NotClosed { section: String, found: String },
+    #[error("\"{0}\" found, but no such section is open")]
+    StrayEnd(String),
+    #[error("text outside of any section: \"{0}\"")]
+    Outside(String),
+    #[error("the mesh is partitioned (\"$PartitionedEntities\"), expected a mesh in one partition")]
+    Partitioned,
+    #[error("expected {expected}, found {}", fields(*found))]
+    FieldCount {
+        expected: &'static str,
+        found: usize,
+    },
+    #[error("{what}: expected a whole number, found \"{found}\"")]
+    NotANumber { what: &'static str, found: String },
+    #[error("coordinate: expected a finite number, found \"{0}\"")]
+    NotACoordinate(String),
+    #[error("{count} {what} are announced, more than the rest of the file can hold")]
+    CountTooLarge { what: &'static str, count: u64 },
+    #[error("{announced} {what} are announced, found {found}")]
+    CountMismatch {
+        what: &'static str,
+        announced: u64,
+        found: u64,
+    },
+    #[error(
+        "expected the end of section \"{section}\", since all that it announces has been read, found \"{found}\""
+    )]
+    ContentLeft { section: String, found: String },
+    #[error("expected the group's name in double quotes")]
+    NoName,
+    #[error("dimension {0} found, expected 0, 1, 2 or 3")]
+    Dimension(u32),
+    #[error("physical group {tag} of dimension {dimension} is named twice")]
+    GroupNamedTwice { dimension: u8, tag: i32 },
+    #[error("entity {tag} of dimension {dimension} is listed twice")]
+    RepeatedEntity { dimension: u8, tag: i32 },
+    #[error("more than {} nodes", u32::MAX)]
+    TooManyNodes,
+    #[error("node {0} is listed twice")]
+    RepeatedNode(u64),
+    #[error("element {0} is listed twice")]
+    RepeatedElement(u64),
+    #[error("element {element} refers to node {node}, which does not exist")]
+    UnknownNode { element: u64, node: u64 },
+    #[error(
+        "elements of entity {tag} of dimension {dimension}, which section \"$Entities\" does not list"
+    )]
+    UnknownEntity { dimension: u8, tag: i32 },
+    #[error("{name} in a block of dimension {found}")]
+    BlockDimension { name: &'static str, found: u32 },
+    #[error("{count} {} of type {name} found, expected {SUPPORTED}", if *count == 1 { "element" } else { "elements" })]
+    UnsupportedElements {
+        name: String,
+        count: u64,
+        volume: bool,
+    },
+    #[error(
+        "cell {cell} stands in two physical surfaces, \"{first}\" and \"{second}\", expected one"
+    )]
+    CellInTwoGroups {
+        cell: u64,
+        first: String,
+        second: String,
+    },
+    #[error("cells {first} and {cell} have the same corners")]
+    RepeatedCell { cell: u64, first: u64 },
+    #[error("and {0} more problems")]
+    More(usize),
+}
+
+const SUPPORTED: &str = "points, lines with 2 or 3 nodes, triangles with 3 or 6 nodes, \
+     quadrilaterals with 4, 8 or 9 nodes";
+
+fn fields(count: usize) -> String {
+    if count == 1 {
+        "1 field".into()
+    } else {
+        format!("{count} fields")
+    }
+}
+
+impl Explain for ReadProblem {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::NotText => "save the file in UTF-8, or use plain letters in the group names",
+            Self::NotGmsh => {
+                "in gmsh, save it as \"Version 4 ASCII\": gmsh FILE -save -format msh41 -o NEW.msh"
+            }
+            Self::Binary | Self::FileType(_) => {
+                "save it as text, with Mesh.Binary = 0: gmsh FILE -save -format msh41 -o NEW.msh"
+            }
+            Self::Version(_) => "save it in version 4.1: gmsh FILE -save -format msh41 -o NEW.msh",
+            Self::Partitioned => "in gmsh, Mesh > Unpartition, then save the mesh again",
+            Self::NotClosed { section, .. } if !KNOWN_SECTIONS.contains(&section.as_str()) => {
+                let name = nearest_name(section, KNOWN_SECTIONS)?;
+                return Some(format!("did you mean \"{name}\"?"));
+            }
+            Self::NotClosed { found, .. } if found == END_OF_FILE => {
+                "the file may have been cut off while it was written or copied"
+            }
+            Self::CountTooLarge { .. } => "the file may have been cut off, or the count is wrong",
+            Self::GroupNamedTwice { .. } => "give each physical group one name",
+            Self::CellInTwoGroups { .. } => {
+                "a cell has one material: take its surface out of one of the physical surfaces"
+            }
+            Self::RepeatedCell { .. } => {
+                "remove one of them: in gmsh, Mesh > Remove duplicate elements"
+            }
+            Self::UnsupportedElements { volume: true, .. } => {
+                "mesh the section as a plane surface (gmsh -2) and save no volume"
+            }
+            Self::UnsupportedElements { .. } => "mesh with Mesh.ElementOrder = 1 or 2",
+            _ => return None,
+        };
+        Some(help.into())
+    }
+}
+
+/// The sections that are read.
+pub(super) const KNOWN_SECTIONS: [&str; 6] = [
+    "$MeshFormat",
+    "$PhysicalNames",
+    "$Entities",
+    "$Nodes",
+    "$ParametricNodes",
+    "$Elements",
+];
+
+/// What stands in [`ReadProblem::NotClosed`] for the end of the file.
+pub(super) const END_OF_FILE: &str = "the end of the file";
+
+/// The problems found so far, each with its line where it has one.
+#[derive(Debug, Default)]
+pub(super) struct Problems {
+    found: Vec<(Option<usize>, ReadProblem)>,
+    hidden: usize,
+}
+
+impl Problems {
+    /// Adds the problem of a line.
+    pub(super) fn push(&mut self, line: usize, problem: ReadProblem) {
+        self.add(Some(line), problem);
+    }
+
+    /// Adds a problem of the whole file.
+    pub(super) fn push_whole(&mut self, problem: ReadProblem) {
+        self.add(None, problem);
+    }
+
+    fn add(&mut self, line: Option<usize>, problem: ReadProblem) {
+        if self.found.len() < LIMIT {
+            self.found.push((line, problem));
+        } else {
+            self.hidden += 1;
+        }
+    }
+
+    /// The problems in the order of their lines, those of the whole file last.
+    pub(super) fn into_diagnostics(mut self, file: &str) -> Diagnostics {
+        self.found
+            .sort_by_key(|(line, _)| line.unwrap_or(usize::MAX));
+        if self.hidden > 0 {
+            self.found.push((None, ReadProblem::More(self.hidden)));
+        }
+        let mut diagnostics = Diagnostics::new();
+        for (line, problem) in &self.found {
+            let place = match line {
+                Some(line) => Place::line(file, *line),
+                None => Place::file(file),
+            };
+            diagnostics.push(place, problem);
+        }
+        diagnostics
+    }
+}

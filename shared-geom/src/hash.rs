@@ -1,0 +1,39 @@
+//! Fingerprints of inputs, so that results can be traced to what they were made from.
+
+use sha2::{Digest, Sha256};
+
+/// The SHA-256 of all `parts`, as `sha256:` and 64 hexadecimal digits.
+///
+/// The length of each part counts too, so that moving bytes from one part to the
+/// next changes the result.
+pub fn sha256_of(parts: &[&[u8]]) -> String {
+    let mut hasher = Sha256::new();
+    for part in parts {
+        hasher.update((part.len() as u64).to_le_bytes());
+        hasher.update(part);
+    }
+    let digits = hasher.finalize();
+    let hexadecimal: String = digits.iter().map(|byte| format!("{byte:02x}")).collect();
+    format!("sha256:{hexadecimal}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// SHA-256 of the count 3 in eight bytes (lowest first) and "abc", by sha256sum.
+    #[test]
+    fn hash_is_that_of_length_and_bytes() {
+        assert_eq!(
+            sha256_of(&[b"abc"]),
+            "sha256:ce91dc5eec0139adf091900d225971d6ad246a845bad791b5693a9d0d55dd391"
+        );
+    }
+
+    #[test]
+    fn parts_are_kept_apart() {
+        assert_ne!(sha256_of(&[b"ab", b"c"]), sha256_of(&[b"a", b"bc"]));
+        assert_ne!(sha256_of(&[b"ab"]), sha256_of(&[b"ab", b""]));
+        assert_eq!(sha256_of(&[]).len(), "sha256:".len() + 64);
+    }
+}

@@ -1,0 +1,20 @@
+//! Geometry, meshes, units and the section-property contract: what both
+//! programs of Helicoid speak.
+//!
+//! Axes: x along the beam, y and z in the section. Six-component vectors and
+//! matrices are always ordered axial, shear y, shear z, torsion, bending y,
+//! bending z (see [`wrench`]).
+
+pub mod document;
+pub mod error;
+pub mod figure;
+pub mod frame;
+pub mod gmsh;
+pub mod hash;
+pub mod lagrange;
+pub mod mesh;
+pub mod quadrature;
+pub mod rotation;
+pub mod section;
+pub mod units;
+pub mod wrench;
