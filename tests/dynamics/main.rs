@@ -1,4 +1,5 @@
 //! Validation of beam-dynamics against closed forms and published solutions.
 
+mod beam_statics;
 mod rotating_beam;
 mod uniform_beam;

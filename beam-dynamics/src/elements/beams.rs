@@ -5,6 +5,9 @@ mod geometry;
 mod inertia;
 mod interpolation;
 
+#[cfg(test)]
+mod objectivity_tests;
+
 pub use elastic::ElasticBeam;
 pub use geometry::{BeamGeometry, BeamNode};
 pub use inertia::{BeamInertia, lumped_bodies};
