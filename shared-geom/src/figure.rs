@@ -19,11 +19,14 @@ use crate::error::Explain;
 
 mod canvas;
 mod color;
+mod raster;
 mod tick;
 
 pub use canvas::{Anchor, Canvas, Label};
 pub use color::{CATEGORIES, category, diverging, sequential};
 pub use tick::{Ticks, tick_label};
+
+use canvas::Medium;
 
 /// Name under which the embedded font is registered.
 pub const FONT: &str = "sans-serif";
@@ -139,7 +142,7 @@ fn save_png(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(),
     {
         let area = BitMapBackend::with_buffer(&mut pixels, large).into_drawing_area();
         area.fill(&WHITE)?;
-        let canvas = Canvas::new(area, OVERSAMPLING, canvas::BITMAP_BASELINE);
+        let canvas = Canvas::new(area, OVERSAMPLING, Medium::Bitmap);
         drawing.draw(&canvas)?;
         canvas.area().present()?;
     }
@@ -181,7 +184,7 @@ fn save_svg(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(),
     {
         let area = SVGBackend::with_string(&mut text, fine).into_drawing_area();
         area.fill(&WHITE)?;
-        let canvas = Canvas::new(area, FINER, canvas::SVG_BASELINE);
+        let canvas = Canvas::new(area, FINER, Medium::Vector);
         drawing.draw(&canvas)?;
         canvas.area().present()?;
     }

@@ -3,19 +3,34 @@
 use plotters::backend::DrawingBackend;
 use plotters::coord::Shift;
 use plotters::drawing::DrawingArea;
-use plotters::element::{Circle, PathElement, Polygon, Text};
+use plotters::element::{PathElement, Polygon, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{
-    BLACK, Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle,
+    BLACK, Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, TextStyle,
 };
 
-use super::{FONT, FigureProblem};
+use super::{FONT, FigureProblem, raster};
 
-/// Where the bitmap backend puts the baseline of a text below its top, in sizes
-/// of the font.
-pub(super) const BITMAP_BASELINE: f64 = 0.5;
-/// The same for the SVG backend: 0.76 em, where an em is the size over 1.24.
-pub(super) const SVG_BASELINE: f64 = 0.76 / 1.24;
+/// How a backend draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Medium {
+    /// Pixels: shapes are filled by [`raster`].
+    Bitmap,
+    /// Shapes as such.
+    Vector,
+}
+
+impl Medium {
+    /// Where the backend puts the baseline of a text below its top, in sizes of the
+    /// font. SVG: 0.76 em, where an em is the size over 1.24.
+    fn baseline(self) -> f64 {
+        match self {
+            Self::Bitmap => 0.5,
+            Self::Vector => 0.76 / 1.24,
+        }
+    }
+}
+
 /// Height of the digits and capitals of the font, in sizes of the font.
 const CAPITAL: f64 = 0.63;
 
@@ -89,7 +104,7 @@ impl Label {
 pub struct Canvas<B: DrawingBackend> {
     area: DrawingArea<B, Shift>,
     scale: u32,
-    baseline: f64,
+    medium: Medium,
 }
 
 impl<B: DrawingBackend> std::fmt::Debug for Canvas<B> {
@@ -100,11 +115,11 @@ impl<B: DrawingBackend> std::fmt::Debug for Canvas<B> {
 }
 
 impl<B: DrawingBackend> Canvas<B> {
-    pub(super) fn new(area: DrawingArea<B, Shift>, scale: u32, baseline: f64) -> Self {
+    pub(super) fn new(area: DrawingArea<B, Shift>, scale: u32, medium: Medium) -> Self {
         Self {
             area,
             scale,
-            baseline,
+            medium,
         }
     }
 
@@ -131,6 +146,9 @@ impl<B: DrawingBackend> Canvas<B> {
     /// # Errors
     /// [`FigureProblem::Backend`].
     pub fn polygon(&self, corners: &[[f64; 2]], color: RGBColor) -> Result<(), FigureProblem> {
+        if self.medium == Medium::Bitmap {
+            return self.fill(&self.finer(corners), color);
+        }
         let mut corners = self.backend(corners);
         if corners.len() < 3 {
             return Ok(());
@@ -151,12 +169,23 @@ impl<B: DrawingBackend> Canvas<B> {
         width: f64,
         color: RGBColor,
     ) -> Result<(), FigureProblem> {
-        let points = self.backend(points);
-        let style = self.stroke(width, color);
-        // Piece by piece: the backend fills a long bent line as one polygon that
-        // crosses itself.
+        let width = (width * f64::from(self.scale)).max(1.0);
+        if self.medium == Medium::Vector {
+            let style = color.stroke_width(width.round() as u32);
+            return Ok(self
+                .area
+                .draw(&PathElement::new(self.backend(points), style))?);
+        }
+        let points = self.finer(points);
         for piece in points.windows(2) {
-            self.area.draw(&PathElement::new(piece.to_vec(), style))?;
+            self.fill(&raster::stroke(piece[0], piece[1], width), color)?;
+        }
+        if width > 2.0 {
+            let is_closed = points.first() == points.last();
+            let joints = if is_closed { 0 } else { 1 }..points.len().saturating_sub(1);
+            for joint in points.get(joints).unwrap_or_default() {
+                self.fill(&raster::disc(*joint, 0.5 * width), color)?;
+            }
         }
         Ok(())
     }
@@ -171,11 +200,17 @@ impl<B: DrawingBackend> Canvas<B> {
         radius: f64,
         color: RGBColor,
     ) -> Result<(), FigureProblem> {
-        let center = self.backend(&[center])[0];
-        let radius = (radius * f64::from(self.scale)).round() as i32;
-        Ok(self
-            .area
-            .draw(&Circle::new(center, radius, color.filled()))?)
+        self.polygon(&raster::disc(center, radius), color)
+    }
+
+    /// Fills the polygon with these corners \[backend pixels\].
+    fn fill(&self, corners: &[[f64; 2]], color: RGBColor) -> Result<(), FigureProblem> {
+        let (width, height) = self.area.dim_in_pixel();
+        for span in raster::spans(corners, width, height) {
+            let row = [(span.start, span.row), (span.end, span.row + 1)];
+            self.area.draw(&Rectangle::new(row, color.filled()))?;
+        }
+        Ok(())
     }
 
     /// Writes a text whose capitals are centered on the height of `place` (for an
@@ -184,7 +219,7 @@ impl<B: DrawingBackend> Canvas<B> {
     /// # Errors
     /// [`FigureProblem::Backend`].
     pub fn text(&self, text: &str, place: [f64; 2], label: Label) -> Result<(), FigureProblem> {
-        let to_baseline = label.size * (0.5 * CAPITAL - self.baseline);
+        let to_baseline = label.size * (0.5 * CAPITAL - self.medium.baseline());
         let [x, y] = place;
         let place = match label.upward {
             true => [x + to_baseline, y],
@@ -224,9 +259,9 @@ impl<B: DrawingBackend> Canvas<B> {
         style
     }
 
-    fn stroke(&self, width: f64, color: RGBColor) -> ShapeStyle {
-        let width = (width * f64::from(self.scale)).round().max(1.0) as u32;
-        color.stroke_width(width)
+    fn finer(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let scale = f64::from(self.scale);
+        points.iter().map(|[x, y]| [scale * x, scale * y]).collect()
     }
 
     fn backend(&self, points: &[[f64; 2]]) -> Vec<(i32, i32)> {

@@ -1,0 +1,78 @@
+//! Time of each stage of a section analysis: a rectangle of 64 x 32 cells with eight
+//! nodes, 19 000 unknowns. The factorization should be most of it.
+
+use std::hint::black_box;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use section_analyzer::analysis::analyze;
+use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
+use section_analyzer::material::{ElasticLaw, Material};
+use section_analyzer::mesh::SectionMesh;
+use section_analyzer::mesh::generate::Rectangle;
+use section_analyzer::section::{CellMaterial, Section};
+use section_analyzer::solve::{CentralSolution, CentralSystem, Pins};
+use shared_geom::error::Place;
+use shared_geom::mesh::CellKind;
+
+fn section() -> Option<Section> {
+    let rectangle = Rectangle {
+        width: 0.2,
+        height: 0.1,
+        cells_y: 64,
+        cells_z: 32,
+        kind: CellKind::Quadrilateral8,
+        name: "bar".to_owned(),
+    };
+    let mesh = rectangle.generate().ok()?;
+    let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("bar")).ok()?;
+    let steel = Material {
+        name: "steel".to_owned(),
+        law: ElasticLaw::Isotropic {
+            young: 210e9,
+            poisson: 0.3,
+        },
+        density: 7850.0,
+    };
+    let cell = CellMaterial {
+        material: 0,
+        fiber_angle: 0.0,
+        plane_angle: 0.0,
+    };
+    Some(Section {
+        name: "bar".to_owned(),
+        cells: vec![cell; mesh.cells.len()],
+        mesh,
+        materials: vec![steel],
+    })
+}
+
+fn stages(criterion: &mut Criterion) {
+    let Some(section) = section() else { return };
+    let Ok(domain) = Domain::new(&section) else { return };
+    let pattern = Pattern::new(&domain);
+    let Ok(matrices) = SectionMatrices::assemble(&domain, &pattern) else { return };
+    let Ok(pins) = Pins::choose(&domain.nodes) else { return };
+    let Ok(system) = CentralSystem::new(&domain, &pattern, &matrices, pins.clone()) else { return };
+
+    let mut group = criterion.benchmark_group("section");
+    group.sample_size(10);
+    group.bench_function("domain and pattern", |b| {
+        b.iter(|| black_box(Domain::new(&section).map(|domain| Pattern::new(&domain)).is_ok()));
+    });
+    group.bench_function("assembly", |b| {
+        b.iter(|| black_box(SectionMatrices::assemble(&domain, &pattern).is_ok()));
+    });
+    group.bench_function("factorization", |b| {
+        b.iter(|| {
+            black_box(CentralSystem::new(&domain, &pattern, &matrices, pins.clone()).is_ok())
+        });
+    });
+    group.bench_function("central solutions", |b| {
+        b.iter(|| black_box(CentralSolution::solve(&domain, &system).is_some()));
+    });
+    group.bench_function("whole analysis", |b| b.iter(|| black_box(analyze(&section).is_ok())));
+    group.finish();
+}
+
+criterion_group!(benches, stages);
+criterion_main!(benches);

@@ -1,0 +1,271 @@
+//! From a section to its properties: the method, one call a stage.
+//!
+//! # References
+//! - Giavotto, Borri, Mantegazza, Ghiringhelli, Carmaschi, Maffioli, Mussi,
+//!   *Anisotropic beam theory and applications*, Computers & Structures 16
+//!   (1983) 403-413.
+
+use crate::assembly::{
+    Domain, IDENTITIES, Pattern, SectionMatrices, State, check_identities, energy, mass_per_length,
+    rigid_modes,
+};
+use crate::failure::Failure;
+use crate::properties::{Centers, PrincipalAxes, invert_symmetric, scaled_difference};
+use crate::section::Section;
+use crate::solution::{Checks, SectionSolution};
+use crate::solve::{
+    CentralSolution, CentralSystem, Decoupled, FactorError, Pins, Pivot, warping_rate,
+};
+use nalgebra::{DMatrix, Matrix6, Vector3};
+use shared_geom::wrench;
+
+/// Largest relative error of a rigid-body identity. Round-off gives 1e-15; a
+/// node in the wrong place of a cell gives 1e-3 or more.
+const IDENTITY_LIMIT: f64 = 1e-10;
+
+/// Largest relative error of the solution's own checks. Sound sections reach
+/// 1e-13; sections of extreme slenderness or contrast of moduli lose digits.
+const CHECK_LIMIT: f64 = 1e-6;
+
+/// Smallest pivot relative to its diagonal entry: below it no digit of the
+/// pivot is significant.
+const PIVOT_LIMIT: f64 = 1e-14;
+
+/// Finds stiffness, mass, centers and central solutions of `section`.
+///
+/// # Errors
+/// [`Failure`] when the section has no unique, accurate solution: it falls
+/// apart, has inverted cells, or is too badly conditioned.
+pub fn analyze(section: &Section) -> Result<SectionSolution, Failure> {
+    let domain = Domain::new(section)?;
+    let pattern = Pattern::new(&domain);
+    check_connected(section, &domain, &pattern)?;
+
+    let matrices = SectionMatrices::assemble(&domain, &pattern)?;
+    let modes = rigid_modes(&domain);
+    let identities = check_identities(&domain, &matrices, &modes);
+    require_identities(&identities)?;
+
+    let pins = Pins::choose(&domain.nodes)?;
+    let system = CentralSystem::new(&domain, &pattern, &matrices, pins)
+        .map_err(|error| factor_failure(section, &domain, error))?;
+    let weakest = system.factor().smallest_pivot();
+    require_pivot(section, &domain, weakest)?;
+    let central = CentralSolution::solve(&domain, &system)
+        .ok_or_else(|| factor_failure(section, &domain, FactorError::OutOfMemory))?;
+    let decoupled = Decoupled::new(&domain, &modes, &central);
+
+    let compliance = energy_compliance(&domain, &decoupled);
+    let checks = check_solution(&decoupled, &compliance, &central, identities, weakest);
+    require_checks(section, &domain, &checks, weakest)?;
+    in_si(section, &domain, &decoupled, &compliance, checks)
+}
+
+/// Compliance from the strain energy of the solutions, in the domain's units.
+///
+/// ```text
+/// Cs = W' [M C L; C' E R; L' R' A] W,    W = [X T'; X; Y]
+/// ```
+fn energy_compliance(domain: &Domain, solution: &Decoupled) -> Matrix6<f64> {
+    let state = State {
+        rate: Some(&warping_rate(&solution.x)),
+        warping: Some(&solution.x),
+        strain: &solution.y,
+    };
+    energy(domain, state)
+}
+
+fn check_solution(
+    decoupled: &Decoupled,
+    compliance: &Matrix6<f64>,
+    central: &CentralSolution,
+    identities: [f64; 6],
+    weakest: Pivot,
+) -> Checks {
+    let y = &decoupled.y;
+    let up = compliance.diagonal().map(f64::sqrt);
+    let down = up.map(|value| 1.0 / value);
+    Checks {
+        identities,
+        correction: central.correction,
+        equilibrium: scaled_difference(&decoupled.internal_force, &Matrix6::identity(), &up, &down),
+        asymmetry: scaled_difference(y, &y.transpose(), &down, &down),
+        decoupling: scaled_difference(y, compliance, &down, &down),
+        smallest_pivot: weakest.ratio,
+    }
+}
+
+/// One part, joined node by node.
+fn check_connected(section: &Section, domain: &Domain, pattern: &Pattern) -> Result<(), Failure> {
+    let parts = pattern.parts();
+    match parts[..] {
+        [first, second, ..] => Err(Failure::Disconnected {
+            parts: parts.len(),
+            node: tag_of(section, domain, first),
+            other: tag_of(section, domain, second),
+        }),
+        _ => Ok(()),
+    }
+}
+
+fn require_identities(errors: &[f64; 6]) -> Result<(), Failure> {
+    for (&error, identity) in errors.iter().zip(IDENTITIES) {
+        if error.is_nan() || error > IDENTITY_LIMIT {
+            return Err(Failure::Identity {
+                identity,
+                error,
+                limit: IDENTITY_LIMIT,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn factor_failure(section: &Section, domain: &Domain, error: FactorError) -> Failure {
+    match error {
+        FactorError::NotPositive(pivot) => loose(section, domain, pivot),
+        FactorError::OutOfMemory => Failure::OutOfMemory {
+            unknowns: domain.unknowns(),
+        },
+    }
+}
+
+fn require_pivot(section: &Section, domain: &Domain, pivot: Pivot) -> Result<(), Failure> {
+    if pivot.ratio > PIVOT_LIMIT {
+        Ok(())
+    } else {
+        Err(loose(section, domain, pivot))
+    }
+}
+
+fn loose(section: &Section, domain: &Domain, pivot: Pivot) -> Failure {
+    let [y, z] = place_of(section, domain, pivot.node);
+    Failure::Loose {
+        node: tag_of(section, domain, pivot.node),
+        y,
+        z,
+        ratio: pivot.ratio,
+        limit: PIVOT_LIMIT,
+    }
+}
+
+fn require_checks(
+    section: &Section,
+    domain: &Domain,
+    checks: &Checks,
+    weakest: Pivot,
+) -> Result<(), Failure> {
+    let measured = [
+        ("the internal force of the solutions", checks.equilibrium),
+        ("the symmetry of the compliance", checks.asymmetry),
+        ("the energy of the solutions", checks.decoupling),
+    ];
+    for (check, error) in measured {
+        if error.is_nan() || error > CHECK_LIMIT {
+            let [y, z] = place_of(section, domain, weakest.node);
+            return Err(Failure::Inaccurate {
+                check,
+                error,
+                limit: CHECK_LIMIT,
+                node: tag_of(section, domain, weakest.node),
+                y,
+                z,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// From the units of the domain to SI, from its origin to that of the mesh.
+///
+/// ```text
+/// psi_i = p_i psi^_i, theta_j = f_j theta^_j:  C = diag(p) C^ diag(1/f),  K = diag(f) K^ diag(1/p)
+/// at O = c - t:  K_O = U K_c U',  C_O = V' C_c V,  X_O = X_c V    with U = U(-t), V = U(t)
+/// ```
+fn in_si(
+    section: &Section,
+    domain: &Domain,
+    decoupled: &Decoupled,
+    compliance: &Matrix6<f64>,
+    checks: Checks,
+) -> Result<SectionSolution, Failure> {
+    let scaling = &domain.scaling;
+    let stiffness = invert_symmetric(compliance).ok_or(Failure::ComplianceNotPositive)?;
+    let (p, f) = (scaling.strain(), scaling.force());
+    let per_force = f.map(|unit| 1.0 / unit);
+    let compliance_unit = p * per_force.transpose();
+    let stiffness_unit = f * p.map(|unit| 1.0 / unit).transpose();
+
+    let [y, z] = scaling.origin;
+    let t = Vector3::new(0.0, y, z);
+    let v = wrench::shift_matrix(&t);
+    let about_origin = |c: &Matrix6<f64>| v.transpose() * c.component_mul(&compliance_unit) * v;
+
+    let mass = mass_per_length(domain);
+    let centroidal_mass = wrench::shift(&mass, &t);
+    let centers = Centers::new(
+        &compliance.component_mul(&compliance_unit),
+        &centroidal_mass,
+    );
+    Ok(SectionSolution {
+        stiffness: symmetric(&wrench::shift(
+            &stiffness.component_mul(&stiffness_unit),
+            &-t,
+        )),
+        compliance: symmetric(&about_origin(compliance)),
+        principal_bending: PrincipalAxes::of_bending(&compliance.component_mul(&compliance_unit)),
+        principal_inertia: PrincipalAxes::of_mass(&centroidal_mass, centers.mass),
+        centers: centers.placed(scaling.origin),
+        mass: symmetric(&mass),
+        warping: warping_of_mesh(
+            section,
+            domain,
+            &decoupled.x,
+            &(Matrix6::from_diagonal(&per_force) * v),
+        ),
+        strain: about_origin(&decoupled.y),
+        checks,
+        unknowns: domain.unknowns(),
+    })
+}
+
+/// Warping in meters at all nodes of the mesh per unit of the forces that `forces`
+/// takes to those of the domain; zero at nodes without a cell.
+fn warping_of_mesh(
+    section: &Section,
+    domain: &Domain,
+    x: &DMatrix<f64>,
+    forces: &Matrix6<f64>,
+) -> DMatrix<f64> {
+    let mut warping = DMatrix::zeros(3 * section.mesh.nodes.len(), 6);
+    for (node, &mesh_node) in domain.mesh_nodes.iter().enumerate() {
+        let at_node = domain.scaling.length * x.fixed_view::<3, 6>(3 * node, 0) * forces;
+        warping
+            .fixed_view_mut::<3, 6>(3 * mesh_node as usize, 0)
+            .copy_from(&at_node);
+    }
+    warping
+}
+
+fn symmetric(matrix: &Matrix6<f64>) -> Matrix6<f64> {
+    0.5 * (matrix + matrix.transpose())
+}
+
+fn tag_of(section: &Section, domain: &Domain, node: usize) -> u64 {
+    let mesh_node = domain.mesh_nodes[node] as usize;
+    // a mesh made without tags counts its nodes from one
+    section
+        .mesh
+        .node_tags
+        .get(mesh_node)
+        .copied()
+        .unwrap_or(mesh_node as u64 + 1)
+}
+
+fn place_of(section: &Section, domain: &Domain, node: usize) -> [f64; 2] {
+    section.mesh.nodes[domain.mesh_nodes[node] as usize]
+}
+
+#[cfg(test)]
+#[path = "analysis_tests.rs"]
+mod tests;

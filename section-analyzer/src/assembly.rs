@@ -1,0 +1,25 @@
+//! From the section to its central problem.
+//!
+//! [`Domain`] is the section as the solver sees it (attached nodes, centered and
+//! scaled), [`Pattern`] which unknowns meet in a cell, [`SectionMatrices`] the
+//! matrices E, R, A of the system to factor, [`State`] with its forces and energy
+//! the products with all six matrices by integration of stresses, and
+//! [`rigid_modes`] the six rigid motions that their identities are checked with.
+
+mod domain;
+mod mass;
+mod matrices;
+mod pattern;
+mod rigid;
+mod stress;
+
+pub(crate) use domain::largest;
+pub use domain::{Domain, DomainCell, Scaling};
+pub use mass::mass_per_length;
+pub use matrices::SectionMatrices;
+pub use pattern::Pattern;
+pub use rigid::{IDENTITIES, check_identities, equilibrium, rigid_modes};
+pub use stress::{InternalForces, State, energy, face_forces, internal_forces};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,321 @@
+//! The section as the solver sees it: nodes that belong to a cell, coordinates
+//! from the area centroid in units of the section's size, laws in section axes
+//! in units of the largest stiffness.
+//!
+//! All matrices of the problem are then free of units and of order one, whatever
+//! the units, size, place and moduli of the section: a section of 1 mm at 100 m
+//! from the origin and one of 10 m around it are solved with the same digits.
+//! Units of length and modulus are powers of two, so that scaling rounds nothing.
+
+use crate::element::{NO_COLUMNS, NodalColumns};
+use crate::failure::Failure;
+use crate::material::section_stiffness;
+use crate::section::{CellMaterial, Section};
+use nalgebra::{DMatrix, Matrix6, Vector6};
+use shared_geom::mesh::CellKind;
+
+/// Units and origin of a [`Domain`], in section axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scaling {
+    /// Place of the domain's origin, the area centroid: y, z \[m\].
+    pub origin: [f64; 2],
+    /// Unit of length \[m\].
+    pub length: f64,
+    /// Unit of stress \[Pa\].
+    pub modulus: f64,
+}
+
+impl Scaling {
+    /// Units of the generalized strain: 1 for the first three, 1/length for the
+    /// curvatures \[-, 1/m\].
+    pub fn strain(&self) -> Vector6<f64> {
+        let curvature = 1.0 / self.length;
+        Vector6::new(1.0, 1.0, 1.0, curvature, curvature, curvature)
+    }
+
+    /// Units of the internal force \[N, N m\].
+    pub fn force(&self) -> Vector6<f64> {
+        let force = self.modulus * self.length * self.length;
+        let moment = force * self.length;
+        Vector6::new(force, force, force, moment, moment, moment)
+    }
+}
+
+/// A cell of the domain.
+#[derive(Debug, Clone, Copy)]
+pub struct DomainCell {
+    /// Number of the cell in its file.
+    pub tag: u64,
+    /// Shape.
+    pub kind: CellKind,
+    /// Index into [`Domain::laws`].
+    pub law: u32,
+    /// Density \[kg/m^3\].
+    pub density: f64,
+    nodes: [u32; 9],
+}
+
+impl DomainCell {
+    /// Nodes: indices into [`Domain::nodes`], in the order of the cell.
+    pub fn nodes(&self) -> &[u32] {
+        &self.nodes[..self.kind.node_count()]
+    }
+}
+
+/// The section in the solver's units.
+#[derive(Debug, Clone)]
+pub struct Domain {
+    /// Places (y, z) of the nodes from the area centroid, in units of length.
+    pub nodes: Vec<[f64; 2]>,
+    /// For each node its index in the mesh of the section.
+    pub mesh_nodes: Vec<u32>,
+    /// Cells, in the order of the mesh.
+    pub cells: Vec<DomainCell>,
+    /// Laws in section axes, order yz yy zz xx xy xz, in units of stress.
+    pub laws: Vec<Matrix6<f64>>,
+    /// The units.
+    pub scaling: Scaling,
+}
+
+impl Domain {
+    /// Prepares `section` for assembly.
+    ///
+    /// # Errors
+    /// [`Failure`] when the section has no cells, a cell lacks its material, or
+    /// coordinates and stiffness leave no finite, positive scale.
+    pub fn new(section: &Section) -> Result<Self, Failure> {
+        check_lists(section)?;
+        let (laws, law_of_cell) = laws_in_section_axes(section);
+        let (mesh_nodes, node_of_mesh) = attached_nodes(section);
+        let scaling = Scaling {
+            origin: area_centroid(section)?,
+            length: 1.0,
+            modulus: power_of_two(laws.iter().flatten().map(|c| c.abs()).fold(0.0, largest))
+                .ok_or(Failure::NoScale { what: "stiffness" })?,
+        };
+        let scaling = Scaling {
+            length: length_unit(section, &mesh_nodes, scaling.origin)?,
+            ..scaling
+        };
+
+        let place = |&node: &u32| {
+            let [y, z] = section.mesh.nodes[node as usize];
+            [
+                (y - scaling.origin[0]) / scaling.length,
+                (z - scaling.origin[1]) / scaling.length,
+            ]
+        };
+        let cells = section
+            .mesh
+            .cells
+            .iter()
+            .zip(&section.cells)
+            .zip(law_of_cell);
+        Ok(Self {
+            nodes: mesh_nodes.iter().map(place).collect(),
+            cells: cells
+                .map(|((cell, made_of), law)| DomainCell {
+                    tag: cell.tag,
+                    kind: cell.kind,
+                    law,
+                    density: section.materials[made_of.material].density,
+                    nodes: renumbered(cell.nodes(), &node_of_mesh),
+                })
+                .collect(),
+            laws: laws.iter().map(|law| law / scaling.modulus).collect(),
+            mesh_nodes,
+            scaling,
+        })
+    }
+
+    /// Number of warping unknowns: ux, uy, uz of each node, in this order.
+    pub fn unknowns(&self) -> usize {
+        3 * self.nodes.len()
+    }
+
+    /// The first six columns of `field` (n x k) at the nodes of `cell`; missing
+    /// columns are zero.
+    pub fn columns_at(&self, cell: &DomainCell, field: &DMatrix<f64>) -> NodalColumns {
+        let mut columns = NO_COLUMNS;
+        for (k, column) in field
+            .as_slice()
+            .chunks_exact(field.nrows())
+            .take(6)
+            .enumerate()
+        {
+            for (target, &node) in columns.iter_mut().zip(cell.nodes()) {
+                let first = 3 * node as usize;
+                target
+                    .column_mut(k)
+                    .copy_from_slice(&column[first..first + 3]);
+            }
+        }
+        columns
+    }
+
+    /// Adds `columns` at the nodes of `cell` to the columns of `field` (n x k).
+    pub fn add_columns(&self, cell: &DomainCell, columns: &NodalColumns, field: &mut DMatrix<f64>) {
+        let rows = field.nrows();
+        for (k, column) in field.as_mut_slice().chunks_exact_mut(rows).enumerate() {
+            for (part, &node) in columns.iter().zip(cell.nodes()) {
+                for axis in 0..3 {
+                    column[3 * node as usize + axis] += part[(axis, k)];
+                }
+            }
+        }
+    }
+
+    /// Places of the nodes of `cell`; the first `cell.kind.node_count()` count.
+    pub fn places(&self, cell: &DomainCell) -> [[f64; 2]; 9] {
+        cell.nodes.map(|node| self.nodes[node as usize])
+    }
+}
+
+/// Every cell must have a material that exists, and nodes that exist.
+fn check_lists(section: &Section) -> Result<(), Failure> {
+    let mesh = &section.mesh;
+    if mesh.cells.is_empty() {
+        return Err(Failure::NoCells);
+    }
+    if mesh.cells.len() != section.cells.len() {
+        return Err(Failure::CellsWithoutMaterial {
+            cells: mesh.cells.len(),
+            materials: section.cells.len(),
+        });
+    }
+    for (cell, made_of) in mesh.cells.iter().zip(&section.cells) {
+        let node_exists = |&node: &u32| (node as usize) < mesh.nodes.len();
+        if made_of.material >= section.materials.len() || !cell.nodes().iter().all(node_exists) {
+            return Err(Failure::DanglingCell { tag: cell.tag });
+        }
+    }
+    Ok(())
+}
+
+/// The law of each cell; neighbors in the list with the same material and
+/// angles share one.
+fn laws_in_section_axes(section: &Section) -> (Vec<Matrix6<f64>>, Vec<u32>) {
+    let stiffness: Vec<Matrix6<f64>> = section
+        .materials
+        .iter()
+        .map(|material| material.law.stiffness())
+        .collect();
+    let mut laws = Vec::new();
+    let mut law_of_cell = Vec::with_capacity(section.cells.len());
+    let mut last: Option<&CellMaterial> = None;
+    for made_of in &section.cells {
+        if last != Some(made_of) {
+            laws.push(section_stiffness(
+                &stiffness[made_of.material],
+                made_of.fiber_angle,
+                made_of.plane_angle,
+            ));
+            last = Some(made_of);
+        }
+        law_of_cell.push(laws.len() as u32 - 1);
+    }
+    (laws, law_of_cell)
+}
+
+/// Mesh nodes that belong to a cell, and for each mesh node its place in that list.
+fn attached_nodes(section: &Section) -> (Vec<u32>, Vec<u32>) {
+    let mut attached = vec![false; section.mesh.nodes.len()];
+    for cell in &section.mesh.cells {
+        for &node in cell.nodes() {
+            attached[node as usize] = true;
+        }
+    }
+    let mut node_of_mesh = vec![0; attached.len()];
+    let mut mesh_nodes = Vec::new();
+    for (mesh_node, attached) in attached.into_iter().enumerate() {
+        if attached {
+            node_of_mesh[mesh_node] = mesh_nodes.len() as u32;
+            mesh_nodes.push(mesh_node as u32);
+        }
+    }
+    (mesh_nodes, node_of_mesh)
+}
+
+fn renumbered(nodes: &[u32], node_of_mesh: &[u32]) -> [u32; 9] {
+    let mut out = [0; 9];
+    for (out, &node) in out.iter_mut().zip(nodes) {
+        *out = node_of_mesh[node as usize];
+    }
+    out
+}
+
+/// Area centroid of the corner polygons: near enough to the true one for a
+/// choice of origin.
+fn area_centroid(section: &Section) -> Result<[f64; 2], Failure> {
+    let mut area = 0.0;
+    let mut moment = [0.0; 2];
+    // the first node as local origin keeps the digits of a far away mesh
+    let base = section.mesh.nodes[section.mesh.cells[0].nodes()[0] as usize];
+    for cell in &section.mesh.cells {
+        let corners = &cell.nodes()[..cell.kind.corner_count()];
+        let corner = |i: usize| {
+            let [y, z] = section.mesh.nodes[corners[i % corners.len()] as usize];
+            [y - base[0], z - base[1]]
+        };
+        let first = corner(0);
+        for i in 1..corners.len() - 1 {
+            let (a, b) = (corner(i), corner(i + 1));
+            let cross =
+                (a[0] - first[0]) * (b[1] - first[1]) - (a[1] - first[1]) * (b[0] - first[0]);
+            area += 0.5 * cross.abs();
+            for axis in 0..2 {
+                moment[axis] += 0.5 * cross.abs() * (first[axis] + a[axis] + b[axis]) / 3.0;
+            }
+        }
+    }
+    let centroid = [base[0] + moment[0] / area, base[1] + moment[1] / area];
+    if centroid.iter().all(|value| value.is_finite()) {
+        Ok(centroid)
+    } else {
+        Err(Failure::NoScale { what: "area" })
+    }
+}
+
+/// The power of two nearest to the largest distance of a node from `origin` \[m\].
+fn length_unit(section: &Section, nodes: &[u32], origin: [f64; 2]) -> Result<f64, Failure> {
+    let distance = |&node: &u32| {
+        let [y, z] = section.mesh.nodes[node as usize];
+        (y - origin[0]).hypot(z - origin[1])
+    };
+    power_of_two(nodes.iter().map(distance).fold(0.0, largest))
+        .ok_or(Failure::NoScale { what: "size" })
+}
+
+/// The larger of two, or not a number when one of them is: to fold with.
+pub(crate) fn largest(a: f64, b: f64) -> f64 {
+    if a >= b || a.is_nan() { a } else { b }
+}
+
+/// The power of two nearest to `value` on a logarithmic scale; `None` when
+/// `value` is not finite and positive.
+fn power_of_two(value: f64) -> Option<f64> {
+    let normal = value.is_normal() && value > 0.0;
+    normal.then(|| 2f64.powi(value.log2().round() as i32))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_powers_of_two() {
+        assert_eq!(power_of_two(1.0), Some(1.0));
+        assert_eq!(power_of_two(210e9), Some(2f64.powi(38)));
+        assert_eq!(power_of_two(1e-3), Some(2f64.powi(-10)));
+        assert_eq!(power_of_two(0.0), None);
+        assert_eq!(power_of_two(f64::NAN), None);
+        assert_eq!(power_of_two(f64::INFINITY), None);
+    }
+
+    #[test]
+    fn not_a_number_is_not_lost_in_a_maximum() {
+        assert!([1.0, f64::NAN, 2.0].into_iter().fold(0.0, largest).is_nan());
+        assert!([1.0, f64::NAN].into_iter().fold(0.0, largest).is_nan());
+        assert_eq!([1.0, 3.0, 2.0].into_iter().fold(0.0, largest), 3.0);
+    }
+}

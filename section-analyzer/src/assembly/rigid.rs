@@ -1,0 +1,113 @@
+//! Rigid motions of the section, and the identities that every correct set of
+//! section matrices meets.
+//!
+//! ```text
+//! H = [I, -t x] at each node (n x 6)          T = [0, e1 x; 0, 0]
+//! M H = L     C' H = R     C H = L T     E H = R T     L' H = A     R' H = A T
+//! theta' = T' theta:  M2' = F3,  M3' = -F2
+//! ```
+//!
+//! They hold to round-off because the shape functions contain the rigid motions
+//! exactly: a violation means that strains, forces and matrices do not belong
+//! together.
+
+use super::domain::Domain;
+use super::matrices::SectionMatrices;
+use super::stress::{State, face_forces, internal_forces};
+use crate::element::rigid_displacement;
+use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+use sprs::CsMat;
+
+/// The identities, as [`check_identities`] orders them.
+pub const IDENTITIES: [&str; 6] = [
+    "M H = L",
+    "C' H = R",
+    "C H = L T",
+    "E H = R T",
+    "L' H = A",
+    "R' H = A T",
+];
+
+/// H: displacement of the unknowns in the rigid motions, columns translations
+/// and rotations along x, y, z about the origin of the domain, n x 6.
+pub fn rigid_modes(domain: &Domain) -> DMatrix<f64> {
+    let mut h = DMatrix::zeros(domain.unknowns(), 6);
+    for (node, &[y, z]) in domain.nodes.iter().enumerate() {
+        h.fixed_view_mut::<3, 6>(3 * node, 0)
+            .copy_from(&rigid_displacement(1.0, y, z));
+    }
+    h
+}
+
+/// T' of `theta' = T' theta`: how internal forces change along an unloaded beam.
+///
+/// `dM2/dx = F3` and `dM3/dx = -F2`; all else is constant.
+pub fn equilibrium() -> Matrix6<f64> {
+    let mut t = Matrix6::zeros();
+    t[(4, 2)] = 1.0;
+    t[(5, 1)] = -1.0;
+    t
+}
+
+/// A rigid motion with all six parts, none a simple multiple of another: an
+/// identity that fails for any motion fails for this one.
+const GENERIC_MOTION: [f64; 6] = [1.0, -0.71, 0.43, 0.89, -0.61, 0.53];
+
+/// Error of each of the [`IDENTITIES`], applied to a rigid motion with all six
+/// parts, relative to the largest entry of its right-hand side before T; that of
+/// E to the terms of its product.
+///
+/// `h` are the [`rigid_modes`]. E, R and A are the assembled ones, M, C and L act
+/// by integration.
+pub fn check_identities(domain: &Domain, matrices: &SectionMatrices, h: &DMatrix<f64>) -> [f64; 6] {
+    let SectionMatrices { e, r, a, .. } = matrices;
+    let motion = Vector6::from(GENERIC_MOTION);
+    let turned = equilibrium().transpose() * motion;
+    let displacement: DVector<f64> = h * motion;
+
+    // cases: u' = H m, u = H m, psi = m, psi = T m
+    let mut rate = DMatrix::zeros(h.nrows(), 4);
+    let mut warping = DMatrix::zeros(h.nrows(), 4);
+    let mut strain = Matrix6::zeros();
+    rate.set_column(0, &displacement);
+    warping.set_column(1, &displacement);
+    strain.set_column(2, &motion);
+    strain.set_column(3, &turned);
+    let state = State {
+        rate: Some(&rate),
+        warping: Some(&warping),
+        strain: &strain,
+    };
+    let face = face_forces(domain, state, 4);
+    let internal = internal_forces(domain, state, 1);
+
+    let (r_motion, l_motion) = (r * motion, face.column(2));
+    let (e_motion, e_scale) = symmetric_product(e, &displacement);
+    let a_scale = (a * motion).amax();
+    [
+        (face.column(0) - l_motion).amax() / l_motion.amax(),
+        (internal.within.column(0) - &r_motion).amax() / r_motion.amax(),
+        (face.column(1) - face.column(3)).amax() / l_motion.amax(),
+        (e_motion - r * turned).amax() / e_scale,
+        (internal.resultant.column(0) - a * motion).amax() / a_scale,
+        (r.tr_mul(&displacement) - a * turned).amax() / a_scale,
+    ]
+}
+
+/// Product of a symmetric matrix, given by its lower triangle in compressed
+/// columns, with `x`, and the largest sum of absolute terms in it.
+fn symmetric_product(lower: &CsMat<f64>, x: &DVector<f64>) -> (DVector<f64>, f64) {
+    let mut product = DVector::zeros(x.len());
+    let mut terms = DVector::<f64>::zeros(x.len());
+    for (j, column) in lower.outer_iterator().enumerate() {
+        for (i, &value) in column.iter() {
+            product[i] += value * x[j];
+            terms[i] += (value * x[j]).abs();
+            if i != j {
+                product[j] += value * x[i];
+                terms[j] += (value * x[i]).abs();
+            }
+        }
+    }
+    (product, terms.amax())
+}

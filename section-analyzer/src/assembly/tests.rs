@@ -1,0 +1,198 @@
+use super::*;
+use crate::samples::coupled_rectangle;
+use approx::assert_relative_eq;
+use nalgebra::{DMatrix, Matrix6, Vector6};
+use shared_geom::mesh::CellKind;
+
+const KINDS: [CellKind; 3] = [
+    CellKind::Triangle6,
+    CellKind::Quadrilateral4,
+    CellKind::Quadrilateral9,
+];
+
+fn domain(kind: CellKind) -> Domain {
+    Domain::new(&coupled_rectangle(kind)).expect("sound section")
+}
+
+/// A state without any symmetry, k cases.
+fn state(n: usize, k: usize, seed: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(n, k, |i, j| {
+        (((i + seed) * 37 + j * 101) % 19) as f64 / 9.0 - 1.0
+    })
+}
+
+/// Oracle: column j of E is what the stresses of a unit displacement j ask for, and
+/// R, A are those of unit generalized strains. The lower triangle in compressed
+/// columns must hold just that, to round-off of sums of order one.
+#[test]
+fn assembled_matrices_are_the_forces_of_unit_states() {
+    for kind in KINDS {
+        let domain = domain(kind);
+        let n = domain.unknowns();
+        let matrices = SectionMatrices::assemble(&domain, &Pattern::new(&domain)).expect("sound");
+        let still = Matrix6::zeros();
+        for j in 0..n {
+            let mut unit = DMatrix::zeros(n, 1);
+            unit[j] = 1.0;
+            let state = State {
+                rate: None,
+                warping: Some(&unit),
+                strain: &still,
+            };
+            let forces = internal_forces(&domain, state, 1);
+            for i in j..n {
+                let found = matrices.e.get(i, j).copied().unwrap_or(0.0);
+                assert_relative_eq!(found, forces.within[i], epsilon = 1e-13);
+            }
+            let row = matrices.r.row(j).transpose();
+            let theta = forces.resultant.column(0).into_owned();
+            assert_relative_eq!(
+                Vector6::from_column_slice(row.as_slice()),
+                theta,
+                epsilon = 1e-13
+            );
+        }
+
+        let strained = State {
+            rate: None,
+            warping: None,
+            strain: &Matrix6::identity(),
+        };
+        let forces = internal_forces(&domain, strained, 6);
+        assert_relative_eq!(matrices.r, forces.within, epsilon = 1e-13);
+        assert_relative_eq!(matrices.a, forces.resultant, epsilon = 1e-13);
+    }
+}
+
+/// Virtual work: the stresses of a state do on another the work that its forces do,
+/// `eps2' D eps1 = u2' . P1 + u2 . Q1 + psi2 . theta1`, summed over the section.
+#[test]
+fn forces_do_the_work_of_the_stresses() {
+    for kind in KINDS {
+        let domain = domain(kind);
+        let n = domain.unknowns();
+        let (rate, warping) = (state(n, 6, 1), state(n, 6, 5));
+        let strain = Matrix6::from_fn(|i, j| ((i * 5 + j * 3) % 7) as f64 - 3.0);
+        let state = State {
+            rate: Some(&rate),
+            warping: Some(&warping),
+            strain: &strain,
+        };
+        let p = face_forces(&domain, state, 6);
+        let forces = internal_forces(&domain, state, 6);
+        let work =
+            rate.tr_mul(&p) + warping.tr_mul(&forces.within) + strain.tr_mul(&forces.resultant);
+        let energy = energy(&domain, state);
+        let scale = energy.amax();
+        assert_relative_eq!(
+            work.fixed_view::<6, 6>(0, 0).into_owned() / scale,
+            energy / scale,
+            epsilon = 1e-14
+        );
+    }
+}
+
+/// All identities to round-off for a section with every coupling and curved sides.
+#[test]
+fn identities_hold() {
+    for kind in KINDS {
+        let domain = domain(kind);
+        let matrices = SectionMatrices::assemble(&domain, &Pattern::new(&domain)).expect("sound");
+        let errors = check_identities(&domain, &matrices, &rigid_modes(&domain));
+        for (error, name) in errors.into_iter().zip(IDENTITIES) {
+            assert!(error < 1e-13, "{kind:?} {name}: {error:e}");
+        }
+    }
+}
+
+/// A matrix that does not belong to the domain is noticed: one entry of R, E, A off
+/// by a thousandth.
+#[test]
+fn identities_notice_a_wrong_entry() {
+    let domain = domain(CellKind::Quadrilateral9);
+    let sound = SectionMatrices::assemble(&domain, &Pattern::new(&domain)).expect("sound");
+    let h = rigid_modes(&domain);
+    let worst = |matrices: &SectionMatrices| {
+        let errors = check_identities(&domain, matrices, &h);
+        errors.into_iter().fold(0.0, f64::max)
+    };
+    let mut wrong = sound.clone();
+    wrong.r[(7, 3)] += 1e-3;
+    assert!(worst(&wrong) > 1e-5);
+    let mut wrong = sound.clone();
+    wrong.a[(2, 3)] += 1e-3;
+    assert!(worst(&wrong) > 1e-5);
+    let mut wrong = sound.clone();
+    wrong.e.data_mut()[40] += 1e-3;
+    assert!(worst(&wrong) > 1e-5);
+}
+
+/// The rigid motions of a point at t: translation plus rotation x t.
+#[test]
+fn rigid_modes_move_every_node() {
+    let domain = domain(CellKind::Triangle6);
+    let h = rigid_modes(&domain);
+    let motion = Vector6::new(0.1, 0.2, 0.3, 0.4, 0.5, 0.6);
+    let displacement = h * motion;
+    for (node, &[y, z]) in domain.nodes.iter().enumerate() {
+        let t = nalgebra::Vector3::new(0.0, y, z);
+        let expected = motion.fixed_rows::<3>(0) + motion.fixed_rows::<3>(3).cross(&t);
+        let found = displacement.fixed_rows::<3>(3 * node).into_owned();
+        assert_relative_eq!(found, expected, epsilon = 1e-15);
+    }
+}
+
+/// `M2' = F3`, `M3' = -F2`: the moment of a shear force grows with the arm.
+#[test]
+fn equilibrium_of_an_unloaded_beam() {
+    let rate = equilibrium() * Vector6::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0);
+    assert_eq!(rate, Vector6::new(0.0, 0.0, 0.0, 0.0, 3.0, -2.0));
+}
+
+/// Mass of a square of side 2 with density 2 at (y, z) = (0.5, -1) from the origin:
+/// m = 8, I = m / 6 (each axis) plus m times the squared distance, products by hand.
+#[test]
+fn mass_of_a_square_off_the_origin() {
+    let square = [[-0.5, -2.0], [1.5, -2.0], [1.5, 0.0], [-0.5, 0.0]];
+    let section = crate::samples::of_quadrilaterals(&square, &[[0, 1, 2, 3]]);
+    let mass = mass_per_length(&Domain::new(&section).expect("sound"));
+    let (m, y, z) = (8.0, 0.5, -1.0);
+    let mut expected = Matrix6::zeros();
+    for i in 0..3 {
+        expected[(i, i)] = m;
+    }
+    // momentum m (v + omega x c)
+    expected[(0, 4)] = m * z;
+    expected[(0, 5)] = -m * y;
+    expected[(1, 3)] = -m * z;
+    expected[(2, 3)] = m * y;
+    expected[(3, 3)] = m / 3.0 + m * (y * y + z * z);
+    expected[(4, 4)] = m / 6.0 * 2.0 + m * z * z;
+    expected[(5, 5)] = m / 6.0 * 2.0 + m * y * y;
+    expected[(4, 5)] = -m * y * z;
+    expected.fill_lower_triangle_with_upper_triangle();
+    expected[(3, 3)] += m / 3.0;
+    assert_relative_eq!(mass, expected, epsilon = 1e-14);
+}
+
+/// Nodes that no cell uses take no unknowns, and neighbors follow the cells.
+#[test]
+fn unused_nodes_are_left_out() {
+    let nodes = [
+        [0.0, 0.0],
+        [9.0, 9.0],
+        [1.0, 0.0],
+        [1.0, 1.0],
+        [0.0, 1.0],
+        [2.0, 0.0],
+        [2.0, 1.0],
+    ];
+    let section = crate::samples::of_quadrilaterals(&nodes, &[[0, 2, 3, 4], [2, 5, 6, 3]]);
+    let domain = Domain::new(&section).expect("sound");
+    assert_eq!(domain.mesh_nodes, [0, 2, 3, 4, 5, 6]);
+    assert_eq!(domain.unknowns(), 18);
+    let pattern = Pattern::new(&domain);
+    assert_eq!(pattern.neighbors(0), [0, 1, 2, 3]);
+    assert_eq!(pattern.neighbors(1), [0, 1, 2, 3, 4, 5]);
+    assert_eq!(pattern.parts(), [0]);
+}

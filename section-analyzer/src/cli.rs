@@ -1,0 +1,189 @@
+//! The command line.
+
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+use shared_geom::error::{Diagnostics, Explain};
+
+use crate::analysis::analyze;
+use crate::input::{self, Input};
+use crate::output::{
+    MeshPlot, OutputFiles, OutputProblem, WarpingPlot, failure_report, input_report, properties,
+    report, write_figure, write_text,
+};
+
+mod arguments;
+mod generate;
+
+use arguments::{Arguments, Command};
+
+/// The work is done.
+const DONE: u8 = 0;
+/// The program ran but did not reach its goal; what there is has been written.
+const NOT_REACHED: u8 = 1;
+/// The input or the command line is wrong.
+const WRONG_INPUT: u8 = 2;
+
+/// Why a command ended early.
+#[derive(Debug)]
+enum Stop {
+    /// All problems have been told; the exit code.
+    Told(u8),
+    /// The terminal or pipe took no more.
+    Closed(io::Error),
+}
+
+impl From<io::Error> for Stop {
+    fn from(error: io::Error) -> Self {
+        Self::Closed(error)
+    }
+}
+
+/// The two streams of the program.
+struct Terminal<'a> {
+    out: &'a mut dyn Write,
+    err: &'a mut dyn Write,
+}
+
+/// Runs the program with the arguments of a command line, of which the first is
+/// the name of the program; gives the exit code.
+///
+/// 0: done. 1: ran but did not reach its goal; what there is has been written.
+/// 2: the input or the command line is wrong. Output that no one reads any more (a
+/// closed pipe) is no error.
+pub fn run(
+    arguments: impl IntoIterator<Item = OsString>,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+) -> u8 {
+    let mut terminal = Terminal { out, err };
+    match dispatch(arguments, &mut terminal) {
+        Ok(()) => DONE,
+        Err(Stop::Told(code)) => code,
+        Err(Stop::Closed(error)) if error.kind() == io::ErrorKind::BrokenPipe => DONE,
+        Err(Stop::Closed(error)) => {
+            // If this fails too, there is no one left to tell.
+            let _ = writeln!(terminal.err, "error: the output cannot be written: {error}");
+            NOT_REACHED
+        }
+    }
+}
+
+fn dispatch(
+    arguments: impl IntoIterator<Item = OsString>,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(message) if message.use_stderr() => {
+            write!(terminal.err, "{}", message.render())?;
+            return Err(Stop::Told(WRONG_INPUT));
+        }
+        // the texts of --help and --version
+        Err(message) => return Ok(write!(terminal.out, "{}", message.render())?),
+    };
+    match arguments.command {
+        Command::Analyze { file, out } => analyze_file(&file, out, terminal),
+        Command::Check { file } => check_file(&file, terminal),
+        Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
+    }
+}
+
+impl Terminal<'_> {
+    /// Tells a problem.
+    fn tell(&mut self, problem: &impl Explain, code: u8) -> Stop {
+        let help = problem
+            .help()
+            .map_or_else(String::new, |help| format!("\n  help: {help}"));
+        self.tell_text(&format!("error: {problem}{help}"), code)
+    }
+
+    fn tell_text(&mut self, text: &str, code: u8) -> Stop {
+        match writeln!(self.err, "{text}") {
+            Ok(()) => Stop::Told(code),
+            Err(error) => Stop::Closed(error),
+        }
+    }
+
+    fn read(&mut self, file: &Path) -> Result<Input, Stop> {
+        input::read(file).map_err(|problems| self.tell_all(&problems))
+    }
+
+    fn tell_all(&mut self, problems: &Diagnostics) -> Stop {
+        self.tell_text(&problems.to_string(), WRONG_INPUT)
+    }
+}
+
+fn check_file(file: &Path, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+    let input = terminal.read(file)?;
+    let report = input_report(&input.section, &input.summary);
+    Ok(write!(terminal.out, "{report}\nNo problem found\n")?)
+}
+
+fn analyze_file(
+    file: &Path,
+    out: Option<PathBuf>,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let input = terminal.read(file)?;
+    let folder = out.unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).join("results"));
+    let name = input::name_of(file);
+    let files =
+        OutputFiles::new(&folder, &name).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+    let Input { section, summary } = &input;
+
+    match analyze(section) {
+        Ok(solution) => {
+            let properties = properties(section, &solution, &summary.input_hash);
+            let text = report(section, summary, &solution);
+            let mesh = MeshPlot::new(section, summary, Some(&solution.centers));
+            let warping = WarpingPlot::new(section, &solution);
+            let written = write_text(&files.report(), &text)
+                .and_then(|()| {
+                    write_text(
+                        &files.properties(),
+                        &shared_geom::section::write(&properties),
+                    )
+                })
+                .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh))
+                .and_then(|()| write_figure(&files.warping(), warping.size(), &warping));
+            write!(terminal.out, "{text}")?;
+            list(
+                &[
+                    files.properties(),
+                    files.report(),
+                    files.mesh(),
+                    files.warping(),
+                ],
+                written,
+                terminal,
+            )
+        }
+        Err(failure) => {
+            files.remove_results();
+            let text = failure_report(section, summary, &failure);
+            let mesh = MeshPlot::new(section, summary, None);
+            let written = write_text(&files.report(), &text)
+                .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh));
+            let stop = terminal.tell(&failure, NOT_REACHED);
+            list(&[files.report(), files.mesh()], written, terminal)?;
+            Err(stop)
+        }
+    }
+}
+
+/// Says where the files lie, or why they could not be written.
+fn list(
+    files: &[PathBuf],
+    written: Result<(), OutputProblem>,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    written.map_err(|problem| terminal.tell(&problem, NOT_REACHED))?;
+    writeln!(terminal.out, "\nWritten")?;
+    for file in files {
+        writeln!(terminal.out, "  {}", file.display())?;
+    }
+    Ok(())
+}

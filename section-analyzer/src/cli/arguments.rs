@@ -1,0 +1,216 @@
+//! The arguments of the command line, and the words that explain them.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use shared_geom::mesh::CellKind;
+
+const ABOUT: &str = "\
+Finds the 6x6 stiffness and mass of a beam section of any shape and material
+
+From a plane mesh and the materials of its cells, the warping of the section is solved
+for under each of six internal forces (axial force, two shears, torque, two bending
+moments); stiffness, mass, centers and principal axes follow, with all couplings.
+
+Axes: x along the beam, y and z in the section (mesh x is y, mesh y is z).
+Components: axial, shear y, shear z, torsion, bending y, bending z, about the origin
+of the mesh. Results are in SI units.";
+
+const EXAMPLES: &str = "\
+Example, a strip of aluminum from nothing:
+  section-analyzer mesh rectangle --width 1 --height 0.063 \\
+    --cells-y 40 --cells-z 4 --out strip.msh
+  cat > strip.section.toml <<'END'
+  mesh = \"strip.msh\"
+  [units]
+  length = \"in\"
+  [material.aluminum]
+  young = \"73.1 GPa\"
+  poisson = 0.325
+  density = \"2680 kg/m^3\"
+  [[region]]
+  group = \"section\"
+  material = \"aluminum\"
+  END
+  section-analyzer analyze strip.section.toml
+
+Exit codes: 0 done; 1 ran but did not reach its goal; 2 wrong input or command line.";
+
+const ANALYZE: &str = "\
+Solves a section and writes its properties
+
+Reads the section file, its mesh and its tables, tells all that is wrong with them at
+once, solves, prints the report, and writes into the folder DIR:
+  NAME.properties.json   stiffness, mass, centers: input of the beam program
+  NAME.report.txt        the report: what went in, what came out, run-time checks
+  NAME.mesh.png          the mesh in the colors of its materials, with the centers
+  NAME.warping.png       the warping under each unit internal force
+where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
+and removes the other two files of an earlier run.";
+
+const ANALYZE_EXAMPLE: &str = "\
+Example:
+  section-analyzer analyze blade/root.section.toml --out blade/results";
+
+const CHECK: &str = "\
+Reads and checks a section file without solving it
+
+Tells all that is wrong with the section file, its mesh and its tables, with file,
+line and remedy; prints what was read when nothing is.";
+
+const CHECK_EXAMPLE: &str = "\
+Example:
+  section-analyzer check blade/root.section.toml";
+
+const MESH: &str = "\
+Makes the mesh of a simple shape
+
+Sizes are in the mesh's own unit of length, which the section file declares. The mesh
+is centered at the origin and written in the format of gmsh (4.1, ascii). Its
+boundaries are physical curves, which angles can follow; they run clockwise.";
+
+const RECTANGLE_EXAMPLE: &str = "\
+Example, 40 by 4 biquadratic cells in the physical surface \"section\":
+  section-analyzer mesh rectangle --width 1 --height 0.063 \\
+    --cells-y 40 --cells-z 4 --out strip.msh";
+
+const TUBE_EXAMPLE: &str = "\
+Example, a wall of 2 cells with curved sides in the physical surface \"wall\":
+  section-analyzer mesh tube --outer-radius 50 --thickness 5 \\
+    --cells-around 48 --cells-through 2 --out tube.msh
+A wound ply then follows the physical curve \"outer\" or \"inner\":
+  plane_angle = { follow = \"outer\" }";
+
+const ELLIPSE_EXAMPLE: &str = "\
+Example, a full disk of 12 x 6 x 6 cells in the physical surface \"section\":
+  section-analyzer mesh ellipse --semi-y 10 --semi-z 10 --cells 6 --out disk.msh";
+
+/// What the list of commands shows of a text.
+fn first_line(text: &'static str) -> &'static str {
+    text.lines().next().unwrap_or_default()
+}
+
+/// The command line.
+#[derive(Debug, Parser)]
+#[command(name = "section-analyzer", version, about = first_line(ABOUT), long_about = ABOUT, after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    #[command(about = first_line(ANALYZE), long_about = ANALYZE, after_help = ANALYZE_EXAMPLE)]
+    Analyze {
+        /// Section file, NAME.section.toml
+        file: PathBuf,
+        /// Folder for the results; the folder "results" beside FILE if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
+    #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
+    Check {
+        /// Section file, NAME.section.toml
+        file: PathBuf,
+    },
+    #[command(subcommand, about = first_line(MESH), long_about = MESH)]
+    Mesh(Shape),
+}
+
+/// The shapes that can be meshed.
+#[derive(Debug, Subcommand)]
+pub(super) enum Shape {
+    /// A full rectangle
+    #[command(after_help = RECTANGLE_EXAMPLE)]
+    Rectangle {
+        /// Size along y
+        #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+        width: f64,
+        /// Size along z
+        #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+        height: f64,
+        /// Cells along y
+        #[arg(long, value_name = "COUNT")]
+        cells_y: usize,
+        /// Cells along z
+        #[arg(long, value_name = "COUNT")]
+        cells_z: usize,
+        /// Name of the physical surface
+        #[arg(long, default_value = "section")]
+        name: String,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// A circular tube
+    #[command(after_help = TUBE_EXAMPLE)]
+    Tube {
+        /// Outer radius
+        #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+        outer_radius: f64,
+        /// Thickness of the wall
+        #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+        thickness: f64,
+        /// Cells around
+        #[arg(long, value_name = "COUNT")]
+        cells_around: usize,
+        /// Cells through the wall
+        #[arg(long, value_name = "COUNT")]
+        cells_through: usize,
+        /// Straight sides: the tube becomes a polygon
+        #[arg(long)]
+        straight: bool,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// A full ellipse or disk
+    #[command(after_help = ELLIPSE_EXAMPLE)]
+    Ellipse {
+        /// Semi-axis along y
+        #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+        semi_y: f64,
+        /// Semi-axis along z
+        #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+        semi_z: f64,
+        /// Cells from the core to the boundary, and along a quarter of the core
+        #[arg(long, value_name = "COUNT")]
+        cells: usize,
+        /// Straight sides: the ellipse becomes a polygon
+        #[arg(long)]
+        straight: bool,
+        #[command(flatten)]
+        common: Common,
+    },
+}
+
+/// What every shape needs.
+#[derive(Debug, Args)]
+pub(super) struct Common {
+    /// Kind of the cells; the number is that of their nodes
+    #[arg(long, value_enum, default_value_t = CellName::Quad9)]
+    pub cell: CellName,
+    /// Mesh file to write
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+}
+
+/// Names of the kinds of cells.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(super) enum CellName {
+    Tri3,
+    Tri6,
+    Quad4,
+    Quad8,
+    Quad9,
+}
+
+impl CellName {
+    pub fn kind(self) -> CellKind {
+        match self {
+            Self::Tri3 => CellKind::Triangle3,
+            Self::Tri6 => CellKind::Triangle6,
+            Self::Quad4 => CellKind::Quadrilateral4,
+            Self::Quad8 => CellKind::Quadrilateral8,
+            Self::Quad9 => CellKind::Quadrilateral9,
+        }
+    }
+}

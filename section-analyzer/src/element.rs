@@ -1,0 +1,13 @@
+//! One cell: its geometry at integration points, the strain of the section,
+//! and the blocks that a cell adds to the matrices of the section.
+
+mod blocks;
+mod point;
+mod strain;
+
+pub use blocks::{CellBlocks, CellIntegrals, LawBlocks};
+pub use point::{CellPoint, cell_points};
+pub use strain::{
+    FACE_STRAINS, NO_COLUMNS, NodalColumns, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS,
+    rigid_displacement, strain_at,
+};

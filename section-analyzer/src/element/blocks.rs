@@ -1,0 +1,187 @@
+//! What one cell adds to the matrices E, R, A of the section.
+//!
+//! The law is constant over a cell, so every matrix is a few integrals of
+//! products of shape functions (numbers) times constant 3x3 parts of the law:
+//! the integration loop sees numbers only.
+//!
+//! # Symbols
+//!
+//! | symbol | meaning | unit | shape |
+//! | --- | --- | --- | --- |
+//! | `D` | law in section axes, order yz yy zz xx xy xz | Pa | 6x6 |
+//! | `S`, `Py`, `Pz` | place a rate, a y derivative, a z derivative of (ux, uy, uz) in the strain | - | 6x3 |
+//! | `E` | `int B0' D B0` | Pa | n x n |
+//! | `R` | `int B0' D Bpsi` | Pa m, Pa m^2 | n x 6 |
+//! | `A` | `int Bpsi' D Bpsi` | Pa m^2 .. Pa m^4 | 6x6 |
+//!
+//! ```text
+//! B0 = Py N,y + Pz N,z      Bpsi = S [I, -t x]
+//! ```
+//!
+//! # References
+//! - Giavotto et al. 1983: the matrices E, R, A of the internal work per length.
+//! - Masarati 1999, section 5.3.4 and appendix E.2.
+
+use super::point::{CellPoint, cell_points};
+use super::strain::{FACE_STRAINS, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS, rigid_displacement};
+use nalgebra::{Matrix3, Matrix3x6, Matrix6};
+use shared_geom::mesh::CellKind;
+
+/// The 3x3 parts of a law that the blocks are made of \[Pa\].
+#[derive(Debug, Clone, PartialEq)]
+pub struct LawBlocks {
+    /// `S' D S`
+    ss: Matrix3<f64>,
+    /// `Py' D S`
+    ys: Matrix3<f64>,
+    /// `Pz' D S`
+    zs: Matrix3<f64>,
+    /// `Py' D Py`
+    yy: Matrix3<f64>,
+    /// `Py' D Pz`
+    yz: Matrix3<f64>,
+    /// `Pz' D Pz`
+    zz: Matrix3<f64>,
+}
+
+impl LawBlocks {
+    /// The parts of the law `d`, order yz yy zz xx xy xz \[Pa\].
+    pub fn new(d: &Matrix6<f64>) -> Self {
+        let part = |rows: [usize; 3], columns: [usize; 3]| {
+            Matrix3::from_fn(|i, j| d[(rows[i], columns[j])])
+        };
+        Self {
+            ss: part(FACE_STRAINS, FACE_STRAINS),
+            ys: part(Y_GRADIENT_STRAINS, FACE_STRAINS),
+            zs: part(Z_GRADIENT_STRAINS, FACE_STRAINS),
+            yy: part(Y_GRADIENT_STRAINS, Y_GRADIENT_STRAINS),
+            yz: part(Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS),
+            zz: part(Z_GRADIENT_STRAINS, Z_GRADIENT_STRAINS),
+        }
+    }
+}
+
+/// A number per pair of nodes; row i, column j.
+type PairIntegrals = [[f64; 9]; 9];
+
+/// Sums of f, f y and f z over a cell.
+type Moments = [f64; 3];
+
+/// Integrals over a cell of products of shape functions and coordinates.
+#[derive(Debug, Clone)]
+pub struct CellIntegrals {
+    /// `int Ni,y Nj,y` \[-\]
+    yy: PairIntegrals,
+    /// `int Ni,y Nj,z` \[-\]
+    yz: PairIntegrals,
+    /// `int Ni,z Nj,z` \[-\]
+    zz: PairIntegrals,
+    /// `int Ni,y (1, y, z)` \[m, m^2, m^2\]
+    dy: [Moments; 9],
+    /// `int Ni,z (1, y, z)` \[m, m^2, m^2\]
+    dz: [Moments; 9],
+    /// `int (1, y, z, y y, y z, z z)` \[m^2 .. m^4\]
+    area: [f64; 6],
+}
+
+impl CellIntegrals {
+    /// Integrates over the cell with `nodes` (y, z).
+    ///
+    /// # Errors
+    /// The first area of an integration point that is not positive \[m^2\]: the
+    /// cell is inverted or has no area.
+    pub fn new(kind: CellKind, nodes: &[[f64; 2]]) -> Result<Self, f64> {
+        let mut integrals = Self {
+            yy: [[0.0; 9]; 9],
+            yz: [[0.0; 9]; 9],
+            zz: [[0.0; 9]; 9],
+            dy: [[0.0; 3]; 9],
+            dz: [[0.0; 3]; 9],
+            area: [0.0; 6],
+        };
+        for point in cell_points(kind, nodes) {
+            let positive = point.area > 0.0;
+            if !positive {
+                return Err(point.area);
+            }
+            integrals.add(&point);
+        }
+        Ok(integrals)
+    }
+
+    fn add(&mut self, p: &CellPoint) {
+        for i in 0..p.count {
+            let (dy, dz) = (p.area * p.dy[i], p.area * p.dz[i]);
+            for j in 0..p.count {
+                self.yy[i][j] += dy * p.dy[j];
+                self.yz[i][j] += dy * p.dz[j];
+                self.zz[i][j] += dz * p.dz[j];
+            }
+            for (sums, f) in [(&mut self.dy, dy), (&mut self.dz, dz)] {
+                sums[i][0] += f;
+                sums[i][1] += f * p.y;
+                sums[i][2] += f * p.z;
+            }
+        }
+        let products = [1.0, p.y, p.z, p.y * p.y, p.y * p.z, p.z * p.z];
+        for (sum, product) in self.area.iter_mut().zip(products) {
+            *sum += p.area * product;
+        }
+    }
+}
+
+/// The blocks of one cell: integrals and law together.
+#[derive(Debug, Clone, Copy)]
+pub struct CellBlocks<'a> {
+    /// Integrals over the cell.
+    pub integrals: &'a CellIntegrals,
+    /// Parts of its law.
+    pub law: &'a LawBlocks,
+}
+
+impl CellBlocks<'_> {
+    /// `E_ij = int Ni,y Nj,y Py'DPy + int Ni,z Nj,z Pz'DPz
+    ///       + int Ni,y Nj,z Py'DPz + int Ni,z Nj,y Pz'DPy`.
+    pub fn e(&self, i: usize, j: usize) -> Matrix3<f64> {
+        let (integrals, law) = (self.integrals, self.law);
+        let normal = integrals.yy[i][j] * law.yy + integrals.zz[i][j] * law.zz;
+        let mixed = integrals.yz[i][j] * law.yz + integrals.yz[j][i] * law.yz.transpose();
+        normal + mixed
+    }
+
+    /// `R_i = Py'DS int Ni,y [I, -t x] + Pz'DS int Ni,z [I, -t x]`.
+    pub fn r(&self, i: usize) -> Matrix3x6<f64> {
+        self.law.ys * rigid(&self.integrals.dy[i]) + self.law.zs * rigid(&self.integrals.dz[i])
+    }
+
+    /// `A = int [I, -t x]' S'DS [I, -t x]`.
+    ///
+    /// `[I, -t x] = G1 + y Gy + z Gz` with constant parts, so A is the sum over
+    /// the six second moments of the cell.
+    pub fn a(&self) -> Matrix6<f64> {
+        let parts = [
+            rigid_displacement(1.0, 0.0, 0.0),
+            rigid_displacement(0.0, 1.0, 0.0),
+            rigid_displacement(0.0, 0.0, 1.0),
+        ];
+        // (1, y, z) (1, y, z)' in terms of 1 y z yy yz zz
+        const MOMENT: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+        let mut a = Matrix6::zeros();
+        for (p, left) in parts.iter().enumerate() {
+            for (q, right) in parts.iter().enumerate() {
+                let moment = self.integrals.area[MOMENT[p][q]];
+                a += moment * (left.transpose() * self.law.ss * right);
+            }
+        }
+        a
+    }
+}
+
+/// `int f [I, -t x]` from the sums of f, f y, f z.
+fn rigid(moments: &Moments) -> Matrix3x6<f64> {
+    rigid_displacement(moments[0], moments[1], moments[2])
+}
+
+#[cfg(test)]
+#[path = "blocks_tests.rs"]
+mod tests;

@@ -1,0 +1,181 @@
+//! The strain of a section point: from the generalized strain, from the
+//! warping, and from its rate along the beam.
+//!
+//! # Symbols
+//!
+//! | symbol | meaning | unit | shape |
+//! | --- | --- | --- | --- |
+//! | `t` | place in the section, (0, y, z) | m | 3 |
+//! | `psi` | generalized strain: axial, shears, twist, bendings | -, 1/m | 6 |
+//! | `w`, `w'` | warping and its derivative along x | m, - | 3 |
+//! | `eps` | strain, order yz yy zz xx xy xz, engineering shears | - | 6 |
+//!
+//! ```text
+//! eps = Bpsi psi + B1 u' + B0 u        w = N u
+//! Bpsi = S [I, -t x]      B1 = S N      B0 = Dop N      S = [0; I3]
+//! Dop w = (uy,z + uz,y, uy,y, uz,z, 0, ux,y, ux,z)
+//! ```
+//!
+//! S and Dop only place components, so the operators are kept as the three
+//! lists of strain components below instead of as matrices of zeros and ones.
+//!
+//! # References
+//! - Giavotto et al. 1983, section 2: the strain of a straight section.
+
+use super::point::CellPoint;
+use nalgebra::{ArrayStorage, Matrix3x6, Matrix6};
+
+/// Strain components on the section's face, fed by (ux', uy', uz') and by the
+/// rigid strain: xx, xy, xz. The rows of S.
+pub const FACE_STRAINS: [usize; 3] = [3, 4, 5];
+
+/// Strain components fed by the derivatives along y of (ux, uy, uz): xy, yy, yz.
+pub const Y_GRADIENT_STRAINS: [usize; 3] = [4, 1, 0];
+
+/// Strain components fed by the derivatives along z of (ux, uy, uz): xz, yz, zz.
+pub const Z_GRADIENT_STRAINS: [usize; 3] = [5, 0, 2];
+
+/// `f [I, -t x]` summed over points, given the sums of f, f y and f z.
+///
+/// With `f = 1` it is the displacement of the point t = (0, y, z) in the six
+/// rigid motions of the section, columns translations x y z and rotations x y z.
+pub fn rigid_displacement(one: f64, y: f64, z: f64) -> Matrix3x6<f64> {
+    Matrix3x6::new(
+        one, 0.0, 0.0, 0.0, z, -y, //
+        0.0, one, 0.0, -z, 0.0, 0.0, //
+        0.0, 0.0, one, y, 0.0, 0.0,
+    )
+}
+
+/// Six columns of a field at the nodes of a cell; entries behind its node count
+/// are not read.
+pub type NodalColumns = [Matrix3x6<f64>; 9];
+
+/// No displacement at any node.
+pub const NO_COLUMNS: NodalColumns =
+    [Matrix3x6::from_array_storage(ArrayStorage([[0.0; 3]; 6])); 9];
+
+/// `eps = S N u' + Dop N u + Bpsi psi` at a point, six columns at once, 6x6.
+///
+/// Derivatives are taken of the differences from the first node, which is the
+/// same in exact arithmetic (the derivatives of the shape functions add up to
+/// zero) and loses no digits when the cell moves much more than it strains: walls
+/// of thin sections do.
+pub fn strain_at(
+    point: &CellPoint,
+    rate: Option<&NodalColumns>,
+    warping: Option<&NodalColumns>,
+    psi: &Matrix6<f64>,
+) -> Matrix6<f64> {
+    let mut along_y = Matrix3x6::zeros();
+    let mut along_z = Matrix3x6::zeros();
+    if let Some(warping) = warping {
+        for i in 1..point.count {
+            let difference = warping[i] - warping[0];
+            along_y += point.dy[i] * difference;
+            along_z += point.dz[i] * difference;
+        }
+    }
+    let mut face = rigid_displacement(1.0, point.y, point.z) * psi;
+    if let Some(rate) = rate {
+        for i in 0..point.count {
+            face += point.n[i] * rate[i];
+        }
+    }
+    let mut strain = Matrix6::zeros();
+    for (rows, part) in [
+        (FACE_STRAINS, &face),
+        (Y_GRADIENT_STRAINS, &along_y),
+        (Z_GRADIENT_STRAINS, &along_z),
+    ] {
+        for (component, row) in rows.into_iter().enumerate() {
+            for column in 0..6 {
+                strain[(row, column)] += part[(component, column)];
+            }
+        }
+    }
+    strain
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use nalgebra::{Matrix3, Vector3, Vector6};
+    use shared_geom::mesh::CellKind;
+    use shared_geom::rotation::skew;
+
+    /// Rigid displacement is that of the cross product: translation + phi x t.
+    #[test]
+    fn rigid_displacement_is_translation_and_rotation() {
+        let t = Vector3::new(0.0, 0.3, -0.7);
+        let translation = Vector3::new(1.0, 2.0, 3.0);
+        let rotation = Vector3::new(-0.4, 0.5, 0.6);
+        let motion = Vector6::from_iterator(translation.iter().chain(&rotation).copied());
+        let expected = translation + rotation.cross(&t);
+        let found = rigid_displacement(1.0, t.y, t.z) * motion;
+        assert_relative_eq!(found, expected, epsilon = 1e-15);
+        let operator = -skew(&t);
+        let rotations: Matrix3<f64> = rigid_displacement(1.0, t.y, t.z)
+            .fixed_columns::<3>(3)
+            .into_owned();
+        assert_relative_eq!(rotations, operator, epsilon = 1e-15);
+    }
+
+    /// A triangle with corners (0, 0), (1, 0), (0, 1) at its point (y, z).
+    fn triangle_at(y: f64, z: f64) -> CellPoint {
+        let nodes = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        CellPoint::at(CellKind::Triangle3, &nodes, y, z, 1.0)
+    }
+
+    /// `eps_xx = nu1 + z kappa2 - y kappa3`, and a unit twist shears (-z, y).
+    #[test]
+    fn generalized_strain_acts_on_the_face_only() {
+        let (y, z) = (0.3, 0.6);
+        let mut psi = Matrix6::zeros();
+        psi.set_column(2, &Vector6::new(1.0, 0.1, 0.2, 2.0, 10.0, 100.0));
+        let strain = strain_at(&triangle_at(y, z), None, None, &psi);
+        let expected = Vector6::new(
+            0.0,
+            0.0,
+            0.0,
+            1.0 + 10.0 * z - 100.0 * y,
+            0.1 - 2.0 * z,
+            0.2 + 2.0 * y,
+        );
+        assert_relative_eq!(strain.column(2).into_owned(), expected, epsilon = 1e-14);
+        assert_eq!(strain.column(0).amax(), 0.0);
+    }
+
+    /// A displacement linear in x, y, z with gradient g has the strain
+    /// e_ij = (g_ij + g_ji) / 2, shears doubled.
+    #[test]
+    fn warping_strain_is_the_symmetric_gradient() {
+        // columns: derivatives along x, y, z
+        let g = Matrix3::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0);
+        let nodes = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        let mut rate = NO_COLUMNS;
+        let mut warping = NO_COLUMNS;
+        for (i, [y, z]) in nodes.into_iter().enumerate() {
+            rate[i].set_column(1, &g.column(0));
+            // a large common displacement does not matter
+            let value = g * Vector3::new(0.0, y, z) + Vector3::new(1e8, 1e8, 1e8);
+            warping[i].set_column(1, &value);
+        }
+        let strain = strain_at(
+            &triangle_at(0.2, 0.3),
+            Some(&rate),
+            Some(&warping),
+            &Matrix6::zeros(),
+        );
+        let expected = Vector6::new(
+            g[(1, 2)] + g[(2, 1)],
+            g[(1, 1)],
+            g[(2, 2)],
+            g[(0, 0)],
+            g[(0, 1)] + g[(1, 0)],
+            g[(0, 2)] + g[(2, 0)],
+        );
+        assert_relative_eq!(strain.column(1).into_owned(), expected, epsilon = 1e-14);
+    }
+}

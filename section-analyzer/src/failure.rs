@@ -1,0 +1,140 @@
+//! Why an analysis ended without a result.
+//!
+//! The input stage refuses what can be seen in the input; what is left here are
+//! outcomes of the numerics, each with the place where it showed and what to do.
+
+use shared_geom::error::Explain;
+
+/// How an analysis failed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Failure {
+    /// The section is empty.
+    #[error("the section has no cells")]
+    NoCells,
+    /// The lists of cells and of their materials differ in length.
+    #[error("{materials} of {cells} cells have a material, expected all")]
+    CellsWithoutMaterial {
+        /// Number of cells in the mesh.
+        cells: usize,
+        /// Number of entries that tell a material.
+        materials: usize,
+    },
+    /// A cell refers to a material or node that does not exist.
+    #[error("cell {tag} refers to a material or a node that does not exist")]
+    DanglingCell {
+        /// Number of the cell in its file.
+        tag: u64,
+    },
+    /// Size, area or stiffness is zero, infinite or not a number.
+    #[error("the {what} of the section is zero or not finite")]
+    NoScale {
+        /// `size`, `area` or `stiffness`.
+        what: &'static str,
+    },
+    /// A cell is inverted, or flat, or folded.
+    #[error("cell {tag} has no positive area at one of its integration points")]
+    CellWithoutArea {
+        /// Number of the cell in its file.
+        tag: u64,
+    },
+    /// The cells do not hang together.
+    #[error(
+        "the section is in {parts} parts that share no node; one of them holds node {node}, another node {other}"
+    )]
+    Disconnected {
+        /// Number of parts.
+        parts: usize,
+        /// Tag of a node of the first part.
+        node: u64,
+        /// Tag of a node of the second part.
+        other: u64,
+    },
+    /// All nodes lie on one line.
+    #[error("all nodes of the section lie on one line")]
+    NodesOnOneLine,
+    /// The matrix of the in-plane problem is singular to working accuracy.
+    #[error(
+        "the section is loose at node {node} (y = {y} m, z = {z} m): its stiffness against warping there is {ratio:.0e} of what its cells provide, expected more than {limit:.0e}"
+    )]
+    Loose {
+        /// Tag of the node where the factorization broke down.
+        node: u64,
+        /// Its place \[m\].
+        y: f64,
+        /// Its place \[m\].
+        z: f64,
+        /// Pivot relative to the diagonal entry \[-\].
+        ratio: f64,
+        /// Smallest ratio that leaves digits in the result \[-\].
+        limit: f64,
+    },
+    /// A section matrix violates a rigid-body identity.
+    #[error(
+        "rigid-body identity {identity} is violated by {error:.1e}, expected less than {limit:.0e}"
+    )]
+    Identity {
+        /// The identity.
+        identity: &'static str,
+        /// Its relative error \[-\].
+        error: f64,
+        /// The limit \[-\].
+        limit: f64,
+    },
+    /// The solution fails one of its own checks.
+    #[error(
+        "{check} is off by {error:.1e}, expected less than {limit:.0e}; the weakest place is node {node} (y = {y} m, z = {z} m)"
+    )]
+    Inaccurate {
+        /// What was checked.
+        check: &'static str,
+        /// Its relative error \[-\].
+        error: f64,
+        /// The limit \[-\].
+        limit: f64,
+        /// Tag of the node with the smallest pivot.
+        node: u64,
+        /// Its place \[m\].
+        y: f64,
+        /// Its place \[m\].
+        z: f64,
+    },
+    /// The generalized strains have no unique solution.
+    #[error("the compliance of the section is not positive definite")]
+    ComplianceNotPositive,
+    /// The factorization does not fit in memory.
+    #[error("a factorization for {unknowns} unknowns does not fit in memory")]
+    OutOfMemory {
+        /// Number of unknowns.
+        unknowns: usize,
+    },
+}
+
+impl Explain for Failure {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::NoCells => "give every surface of the mesh a physical group that has a material",
+            Self::CellWithoutArea { .. } => {
+                "list the nodes of the cell counterclockwise, and move mid-side nodes near the middle of their side"
+            }
+            Self::Disconnected { .. } => {
+                "merge coincident nodes along the seam (in gmsh: \"Coherence Mesh\"), or fill the gap with a soft material"
+            }
+            Self::Loose { .. } => {
+                "look for parts joined at a single node, seams whose nodes are doubled, and moduli many orders of magnitude apart"
+            }
+            Self::Identity { .. } => {
+                "look for mid-side nodes that do not belong to their cell and for cells of extreme aspect ratio"
+            }
+            Self::Inaccurate { .. } => {
+                "look for nearly detached parts, cells of extreme aspect ratio, and moduli many orders of magnitude apart"
+            }
+            Self::NodesOnOneLine => "a section needs an area: give the wall a thickness",
+            Self::OutOfMemory { .. } => "coarsen the mesh, or use a machine with more memory",
+            Self::CellsWithoutMaterial { .. }
+            | Self::DanglingCell { .. }
+            | Self::NoScale { .. }
+            | Self::ComplianceNotPositive => return None,
+        };
+        Some(text.to_owned())
+    }
+}

@@ -1,0 +1,257 @@
+//! The section input: the file as written, and as meant.
+//!
+//! [`read`] takes a section file, its mesh and its tables to a checked
+//! [`Section`] in SI units. It notes all problems before it gives up, each with
+//! file, line and remedy.
+//!
+//! An angle that follows a curve is the direction of the curve (that of its
+//! lines, from the first node to the second) at the place nearest to the cell's
+//! centroid; on lines with three nodes it is the tangent at that place. Like
+//! every angle it is constant in a cell.
+
+use std::path::Path;
+
+use shared_geom::document::{Document, Table, read_text};
+use shared_geom::error::{Diagnostics, Place};
+use shared_geom::gmsh;
+use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::units::Dimension;
+
+use crate::mesh::SectionMesh;
+use crate::section::Section;
+
+mod angles;
+mod assign;
+mod files;
+mod follow;
+mod groups;
+mod materials;
+mod measure;
+mod problem;
+mod regions;
+mod summary;
+mod tables;
+
+pub use problem::InputProblem;
+pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
+
+use assign::{Assignment, materials_of_regions};
+use files::Files;
+use materials::WrittenMaterial;
+use measure::CellMeasure;
+use regions::{Written, WrittenAngle, WrittenRegion};
+
+/// A section ready for analysis, and what it was made from.
+#[derive(Debug, Clone)]
+pub struct Input {
+    /// The section, checked and in SI units.
+    pub section: Section,
+    /// What went into it.
+    pub summary: InputSummary,
+}
+
+/// The ending of the name of a section file.
+const ENDING: &str = ".section.toml";
+
+/// Reads and checks the section file at `path`, its mesh and its tables.
+///
+/// # Errors
+/// Everything that is wrong with any of them, with file and line.
+pub fn read(path: &Path) -> Result<Input, Diagnostics> {
+    let text = read_text(path)?;
+    let document = Document::parse(&text, &path.display().to_string())?;
+    let written = WrittenSection::read(&document);
+    let mut files = Files::new(&document, &text);
+    let input = written.checked(&document, &mut files);
+    document.finish(input)
+}
+
+/// The name of `path` without its ending: `blade` for `blade.section.toml`.
+pub fn name_of(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let stem = name
+        .strip_suffix(ENDING)
+        .or_else(|| name.strip_suffix(".toml"));
+    stem.filter(|stem| !stem.is_empty())
+        .unwrap_or(&name)
+        .to_owned()
+}
+
+/// The file as written.
+#[derive(Debug)]
+struct WrittenSection {
+    name: String,
+    mesh: Option<Written>,
+    length_unit: String,
+    materials: Vec<WrittenMaterial>,
+    regions: Vec<WrittenRegion>,
+}
+
+impl WrittenSection {
+    fn read(document: &Document) -> Self {
+        let root = document.root();
+        document.declare_units(&root);
+        let name = root
+            .text("name")
+            .unwrap_or_else(|| name_of(Path::new(document.file())));
+        let mesh = root.require_text("mesh", "the path of a gmsh file, from this file's folder");
+        let mesh = mesh.map(|text| Written {
+            text,
+            line: root.line_of("mesh"),
+        });
+        let written = Self {
+            name,
+            mesh,
+            length_unit: length_unit(&root),
+            materials: materials::read(&root),
+            regions: regions::read(&root),
+        };
+        root.finish();
+        written
+    }
+
+    /// Compares the parts with each other and with the mesh; `None` when anything
+    /// was noted that leaves no section.
+    fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
+        let of_region = materials_of_regions(document, &self.regions, &self.materials);
+        let mesh_key = self.mesh.as_ref()?;
+        let mesh = read_mesh(document, files, mesh_key)?;
+        let region_of_cell = groups::region_of_cells(document, &mesh, mesh_key, &self.regions);
+        let place = Place::file(files.path(mesh_key).display().to_string());
+        let unit = document.factor(Dimension::LENGTH);
+        let checked = document.keep(SectionMesh::from_mesh(&mesh, unit, &place));
+        let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
+        let measures = section_mesh.map_or_else(Vec::new, measures);
+        let assignment = Assignment {
+            document,
+            mesh: &mesh,
+            section_mesh,
+            measures: &measures,
+            regions: &self.regions,
+            region_of_cell: &region_of_cell,
+        };
+        let cells = assignment.cells(files, of_region.as_deref());
+        let materials = self
+            .materials
+            .iter()
+            .map(|written| written.material.clone());
+        let materials: Option<Vec<_>> = materials.collect();
+        let (materials, of_region) = (materials?, of_region?);
+        let (section_mesh, report) = checked?;
+
+        let mut summary = self.summary(document, &section_mesh, &of_region);
+        summary.warnings.extend(InputWarning::of_mesh(&report));
+        summary.input_hash = files.hash();
+        for (measure, region) in measures.iter().zip(&region_of_cell) {
+            let region = (*region)?;
+            let density = materials[of_region[region]].density;
+            summary.regions[region].add(measure.area, density);
+        }
+        let section = Section {
+            name: self.name.clone(),
+            mesh: section_mesh,
+            materials,
+            cells: cells?,
+        };
+        Some(Input { section, summary })
+    }
+}
+
+impl WrittenSection {
+    /// What went in, with the areas of the regions still at zero.
+    fn summary(
+        &self,
+        document: &Document,
+        mesh: &SectionMesh,
+        of_region: &[usize],
+    ) -> InputSummary {
+        let regions = self
+            .regions
+            .iter()
+            .zip(of_region)
+            .map(|(region, &material)| RegionSummary {
+                group: text_of(&region.group),
+                material: self.materials[material].name.clone(),
+                cells: 0,
+                area: 0.0,
+                mass: 0.0,
+                fiber_angle: source_of(&region.fiber_angle),
+                plane_angle: source_of(&region.plane_angle),
+            });
+        let count = |kind: CellKind| mesh.cells.iter().filter(|cell| cell.kind == kind).count();
+        let kinds = CellKind::ALL.map(|kind| (kind, count(kind)));
+        InputSummary {
+            file: document.file().to_owned(),
+            mesh_file: text_of(&self.mesh),
+            input_hash: String::new(),
+            length_unit: self.length_unit.clone(),
+            length_factor: document.factor(Dimension::LENGTH),
+            kinds: kinds.into_iter().filter(|(_, count)| *count > 0).collect(),
+            regions: regions.collect(),
+            warnings: self.warnings(of_region),
+        }
+    }
+
+    fn warnings(&self, of_region: &[usize]) -> Vec<InputWarning> {
+        let mut warnings = Vec::new();
+        for (index, written) in self.materials.iter().enumerate() {
+            let material = written.name.clone();
+            if !of_region.contains(&index) {
+                let line = written.line;
+                warnings.push(InputWarning::UnusedMaterial { material, line });
+            } else if written
+                .material
+                .as_ref()
+                .is_some_and(|known| known.density == 0.0)
+            {
+                warnings.push(InputWarning::NoDensity { material });
+            }
+        }
+        warnings
+    }
+}
+
+fn measures(mesh: &SectionMesh) -> Vec<CellMeasure> {
+    mesh.cells
+        .iter()
+        .map(|cell| CellMeasure::of(mesh, cell))
+        .collect()
+}
+
+/// The name of the declared unit of length.
+fn length_unit(root: &Table<'_>) -> String {
+    let declared = match root.is_table("units") {
+        true => root.table("units").and_then(|units| units.text("length")),
+        false => None,
+    };
+    declared.unwrap_or_else(|| "m".to_owned())
+}
+
+/// The mesh that `key` names.
+fn read_mesh(document: &Document, files: &mut Files<'_>, key: &Written) -> Option<Mesh> {
+    let path = files.path(key);
+    let bytes = files.read("mesh", &path, key)?;
+    let mesh = match std::str::from_utf8(bytes) {
+        Ok(text) => gmsh::read(text, &path.display().to_string()),
+        Err(_) => gmsh::read_file(&path),
+    };
+    document.keep(mesh)
+}
+
+fn text_of(written: &Option<Written>) -> String {
+    written
+        .as_ref()
+        .map_or_else(String::new, |written| written.text.clone())
+}
+
+fn source_of(angle: &Option<WrittenAngle>) -> AngleSource {
+    match angle {
+        None => AngleSource::Constant(0.0),
+        Some(WrittenAngle::Constant(angle)) => AngleSource::Constant(*angle),
+        Some(WrittenAngle::Table(written)) => AngleSource::Table(written.text.clone()),
+        Some(WrittenAngle::Follow { curve, reverse }) => AngleSource::Curve {
+            name: curve.text.clone(),
+            reverse: *reverse,
+        },
+    }
+}

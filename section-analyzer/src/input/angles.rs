@@ -1,0 +1,210 @@
+//! Tables of angles, one row for each cell.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use shared_geom::error::{Diagnostics, Place};
+
+use super::problem::InputProblem;
+
+/// Problems of the rows of one table that are shown one by one.
+const ROWS_SHOWN: usize = 10;
+
+/// A table of angles by cell tag.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct AngleTable {
+    /// Angle of each cell, in the unit of the file \[rad per unit of the caller\].
+    angles: BTreeMap<u64, f64>,
+}
+
+/// How the rows of a table fit the cells that take their angle from it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Misfit {
+    pub missing: Vec<u64>,
+    pub unknown: Vec<u64>,
+}
+
+impl AngleTable {
+    /// Reads `text`, the content of the file at `path`: the heading `cell,angle`,
+    /// then one row a cell. Empty lines and lines that begin with `#` do not count;
+    /// spaces and double quotes around a field may stand.
+    pub fn parse(text: &str, path: &Path) -> Result<Self, Diagnostics> {
+        let mut problems = RowProblems::new(path.display().to_string());
+        let lines = text.trim_start_matches('\u{feff}').lines();
+        let mut rows = lines
+            .zip(1..)
+            .filter(|(row, _)| !row.trim().is_empty() && !row.starts_with('#'));
+        problems.heading(rows.next());
+
+        let mut line_of = BTreeMap::new();
+        let mut angles = BTreeMap::new();
+        for (row, line) in rows {
+            match cell_and_angle(row) {
+                Err(problem) => problems.push(line, &problem),
+                Ok((cell, angle)) => {
+                    let first = *line_of.entry(cell).or_insert(line);
+                    if first != line {
+                        problems.push(line, &InputProblem::TableRepeats { cell, line: first });
+                    }
+                    angles.insert(cell, angle);
+                }
+            }
+        }
+        problems.finish().into_result(Self { angles })
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.angles.len()
+    }
+
+    /// The angle of a cell, in the unit of the file.
+    pub fn angle(&self, cell: u64) -> Option<f64> {
+        self.angles.get(&cell).copied()
+    }
+
+    /// Compares the rows with the cells that take their angle from the table;
+    /// `None` when each has exactly one.
+    pub fn misfit(&self, cells: &BTreeSet<u64>) -> Option<Misfit> {
+        let has = |cell: &&u64| self.angles.contains_key(*cell);
+        let missing: Vec<_> = cells.iter().filter(|cell| !has(cell)).copied().collect();
+        let unknown: Vec<_> = self
+            .angles
+            .keys()
+            .filter(|cell| !cells.contains(cell))
+            .copied()
+            .collect();
+        let fits = missing.is_empty() && unknown.is_empty();
+        (!fits).then_some(Misfit { missing, unknown })
+    }
+}
+
+/// The problems of the rows, the first ones in full.
+struct RowProblems {
+    file: String,
+    found: Diagnostics,
+    count: usize,
+}
+
+impl RowProblems {
+    fn new(file: String) -> Self {
+        let found = Diagnostics::new();
+        Self {
+            file,
+            found,
+            count: 0,
+        }
+    }
+
+    fn push(&mut self, line: usize, problem: &InputProblem) {
+        self.count += 1;
+        if self.count <= ROWS_SHOWN {
+            self.found.push(Place::line(&self.file, line), problem);
+        }
+    }
+
+    /// Checks the first row; one that is missing counts as line 1.
+    fn heading(&mut self, row: Option<(&str, usize)>) {
+        let (found, line) = match row {
+            Some((row, _)) if fields(row) == ["cell", "angle"] => return,
+            Some((row, line)) => (format!("\"{}\"", row.trim()), line),
+            None => ("missing".to_owned(), 1),
+        };
+        self.push(line, &InputProblem::TableHeading { found });
+    }
+
+    fn finish(mut self) -> Diagnostics {
+        if self.count > ROWS_SHOWN {
+            let count = self.count - ROWS_SHOWN;
+            self.found
+                .push(Place::file(&self.file), &InputProblem::TableMore { count });
+        }
+        self.found
+    }
+}
+
+fn fields(row: &str) -> Vec<&str> {
+    let fields = row.split(',').map(str::trim);
+    fields.map(|field| field.trim_matches('"')).collect()
+}
+
+fn cell_and_angle(row: &str) -> Result<(u64, f64), InputProblem> {
+    let wrong = |expected| InputProblem::TableRow {
+        found: row.trim().to_owned(),
+        expected,
+    };
+    let [cell, angle] = fields(row)[..] else {
+        return Err(wrong("two columns, the number of a cell and its angle"));
+    };
+    let cell = cell
+        .parse()
+        .map_err(|_| wrong("the number of a cell in the first column"))?;
+    let angle: f64 = angle
+        .parse()
+        .map_err(|_| wrong("an angle in the second column"))?;
+    match angle.is_finite() {
+        true => Ok((cell, angle)),
+        false => Err(wrong("a finite angle in the second column")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<AngleTable, Diagnostics> {
+        AngleTable::parse(text, Path::new("a.csv"))
+    }
+
+    #[test]
+    fn rows_comments_and_spaces_are_read() {
+        let table = parse("# by hand\ncell, angle\n7, 30\n\n8,-1.5e1\n").unwrap();
+        assert_eq!(
+            (table.len(), table.angle(7), table.angle(8)),
+            (2, Some(30.0), Some(-15.0))
+        );
+        assert_eq!(table.angle(9), None);
+    }
+
+    #[test]
+    fn every_wrong_row_is_told_with_its_line() {
+        let shown = parse("cell,angle\n1,2\n\nx,2\n3\n1,4\n4,nan\n5,2 deg\n").unwrap_err();
+        assert_eq!(
+            shown.to_string(),
+            "error: a.csv:4: row \"x,2\" cannot be read, expected the number of a cell in the first column\n\
+             error: a.csv:5: row \"3\" cannot be read, expected two columns, the number of a cell and its angle\n\
+             error: a.csv:6: cell 1 has an angle on line 2 already, expected one row for each cell\n\
+             error: a.csv:7: row \"4,nan\" cannot be read, expected a finite angle in the second column\n\
+             error: a.csv:8: row \"5,2 deg\" cannot be read, expected an angle in the second column"
+        );
+    }
+
+    #[test]
+    fn heading_is_required_and_long_lists_are_cut() {
+        let shown = parse("1,2\n").unwrap_err().to_string();
+        assert_eq!(
+            shown,
+            "error: a.csv:1: the columns are \"1,2\", expected \"cell,angle\""
+        );
+        let shown = parse("").unwrap_err().to_string();
+        assert_eq!(
+            shown,
+            "error: a.csv:1: the columns are missing, expected \"cell,angle\""
+        );
+        let many = format!("cell,angle\n{}", "x,1\n".repeat(25));
+        let shown = parse(&many).unwrap_err().to_string();
+        assert_eq!(shown.lines().count(), 11);
+        assert!(shown.ends_with("a.csv: 15 more rows with problems of this kind follow"));
+    }
+
+    #[test]
+    fn misfit_names_missing_and_unknown_cells() {
+        let table = parse("cell,angle\n1,2\n9,2\n").unwrap();
+        let expected = Misfit {
+            missing: vec![2, 3],
+            unknown: vec![9],
+        };
+        assert_eq!(table.misfit(&BTreeSet::from([1, 2, 3])), Some(expected));
+        assert_eq!(table.misfit(&BTreeSet::from([1, 9])), None);
+    }
+}

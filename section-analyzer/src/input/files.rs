@@ -1,0 +1,79 @@
+//! The files that a section input names, read once and kept for the fingerprint.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use shared_geom::document::Document;
+use shared_geom::hash::sha256_of;
+
+use super::problem::InputProblem;
+use super::regions::Written;
+
+/// Everything that was read, in the order of reading.
+#[derive(Debug)]
+pub(super) struct Files<'a> {
+    document: &'a Document,
+    contents: Vec<Vec<u8>>,
+}
+
+impl<'a> Files<'a> {
+    /// Begins with the text of the input itself.
+    pub fn new(document: &'a Document, text: &str) -> Self {
+        Self {
+            document,
+            contents: vec![text.as_bytes().to_vec()],
+        }
+    }
+
+    /// The path of a file that the input names.
+    pub fn path(&self, written: &Written) -> PathBuf {
+        self.document.path(&written.text)
+    }
+
+    /// The content of the file at `path`; a failure is noted at the line that
+    /// names it.
+    pub fn read(&mut self, what: &'static str, path: &Path, written: &Written) -> Option<&[u8]> {
+        match std::fs::read(path) {
+            Ok(bytes) => {
+                self.contents.push(bytes);
+                self.contents.last().map(Vec::as_slice)
+            }
+            Err(error) => {
+                let reason = match error.kind() {
+                    ErrorKind::NotFound => "no such file".to_owned(),
+                    ErrorKind::PermissionDenied => "permission denied".to_owned(),
+                    ErrorKind::IsADirectory => "it is a folder".to_owned(),
+                    _ => error.to_string(),
+                };
+                self.unreadable(what, path, written, reason);
+                None
+            }
+        }
+    }
+
+    /// As [`Files::read`], for a file that must be text.
+    pub fn read_text(
+        &mut self,
+        what: &'static str,
+        path: &Path,
+        written: &Written,
+    ) -> Option<String> {
+        let text = String::from_utf8(self.read(what, path, written)?.to_vec());
+        if text.is_err() {
+            self.unreadable(what, path, written, "not a text file".to_owned());
+        }
+        text.ok()
+    }
+
+    fn unreadable(&self, what: &'static str, path: &Path, written: &Written, reason: String) {
+        let file = path.display().to_string();
+        let problem = InputProblem::Unreadable { what, file, reason };
+        self.document.note(written.line, &problem);
+    }
+
+    /// The fingerprint of everything that was read.
+    pub fn hash(&self) -> String {
+        let parts: Vec<_> = self.contents.iter().map(Vec::as_slice).collect();
+        sha256_of(&parts)
+    }
+}

@@ -1,0 +1,144 @@
+//! Materials as written: which law follows from the keys present.
+
+use nalgebra::Matrix6;
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::problem::InputProblem;
+use crate::material::{ElasticLaw, EngineeringConstants, Material, MaterialProblem};
+
+const ISOTROPIC: [&str; 2] = ["young", "poisson"];
+const ORTHOTROPIC: [&str; 9] = [
+    "e1", "e2", "e3", "g12", "g13", "g23", "nu12", "nu13", "nu23",
+];
+const FULL: [&str; 1] = ["stiffness"];
+
+/// A material as far as it could be read; the name stands even if its constants
+/// are wrong, so that regions can refer to it.
+#[derive(Debug, Clone)]
+pub(super) struct WrittenMaterial {
+    pub name: String,
+    pub line: usize,
+    pub material: Option<Material>,
+}
+
+/// Reads `[material.NAME]` for every name, and checks that each can exist.
+pub(super) fn read(root: &Table<'_>) -> Vec<WrittenMaterial> {
+    let tables = root.named_tables("material");
+    tables
+        .into_iter()
+        .map(|(name, table)| {
+            let material = read_one(&name, &table);
+            table.finish();
+            WrittenMaterial {
+                name,
+                line: table.line(),
+                material,
+            }
+        })
+        .collect()
+}
+
+fn read_one(name: &str, table: &Table<'_>) -> Option<Material> {
+    let law = law(name, table);
+    let density = table.require_quantity("density", Dimension::DENSITY);
+    let material = Material {
+        name: name.to_owned(),
+        law: law?,
+        density: density?,
+    };
+    for problem in material.check() {
+        let key = key_of(&problem, &material.law);
+        let material = name.to_owned();
+        table.note(&key, &InputProblem::Inadmissible { material, problem });
+    }
+    Some(material)
+}
+
+/// The law that the keys of the table speak of.
+fn law(name: &str, table: &Table<'_>) -> Option<ElasticLaw> {
+    // Every key is asked for, so that none of them counts as unknown.
+    let present = |keys: &[&'static str]| -> Vec<&'static str> {
+        keys.iter().copied().filter(|key| table.has(key)).collect()
+    };
+    let families = [present(&ISOTROPIC), present(&ORTHOTROPIC), present(&FULL)];
+    let mut found = families.iter().filter_map(|keys| keys.first().copied());
+    let material = name.to_owned();
+    match (found.next(), found.next()) {
+        (None, _) => {
+            table.note("", &InputProblem::NoLaw { material });
+            None
+        }
+        (Some(first), Some(second)) => {
+            let problem = InputProblem::MixedLaw {
+                material,
+                first,
+                second,
+            };
+            table.note(second, &problem);
+            None
+        }
+        (Some(first), None) if ISOTROPIC.contains(&first) => isotropic(table),
+        (Some(first), None) if ORTHOTROPIC.contains(&first) => orthotropic(table),
+        (Some(_), None) => full(table),
+    }
+}
+
+fn isotropic(table: &Table<'_>) -> Option<ElasticLaw> {
+    let young = table.require_quantity("young", Dimension::STRESS);
+    let poisson = table.require_quantity("poisson", Dimension::NUMBER);
+    Some(ElasticLaw::Isotropic {
+        young: young?,
+        poisson: poisson?,
+    })
+}
+
+fn orthotropic(table: &Table<'_>) -> Option<ElasticLaw> {
+    // Every constant is asked for before the first missing one ends the reading.
+    let read = ORTHOTROPIC.map(|key| {
+        let dimension = match key.starts_with("nu") {
+            true => Dimension::NUMBER,
+            false => Dimension::STRESS,
+        };
+        table.require_quantity(key, dimension)
+    });
+    let [e1, e2, e3, g12, g13, g23, nu12, nu13, nu23] = read;
+    Some(ElasticLaw::Orthotropic(EngineeringConstants {
+        e1: e1?,
+        e2: e2?,
+        e3: e3?,
+        g12: g12?,
+        g13: g13?,
+        g23: g23?,
+        nu12: nu12?,
+        nu13: nu13?,
+        nu23: nu23?,
+    }))
+}
+
+fn full(table: &Table<'_>) -> Option<ElasticLaw> {
+    let rows = table.rows("stiffness", 6, 6)?;
+    let unit = table.document().factor(Dimension::STRESS);
+    Some(ElasticLaw::Full(Matrix6::from_fn(|i, j| unit * rows[i][j])))
+}
+
+/// The key under which the offending constant stands; that of the table where the
+/// constants offend together.
+fn key_of(problem: &MaterialProblem, law: &ElasticLaw) -> String {
+    let constant = match problem {
+        MaterialProblem::NotFinite { constant, .. }
+        | MaterialProblem::ModulusNotPositive { constant, .. }
+        | MaterialProblem::PoissonTooLarge { constant, .. } => *constant,
+        MaterialProblem::DensityNegative { .. } => "density",
+        MaterialProblem::PoissonOutOfRange { .. } => "poisson",
+        MaterialProblem::NotSymmetric { .. } | MaterialProblem::NotPositiveDefinite { .. } => {
+            "stiffness"
+        }
+        MaterialProblem::PoissonTogetherTooLarge { .. } => "",
+    };
+    match (constant, law) {
+        ("E", _) => "young".to_owned(),
+        ("nu", ElasticLaw::Isotropic { .. }) => "poisson".to_owned(),
+        (constant, _) => constant.to_lowercase(),
+    }
+}

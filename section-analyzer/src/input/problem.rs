@@ -1,0 +1,255 @@
+//! What can be wrong with a section input, beyond what any input file can have.
+
+use shared_geom::document::DocumentProblem;
+use shared_geom::error::{Explain, nearest_name};
+
+use crate::material::MaterialProblem;
+
+/// How many names a message lists before it counts the rest.
+const NAMES_SHOWN: usize = 5;
+
+/// A problem of a section input, of the tables it names, or of what it says about
+/// its mesh.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum InputProblem {
+    /// A file that the input names cannot be read.
+    #[error("{what} \"{file}\" cannot be read: {reason}")]
+    Unreadable {
+        /// What the file is, in words.
+        what: &'static str,
+        /// The file as it was looked for.
+        file: String,
+        /// The reason in words.
+        reason: String,
+    },
+    /// A material with keys of two kinds of law.
+    #[error(
+        "material \"{material}\" has \"{first}\" and \"{second}\", which belong to two kinds of \
+         material, expected one kind"
+    )]
+    MixedLaw {
+        /// Name of the material.
+        material: String,
+        /// A key of one kind.
+        first: &'static str,
+        /// A key of another kind.
+        second: &'static str,
+    },
+    /// A material with no key of any law.
+    #[error(
+        "material \"{material}\" has no elastic constants, expected \"young\" and \"poisson\", \
+         \"e1\" to \"nu23\", or \"stiffness\""
+    )]
+    NoLaw {
+        /// Name of the material.
+        material: String,
+    },
+    /// A material that cannot exist.
+    #[error("material \"{material}\": {problem}")]
+    Inadmissible {
+        /// Name of the material.
+        material: String,
+        /// The bound that it violates.
+        problem: MaterialProblem,
+    },
+    /// A region of a material that the file does not have.
+    #[error("unknown material \"{material}\" in region \"{region}\"")]
+    UnknownMaterial {
+        /// The name found.
+        material: String,
+        /// Physical group of the region.
+        region: String,
+        /// The materials of the file.
+        known: Vec<String>,
+    },
+    /// A group of cells or lines that the mesh does not have.
+    #[error("the mesh has no physical {kind} \"{group}\"")]
+    UnknownGroup {
+        /// `surface` or `curve`.
+        kind: &'static str,
+        /// The name found.
+        group: String,
+        /// The groups of this kind in the mesh.
+        known: Vec<String>,
+    },
+    /// A group that names nothing.
+    #[error("physical {kind} \"{group}\" has no {content} in the mesh, expected at least one")]
+    EmptyGroup {
+        /// `surface` or `curve`.
+        kind: &'static str,
+        /// Its name.
+        group: String,
+        /// `cells` or `lines`.
+        content: &'static str,
+    },
+    /// Two regions for one group.
+    #[error("physical surface \"{group}\" already has a region on line {line}, expected one")]
+    GroupInTwoRegions {
+        /// The group.
+        group: String,
+        /// Line of its first region.
+        line: usize,
+    },
+    /// Cells without material.
+    #[error("physical surface \"{group}\" ({}) has no region", counted(*.cells, "cell"))]
+    GroupWithoutRegion {
+        /// The group.
+        group: String,
+        /// Number of its cells.
+        cells: usize,
+    },
+    /// Cells that no region can name.
+    #[error(
+        "mesh \"{mesh}\" has {} in no physical surface (cell {example} for example), expected \
+         every cell in one",
+        counted(*.cells, "cell")
+    )]
+    CellsWithoutGroup {
+        /// The mesh as written in the input.
+        mesh: String,
+        /// Number of such cells.
+        cells: usize,
+        /// Tag of one of them.
+        example: u64,
+    },
+    /// An angle given in two ways, or in none that is known.
+    #[error("\"{key}\" has both \"table\" and \"follow\", expected one of them")]
+    TableAndFollow {
+        /// `fiber_angle` or `plane_angle`.
+        key: &'static str,
+    },
+    /// An angle that is neither a number nor a table with the right keys.
+    #[error("\"{key}\" has no {expected}")]
+    NoAngle {
+        /// `fiber_angle` or `plane_angle`.
+        key: &'static str,
+        /// The keys expected, in words.
+        expected: &'static str,
+    },
+    /// A table of angles without the expected heading.
+    #[error("the columns are {found}, expected \"cell,angle\"")]
+    TableHeading {
+        /// The heading found, in quotes, or "missing".
+        found: String,
+    },
+    /// A row of a table of angles that cannot be read.
+    #[error("row \"{found}\" cannot be read, expected {expected}")]
+    TableRow {
+        /// The row as written.
+        found: String,
+        /// What was expected.
+        expected: &'static str,
+    },
+    /// A cell with two angles.
+    #[error("cell {cell} has an angle on line {line} already, expected one row for each cell")]
+    TableRepeats {
+        /// Tag of the cell.
+        cell: u64,
+        /// Line of its first angle.
+        line: usize,
+    },
+    /// Further rows with problems.
+    #[error("{} with problems of this kind follow", more(*.count))]
+    TableMore {
+        /// Their number.
+        count: usize,
+    },
+    /// A table with too few or wrong rows.
+    #[error(
+        "angle table \"{table}\" has {}, expected {expected}, one for each cell of {groups}{}{}",
+        counted(*.found, "row"), listed("; no angle for", .missing), listed("; unknown", .unknown)
+    )]
+    TableCells {
+        /// The table as written in the input.
+        table: String,
+        /// Rows found.
+        found: usize,
+        /// Rows expected.
+        expected: usize,
+        /// The groups that take angles from it, in words.
+        groups: String,
+        /// Cells without an angle.
+        missing: Vec<u64>,
+        /// Cells that are not in these groups.
+        unknown: Vec<u64>,
+    },
+    /// A problem that every input file can have.
+    #[error(transparent)]
+    Document(#[from] DocumentProblem),
+}
+
+impl Explain for InputProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::UnknownMaterial {
+                material, known, ..
+            } => Some(nearest_or_all(material, known, "materials of the file")),
+            Self::UnknownGroup { kind, group, known } => {
+                let all = format!("physical {kind}s of the mesh: {}", quoted(known));
+                let near = nearest_name(group, known.iter().map(String::as_str));
+                Some(match near {
+                    Some(near) => format!("did you mean \"{near}\"? {all}"),
+                    None if known.is_empty() => {
+                        format!("the mesh names no {kind} at all: in gmsh, add a physical {kind}")
+                    }
+                    None => all,
+                })
+            }
+            Self::GroupWithoutRegion { group, .. } => Some(format!(
+                "add [[region]] with group = \"{group}\" and its material"
+            )),
+            Self::CellsWithoutGroup { .. } => Some(
+                "in gmsh, put every meshed surface in a physical surface, or set Mesh.SaveAll = 0"
+                    .to_owned(),
+            ),
+            Self::Inadmissible { problem, .. } => problem.help(),
+            Self::Document(problem) => problem.help(),
+            _ => None,
+        }
+    }
+}
+
+fn nearest_or_all(found: &str, known: &[String], what: &str) -> String {
+    match nearest_name(found, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None if known.is_empty() => format!("{what}: none"),
+        None => format!("{what}: {}", quoted(known)),
+    }
+}
+
+/// Names in quotes, joined by commas; "none" for none.
+pub(super) fn quoted(names: &[String]) -> String {
+    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    match names.is_empty() {
+        true => "none".to_owned(),
+        false => names.join(", "),
+    }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s"),
+    }
+}
+
+fn more(count: usize) -> String {
+    match count {
+        1 => "1 more row".to_owned(),
+        _ => format!("{count} more rows"),
+    }
+}
+
+/// `lead cells 1, 2, 3 and 4 more`; nothing for no cells.
+fn listed(lead: &str, cells: &[u64]) -> String {
+    if cells.is_empty() {
+        return String::new();
+    }
+    let shown: Vec<_> = cells.iter().take(NAMES_SHOWN).map(u64::to_string).collect();
+    let word = if cells.len() == 1 { "cell" } else { "cells" };
+    let rest = match cells.len() - shown.len() {
+        0 => String::new(),
+        rest => format!(" and {rest} more"),
+    };
+    format!("{lead} {word} {}{rest}", shown.join(", "))
+}

@@ -1,0 +1,163 @@
+use super::*;
+use crate::material::{ElasticLaw, EngineeringConstants};
+use approx::assert_relative_eq;
+use nalgebra::{Vector3, Vector6};
+use std::f64::consts::FRAC_PI_2;
+
+const CARBON: EngineeringConstants = EngineeringConstants {
+    e1: 142e9,
+    e2: 9.8e9,
+    e3: 11.2e9,
+    g12: 6.0e9,
+    g13: 5.5e9,
+    g23: 4.8e9,
+    nu12: 0.3,
+    nu13: 0.34,
+    nu23: 0.42,
+};
+
+/// Numbers in [-1, 1] from a fixed linear congruential sequence (Knuth's MMIX).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}
+
+/// A symmetric stiffness without any material symmetry.
+fn anisotropic(random: &mut Random) -> Matrix6<f64> {
+    let g = Matrix6::from_fn(|_, _| random.next());
+    g * g.transpose() + Matrix6::identity()
+}
+
+/// The strain tensor of six components with engineering shears.
+fn strain_tensor(order: &[(usize, usize); 6], strain: &Vector6<f64>) -> Matrix3<f64> {
+    let mut tensor = Matrix3::zeros();
+    for (value, &(i, j)) in strain.iter().zip(order) {
+        let value = if i == j { *value } else { 0.5 * value };
+        tensor[(i, j)] = value;
+        tensor[(j, i)] = value;
+    }
+    tensor
+}
+
+/// Independent way: turn the strain tensor into material axes, apply the law
+/// there, turn the stress tensor back. Round-off of a few products: 1e-13.
+#[test]
+fn stress_agrees_with_rotated_tensors_for_a_law_without_symmetry() {
+    let mut random = Random(7);
+    for _ in 0..20 {
+        let c = anisotropic(&mut random);
+        let (theta, alpha) = (4.0 * random.next(), 4.0 * random.next());
+        let strain = Vector6::from_fn(|_, _| random.next());
+
+        let q = material_axes(theta, alpha);
+        let local = q.transpose() * strain_tensor(&SECTION_ORDER, &strain) * q;
+        let local = Vector6::from_fn(|k, _| {
+            let (i, j) = MATERIAL_ORDER[k];
+            if i == j {
+                local[(i, j)]
+            } else {
+                2.0 * local[(i, j)]
+            }
+        });
+        let stress = c * local;
+        let mut tensor = Matrix3::zeros();
+        for (value, &(i, j)) in stress.iter().zip(&MATERIAL_ORDER) {
+            tensor[(i, j)] = *value;
+            tensor[(j, i)] = *value;
+        }
+        let tensor = q * tensor * q.transpose();
+        let expected = Vector6::from_fn(|k, _| {
+            let (i, j) = SECTION_ORDER[k];
+            tensor[(i, j)]
+        });
+
+        let found = section_stiffness(&c, theta, alpha) * strain;
+        assert_relative_eq!(found, expected, epsilon = 1e-13, max_relative = 1e-13);
+    }
+}
+
+/// The axes as the conventions state them: s, n, f, g from their definitions.
+#[test]
+fn axes_are_fiber_transverse_normal() {
+    let (theta, alpha) = (0.4_f64, 2.1_f64);
+    let x = Vector3::x();
+    let s = Vector3::new(0.0, alpha.cos(), alpha.sin());
+    let q = material_axes(theta, alpha);
+    assert_relative_eq!(
+        q.column(0).into_owned(),
+        theta.cos() * x + theta.sin() * s,
+        epsilon = 1e-15
+    );
+    assert_relative_eq!(
+        q.column(1).into_owned(),
+        -theta.sin() * x + theta.cos() * s,
+        epsilon = 1e-15
+    );
+    assert_relative_eq!(q.column(2).into_owned(), x.cross(&s), epsilon = 1e-15);
+    assert_relative_eq!(q.determinant(), 1.0, epsilon = 1e-15);
+}
+
+/// Off-axis ply, closed forms of Lekhnitskii (1963), Jones (1999) eq. 2.88:
+/// S_xx = c^4/E1 + (1/G12 - 2 nu12/E1) s^2 c^2 + s^4/E2 and the extension-shear
+/// term S_x,xy = (2/E1 + 2 nu12/E1 - 1/G12) s c^3 - (2/E2 + 2 nu12/E1 - 1/G12) s^3 c.
+#[test]
+fn off_axis_compliance_has_its_closed_form() {
+    let k = CARBON;
+    let c = ElasticLaw::Orthotropic(k).stiffness();
+    for degrees in [0.0_f64, 15.0, 30.0, 45.0, 77.0, 90.0] {
+        let theta = degrees.to_radians();
+        let (sin, cos) = theta.sin_cos();
+        let compliance = section_stiffness(&c, theta, 0.0)
+            .try_inverse()
+            .expect("positive definite");
+
+        let coupling = 2.0 * k.nu12 / k.e1 - 1.0 / k.g12;
+        let s11 = cos.powi(4) / k.e1 - coupling * (sin * cos).powi(2) + sin.powi(4) / k.e2;
+        let s16 = (2.0 / k.e1 + coupling) * sin * cos.powi(3)
+            - (2.0 / k.e2 + coupling) * sin.powi(3) * cos;
+
+        // section order: 3 is xx, 4 is xy
+        assert_relative_eq!(compliance[(3, 3)], s11, max_relative = 1e-12);
+        assert_relative_eq!(compliance[(3, 4)], s16, epsilon = 1e-12 * s11);
+    }
+}
+
+/// A wall at a right angle to y puts "transverse" along z and "normal" along -y.
+#[test]
+fn plane_angle_of_a_right_angle_swaps_the_section_axes() {
+    let c = ElasticLaw::Orthotropic(CARBON).stiffness();
+    let flat = section_stiffness(&c, 0.3, 0.0);
+    let upright = section_stiffness(&c, 0.3, FRAC_PI_2);
+    // order yz yy zz xx xy xz: y -> z, z -> -y
+    let image = [0, 2, 1, 3, 5, 4];
+    let sign = [-1.0, 1.0, 1.0, 1.0, 1.0, -1.0];
+    for i in 0..6 {
+        for j in 0..6 {
+            assert_relative_eq!(
+                upright[(image[i], image[j])],
+                sign[i] * sign[j] * flat[(i, j)],
+                epsilon = 1e-13 * CARBON.e1
+            );
+        }
+    }
+}
+
+/// An isotropic law does not see the angles.
+#[test]
+fn isotropic_law_is_the_same_in_all_axes() {
+    let c = ElasticLaw::Isotropic {
+        young: 70e9,
+        poisson: 0.33,
+    }
+    .stiffness();
+    let flat = section_stiffness(&c, 0.0, 0.0);
+    let turned = section_stiffness(&c, 1.1, -0.6);
+    assert_relative_eq!(turned, flat, epsilon = 1e-14 * 70e9 * 3.0);
+}

@@ -1,0 +1,355 @@
+//! The mesh in the colors of its materials, with the centers of the section.
+
+use plotters::backend::DrawingBackend;
+use plotters::style::{BLACK, RGBColor, WHITE};
+use shared_geom::figure::{
+    Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, category, tick_label,
+};
+
+use super::outline::{Side, SideRole, THINNEST, cell_points, side_points, sides, widths};
+use super::plane::{Extent, INK, Plane, PlotUnit};
+use super::text::rounded;
+use crate::input::InputSummary;
+use crate::properties::Centers;
+use crate::section::Section;
+
+/// Height of the frame at most [figure pixels].
+const HIGHEST: f64 = 1250.0;
+/// Room left of the frame, for ticks and the name of the axis [figure pixels].
+const LEFT: f64 = 190.0;
+const RIGHT: f64 = 50.0;
+/// Room above the frame, for the title and a line below it [figure pixels].
+const TOP: f64 = 150.0;
+/// Room between frame and legend, for ticks and the name of the axis.
+const BELOW: f64 = 135.0;
+/// Height of a line of the legend [figure pixels].
+const LINE: f64 = 62.0;
+/// Cells narrower than this are drawn without the lines between them.
+const NARROWEST: f64 = 7.0;
+/// Centers farther from the section than this part of its size are not drawn.
+const REACH: f64 = 1.0;
+/// Lines between cells of one material are darker than the cells by this factor.
+const SHADE: f64 = 0.62;
+/// Materials in the legend at most.
+const NAMES: usize = 12;
+
+/// The figure of a mesh.
+#[derive(Debug)]
+pub struct MeshPlot<'a> {
+    section: &'a Section,
+    unit: PlotUnit,
+    /// Larger side of the section's box [m].
+    size: f64,
+    plane: Plane,
+    sides: Vec<Side>,
+    marks: Vec<Mark>,
+    /// Number of the color of each material; those of no cell have none.
+    color_of: Vec<usize>,
+    /// Number of materials that cells are made of.
+    colors: usize,
+    /// Width of the walls on the figure [figure pixels].
+    wall: f64,
+    /// Width of the cells on the figure [figure pixels].
+    cell: f64,
+}
+
+/// A point of the section with a name.
+#[derive(Debug, Clone, Copy)]
+struct Mark {
+    name: &'static str,
+    place: [f64; 2],
+    shape: Shape,
+}
+
+/// Shapes that can be told apart even where they lie on each other.
+#[derive(Debug, Clone, Copy)]
+enum Shape {
+    Disc,
+    Triangle,
+    Ring,
+    Cross,
+}
+
+impl<'a> MeshPlot<'a> {
+    /// The figure of `section`; without centers when the analysis failed.
+    pub fn new(section: &'a Section, summary: &InputSummary, centers: Option<&Centers>) -> Self {
+        let bare = Extent::of(section.mesh.nodes.iter().copied());
+        let size = bare.largest();
+        let marks = marks(centers);
+        let mut extent = bare;
+        let near = bare.grown(REACH * size);
+        for mark in &marks {
+            if near.holds(mark.place) {
+                extent.include(mark.place);
+            }
+        }
+        let room = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
+        let plane = Plane::fitted(extent.grown(0.05 * size), [LEFT, TOP], room);
+        let sides = sides(section);
+        let (wall, cell) = widths(section, &sides);
+        let (color_of, colors) = colors(section);
+        Self {
+            section,
+            unit: PlotUnit::of(summary, size),
+            size,
+            wall: wall * plane.scale,
+            cell: cell * plane.scale,
+            plane,
+            sides,
+            marks,
+            color_of,
+            colors,
+        }
+    }
+
+    /// Width and height \[figure pixels\].
+    pub fn size(&self) -> (u32, u32) {
+        let rows = self.legend_names().len().max(self.marks.len()) as f64;
+        let height = TOP + self.plane.frame[1] + BELOW + LINE * rows + 0.5 * LINE;
+        (WIDTH, height.ceil() as u32)
+    }
+
+    /// Names of the materials that cells are made of, in the order of their colors.
+    fn legend_names(&self) -> Vec<String> {
+        let mut names = vec![String::new(); self.colors];
+        for (material, &color) in self.section.materials.iter().zip(&self.color_of) {
+            if color < self.colors {
+                names[color] = material.name.clone();
+            }
+        }
+        if names.len() > NAMES {
+            let more = names.len() - NAMES + 1;
+            names.truncate(NAMES - 1);
+            names.push(format!("and {more} more materials"));
+        }
+        names
+    }
+
+    fn draw_title<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let section = self.section;
+        let title = Label::new(1.15 * TEXT).bold();
+        canvas.text(&section.name, [LEFT, 50.0], title)?;
+        let line = format!(
+            "{} nodes, {} cells{}",
+            section.mesh.nodes.len(),
+            section.mesh.cells.len(),
+            self.true_scale()
+        );
+        canvas.text(&line, [LEFT, 105.0], Label::new(0.88 * TEXT).colored(INK))
+    }
+
+    /// A coordinate in the unit of the figure, to a ten-thousandth of the section.
+    fn shown(&self, value: f64) -> String {
+        let digit = 10_f64.powf((1e-4 * self.size / self.unit.meters).log10().floor());
+        let value = (value / self.unit.meters / digit).round() * digit;
+        tick_label(value, self.size / self.unit.meters)
+    }
+
+    /// Words on walls that are drawn wider than they are.
+    fn true_scale(&self) -> String {
+        let wall = self.wall / self.plane.scale;
+        match self.wall < THINNEST {
+            true => format!(
+                "; walls drawn {THINNEST} pixels wide, in truth about {} {} ({:.1} pixels)",
+                tick_label(rounded(wall / self.unit.meters), 0.0),
+                self.unit.name,
+                self.wall,
+            ),
+            false => String::new(),
+        }
+    }
+
+    fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let section = self.section;
+        let place = |node: u32| self.plane.place(section.mesh.nodes[node as usize]);
+        for (cell, made_of) in section.mesh.cells.iter().zip(&section.cells) {
+            let mut points = cell_points(cell, &place);
+            let color = category(self.color_of[made_of.material]);
+            canvas.polygon(&points, color)?;
+            if self.wall < THINNEST {
+                points.push(points[0]);
+                canvas.line(&points, THINNEST, color)?;
+            }
+        }
+        if self.wall < THINNEST {
+            return Ok(());
+        }
+        for side in &self.sides {
+            let (width, color) = match side.role {
+                SideRole::Boundary if self.wall > 40.0 => (3.0, INK),
+                SideRole::Interface if self.wall > 40.0 => (2.0, INK),
+                SideRole::Boundary | SideRole::Interface => (1.6, INK),
+                SideRole::Inner(_) if self.cell < NARROWEST => continue,
+                SideRole::Inner(material) => (1.2, shaded(category(self.color_of[material]))),
+            };
+            canvas.line(&side_points(side.ends, side.middle, &place), width, color)?;
+        }
+        Ok(())
+    }
+
+    fn draw_marks<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        for mark in self
+            .marks
+            .iter()
+            .filter(|mark| self.plane.shows(mark.place))
+        {
+            mark.shape.draw(canvas, self.plane.place(mark.place))?;
+        }
+        Ok(())
+    }
+
+    fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let top = TOP + self.plane.frame[1] + BELOW + 0.5 * LINE;
+        let label = Label::new(0.94 * TEXT).colored(INK);
+        let second = 0.42 * f64::from(WIDTH);
+        for (row, name) in self.legend_names().iter().enumerate() {
+            let y = top + LINE * row as f64;
+            if row < NAMES - 1 || self.colors <= NAMES {
+                let (left, right) = (LEFT, LEFT + 56.0);
+                let box_ = [
+                    [left, y - 18.0],
+                    [right, y - 18.0],
+                    [right, y + 18.0],
+                    [left, y + 18.0],
+                ];
+                canvas.polygon(&box_, category(row))?;
+                canvas.line(&[box_[0], box_[1], box_[2], box_[3], box_[0]], 2.0, INK)?;
+            }
+            let room = second - LEFT - 110.0;
+            canvas.text(
+                &shortened(canvas, name, label.size, room),
+                [LEFT + 76.0, y],
+                label,
+            )?;
+        }
+        for (row, mark) in self.marks.iter().enumerate() {
+            let y = top + LINE * row as f64;
+            mark.shape.draw_in_legend(canvas, [second, y])?;
+            let [at_y, at_z] = mark.place.map(|value| self.shown(value));
+            let beyond = if self.plane.shows(mark.place) {
+                ""
+            } else {
+                ", outside of the figure"
+            };
+            let text = format!("{} ({at_y}, {at_z}) {}{beyond}", mark.name, self.unit.name);
+            canvas.text(&text, [second + 50.0, y], label.anchored(Anchor::Start))?;
+        }
+        Ok(())
+    }
+}
+
+impl Drawing for MeshPlot<'_> {
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        self.draw_title(canvas)?;
+        self.plane.draw_axes(canvas, &self.unit)?;
+        self.draw_cells(canvas)?;
+        self.draw_marks(canvas)?;
+        self.draw_legend(canvas)
+    }
+}
+
+impl Shape {
+    /// Draws the shape in black with a white rim. Ring, triangle and cross around
+    /// one point leave each other free.
+    fn draw<B: DrawingBackend>(
+        self,
+        canvas: &Canvas<B>,
+        center: [f64; 2],
+    ) -> Result<(), FigureProblem> {
+        let [x, y] = center;
+        let at = |dx: f64, dy: f64| [x + dx, y + dy];
+        let rimmed = |lines: &[&[[f64; 2]]]| {
+            for points in lines {
+                canvas.line(points, 8.0, WHITE)?;
+            }
+            lines
+                .iter()
+                .try_for_each(|points| canvas.line(points, 3.5, BLACK))
+        };
+        match self {
+            Self::Disc => {
+                canvas.disc(center, 7.0, WHITE)?;
+                canvas.disc(center, 5.0, BLACK)
+            }
+            Self::Ring => {
+                let turn = |k: u32| f64::from(k) * std::f64::consts::TAU / 48.0;
+                let points: Vec<_> = (0..=48)
+                    .map(|k| at(11.0 * turn(k).cos(), 11.0 * turn(k).sin()))
+                    .collect();
+                rimmed(&[&points])
+            }
+            Self::Triangle => rimmed(&[&[
+                at(0.0, -34.0),
+                at(29.5, 17.0),
+                at(-29.5, 17.0),
+                at(0.0, -34.0),
+            ]]),
+            Self::Cross => rimmed(&[
+                &[at(-46.0, 0.0), at(46.0, 0.0)],
+                &[at(0.0, -46.0), at(0.0, 46.0)],
+            ]),
+        }
+    }
+
+    /// Draws the shape small enough for a line of the legend.
+    fn draw_in_legend<B: DrawingBackend>(
+        self,
+        canvas: &Canvas<B>,
+        [x, y]: [f64; 2],
+    ) -> Result<(), FigureProblem> {
+        match self {
+            Self::Cross => {
+                canvas.line(&[[x - 26.0, y], [x + 26.0, y]], 3.5, BLACK)?;
+                canvas.line(&[[x, y - 26.0], [x, y + 26.0]], 3.5, BLACK)
+            }
+            Self::Triangle => self.draw(canvas, [x, y + 8.0]),
+            Self::Ring | Self::Disc => self.draw(canvas, [x, y]),
+        }
+    }
+}
+
+/// Numbers of the colors of the materials, given in the order of their first
+/// cells' materials, and how many there are.
+fn colors(section: &Section) -> (Vec<usize>, usize) {
+    let mut is_used = vec![false; section.materials.len()];
+    for made_of in &section.cells {
+        is_used[made_of.material] = true;
+    }
+    let mut next = 0;
+    let color_of = is_used.iter().map(|used| {
+        next += usize::from(*used);
+        if *used { next - 1 } else { usize::MAX }
+    });
+    let color_of: Vec<_> = color_of.collect();
+    (color_of, next)
+}
+
+fn shaded(RGBColor(r, g, b): RGBColor) -> RGBColor {
+    let dark = |channel: u8| (SHADE * f64::from(channel)).round() as u8;
+    RGBColor(dark(r), dark(g), dark(b))
+}
+
+fn marks(centers: Option<&Centers>) -> Vec<Mark> {
+    let mark = |name, place, shape| Mark { name, place, shape };
+    let mut marks = vec![mark("reference point", [0.0; 2], Shape::Cross)];
+    if let Some(centers) = centers {
+        marks.push(mark("shear center", centers.shear, Shape::Triangle));
+        marks.extend(
+            centers
+                .mass
+                .map(|place| mark("mass center", place, Shape::Ring)),
+        );
+        marks.push(mark("tension center", centers.tension, Shape::Disc));
+    }
+    marks
+}
+
+/// The text, cut to fit into `room` [figure pixels].
+fn shortened<B: DrawingBackend>(canvas: &Canvas<B>, text: &str, size: f64, room: f64) -> String {
+    let mut shown = text.to_owned();
+    while canvas.text_width(&shown, size) > room && shown.chars().count() > 4 {
+        let kept = shown.chars().count() - 4;
+        shown = shown.chars().take(kept).chain("...".chars()).collect();
+    }
+    shown
+}

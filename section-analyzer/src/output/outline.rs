@@ -1,0 +1,147 @@
+//! Sides of cells as lines that can be drawn: curved sides curved, boundaries told
+//! from the sides between cells.
+
+use std::collections::HashMap;
+
+use shared_geom::lagrange::line3;
+
+use crate::mesh::SectionCell;
+use crate::section::Section;
+
+/// Pieces in which a curved side is drawn.
+const PIECES: usize = 8;
+/// Deviation of a middle node from the chord, relative to its length, below which
+/// a side is drawn straight.
+const STRAIGHT: f64 = 1e-4;
+
+/// Walls thinner than this cannot be seen: they are drawn as wide [figure pixels].
+pub(super) const THINNEST: f64 = 5.0;
+
+/// What lies on the two sides of a side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SideRole {
+    /// One cell only.
+    Boundary,
+    /// Cells of different materials.
+    Interface,
+    /// Cells of one material, whose index it holds.
+    Inner(usize),
+}
+
+/// A side of one or two cells: its ends, and its middle if it is quadratic.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Side {
+    pub ends: [u32; 2],
+    pub middle: Option<u32>,
+    pub role: SideRole,
+}
+
+/// Every side of the mesh, once, in the order of the cells.
+pub(super) fn sides(section: &Section) -> Vec<Side> {
+    let mut sides: Vec<Side> = Vec::new();
+    let mut known: HashMap<[u32; 2], (usize, usize)> = HashMap::new();
+    for (cell, made_of) in section.mesh.cells.iter().zip(&section.cells) {
+        for (ends, middle) in cell_sides(cell) {
+            let key = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            match known.get(&key) {
+                None => {
+                    known.insert(key, (sides.len(), made_of.material));
+                    let role = SideRole::Boundary;
+                    sides.push(Side { ends, middle, role });
+                }
+                Some(&(side, material)) => {
+                    let same = material == made_of.material;
+                    sides[side].role = if same {
+                        SideRole::Inner(material)
+                    } else {
+                        SideRole::Interface
+                    };
+                }
+            }
+        }
+    }
+    sides
+}
+
+/// Ends and middle of each side of a cell, counterclockwise.
+fn cell_sides(cell: &SectionCell) -> impl Iterator<Item = ([u32; 2], Option<u32>)> + '_ {
+    let node = |local: usize| cell.nodes()[local];
+    (0..cell.kind.corner_count()).map(move |side| {
+        let (first, second, middle) = cell.kind.side(side);
+        ([node(first), node(second)], middle.map(node))
+    })
+}
+
+/// The points of a side, where `place` puts the nodes: two for a straight one.
+pub(super) fn side_points(
+    ends: [u32; 2],
+    middle: Option<u32>,
+    place: &impl Fn(u32) -> [f64; 2],
+) -> Vec<[f64; 2]> {
+    let [a, b] = ends.map(place);
+    let Some(m) = middle.map(place) else {
+        return vec![a, b];
+    };
+    let off = (m[0] - 0.5 * (a[0] + b[0])).hypot(m[1] - 0.5 * (a[1] + b[1]));
+    if off <= STRAIGHT * (b[0] - a[0]).hypot(b[1] - a[1]) {
+        return vec![a, b];
+    }
+    let point = |piece: usize| {
+        let shape = line3(2.0 * piece as f64 / PIECES as f64 - 1.0);
+        [0, 1].map(|axis| shape.n[0] * a[axis] + shape.n[1] * b[axis] + shape.n[2] * m[axis])
+    };
+    (0..=PIECES).map(point).collect()
+}
+
+/// The corners of the polygon that a cell is drawn as.
+pub(super) fn cell_points(cell: &SectionCell, place: &impl Fn(u32) -> [f64; 2]) -> Vec<[f64; 2]> {
+    let mut points = Vec::new();
+    for (ends, middle) in cell_sides(cell) {
+        points.extend(side_points(ends, middle, place));
+        // the last point of a side is the first of the next
+        points.pop();
+    }
+    points
+}
+
+/// Mean thickness of the walls (area over half the length of the boundary), and
+/// mean width of the cells (area over a quarter of their circumference) [m].
+pub(super) fn widths(section: &Section, sides: &[Side]) -> (f64, f64) {
+    let place = |node: u32| section.mesh.nodes[node as usize];
+    let boundary = sides.iter().filter(|side| side.role == SideRole::Boundary);
+    let boundary: f64 = boundary
+        .map(|side| length(&side_points(side.ends, side.middle, &place)))
+        .sum();
+    let polygons = section
+        .mesh
+        .cells
+        .iter()
+        .map(|cell| cell_points(cell, &place));
+    let (mut area, mut narrow) = (0.0, 0.0);
+    for points in polygons {
+        area += polygon_area(&points);
+        narrow += 4.0 * polygon_area(&points) / length(&points);
+    }
+    (
+        2.0 * area / boundary,
+        narrow / section.mesh.cells.len().max(1) as f64,
+    )
+}
+
+fn length(points: &[[f64; 2]]) -> f64 {
+    let pieces = points.windows(2);
+    pieces
+        .map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]))
+        .sum()
+}
+
+/// Area of a polygon by its corners.
+pub(super) fn polygon_area(points: &[[f64; 2]]) -> f64 {
+    let next = points.iter().cycle().skip(1);
+    let doubled: f64 = points
+        .iter()
+        .zip(next)
+        .map(|(a, b)| a[0] * b[1] - b[0] * a[1])
+        .sum();
+    0.5 * doubled.abs()
+}

@@ -1,0 +1,49 @@
+//! The section properties in the form in which the two programs meet.
+
+use nalgebra::Vector2;
+use shared_geom::section::{Centers, PrincipalAxes, Provenance, SectionProperties};
+
+use crate::section::Section;
+use crate::solution::SectionSolution;
+
+/// The properties of `section`, with the fingerprint of what they were made from.
+///
+/// The reference point is the origin of the mesh. A section without mass has its
+/// center of mass, of no consequence, at the reference point.
+pub fn properties(
+    section: &Section,
+    solution: &SectionSolution,
+    input_hash: &str,
+) -> SectionProperties {
+    let centers = &solution.centers;
+    let bending = &solution.principal_bending;
+    let inertia = solution.principal_inertia.as_ref();
+    SectionProperties {
+        name: section.name.clone(),
+        reference_point: Vector2::zeros(),
+        stiffness: solution.stiffness,
+        mass: solution.mass,
+        centers: Centers {
+            tension: Vector2::from(centers.tension),
+            shear: Vector2::from(centers.shear),
+            mass: centers.mass.map_or_else(Vector2::zeros, Vector2::from),
+        },
+        principal_axes: PrincipalAxes {
+            bending_angle: bending.angle,
+            bending_stiffness: [bending.first, bending.second],
+            inertia_angle: inertia.map_or(0.0, |axes| axes.angle),
+            inertia: inertia.map_or([0.0; 2], |axes| [axes.first, axes.second]),
+        },
+        initial_curvature: None,
+        piezo: None,
+        thermal_force: None,
+        damping: None,
+        provenance: Provenance {
+            program: env!("CARGO_PKG_NAME").to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            input_hash: input_hash.to_owned(),
+            nodes: section.mesh.nodes.len(),
+            cells: section.mesh.cells.len(),
+        },
+    }
+}

@@ -1,0 +1,366 @@
+//! The text report: what went in, what came out, in which axes, and what vouches
+//! for it.
+
+use nalgebra::Matrix6;
+use shared_geom::wrench::COMPONENTS;
+
+use super::engineering::engineering_values;
+use super::text::{coordinate, matrix, number, table};
+use crate::failure::Failure;
+use crate::input::InputSummary;
+use crate::material::{ElasticLaw, Material};
+use crate::section::Section;
+use crate::solution::{Checks, SectionSolution};
+use shared_geom::error::Explain;
+
+/// Couplings below this part of `sqrt(Kii Kjj)` are left out of the list.
+const COUPLING: f64 = 1e-6;
+
+const CONVENTION: &str = "\
+Convention
+  Axes: x along the beam, y and z in the section, right-handed; mesh x is y, mesh y is z.
+  Components: axial, shear y, shear z, torsion, bending y, bending z.
+  Internal forces act on the face whose normal is +x, moments are about the reference
+  point, which is the origin of the mesh; axial strain is nu_x + z kappa_y - y kappa_z.
+  SI units: N, m, kg, rad.
+";
+
+/// The report of an analysis that reached its goal.
+pub fn report(section: &Section, summary: &InputSummary, solution: &SectionSolution) -> String {
+    let unknowns = format!("  unknowns  {} of warping\n", solution.unknowns);
+    let parts = [
+        head(section, summary) + &unknowns,
+        warnings(summary),
+        CONVENTION.to_owned(),
+        materials(&section.materials),
+        regions(summary),
+        format!(
+            "Stiffness, internal force per generalized strain [N, N m, N m^2]\n{}",
+            matrix(&solution.stiffness)
+        ),
+        format!(
+            "Mass per length, momentum per velocity [kg/m, kg, kg m]\n{}",
+            matrix(&solution.mass)
+        ),
+        "  (entries below 1e-12 of sqrt(Kii Kjj) are shown as 0)\n".to_owned(),
+        engineering(solution),
+        centers(summary, solution),
+        principal_axes(solution),
+        couplings(&solution.stiffness),
+        checks(&solution.checks),
+    ];
+    joined(&parts)
+}
+
+/// The report of an analysis that failed: what went in, and how it ended.
+pub fn failure_report(section: &Section, summary: &InputSummary, failure: &Failure) -> String {
+    let help = failure
+        .help()
+        .map_or_else(String::new, |help| format!("  help: {help}\n"));
+    let parts = [
+        head(section, summary),
+        warnings(summary),
+        materials(&section.materials),
+        regions(summary),
+        format!("No result\n  {failure}\n{help}"),
+    ];
+    joined(&parts)
+}
+
+/// What was read, for a check without analysis.
+pub fn input_report(section: &Section, summary: &InputSummary) -> String {
+    let parts = [
+        head(section, summary),
+        warnings(summary),
+        materials(&section.materials),
+        regions(summary),
+    ];
+    joined(&parts)
+}
+
+/// The parts that are not empty, an empty line between them; a part in brackets
+/// belongs to the one before it.
+fn joined(parts: &[String]) -> String {
+    let mut text = String::new();
+    for part in parts.iter().filter(|part| !part.is_empty()) {
+        if !text.is_empty() && !part.starts_with("  (") {
+            text.push('\n');
+        }
+        text += part;
+    }
+    text
+}
+
+fn head(section: &Section, summary: &InputSummary) -> String {
+    let kinds = summary.kinds.iter().map(|(kind, count)| {
+        let name = kind.name();
+        match (count, name.split_once(' ')) {
+            (1, _) => format!("1 {name}"),
+            (_, Some((shape, rest))) => format!("{count} {shape}s {rest}"),
+            (_, None) => format!("{count} {name}"),
+        }
+    });
+    let kinds: Vec<_> = kinds.collect();
+    format!(
+        "Section \"{}\"\n  file      {}\n  mesh      {}: {} nodes, {}\n  input     {}\n  program   {} {}\n",
+        section.name,
+        summary.file,
+        summary.mesh_file,
+        section.mesh.nodes.len(),
+        kinds.join(", "),
+        summary.input_hash,
+        env!("CARGO_PKG_NAME"),
+        env!("CARGO_PKG_VERSION"),
+    )
+}
+
+fn warnings(summary: &InputSummary) -> String {
+    let lines = summary
+        .warnings
+        .iter()
+        .map(|warning| format!("  warning: {warning}\n"));
+    let lines: String = lines.collect();
+    match lines.is_empty() {
+        true => String::new(),
+        false => format!("Warnings\n{lines}"),
+    }
+}
+
+fn materials(materials: &[Material]) -> String {
+    let entry = |material: &Material| {
+        let (kind, constants) = law(&material.law);
+        let density = Digits(material.density);
+        format!(
+            "  {}: {kind}, {density} kg/m^3\n      {constants}\n",
+            material.name
+        )
+    };
+    let entries: String = materials.iter().map(entry).collect();
+    format!("Materials\n{entries}")
+}
+
+/// Kind and constants of a law.
+fn law(law: &ElasticLaw) -> (&'static str, String) {
+    match law {
+        ElasticLaw::Isotropic { young, poisson } => {
+            let constants = format!("E {}, nu {}", in_gpa(&[*young]), Digits(*poisson));
+            ("isotropic", constants)
+        }
+        ElasticLaw::Orthotropic(k) => {
+            let constants = format!(
+                "E1, E2, E3 {}; G12, G13, G23 {}; nu12, nu13, nu23 {}, {}, {}",
+                in_gpa(&[k.e1, k.e2, k.e3]),
+                in_gpa(&[k.g12, k.g13, k.g23]),
+                Digits(k.nu12),
+                Digits(k.nu13),
+                Digits(k.nu23),
+            );
+            ("orthotropic", constants)
+        }
+        ElasticLaw::Full(c) => {
+            let diagonal: Vec<_> = c.diagonal().iter().copied().collect();
+            (
+                "full stiffness",
+                format!("C11 to C66 {}", in_gpa(&diagonal)),
+            )
+        }
+    }
+}
+
+fn regions(summary: &InputSummary) -> String {
+    let heading = [
+        "region",
+        "material",
+        "fiber angle",
+        "wall angle",
+        "cells",
+        "area [m^2]",
+        "mass [kg/m]",
+    ];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    for region in &summary.regions {
+        rows.push(vec![
+            region.group.clone(),
+            region.material.clone(),
+            region.fiber_angle.to_string(),
+            region.plane_angle.to_string(),
+            region.cells.to_string(),
+            number(region.area),
+            number(region.mass),
+        ]);
+    }
+    let mut total = vec![
+        "total".to_owned(),
+        String::new(),
+        String::new(),
+        String::new(),
+    ];
+    total.push(
+        summary
+            .regions
+            .iter()
+            .map(|region| region.cells)
+            .sum::<usize>()
+            .to_string(),
+    );
+    total.push(number(summary.area()));
+    total.push(number(
+        summary.regions.iter().map(|region| region.mass).sum(),
+    ));
+    rows.push(total);
+    format!("Regions\n{}", table(&rows, "llllr"))
+}
+
+fn engineering(solution: &SectionSolution) -> String {
+    let heading = ["", "", "others restrained", "others free", ""];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    for value in engineering_values(solution) {
+        rows.push(vec![
+            value.symbol.to_owned(),
+            value.meaning.to_owned(),
+            number(value.restrained),
+            number(value.free),
+            value.unit.to_owned(),
+        ]);
+    }
+    format!(
+        "Engineering values\n  (restrained: other generalized strains zero, Kii; \
+         free: other internal forces zero, 1/Cii)\n{}",
+        table(&rows, "llrrl")
+    )
+}
+
+fn centers(summary: &InputSummary, solution: &SectionSolution) -> String {
+    let scale = summary.area().sqrt();
+    let centers = &solution.centers;
+    let mut rows = vec![["center", "y", "z", ""].map(str::to_owned).to_vec()];
+    let mut add = |name: &str, [y, z]: [f64; 2], meaning: &str| {
+        rows.push(vec![
+            name.to_owned(),
+            coordinate(y, scale),
+            coordinate(z, scale),
+            meaning.to_owned(),
+        ]);
+    };
+    add(
+        "tension",
+        centers.tension,
+        "an axial force here causes no bending",
+    );
+    add("shear", centers.shear, "a shear force here causes no twist");
+    match centers.mass {
+        Some(mass) => add("mass", mass, "center of mass"),
+        None => add("mass", [0.0; 2], "the section has no mass"),
+    }
+    format!(
+        "Centers, from the reference point [m]\n{}",
+        table(&rows, "lrrl")
+    )
+}
+
+fn principal_axes(solution: &SectionSolution) -> String {
+    // Rounded first: a tiny negative angle is shown as zero, not as -0.0000.
+    let degrees = |angle: f64| format!("{:.4}", (angle.to_degrees() * 1e4).round() / 1e4 + 0.0);
+    let bending = &solution.principal_bending;
+    let heading = [
+        "axes",
+        "angle [deg]",
+        "about the first",
+        "about the second",
+        "",
+    ];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    rows.push(vec![
+        "bending, at the tension center".to_owned(),
+        degrees(bending.angle),
+        number(bending.first),
+        number(bending.second),
+        "N m^2".to_owned(),
+    ]);
+    if let Some(inertia) = &solution.principal_inertia {
+        rows.push(vec![
+            "inertia, at the mass center".to_owned(),
+            degrees(inertia.angle),
+            number(inertia.first),
+            number(inertia.second),
+            "kg m".to_owned(),
+        ]);
+    }
+    format!(
+        "Principal axes (angle from +y to the first axis, positive about +x)\n{}",
+        table(&rows, "lrrrl")
+    )
+}
+
+/// The couplings of the stiffness that are more than round-off.
+fn couplings(stiffness: &Matrix6<f64>) -> String {
+    let mut rows = Vec::new();
+    for i in 0..6 {
+        for j in i + 1..6 {
+            let scale = (stiffness[(i, i)] * stiffness[(j, j)]).sqrt();
+            let relative = stiffness[(i, j)] / scale;
+            if relative.abs() > COUPLING {
+                rows.push(vec![
+                    format!("{}-{}", coupling_name(i), coupling_name(j)),
+                    format!("K{}{}", i + 1, j + 1),
+                    format!("{relative:+.6}"),
+                    number(stiffness[(i, j)]),
+                ]);
+            }
+        }
+    }
+    let list = match rows.is_empty() {
+        true => "  none above 1e-6\n".to_owned(),
+        false => table(&rows, "llr"),
+    };
+    format!("Couplings about the reference point, Kij / sqrt(Kii Kjj) and Kij\n{list}")
+}
+
+/// `extension` where the component is called axial.
+fn coupling_name(component: usize) -> &'static str {
+    match component {
+        0 => "extension",
+        other => COMPONENTS[other],
+    }
+}
+
+fn checks(checks: &Checks) -> String {
+    let worst = checks
+        .identities
+        .iter()
+        .fold(0.0_f64, |worst, error| worst.max(*error));
+    let row = |name: &str, value: f64| vec![name.to_owned(), format!("{value:.1e}")];
+    let rows = [
+        row("rigid-body identities of the section matrices", worst),
+        row("last correction of the linear systems", checks.correction),
+        row("internal force of the six solutions", checks.equilibrium),
+        row("symmetry of the compliance", checks.asymmetry),
+        row("energy against mean strain", checks.decoupling),
+        row(
+            "smallest pivot (1e-16: the section falls apart)",
+            checks.smallest_pivot,
+        ),
+    ];
+    format!(
+        "Checks of this run (relative errors)\n{}",
+        table(&rows, "lr")
+    )
+}
+
+/// Moduli in GPa.
+fn in_gpa(moduli: &[f64]) -> String {
+    let shown: Vec<_> = moduli
+        .iter()
+        .map(|value| Digits(value / 1e9).to_string())
+        .collect();
+    format!("{} GPa", shown.join(", "))
+}
+
+/// A number in at most six digits, without trailing zeros.
+struct Digits(f64);
+
+impl std::fmt::Display for Digits {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&shared_geom::figure::tick_label(self.0, 0.0))
+    }
+}

@@ -1,0 +1,113 @@
+//! Numbers and columns of a text report.
+
+use nalgebra::Matrix6;
+use shared_geom::wrench::COMPONENTS;
+
+/// Entries of a matrix below this part of `sqrt(Aii Ajj)` are shown as zero:
+/// round-off of the solution.
+pub(super) const ZERO: f64 = 1e-12;
+
+/// A number with six digits, as `1.23456e7`; zero as `0`.
+pub(super) fn number(value: f64) -> String {
+    if value == 0.0 {
+        "0".to_owned()
+    } else {
+        format!("{value:.5e}")
+    }
+}
+
+/// A coordinate with six digits at most, in plain notation where that is short.
+/// `scale` is the size of the section: what is zero beside it is shown as zero.
+pub(super) fn coordinate(value: f64, scale: f64) -> String {
+    shared_geom::figure::tick_label(
+        if value.abs() < ZERO * scale {
+            0.0
+        } else {
+            value
+        },
+        0.0,
+    )
+}
+
+/// The value to four digits, for labels of figures.
+pub(super) fn rounded(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
+/// The matrix in aligned columns under the names of the components.
+pub(super) fn matrix(a: &Matrix6<f64>) -> String {
+    let mut rows = vec![
+        std::iter::once("")
+            .chain(COMPONENTS)
+            .map(str::to_owned)
+            .collect(),
+    ];
+    for i in 0..6 {
+        let mut row = vec![COMPONENTS[i].to_owned()];
+        for j in 0..6 {
+            let scale = (a[(i, i)] * a[(j, j)]).abs().sqrt();
+            let shown = if a[(i, j)].abs() <= ZERO * scale {
+                0.0
+            } else {
+                a[(i, j)]
+            };
+            row.push(number(shown));
+        }
+        rows.push(row);
+    }
+    table(&rows, "lr")
+}
+
+/// Rows in columns two spaces apart, each line indented by two. `sides` has a
+/// letter for each column: `l` flush left, `r` flush right; the last letter stands
+/// for all further columns.
+pub(super) fn table(rows: &[Vec<String>], sides: &str) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(column));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<_> = (0..columns).map(width).collect();
+    let side = |column: usize| sides.chars().nth(column).or(sides.chars().last());
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::new();
+        for (column, (cell, width)) in row.iter().zip(&widths).enumerate() {
+            line += "  ";
+            line += &match side(column) {
+                Some('l') => format!("{cell:<width$}"),
+                _ => format!("{cell:>width$}"),
+            };
+        }
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_aligned_and_lines_have_no_trailing_spaces() {
+        let rows = [["a", "1"], ["long", "23"], ["b", ""]];
+        let rows = rows.map(|row| row.map(str::to_owned).to_vec());
+        assert_eq!(table(&rows, "lr"), "  a      1\n  long  23\n  b\n");
+    }
+
+    #[test]
+    fn round_off_is_shown_as_zero() {
+        let mut a = Matrix6::from_diagonal_element(4.0);
+        a[(0, 1)] = 3e-12;
+        a[(0, 2)] = -5e-12;
+        let text = matrix(&a);
+        let first: Vec<_> = text.lines().nth(1).unwrap().split_whitespace().collect();
+        assert_eq!(
+            first,
+            ["axial", "4.00000e0", "0", "-5.00000e-12", "0", "0", "0"]
+        );
+        assert_eq!(coordinate(-1e-14, 1.0), "0");
+        assert_eq!(coordinate(-0.37484, 1.0), "-0.37484");
+    }
+}

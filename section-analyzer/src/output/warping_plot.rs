@@ -1,0 +1,370 @@
+//! The warping of the section under each unit internal force, in six panels.
+
+use nalgebra::DMatrix;
+use plotters::backend::DrawingBackend;
+use plotters::style::RGBColor;
+use shared_geom::figure::{Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, diverging};
+use shared_geom::mesh::CellKind;
+use shared_geom::wrench::COMPONENTS;
+
+use super::outline::{Side, SideRole, THINNEST, side_points, sides, widths};
+use super::plane::{Extent, INK, Plane};
+use crate::mesh::SectionCell;
+use crate::section::Section;
+use crate::solution::SectionSolution;
+
+/// Largest in-plane displacement on the figure, relative to the section's size.
+const EXAGGERATED: f64 = 0.07;
+/// Room around the displaced section, relative to its size.
+const MARGIN: f64 = 0.02;
+/// Warping below this part of the largest of the panel is none.
+const NONE: f64 = 1e-8;
+/// Height of the panels together at most [figure pixels].
+const HIGHEST: f64 = 1900.0;
+const EDGE: f64 = 50.0;
+const GAP: f64 = 50.0;
+/// Room for the two lines above a panel [figure pixels].
+const HEADING: f64 = 115.0;
+/// Room for the title of the figure, and for the color bar below the panels.
+const TITLE: f64 = 100.0;
+const BAR: f64 = 220.0;
+/// Size of the smallest pieces of a cell of one color [figure pixels].
+const PIECE: f64 = 5.0;
+/// Pieces along the side of a cell at most.
+const PIECES: usize = 12;
+/// Outline of the section before it warps.
+const FAINT: RGBColor = RGBColor(150, 150, 150);
+
+/// The figure of the warping of a section.
+#[derive(Debug)]
+pub struct WarpingPlot<'a> {
+    section: &'a Section,
+    warping: &'a DMatrix<f64>,
+    sides: Vec<Side>,
+    /// Box of the section with room for its warping [m].
+    extent: Extent,
+    /// Larger side of the section's box [m].
+    size: f64,
+    /// Mean thickness of the walls [m].
+    wall: f64,
+    columns: usize,
+    /// Width and height of the part of a panel below its heading [figure pixels].
+    room: [f64; 2],
+}
+
+/// What one panel shows.
+struct Panel<'p> {
+    plane: &'p Plane,
+    component: usize,
+    /// Largest warping along x, and in the plane [m/N or 1/N].
+    largest: [f64; 2],
+}
+
+impl<'a> WarpingPlot<'a> {
+    /// The figure of `solution` on `section`.
+    pub fn new(section: &'a Section, solution: &'a SectionSolution) -> Self {
+        let bare = Extent::of(section.mesh.nodes.iter().copied());
+        let size = bare.largest();
+        let extent = bare.grown((EXAGGERATED + MARGIN) * size);
+        let (columns, room) = layout(&extent);
+        let sides = sides(section);
+        Self {
+            section,
+            warping: &solution.warping,
+            wall: widths(section, &sides).0,
+            sides,
+            extent,
+            size,
+            columns,
+            room,
+        }
+    }
+
+    /// Width and height \[figure pixels\].
+    pub fn size(&self) -> (u32, u32) {
+        let rows = COMPONENTS.len().div_ceil(self.columns) as f64;
+        let height = TITLE + rows * (HEADING + self.room[1] + GAP) + BAR;
+        (WIDTH, height.ceil() as u32)
+    }
+
+    /// Largest warping along x and in the plane, under one unit force.
+    fn largest(&self, component: usize) -> [f64; 2] {
+        let nodes = 0..self.section.mesh.nodes.len();
+        nodes.fold([0.0_f64; 2], |[along, across], node| {
+            let [ux, uy, uz] = self.of_node(node, component);
+            [along.max(ux.abs()), across.max(uy.hypot(uz))]
+        })
+    }
+
+    fn of_node(&self, node: usize, component: usize) -> [f64; 3] {
+        [0, 1, 2].map(|axis| self.warping[(3 * node + axis, component)])
+    }
+
+    fn draw_panel<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        component: usize,
+    ) -> Result<(), FigureProblem> {
+        let column = (component % self.columns) as f64;
+        let row = (component / self.columns) as f64;
+        let left = EDGE + column * (self.room[0] + GAP);
+        let top = TITLE + row * (HEADING + self.room[1] + GAP);
+        let plane = Plane::fitted(self.extent, [left, top + HEADING], self.room);
+        let panel = Panel {
+            plane: &plane,
+            component,
+            largest: self.largest(component),
+        };
+        let middle = left + 0.5 * self.room[0];
+        let label = Label::new(TEXT).anchored(Anchor::Middle);
+        canvas.text(&title(component), [middle, top + 28.0], label.bold())?;
+        let words = Label {
+            size: 0.8 * TEXT,
+            color: INK,
+            ..label
+        };
+        canvas.text(&panel.words(), [middle, top + 76.0], words)?;
+        for cell in &self.section.mesh.cells {
+            self.draw_cell(canvas, &panel, cell)?;
+        }
+        self.draw_outlines(canvas, &panel)
+    }
+
+    /// Fills a cell with the color of its axial warping, piece by piece.
+    fn draw_cell<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        panel: &Panel<'_>,
+        cell: &SectionCell,
+    ) -> Result<(), FigureProblem> {
+        let nodes = cell
+            .nodes()
+            .iter()
+            .map(|&node| self.section.mesh.nodes[node as usize]);
+        let length = Extent::of(nodes).largest() * panel.plane.scale;
+        let pieces = ((length / PIECE).ceil() as usize).clamp(1, PIECES);
+        let thin = self.wall * panel.plane.scale < THINNEST;
+        for corners in reference_pieces(cell.kind, pieces) {
+            let points: Vec<_> = corners.iter().map(|at| self.at(panel, cell, *at)).collect();
+            let mean = points.iter().map(|point| point.1).sum::<f64>() / points.len() as f64;
+            let color = diverging(panel.relative(mean));
+            let mut places: Vec<_> = points.iter().map(|point| point.0).collect();
+            canvas.polygon(&places, color)?;
+            if thin {
+                places.push(places[0]);
+                canvas.line(&places, THINNEST, color)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Place on the figure and axial warping at a point of the reference cell.
+    fn at(&self, panel: &Panel<'_>, cell: &SectionCell, [r, s]: [f64; 2]) -> ([f64; 2], f64) {
+        let shape = cell.kind.shape(r, s);
+        let (mut place, mut axial) = ([0.0; 2], 0.0);
+        for (i, &node) in cell.nodes().iter().enumerate() {
+            let node = node as usize;
+            let position = self.section.mesh.nodes[node];
+            place[0] += shape.n[i] * position[0];
+            place[1] += shape.n[i] * position[1];
+            axial += shape.n[i] * self.warping[(3 * node, panel.component)];
+        }
+        (panel.plane.place(place), axial)
+    }
+
+    /// The outline before and after the warping in the plane.
+    fn draw_outlines<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        panel: &Panel<'_>,
+    ) -> Result<(), FigureProblem> {
+        let factor = match panel.has_in_plane() {
+            true => EXAGGERATED * self.size / panel.largest[1],
+            false => 0.0,
+        };
+        let before = |node: u32| panel.plane.place(self.section.mesh.nodes[node as usize]);
+        let after = |node: u32| {
+            let [y, z] = self.section.mesh.nodes[node as usize];
+            let [_, uy, uz] = self.of_node(node as usize, panel.component);
+            panel.plane.place([y + factor * uy, z + factor * uz])
+        };
+        let boundary = || {
+            self.sides
+                .iter()
+                .filter(|side| side.role == SideRole::Boundary)
+        };
+        let thin = self.wall * panel.plane.scale < THINNEST;
+        for side in boundary().filter(|_| !thin) {
+            canvas.line(&side_points(side.ends, side.middle, &before), 1.5, FAINT)?;
+        }
+        for side in boundary().filter(|_| panel.has_in_plane()) {
+            canvas.line(&side_points(side.ends, side.middle, &after), 2.5, INK)?;
+        }
+        Ok(())
+    }
+
+    fn draw_bar<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        const STEPS: u32 = 256;
+        let (width, height) = canvas.size();
+        let (left, right) = (0.3 * width, 0.7 * width);
+        let (top, bottom) = (height - BAR + 30.0, height - BAR + 66.0);
+        let step = (right - left) / f64::from(STEPS);
+        for k in 0..STEPS {
+            let (a, b) = (left + f64::from(k) * step, left + f64::from(k + 1) * step);
+            let color = diverging((2.0 * f64::from(k) + 1.0) / f64::from(STEPS) - 1.0);
+            canvas.polygon(&[[a, top], [b, top], [b, bottom], [a, bottom]], color)?;
+        }
+        let frame = [
+            [left, top],
+            [right, top],
+            [right, bottom],
+            [left, bottom],
+            [left, top],
+        ];
+        canvas.line(&frame, 2.0, INK)?;
+        let label = Label::new(0.88 * TEXT)
+            .colored(INK)
+            .anchored(Anchor::Middle);
+        for (x, text) in [(left, "-1"), (0.5 * width, "0"), (right, "1")] {
+            canvas.text(text, [x, bottom + 26.0], label)?;
+        }
+        let words = [
+            "color: warping along x, relative to its largest; dark outline: warping in the plane,",
+            "exaggerated; above each panel: the largest along x and in the y-z plane",
+        ];
+        let label = Label {
+            size: 0.8 * TEXT,
+            ..label
+        };
+        for (text, below) in words.into_iter().zip([78.0, 120.0]) {
+            canvas.text(text, [0.5 * width, bottom + below], label)?;
+        }
+        Ok(())
+    }
+}
+
+impl Drawing for WarpingPlot<'_> {
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let title = format!("{}: warping per unit internal force", self.section.name);
+        canvas.text(&title, [EDGE, 45.0], Label::new(1.1 * TEXT).bold())?;
+        for component in 0..COMPONENTS.len() {
+            self.draw_panel(canvas, component)?;
+        }
+        self.draw_bar(canvas)
+    }
+}
+
+impl Panel<'_> {
+    fn has_axial(&self) -> bool {
+        self.largest[0] > NONE * self.largest[1]
+    }
+
+    fn has_in_plane(&self) -> bool {
+        self.largest[1] > NONE * self.largest[0]
+    }
+
+    /// Axial warping relative to the largest of the panel, zero where there is none.
+    fn relative(&self, axial: f64) -> f64 {
+        if self.has_axial() {
+            axial / self.largest[0]
+        } else {
+            0.0
+        }
+    }
+
+    /// The largest values, short enough for a third of the figure.
+    fn words(&self) -> String {
+        let unit = if self.component < 3 { "m/N" } else { "1/N" };
+        let value = |is_there: bool, value: f64| match is_there {
+            true => format!("{value:.2e}"),
+            false => "0".to_owned(),
+        };
+        let along = value(self.has_axial(), self.largest[0]);
+        let across = value(self.has_in_plane(), self.largest[1]);
+        format!("x: {along}, y-z: {across} {unit}")
+    }
+}
+
+/// `torsion, 1 N m`.
+fn title(component: usize) -> String {
+    let unit = if component < 3 { "1 N" } else { "1 N m" };
+    format!("{}, {unit}", COMPONENTS[component])
+}
+
+/// The number of columns, and the room of a panel, in which the section is drawn
+/// largest.
+fn layout(extent: &Extent) -> (usize, [f64; 2]) {
+    let aspect = extent.size(1) / extent.size(0);
+    let fit = |columns: usize| {
+        let rows = COMPONENTS.len() / columns;
+        let width = (f64::from(WIDTH) - 2.0 * EDGE - GAP * (columns - 1) as f64) / columns as f64;
+        let highest = HIGHEST / rows as f64 - HEADING - GAP;
+        let height = (width * aspect).min(highest);
+        (columns, [width, height])
+    };
+    let drawn = |(_, room): &(usize, [f64; 2])| room[0].min(room[1] / aspect);
+    // Three columns leave enough room for the words above a panel; six do not.
+    let best = [1, 2, 3]
+        .map(fit)
+        .into_iter()
+        .max_by(|a, b| drawn(a).total_cmp(&drawn(b)));
+    best.unwrap_or_else(|| fit(3))
+}
+
+/// The corners of `n` by `n` pieces of the reference cell.
+fn reference_pieces(kind: CellKind, n: usize) -> Vec<Vec<[f64; 2]>> {
+    let mut pieces = Vec::with_capacity(n * n);
+    let step = 1.0 / n as f64;
+    let is_triangle = kind.corner_count() == 3;
+    let at = |i: usize, j: usize| {
+        let (a, b) = (i as f64 * step, j as f64 * step);
+        if is_triangle {
+            [a, b]
+        } else {
+            [2.0 * a - 1.0, 2.0 * b - 1.0]
+        }
+    };
+    for i in 0..n {
+        for j in 0..n {
+            let corners = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            match (is_triangle, i + j + 1) {
+                (true, sum) if sum > n => {}
+                (true, sum) if sum == n => pieces.push(vec![corners[0], corners[1], corners[3]]),
+                _ => pieces.push(corners.to_vec()),
+            }
+        }
+    }
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The pieces of a reference cell have its area: 1/2 and 4.
+    #[test]
+    fn pieces_cover_the_reference_cell() {
+        for kind in CellKind::ALL {
+            for n in 1..5 {
+                let pieces = reference_pieces(kind, n);
+                let area: f64 = pieces
+                    .iter()
+                    .map(|p| super::super::outline::polygon_area(p))
+                    .sum();
+                let expected = if kind.corner_count() == 3 { 0.5 } else { 4.0 };
+                assert!((area - expected).abs() < 1e-12, "{kind:?} {n} {area}");
+            }
+        }
+    }
+
+    #[test]
+    fn wide_sections_stand_above_each_other() {
+        let extent = |width: f64, height: f64| Extent {
+            low: [0.0; 2],
+            high: [width, height],
+        };
+        assert_eq!(layout(&extent(1.0, 0.1)).0, 1);
+        assert_eq!(layout(&extent(1.0, 1.0)).0, 3);
+        assert_eq!(layout(&extent(0.1, 1.0)).0, 3);
+    }
+}

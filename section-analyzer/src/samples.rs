@@ -1,0 +1,82 @@
+//! Small sections for the unit tests of this crate.
+
+use crate::material::{ElasticLaw, EngineeringConstants, Material};
+use crate::mesh::generate::Rectangle;
+use crate::mesh::{SectionCell, SectionMesh};
+use crate::section::{CellMaterial, Section};
+use shared_geom::error::Place;
+use shared_geom::mesh::CellKind;
+
+/// A ply without simple ratios between its constants, stiffness of order one.
+pub(crate) const PLY: EngineeringConstants = EngineeringConstants {
+    e1: 9.0,
+    e2: 1.4,
+    e3: 1.1,
+    g12: 0.8,
+    g13: 0.6,
+    g23: 0.5,
+    nu12: 0.3,
+    nu13: 0.25,
+    nu23: 0.35,
+};
+
+/// A rectangle whose cells are plies of many directions: no coupling is zero.
+pub(crate) fn coupled_rectangle(kind: CellKind) -> Section {
+    let mesh = Rectangle {
+        width: 1.6,
+        height: 1.0,
+        cells_y: 3,
+        cells_z: 2,
+        kind,
+        name: "bar".into(),
+    }
+    .generate()
+    .expect("sound measures");
+    let (mut mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("test")).expect("sound");
+    // off the origin, sides curved
+    for [y, z] in &mut mesh.nodes {
+        (*y, *z) = (*y + 0.7 + 0.1 * *z * *z, *z - 0.4 + 0.05 * *y * *y);
+    }
+    of_cells(mesh, ElasticLaw::Orthotropic(PLY))
+}
+
+/// A section of isotropic material with unit modulus, given its nodes and
+/// quadrilaterals.
+pub(crate) fn of_quadrilaterals(nodes: &[[f64; 2]], cells: &[[u32; 4]]) -> Section {
+    let cell = |(index, nodes): (usize, &[u32; 4])| {
+        SectionCell::new(index as u64 + 1, CellKind::Quadrilateral4, 0, |i| nodes[i])
+    };
+    let mesh = SectionMesh {
+        nodes: nodes.to_vec(),
+        node_tags: (1..=nodes.len() as u64).collect(),
+        cells: cells.iter().enumerate().map(cell).collect(),
+        groups: vec!["all".into()],
+        curves: Vec::new(),
+    };
+    of_cells(
+        mesh,
+        ElasticLaw::Isotropic {
+            young: 1.0,
+            poisson: 0.3,
+        },
+    )
+}
+
+fn of_cells(mesh: SectionMesh, law: ElasticLaw) -> Section {
+    let material = Material {
+        name: "material".into(),
+        law,
+        density: 2.0,
+    };
+    let cell = |index: usize| CellMaterial {
+        material: 0,
+        fiber_angle: 0.3 + 0.4 * index as f64,
+        plane_angle: 0.2 * index as f64,
+    };
+    Section {
+        name: "sample".into(),
+        cells: (0..mesh.cells.len()).map(cell).collect(),
+        materials: vec![material],
+        mesh,
+    }
+}

@@ -1,0 +1,31 @@
+//! The section as checked and in SI: mesh, materials, and what each cell is
+//! made of. Values only; reading and checking belong to the input stage.
+
+use crate::material::Material;
+use crate::mesh::SectionMesh;
+
+/// A section ready for analysis.
+#[derive(Debug, Clone)]
+pub struct Section {
+    /// Name for reports.
+    pub name: String,
+    /// Nodes and cells in section axes.
+    pub mesh: SectionMesh,
+    /// The materials that cells refer to.
+    pub materials: Vec<Material>,
+    /// Material and orientation of each cell, parallel to `mesh.cells`.
+    pub cells: Vec<CellMaterial>,
+}
+
+/// Material and orientation of one cell, constant over it.
+///
+/// The angles place the material axes as [`crate::material::material_axes`] says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CellMaterial {
+    /// Index into [`Section::materials`].
+    pub material: usize,
+    /// Angle of the fiber from the beam axis x towards the wall direction \[rad\].
+    pub fiber_angle: f64,
+    /// Angle of the wall direction from the section axis y towards z \[rad\].
+    pub plane_angle: f64,
+}

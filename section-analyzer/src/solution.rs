@@ -1,0 +1,61 @@
+//! The result of an analysis: the section as a beam sees it, and what is needed
+//! to recover strains and stresses in it.
+
+use crate::properties::{Centers, PrincipalAxes};
+use nalgebra::{DMatrix, Matrix6};
+
+/// Properties of a section and its central solutions.
+///
+/// Matrices are about the reference point, the origin of the mesh, in section
+/// axes; the order of components is that of [`shared_geom::wrench::COMPONENTS`].
+#[derive(Debug, Clone)]
+pub struct SectionSolution {
+    /// Internal force per unit generalized strain, 6x6 \[N, N m, N m^2\].
+    pub stiffness: Matrix6<f64>,
+    /// Generalized strain per unit internal force, 6x6 \[1/N, 1/(N m), 1/(N m^2)\].
+    pub compliance: Matrix6<f64>,
+    /// Momentum per unit velocity, per length, 6x6 \[kg/m, kg, kg m\].
+    pub mass: Matrix6<f64>,
+    /// Tension, shear and mass center, from the reference point.
+    pub centers: Centers,
+    /// Principal axes of bending: values are bending stiffness \[N m^2\].
+    pub principal_bending: PrincipalAxes,
+    /// Principal axes of rotary inertia about the mass center \[kg m\]; `None`
+    /// without mass.
+    pub principal_inertia: Option<PrincipalAxes>,
+    /// Warping per unit internal force, n x 6, rows ux, uy, uz of each node of the
+    /// mesh \[m/N, 1/N\]; zero at nodes without a cell. The rigid part is removed: the
+    /// stress on the section does no work on it.
+    pub warping: DMatrix<f64>,
+    /// Generalized strain per unit internal force that goes with `warping`, 6x6;
+    /// the compliance again, found another way \[1/N, 1/(N m), 1/(N m^2)\].
+    pub strain: Matrix6<f64>,
+    /// What vouches for the numbers.
+    pub checks: Checks,
+    /// Number of warping unknowns.
+    pub unknowns: usize,
+}
+
+/// Errors that the analysis measures on itself; all relative, all at round-off
+/// when all is well.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Checks {
+    /// Error of each rigid-body identity, order of
+    /// [`crate::assembly::IDENTITIES`] \[-\].
+    pub identities: [f64; 6],
+    /// Last correction of the linear systems, relative to their solution \[-\]:
+    /// the error that iterative refinement has removed.
+    pub correction: f64,
+    /// Difference of the internal force of the six solutions from a unit force,
+    /// entry (i, j) times `sqrt(C_ii / C_jj)` \[-\].
+    pub equilibrium: f64,
+    /// Asymmetry of the generalized strains per unit internal force, relative to
+    /// `sqrt(C_ii C_jj)` \[-\].
+    pub asymmetry: f64,
+    /// Difference of those strains from the energy compliance, relative to
+    /// `sqrt(C_ii C_jj)` \[-\].
+    pub decoupling: f64,
+    /// Smallest pivot of the factorization, relative to its diagonal entry \[-\]:
+    /// about 1e-16 for a section that falls apart.
+    pub smallest_pivot: f64,
+}

@@ -1,0 +1,248 @@
+//! Sparse Cholesky factorization of E with pinned unknowns.
+//!
+//! Pinned rows and columns keep their diagonal entry only: the structure stays
+//! that of E, and the solution is zero there when the right-hand side is.
+
+use super::pins::Pins;
+use crate::assembly::Pattern;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
+use faer::perm::PermRef;
+use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::amd;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Side, Spec};
+use nalgebra::DMatrix;
+use sprs::CsMat;
+
+/// One thread: the result is the same on every machine and every run.
+const SEQUENTIAL: Par = Par::Seq;
+
+/// The smallest pivot of a factorization.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pivot {
+    /// Node of the domain that the unknown belongs to.
+    pub node: usize,
+    /// Pivot relative to the diagonal entry of the matrix \[-\].
+    pub ratio: f64,
+}
+
+/// Why a factorization failed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FactorError {
+    /// The matrix is not positive definite: at this pivot.
+    NotPositive(Pivot),
+    /// No memory.
+    OutOfMemory,
+}
+
+/// `L L' = P E_ff P'`, with E_ff the pinned E.
+#[derive(Debug)]
+pub struct Factor {
+    symbolic: SymbolicCholesky<usize>,
+    values: Vec<f64>,
+    pins: Pins,
+    smallest_pivot: Pivot,
+}
+
+impl Factor {
+    /// Factors the symmetric matrix with lower triangle `e`, of the structure of
+    /// `pattern`, after pinning.
+    ///
+    /// # Errors
+    /// [`FactorError`], also when a pivot is not a number.
+    pub fn new(e: &CsMat<f64>, pattern: &Pattern, pins: Pins) -> Result<Self, FactorError> {
+        let pinned = pinned_values(e, pattern, &pins);
+        let starts = e.indptr();
+        let structure = SymbolicSparseColMatRef::new_checked(
+            e.rows(),
+            e.cols(),
+            starts.raw_storage(),
+            None,
+            e.indices(),
+        );
+
+        let symbolic = analyze(structure, pattern).ok_or(FactorError::OutOfMemory)?;
+        let mut values = vec![0.0; symbolic.len_val()];
+        let request = symbolic.factorize_numeric_llt_scratch::<f64>(SEQUENTIAL, Spec::default());
+        let mut memory = MemBuffer::try_new(request).map_err(|_| FactorError::OutOfMemory)?;
+        let outcome = symbolic.factorize_numeric_llt(
+            &mut values,
+            SparseColMatRef::new(structure, &pinned[..]),
+            Side::Lower,
+            LltRegularization::default(),
+            SEQUENTIAL,
+            MemStack::new(&mut memory),
+            Spec::default(),
+        );
+        if let Err(LltError::NonPositivePivot { index }) = outcome.map(|_| ()) {
+            let node = node_of_pivot(&symbolic, index);
+            return Err(FactorError::NotPositive(Pivot { node, ratio: 0.0 }));
+        }
+
+        let smallest_pivot = smallest_pivot(&symbolic, &values, e);
+        if smallest_pivot.ratio > 0.0 {
+            Ok(Self {
+                symbolic,
+                values,
+                pins,
+                smallest_pivot,
+            })
+        } else {
+            Err(FactorError::NotPositive(smallest_pivot))
+        }
+    }
+
+    /// Replaces the columns of `x` by the solutions of `E_ff x = b`, pinned
+    /// unknowns zero; `None` when there is no memory for it.
+    pub fn solve(&self, x: &mut DMatrix<f64>) -> Option<()> {
+        self.clear_pinned(x);
+        let (rows, columns) = x.shape();
+        let request = self
+            .symbolic
+            .solve_in_place_scratch::<f64>(columns, SEQUENTIAL);
+        let mut memory = MemBuffer::try_new(request).ok()?;
+        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(x.as_mut_slice(), rows, columns),
+            SEQUENTIAL,
+            MemStack::new(&mut memory),
+        );
+        Some(())
+    }
+
+    /// Sets the rows of pinned unknowns to zero.
+    pub fn clear_pinned(&self, x: &mut DMatrix<f64>) {
+        for &pin in self.pins.unknowns() {
+            x.row_mut(pin).fill(0.0);
+        }
+    }
+
+    /// The smallest pivot: how close the matrix is to being singular.
+    pub fn smallest_pivot(&self) -> Pivot {
+        self.smallest_pivot
+    }
+}
+
+/// Values of `e` with zeros in the rows and columns of pins, off the diagonal.
+fn pinned_values(e: &CsMat<f64>, pattern: &Pattern, pins: &Pins) -> Vec<f64> {
+    let mut values = e.data().to_vec();
+    for &pin in pins.unknowns() {
+        // the column below the diagonal entry, which comes first
+        let column = e.indptr().outer_inds_sz(pin);
+        values[column]
+            .iter_mut()
+            .skip(1)
+            .for_each(|value| *value = 0.0);
+
+        // the row left of the diagonal entry
+        let (node, axis) = (pin / 3, pin % 3);
+        for &other in pattern.neighbors(node) {
+            let left = 3 * other as usize..pin.min(3 * other as usize + 3);
+            for column in left {
+                let b = column % 3;
+                let skipped = if other as usize == node { b } else { 0 };
+                values[pattern.entries(node as u32, other, b) + axis - skipped] = 0.0;
+            }
+        }
+    }
+    values
+}
+
+/// Fill-reducing order and structure of the factor; `None` without memory.
+///
+/// The order is found on the graph of nodes, nine times smaller than that of the
+/// unknowns and with the same fill: the three unknowns of a node have the same
+/// neighbors.
+fn analyze(
+    structure: SymbolicSparseColMatRef<'_, usize>,
+    pattern: &Pattern,
+) -> Option<SymbolicCholesky<usize>> {
+    let order = order_of_nodes(pattern)?;
+    let forward: Vec<usize> = order
+        .iter()
+        .flat_map(|node| [3 * node, 3 * node + 1, 3 * node + 2])
+        .collect();
+    let mut inverse = vec![0; forward.len()];
+    for (position, &unknown) in forward.iter().enumerate() {
+        inverse[unknown] = position;
+    }
+    let parameters = CholeskySymbolicParams {
+        supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+        ..CholeskySymbolicParams::default()
+    };
+    factorize_symbolic_cholesky(
+        structure,
+        Side::Lower,
+        SymmetricOrdering::Custom(PermRef::new_checked(&forward, &inverse, forward.len())),
+        parameters,
+    )
+    .ok()
+}
+
+/// Approximate minimum degree order of the nodes.
+fn order_of_nodes(pattern: &Pattern) -> Option<Vec<usize>> {
+    let (starts, neighbors) = pattern.adjacency();
+    let neighbors: Vec<usize> = neighbors.iter().map(|&node| node as usize).collect();
+    let n = pattern.node_count();
+    let graph = SymbolicSparseColMatRef::new_checked(n, n, starts, None, &neighbors);
+
+    let mut forward = vec![0; n];
+    let mut inverse = vec![0; n];
+    let request = amd::order_scratch::<usize>(n, neighbors.len());
+    let mut memory = MemBuffer::try_new(request).ok()?;
+    amd::order(
+        &mut forward,
+        &mut inverse,
+        graph,
+        amd::Control::default(),
+        MemStack::new(&mut memory),
+    )
+    .ok()?;
+    Some(forward)
+}
+
+/// Node of the unknown that stands at `index` of the factor.
+fn node_of_pivot(symbolic: &SymbolicCholesky<usize>, index: usize) -> usize {
+    let last = symbolic.nrows().saturating_sub(1);
+    let index = index.min(last);
+    let unknown = symbolic.perm().map_or(index, |perm| perm.arrays().0[index]);
+    unknown / 3
+}
+
+/// The smallest ratio of a squared diagonal entry of the factor to the diagonal
+/// entry of the matrix; a ratio that is not a number counts as smallest.
+fn smallest_pivot(symbolic: &SymbolicCholesky<usize>, factor: &[f64], e: &CsMat<f64>) -> Pivot {
+    let mut smallest = Pivot {
+        node: 0,
+        ratio: f64::INFINITY,
+    };
+    let SymbolicCholeskyRaw::Supernodal(blocks) = symbolic.raw() else {
+        return smallest;
+    };
+    for s in 0..blocks.n_supernodes() {
+        let (begin, end) = (blocks.supernode_begin()[s], blocks.supernode_end()[s]);
+        let first = blocks.col_ptr_for_val()[s];
+        let rows = (blocks.col_ptr_for_val()[s + 1] - first) / (end - begin);
+        for column in begin..end {
+            let local = column - begin;
+            let pivot = factor[first + local * rows + local].powi(2);
+            let unknown = symbolic
+                .perm()
+                .map_or(column, |perm| perm.arrays().0[column]);
+            let diagonal = e.data()[e.indptr().outer_inds_sz(unknown).start];
+            let ratio = pivot / diagonal;
+            if ratio.is_nan() || ratio < smallest.ratio {
+                smallest = Pivot {
+                    node: unknown / 3,
+                    ratio,
+                };
+            }
+        }
+    }
+    smallest
+}

@@ -1,0 +1,471 @@
+//! Sections with closed-form properties.
+//!
+//! # References
+//! - [saint-venant] Timoshenko, Goodier, *Theory of Elasticity*, 3rd ed. 1970,
+//!   sections 104 and 109: torsion of elliptic and rectangular bars (series).
+//! - [lekhnitskii] Lekhnitskii, *Theory of Elasticity of an Anisotropic Elastic
+//!   Body*, 1963, chapters 3 and 4: extension, bending and torsion of bars that are
+//!   anisotropic off their axis; torsion of an orthotropic rectangle.
+//! - [renton] Renton, *Generalized beam theory applied to shear stiffness*, Int. J.
+//!   Solids Structures 27 (1991) 1955-1967: shear stiffness from the energy of the
+//!   Saint-Venant solution, rectangle and circle. (Cowper, J. Appl. Mech. 33 (1966)
+//!   335-340, averages displacements instead and has other factors: 6/(12 + 11 nu)
+//!   times 10 (1 + nu)/6 for the rectangle. The stiffness of a section is
+//!   the energy one.)
+//! - [schramm] Schramm, Kitis, Kang, Pilkey, *On the shear deformation coefficient in
+//!   beam theory*, Finite Elements Anal. Des. 16 (1994) 141-162: the tube.
+
+use std::f64::consts::PI;
+
+use nalgebra::Matrix6;
+use section_analyzer::material::EngineeringConstants;
+use section_analyzer::mesh::generate::{Ellipse, Rectangle, Tube};
+use section_analyzer::section::Section;
+use shared_geom::mesh::{CellKind, Mesh};
+
+use crate::sections::{isotropic, of_two, orthotropic, relative_error, solved, uniform};
+
+const NU: f64 = 0.3;
+
+const LINEAR: [CellKind; 2] = [CellKind::Triangle3, CellKind::Quadrilateral4];
+
+const QUADRATIC: [CellKind; 3] = [
+    CellKind::Triangle6,
+    CellKind::Quadrilateral8,
+    CellKind::Quadrilateral9,
+];
+
+/// Cells of one family: its kinds, and the least order of convergence to observe.
+///
+/// The theory has order 2 for linear cells and 4 for quadratic ones.
+struct Family {
+    kinds: &'static [CellKind],
+    order: f64,
+    /// Cells per side of three rectangles.
+    rectangle: [usize; 3],
+    /// Cells per quarter of three ellipses, and through the walls of tubes.
+    round: [usize; 3],
+}
+
+const FAMILIES: [Family; 2] = [
+    Family {
+        kinds: &LINEAR,
+        order: 1.9,
+        rectangle: [8, 16, 32],
+        round: [4, 8, 16],
+    },
+    Family {
+        kinds: &QUADRATIC,
+        order: 3.7,
+        rectangle: [6, 12, 24],
+        round: [4, 8, 16],
+    },
+];
+
+/// What a corner takes from the order of torsion with quadratic cells: the torsion
+/// function goes as r^2 log r there, and the error as h^4 log(1/h). Between n and 2 n
+/// cells the logarithm costs log2(log 2n / log n) = 0.47 (n = 6), 0.36 (n = 12); linear
+/// cells do not see it.
+const CORNER_LOSS: f64 = 0.2;
+
+/// Checks the observed orders of stiffness entries (name, index on the diagonal,
+/// closed form) over three meshes for all kinds of cells; `loss` is what the least
+/// order of quadratic cells is lowered by.
+fn check_orders(
+    what: &str,
+    cells: impl Fn(&Family) -> [usize; 3],
+    section: impl Fn(usize, CellKind) -> Section,
+    loss: f64,
+    entries: &[(&str, usize, f64)],
+) {
+    for family in &FAMILIES {
+        for &kind in family.kinds {
+            let least = family.order - if kind.is_quadratic() { loss } else { 0.0 };
+            let stiffness = cells(family).map(|n| solved(&section(n, kind)).stiffness);
+            for &(name, entry, expected) in entries {
+                let [coarse, middle, fine] =
+                    stiffness.map(|k| relative_error(k[(entry, entry)], expected));
+                let orders = [(coarse / middle).log2(), (middle / fine).log2()];
+                println!(
+                    "{what} {name} {kind:?}: errors {coarse:.1e} {middle:.1e} {fine:.1e}, \
+                     orders {orders:.2?}"
+                );
+                for order in orders {
+                    assert!(order >= least, "{what} {name} {kind:?}: order {order}");
+                }
+            }
+        }
+    }
+}
+
+fn rectangle(width: f64, height: f64, cells: [usize; 2], kind: CellKind) -> Mesh {
+    Rectangle {
+        width,
+        height,
+        cells_y: cells[0],
+        cells_z: cells[1],
+        kind,
+        name: "bar".into(),
+    }
+    .generate()
+    .expect("sound measures")
+}
+
+fn ellipse(semi_y: f64, semi_z: f64, cells: usize, kind: CellKind) -> Mesh {
+    Ellipse {
+        semi_y,
+        semi_z,
+        cells,
+        kind,
+        curved: true,
+    }
+    .generate()
+    .expect("sound measures")
+}
+
+fn tube(inner: f64, outer: f64, cells: usize, kind: CellKind) -> Mesh {
+    Tube {
+        outer_radius: outer,
+        thickness: outer - inner,
+        cells_around: 8 * cells,
+        cells_through: cells,
+        kind,
+        curved: true,
+    }
+    .generate()
+    .expect("sound measures")
+}
+
+/// Saint-Venant torsion constant of a rectangle [m^4]:
+/// `J = a b^3 (1/3 - 64/pi^5 b/a sum_{n odd} tanh(n pi a / 2b) / n^5)`, [saint-venant].
+///
+/// Terms fall with n^-5: 200 of them leave less than 1e-12.
+fn torsion_constant(a: f64, b: f64) -> f64 {
+    let (a, b) = (a.max(b), a.min(b));
+    let term = |n: f64| (n * PI * a / (2.0 * b)).tanh() / n.powi(5);
+    let sum: f64 = (0..200).map(|k| term(f64::from(2 * k + 1))).sum();
+    a * b.powi(3) * (1.0 / 3.0 - 64.0 / PI.powi(5) * (b / a) * sum)
+}
+
+/// Shear factor of a rectangle, r = size across the shear / size along it:
+/// `1/k = 6/5 + (nu/(1+nu))^2 r^4 (1/5 - 18/pi^5 r sum tanh(m pi/r) / m^5)`, [renton].
+fn rectangle_shear_factor(nu: f64, r: f64) -> f64 {
+    let sum: f64 = (1..400)
+        .map(|m| (f64::from(m) * PI / r).tanh() / f64::from(m).powi(5))
+        .sum();
+    let series = 0.2 - 18.0 / PI.powi(5) * r * sum;
+    1.0 / (1.2 + (nu / (1.0 + nu)).powi(2) * r.powi(4) * series)
+}
+
+/// Shear factor of a circular tube, m = inner / outer radius, [schramm]; m = 0 is
+/// the full circle, `6 (1+nu)^2 / (7 + 14 nu + 8 nu^2)`, [renton]; m = 1 the thin
+/// tube, 1/2.
+fn tube_shear_factor(nu: f64, m: f64) -> f64 {
+    let n = (1.0 + m * m).powi(2);
+    6.0 * (1.0 + nu).powi(2) * n
+        / ((7.0 + 14.0 * nu + 8.0 * nu * nu) * n + 4.0 * m * m * (5.0 + 10.0 * nu + 4.0 * nu * nu))
+}
+
+/// The series against values printed in tables: Timoshenko and Goodier table of
+/// section 109 (0.1406, 0.229, 0.291 for 1, 2, 5) and the limits of the tube.
+#[test]
+fn the_series_meet_their_tables() {
+    for (ratio, expected) in [(1.0, 0.1406), (2.0, 0.229), (5.0, 0.291)] {
+        assert!((torsion_constant(ratio, 1.0) / ratio - expected).abs() < 5e-4);
+    }
+    assert!((rectangle_shear_factor(0.0, 2.0) - 5.0 / 6.0).abs() < 1e-15);
+    assert!((tube_shear_factor(NU, 1.0) - 0.5).abs() < 1e-15);
+    assert!((tube_shear_factor(NU, 0.0) - 0.850671).abs() < 1e-6);
+}
+
+/// Square of side 1, E = 1: EA = 1, EI = 1/12. Quadratic cells contain the exact
+/// field (Poisson contraction quadratic in y, z), so that only round-off is left.
+#[test]
+fn square_extension_and_bending_are_exact() {
+    for kind in QUADRATIC {
+        for nu in [0.0, NU] {
+            let mesh = rectangle(1.0, 1.0, [4, 4], kind);
+            let k = solved(&uniform(&mesh, isotropic(1.0, nu), 0.0)).stiffness;
+            assert!(relative_error(k[(0, 0)], 1.0) < 1e-12, "{kind:?} nu {nu}");
+            for i in [4, 5] {
+                assert!(
+                    relative_error(k[(i, i)], 1.0 / 12.0) < 1e-12,
+                    "{kind:?} nu {nu}"
+                );
+            }
+        }
+    }
+}
+
+/// Linear cells do not contain the Poisson contraction of bending: second order.
+#[test]
+fn square_bending_converges_with_linear_cells() {
+    for kind in LINEAR {
+        let errors = [8, 16].map(|n| {
+            let mesh = rectangle(1.0, 1.0, [n, n], kind);
+            let k = solved(&uniform(&mesh, isotropic(1.0, NU), 0.0)).stiffness;
+            relative_error(k[(4, 4)], 1.0 / 12.0)
+        });
+        assert!(
+            (errors[0] / errors[1]).log2() >= 1.9,
+            "{kind:?}: {errors:?}"
+        );
+    }
+}
+
+/// Torsion and both shears of a square against the series of Saint-Venant
+/// ([`torsion_constant`], [`rectangle_shear_factor`]).
+#[test]
+fn square_torsion_and_shear_converge() {
+    let g = 1.0 / (2.0 * (1.0 + NU));
+    let shear = g * rectangle_shear_factor(NU, 1.0);
+    check_orders(
+        "square",
+        |family| family.rectangle,
+        |n, kind| uniform(&rectangle(1.0, 1.0, [n, n], kind), isotropic(1.0, NU), 0.0),
+        CORNER_LOSS,
+        &[
+            ("shear y", 1, shear),
+            ("shear z", 2, shear),
+            ("torsion", 3, g * torsion_constant(1.0, 1.0)),
+        ],
+    );
+}
+
+/// Rectangles of width/depth r: the shear factors along the depth of [renton] for
+/// nu = 0.3, six digits, and the torsion series. The tolerance is what 16 quadratic
+/// cells per side leave by the errors and orders above, 1e-5, and ten times that for
+/// cells stretched to 5:1.
+#[test]
+fn rectangles_have_their_shear_factors_and_torsion() {
+    let g = 1.0 / (2.0 * (1.0 + NU));
+    for (r, factor, tolerance) in [
+        (0.5, 0.832942, 2e-5),
+        (1.0, 0.828217, 2e-5),
+        (2.0, 0.784442, 2e-5),
+        (5.0, 0.478054, 2e-4),
+    ] {
+        assert!((rectangle_shear_factor(NU, r) - factor).abs() < 1e-6);
+        for kind in [CellKind::Quadrilateral8, CellKind::Quadrilateral9] {
+            let mesh = rectangle(r, 1.0, [16, 16], kind);
+            let k = solved(&uniform(&mesh, isotropic(1.0, NU), 0.0)).stiffness;
+            let shear = relative_error(k[(2, 2)], rectangle_shear_factor(NU, r) * g * r);
+            let torsion = relative_error(k[(3, 3)], g * torsion_constant(r, 1.0));
+            println!("r = {r} {kind:?}: shear {shear:.1e}, torsion {torsion:.1e}");
+            assert!(shear < tolerance, "r = {r} {kind:?}: shear {shear:e}");
+            assert!(torsion < tolerance, "r = {r} {kind:?}: torsion {torsion:e}");
+        }
+    }
+}
+
+/// Ellipse 2:1: `GJ = G pi a^3 b^3 / (a^2 + b^2)`, [saint-venant], and EA, EI of the
+/// area. Curved sides: the boundary is met to fourth order.
+#[test]
+fn ellipse_torsion_and_bending_converge() {
+    let (a, b) = (2.0_f64, 1.0_f64);
+    let g = 1.0 / (2.0 * (1.0 + NU));
+    check_orders(
+        "ellipse",
+        |family| family.round,
+        |n, kind| uniform(&ellipse(a, b, n, kind), isotropic(1.0, NU), 0.0),
+        0.0,
+        &[
+            ("axial", 0, PI * a * b),
+            ("torsion", 3, g * PI * (a * b).powi(3) / (a * a + b * b)),
+            ("bending y", 4, PI * a * b.powi(3) / 4.0),
+            ("bending z", 5, PI * a.powi(3) * b / 4.0),
+        ],
+    );
+}
+
+/// Circle: shear factor `6 (1+nu)^2 / (7 + 14 nu + 8 nu^2)`, [renton], and polar moment.
+#[test]
+fn circle_shear_and_torsion_converge() {
+    let g = 1.0 / (2.0 * (1.0 + NU));
+    let shear = g * PI * tube_shear_factor(NU, 0.0);
+    check_orders(
+        "circle",
+        |family| family.round,
+        |n, kind| uniform(&ellipse(1.0, 1.0, n, kind), isotropic(1.0, NU), 0.0),
+        0.0,
+        &[
+            ("shear y", 1, shear),
+            ("shear z", 2, shear),
+            ("torsion", 3, g * PI / 2.0),
+        ],
+    );
+}
+
+/// Tube with inner / outer radius 0.8: shear factor of [schramm] (0.510133), polar
+/// moment.
+#[test]
+fn tube_shear_and_torsion_converge() {
+    let (inner, outer) = (0.8_f64, 1.0_f64);
+    let g = 1.0 / (2.0 * (1.0 + NU));
+    let area = PI * (outer.powi(2) - inner.powi(2));
+    let polar = PI * (outer.powi(4) - inner.powi(4)) / 2.0;
+    assert!((tube_shear_factor(NU, 0.8) - 0.510133).abs() < 1e-6);
+    let shear = g * area * tube_shear_factor(NU, 0.8);
+    check_orders(
+        "tube",
+        |family| family.round,
+        |n, kind| uniform(&tube(inner, outer, n, kind), isotropic(1.0, NU), 0.0),
+        0.0,
+        &[
+            ("shear y", 1, shear),
+            ("shear z", 2, shear),
+            ("torsion", 3, g * polar),
+        ],
+    );
+}
+
+/// A carbon ply; fiber in planes z = constant.
+const PLY: EngineeringConstants = EngineeringConstants {
+    e1: 20.0,
+    e2: 1.4,
+    e3: 1.3,
+    g12: 0.8,
+    g13: 0.7,
+    g23: 0.5,
+    nu12: 0.3,
+    nu13: 0.32,
+    nu23: 0.4,
+};
+
+/// Compliance of the ply turned by theta: along x, and between extension along x
+/// and shear xy (Jones 1999, eq. 2.88).
+fn off_axis_compliance(theta: f64) -> (f64, f64) {
+    let (sin, cos) = theta.sin_cos();
+    let mixed = 2.0 * PLY.nu12 / PLY.e1 - 1.0 / PLY.g12;
+    let s11 = cos.powi(4) / PLY.e1 - mixed * (sin * cos).powi(2) + sin.powi(4) / PLY.e2;
+    let s16 =
+        (2.0 / PLY.e1 + mixed) * sin * cos.powi(3) - (2.0 / PLY.e2 + mixed) * sin.powi(3) * cos;
+    (s11, s16)
+}
+
+/// Rectangle 2 x 1 with fibers off the axis, [lekhnitskii]: the fields of extension
+/// and bending are quadratic, so that quadratic cells give the compliance exactly:
+/// C11 = S11/A, C12 = S16/A, C55 = S11/Iy, C66 = S11/Iz, C45 = -S16/(2 Iy).
+#[test]
+fn off_axis_rectangle_is_exact() {
+    let (width, height) = (2.0_f64, 1.0_f64);
+    let area = width * height;
+    let (iy, iz) = (width * height.powi(3) / 12.0, width.powi(3) * height / 12.0);
+    for kind in QUADRATIC {
+        for degrees in [0.0_f64, 15.0, 30.0, 45.0] {
+            let theta = degrees.to_radians();
+            let mesh = rectangle(width, height, [6, 4], kind);
+            let c = solved(&uniform(&mesh, orthotropic(PLY), theta)).compliance;
+            let (s11, s16) = off_axis_compliance(theta);
+            for (i, j, expected) in [
+                (0, 0, s11 / area),
+                (0, 1, s16 / area),
+                (4, 4, s11 / iy),
+                (5, 5, s11 / iz),
+                (3, 4, -s16 / (2.0 * iy)),
+                (0, 4, 0.0),
+                (0, 5, 0.0),
+            ] {
+                let error = (c[(i, j)] - expected).abs() / (c[(i, i)] * c[(j, j)]).sqrt();
+                assert!(
+                    error < 1e-12,
+                    "{kind:?} {degrees} deg ({i}, {j}): {error:e}"
+                );
+            }
+        }
+    }
+}
+
+/// Torsion of an orthotropic rectangle, [lekhnitskii]: with s = sqrt(Gxz / Gxy) the
+/// coordinate z / s makes the problem isotropic, `GJ = Gxy s^3 J(width, height / s)`.
+#[test]
+fn orthotropic_torsion_converges() {
+    let ply = EngineeringConstants {
+        g12: 2.0,
+        g13: 1.0,
+        ..PLY
+    };
+    let (width, height) = (1.5, 1.0);
+    let s = (ply.g13 / ply.g12).sqrt();
+    let expected = ply.g12 * s.powi(3) * torsion_constant(width, height / s);
+    check_orders(
+        "orthotropic rectangle",
+        |family| family.rectangle,
+        |n, kind| {
+            uniform(
+                &rectangle(width, height, [n, n], kind),
+                orthotropic(ply),
+                0.0,
+            )
+        },
+        CORNER_LOSS,
+        &[("torsion", 3, expected)],
+    );
+}
+
+/// Extension and bending of a rectangle whose part `y < split` has modulus `first`
+/// and the rest `second`, from the areas.
+fn two_part_stiffness(width: f64, height: f64, split: f64, moduli: [f64; 2]) -> Matrix6<f64> {
+    let mut k = Matrix6::zeros();
+    let parts = [(-width / 2.0, split), (split, width / 2.0)];
+    for ((left, right), e) in parts.into_iter().zip(moduli) {
+        let area = (right - left) * height;
+        let first = 0.5 * (right * right - left * left) * height;
+        k[(0, 0)] += e * area;
+        k[(0, 5)] -= e * first;
+        k[(4, 4)] += e * area * height * height / 12.0;
+        k[(5, 5)] += e * (right.powi(3) - left.powi(3)) / 3.0 * height;
+    }
+    k[(5, 0)] = k[(0, 5)];
+    k
+}
+
+fn check_two_parts(moduli: [f64; 2], tolerance: f64) {
+    let (width, height, split) = (2.0, 1.0, -0.25);
+    let expected = two_part_stiffness(width, height, split, moduli);
+    for kind in QUADRATIC {
+        let mesh = rectangle(width, height, [16, 6], kind);
+        let materials = moduli.map(|young| isotropic(young, NU));
+        let k = solved(&of_two(&mesh, materials, |[y, _]| y < split)).stiffness;
+        for i in [0, 4, 5] {
+            for j in [0, 4, 5] {
+                let scale = (expected[(i, i)] * expected[(j, j)]).sqrt();
+                let error = (k[(i, j)] - expected[(i, j)]).abs() / scale;
+                assert!(
+                    error < tolerance,
+                    "{kind:?} {moduli:?} ({i}, {j}): {error:e}"
+                );
+            }
+        }
+    }
+}
+
+/// Two materials of equal Poisson's ratio: the parts contract alike, so that
+/// extension and bending are sums over the areas, exactly.
+#[test]
+fn two_materials_of_equal_poisson_ratio_add_up() {
+    check_two_parts([10.0, 1.0], 1e-12);
+}
+
+/// The same with moduli a thousand million apart, either way round: no more than a
+/// few digits may be lost.
+#[test]
+fn moduli_far_apart_keep_the_digits() {
+    check_two_parts([1e9, 1.0], 1e-11);
+    check_two_parts([1.0, 1e9], 1e-11);
+    check_two_parts([210e9, 210.0], 1e-11);
+}
+
+/// Two materials of unequal Poisson's ratio hinder each other's contraction: the
+/// stiffness exceeds the sums, but not by more than plane strain would,
+/// `1 / (1 - nu^2)` at most.
+#[test]
+fn unequal_poisson_ratios_stiffen() {
+    let mesh = rectangle(1.0, 2.0, [8, 16], CellKind::Quadrilateral9);
+    let materials = [isotropic(10.0, 0.3), isotropic(1.0, 0.1)];
+    let k = solved(&of_two(&mesh, materials, |[_, z]| z < 0.0)).stiffness;
+    for (found, sum) in [(k[(0, 0)], 11.0), (k[(4, 4)], 11.0 / 3.0)] {
+        assert!(found > sum * (1.0 + 1e-6), "{found} against {sum}");
+        assert!(found < sum / (1.0 - 0.3 * 0.3), "{found} against {sum}");
+    }
+}
