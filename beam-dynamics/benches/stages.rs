@@ -37,8 +37,16 @@ fn system() -> System {
     for e in 0..ELEMENTS {
         let on = [2 * e, 2 * e + 1, 2 * e + 2];
         let at = on.map(|i| &nodes[i]);
-        elements.push(Box::new(ElasticBeam::new("beam", on, geometry, at, [stiffness; 2])));
-        elements.push(Box::new(BeamInertia::new("beam", on, geometry, at, |_| mass)));
+        elements.push(Box::new(ElasticBeam::new(
+            "beam",
+            on,
+            geometry,
+            at,
+            [stiffness; 2],
+        )));
+        elements.push(Box::new(BeamInertia::new("beam", on, geometry, at, |_| {
+            mass
+        })));
     }
     System::new(nodes, elements)
 }
@@ -58,8 +66,12 @@ fn stages(criterion: &mut Criterion) {
     let tangent = system.tangent(&steady.state, &frame);
 
     let mut group = criterion.benchmark_group("modes");
-    group.bench_function("residual", |b| b.iter(|| black_box(system.residual(&rest, &frame))));
-    group.bench_function("tangent", |b| b.iter(|| black_box(system.tangent(&rest, &frame))));
+    group.bench_function("residual", |b| {
+        b.iter(|| black_box(system.residual(&rest, &frame)))
+    });
+    group.bench_function("tangent", |b| {
+        b.iter(|| black_box(system.tangent(&rest, &frame)))
+    });
     group.bench_function("factorization", |b| {
         b.iter(|| black_box(solver.factorize(tangent.by_unknowns.clone())));
     });
@@ -84,7 +96,9 @@ fn whole(criterion: &mut Criterion) {
         speeds: vec![0.0, SPEED],
         count: 10,
     };
-    criterion.bench_function("modes at two speeds", |b| b.iter(|| black_box(modes(&case))));
+    criterion.bench_function("modes at two speeds", |b| {
+        b.iter(|| black_box(modes(&case)))
+    });
 }
 
 criterion_group!(benches, stages, whole);

@@ -20,7 +20,7 @@ pub use local::{LocalJacobian, LocalResidual};
 pub struct Local<'a> {
     /// Motion of the element's nodes, in its own order.
     pub nodes: &'a [NodeMotion],
-    /// The element's multipliers.
+    /// The element's multipliers [N, N m].
     pub multipliers: &'a [f64],
     /// The frame of the model.
     pub frame: &'a TurningFrame,

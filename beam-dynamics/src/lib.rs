@@ -8,8 +8,11 @@
 pub mod analysis;
 pub mod assembly;
 pub mod case;
+pub mod cli;
 pub mod elements;
+pub mod input;
 pub mod model;
 pub mod modes;
+pub mod output;
 pub mod result;
 pub mod solver;

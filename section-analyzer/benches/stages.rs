@@ -48,29 +48,45 @@ fn section() -> Option<Section> {
 
 fn stages(criterion: &mut Criterion) {
     let Some(section) = section() else { return };
-    let Ok(domain) = Domain::new(&section) else { return };
+    let Ok(domain) = Domain::new(&section) else {
+        return;
+    };
     let pattern = Pattern::new(&domain);
-    let Ok(matrices) = SectionMatrices::assemble(&domain, &pattern) else { return };
-    let Ok(pins) = Pins::choose(&domain.nodes) else { return };
-    let Ok(system) = CentralSystem::new(&domain, &pattern, &matrices, pins.clone()) else { return };
+    let Ok(matrices) = SectionMatrices::assemble(&domain, &pattern) else {
+        return;
+    };
+    let Ok(pins) = Pins::choose(&domain.nodes) else {
+        return;
+    };
+    let Ok(system) = CentralSystem::new(&domain, &pattern, &matrices, pins) else {
+        return;
+    };
 
     let mut group = criterion.benchmark_group("section");
     group.sample_size(10);
     group.bench_function("domain and pattern", |b| {
-        b.iter(|| black_box(Domain::new(&section).map(|domain| Pattern::new(&domain)).is_ok()));
+        b.iter(|| {
+            black_box(
+                Domain::new(&section)
+                    .map(|domain| Pattern::new(&domain))
+                    .is_ok(),
+            )
+        });
     });
     group.bench_function("assembly", |b| {
         b.iter(|| black_box(SectionMatrices::assemble(&domain, &pattern).is_ok()));
     });
     group.bench_function("factorization", |b| {
         b.iter(|| {
-            black_box(CentralSystem::new(&domain, &pattern, &matrices, pins.clone()).is_ok())
+            black_box(CentralSystem::new(&domain, &pattern, &matrices, pins).is_ok())
         });
     });
     group.bench_function("central solutions", |b| {
         b.iter(|| black_box(CentralSolution::solve(&domain, &system).is_some()));
     });
-    group.bench_function("whole analysis", |b| b.iter(|| black_box(analyze(&section).is_ok())));
+    group.bench_function("whole analysis", |b| {
+        b.iter(|| black_box(analyze(&section).is_ok()))
+    });
     group.finish();
 }
 

@@ -267,5 +267,4 @@ fn place_of(section: &Section, domain: &Domain, node: usize) -> [f64; 2] {
 }
 
 #[cfg(test)]
-#[path = "analysis_tests.rs"]
 mod tests;

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
-use shared_geom::error::{Diagnostics, Explain};
+use shared_geom::error::{Diagnostics, Explain, Place};
 
 use crate::analysis::analyze;
 use crate::input::{self, Input};
@@ -167,7 +167,9 @@ fn analyze_file(
             let mesh = MeshPlot::new(section, summary, None);
             let written = write_text(&files.report(), &text)
                 .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh));
-            let stop = terminal.tell(&failure, NOT_REACHED);
+            let place = Place::file(file.display().to_string());
+            let problem = Diagnostics::one(place, &failure);
+            let stop = terminal.tell_text(&problem.to_string(), NOT_REACHED);
             list(&[files.report(), files.mesh()], written, terminal)?;
             Err(stop)
         }

@@ -76,6 +76,3 @@ pub mod properties;
 pub mod section;
 pub mod solution;
 pub mod solve;
-
-#[cfg(test)]
-mod samples;

@@ -29,3 +29,6 @@ pub struct CellMaterial {
     /// Angle of the wall direction from the section axis y towards z \[rad\].
     pub plane_angle: f64,
 }
+
+#[cfg(test)]
+pub(crate) mod samples;

@@ -4,7 +4,7 @@
 //! or SVG file, by the ending of the file's name. Lengths are figure pixels: a
 //! figure [`WIDTH`] pixels wide is meant for the width of a text page, where
 //! [`TEXT`] pixels are the size of the page's own letters. PNG files are drawn
-//! [`OVERSAMPLING`] times larger and averaged, because the bitmap backend itself
+//! several times larger and averaged, because the bitmap backend itself
 //! leaves the edges of circles and polygons jagged.
 
 use std::ffi::OsStr;

@@ -424,7 +424,7 @@ mod tests {
         assert_relative_eq!(slug.factor, 515.378_818_4, max_relative = 1e-9);
         // 1 psi = 6894.757293 Pa (NIST SP 811).
         let psi = parse_as("lbf/in^2", Dimension::STRESS).unwrap();
-        assert_relative_eq!(psi.factor, 6894.757_293, max_relative = 1e-9);
+        assert_relative_eq!(psi.factor, 6_894.757_293, max_relative = 1e-9);
         assert_relative_eq!(
             parse("psi").unwrap().factor,
             psi.factor,
@@ -480,7 +480,7 @@ mod tests {
     #[test]
     fn quantities_carry_their_unit() {
         let e = parse_quantity("10.6e6 psi", Dimension::STRESS).unwrap();
-        assert_relative_eq!(e, 10.6e6 * 6894.757_293_168, max_relative = 1e-12);
+        assert_relative_eq!(e, 10.6e6 * 6_894.757_293_168, max_relative = 1e-12);
         assert!(parse_quantity("psi", Dimension::STRESS).is_err());
         assert!(parse_quantity("ten psi", Dimension::STRESS).is_err());
     }

@@ -29,7 +29,13 @@ fn a_tip_force_is_exact_for_any_mesh() {
         let deflection = 1.0 / (3.0 * 3.0) + 1.0 / 50.0;
         // A force along +z turns the section about -y.
         let slope = -1.0 / (2.0 * 3.0);
-        assert!((solution[tip + 2] / deflection - 1.0).abs() < 1e-10, "{elements}");
-        assert!((solution[tip + 4] / slope - 1.0).abs() < 1e-10, "{elements}");
+        assert!(
+            (solution[tip + 2] / deflection - 1.0).abs() < 1e-10,
+            "{elements}"
+        );
+        assert!(
+            (solution[tip + 4] / slope - 1.0).abs() < 1e-10,
+            "{elements}"
+        );
     }
 }

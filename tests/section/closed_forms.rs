@@ -2,18 +2,19 @@
 //!
 //! # References
 //! - [saint-venant] Timoshenko, Goodier, *Theory of Elasticity*, 3rd ed. 1970,
-//!   sections 104 and 109: torsion of elliptic and rectangular bars (series).
+//!   chapters 10 and 11: torsion of elliptic and rectangular bars; bending of a
+//!   circular bar by a shear force.
 //! - [lekhnitskii] Lekhnitskii, *Theory of Elasticity of an Anisotropic Elastic
 //!   Body*, 1963, chapters 3 and 4: extension, bending and torsion of bars that are
 //!   anisotropic off their axis; torsion of an orthotropic rectangle.
 //! - [renton] Renton, *Generalized beam theory applied to shear stiffness*, Int. J.
 //!   Solids Structures 27 (1991) 1955-1967: shear stiffness from the energy of the
-//!   Saint-Venant solution, rectangle and circle. (Cowper, J. Appl. Mech. 33 (1966)
-//!   335-340, averages displacements instead and has other factors: 6/(12 + 11 nu)
-//!   times 10 (1 + nu)/6 for the rectangle. The stiffness of a section is
-//!   the energy one.)
+//!   Saint-Venant solution. (Cowper, J. Appl. Mech. 33 (1966) 335-340, averages
+//!   displacements instead, `10 (1 + nu) / (12 + 11 nu)` for the rectangle; the
+//!   stiffness that belongs to a compliance is that of the energy.)
 //! - [schramm] Schramm, Kitis, Kang, Pilkey, *On the shear deformation coefficient in
-//!   beam theory*, Finite Elements Anal. Des. 16 (1994) 141-162: the tube.
+//!   beam theory*, Finite Elements Anal. Des. 16 (1994) 141-162: the same for other
+//!   shapes, the tube among them.
 
 use std::f64::consts::PI;
 
@@ -22,6 +23,7 @@ use section_analyzer::material::EngineeringConstants;
 use section_analyzer::mesh::generate::{Ellipse, Rectangle, Tube};
 use section_analyzer::section::Section;
 use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::quadrature;
 
 use crate::sections::{isotropic, of_two, orthotropic, relative_error, solved, uniform};
 
@@ -166,16 +168,47 @@ fn tube_shear_factor(nu: f64, m: f64) -> f64 {
         / ((7.0 + 14.0 * nu + 8.0 * nu * nu) * n + 4.0 * m * m * (5.0 + 10.0 * nu + 4.0 * nu * nu))
 }
 
-/// The series against values printed in tables: Timoshenko and Goodier table of
-/// section 109 (0.1406, 0.229, 0.291 for 1, 2, 5) and the limits of the tube.
+/// Reciprocal shear factor of the full circle of radius 1 by definition,
+/// `A int tau^2 dA` for a unit shear force, with the stresses of [saint-venant]:
+///
+/// ```text
+/// tau_xz = (3 + 2 nu) / (8 (1 + nu) I) (1 - z^2 - (1 - 2 nu)/(3 + 2 nu) y^2)
+/// tau_xy = -(1 + 2 nu) / (4 (1 + nu) I) y z
+/// ```
+///
+/// Polynomials of degree 4: four Gauss points along the radius and sixteen steps
+/// around integrate them exactly.
+fn circle_shear_energy(nu: f64) -> f64 {
+    let inertia = PI / 4.0;
+    let mut energy = 0.0;
+    for &(abscissa, weight) in quadrature::line(4) {
+        let radius = 0.5 * (1.0 + abscissa);
+        for step in 0..16 {
+            let (sin, cos) = (f64::from(step) * PI / 8.0).sin_cos();
+            let (y, z) = (radius * cos, radius * sin);
+            let along = (3.0 + 2.0 * nu) / (8.0 * (1.0 + nu) * inertia)
+                * (1.0 - z * z - (1.0 - 2.0 * nu) / (3.0 + 2.0 * nu) * y * y);
+            let across = -(1.0 + 2.0 * nu) / (4.0 * (1.0 + nu) * inertia) * y * z;
+            let area = 0.5 * weight * radius * PI / 8.0;
+            energy += area * (along * along + across * across);
+        }
+    }
+    PI * energy
+}
+
+/// The closed forms against printed values, limits, and for the circle against the
+/// energy of its stresses. Torsion: 0.1406, 0.229, 0.291 for 1, 2, 5 in the table of
+/// [saint-venant]. Rectangle without Poisson contraction: 5/6. Thin tube: 1/2.
 #[test]
-fn the_series_meet_their_tables() {
+fn the_closed_forms_meet_their_tables() {
     for (ratio, expected) in [(1.0, 0.1406), (2.0, 0.229), (5.0, 0.291)] {
         assert!((torsion_constant(ratio, 1.0) / ratio - expected).abs() < 5e-4);
     }
     assert!((rectangle_shear_factor(0.0, 2.0) - 5.0 / 6.0).abs() < 1e-15);
-    assert!((tube_shear_factor(NU, 1.0) - 0.5).abs() < 1e-15);
-    assert!((tube_shear_factor(NU, 0.0) - 0.850671).abs() < 1e-6);
+    for nu in [0.0, 0.2, NU, 0.49] {
+        assert!((tube_shear_factor(nu, 1.0) - 0.5).abs() < 1e-15);
+        assert!((tube_shear_factor(nu, 0.0) * circle_shear_energy(nu) - 1.0).abs() < 1e-13);
+    }
 }
 
 /// Square of side 1, E = 1: EA = 1, EI = 1/12. Quadratic cells contain the exact
@@ -333,7 +366,7 @@ const PLY: EngineeringConstants = EngineeringConstants {
 };
 
 /// Compliance of the ply turned by theta: along x, and between extension along x
-/// and shear xy (Jones 1999, eq. 2.88).
+/// and shear xy, [lekhnitskii].
 fn off_axis_compliance(theta: f64) -> (f64, f64) {
     let (sin, cos) = theta.sin_cos();
     let mixed = 2.0 * PLY.nu12 / PLY.e1 - 1.0 / PLY.g12;

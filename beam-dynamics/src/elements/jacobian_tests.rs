@@ -115,18 +115,6 @@ fn check_at(
     multipliers: &[f64],
     frame: &TurningFrame,
 ) {
-    let residual = |nodes: &[NodeMotion], multipliers: &[f64]| {
-        let mut out = LocalResidual::new(nodes.len(), multipliers.len());
-        element.residual(
-            &Local {
-                nodes,
-                multipliers,
-                frame,
-            },
-            &mut out,
-        );
-        nalgebra::DVector::from_column_slice(out.values())
-    };
     let mut jacobian = LocalJacobian::new(motion.len(), multipliers.len());
     let at = Local {
         nodes: motion,
@@ -134,38 +122,7 @@ fn check_at(
         frame,
     };
     element.jacobian(&at, &mut jacobian);
-
-    let n = NODE_UNKNOWNS * motion.len() + multipliers.len();
-    let mut by_unknowns = DMatrix::zeros(n, n);
-    let mut by_rates = DMatrix::zeros(n, n);
-    for node in 0..motion.len() {
-        for variable in Variable::ALL {
-            for axis in 0..3 {
-                let at = |step: f64| {
-                    let mut nodes = motion.to_vec();
-                    vary(&mut nodes[node], variable, axis, step);
-                    residual(&nodes, multipliers)
-                };
-                let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
-                let place = NODE_UNKNOWNS * node + variable.column() + axis;
-                let target = if variable.is_rate() {
-                    &mut by_rates
-                } else {
-                    &mut by_unknowns
-                };
-                target.set_column(place, &column);
-            }
-        }
-    }
-    for i in 0..multipliers.len() {
-        let at = |step: f64| {
-            let mut changed = multipliers.to_vec();
-            changed[i] += step;
-            residual(motion, &changed)
-        };
-        let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
-        by_unknowns.set_column(NODE_UNKNOWNS * motion.len() + i, &column);
-    }
+    let [by_unknowns, by_rates] = differences(element, motion, multipliers, frame);
     for (exact, difference) in [
         (jacobian.by_unknowns(), &by_unknowns),
         (jacobian.by_rates(), &by_rates),
@@ -175,17 +132,60 @@ fn check_at(
         assert!(error < TOLERANCE, "{}: {error:e}", element.label());
     }
     // Nothing that changes is outside the declared pattern.
-    for ((i, j), touched) in (0..n)
-        .flat_map(|j| (0..n).map(move |i| (i, j)))
-        .zip(jacobian.touched())
-    {
-        let size = by_unknowns[(i, j)].abs() + by_rates[(i, j)].abs();
+    let sizes = by_unknowns.abs() + by_rates.abs();
+    for (size, touched) in sizes.iter().zip(jacobian.touched()) {
         assert!(
-            *touched || size < TOLERANCE,
-            "{}: ({i}, {j}) {size:e}",
+            *touched || *size < TOLERANCE,
+            "{}: {size:e}",
             element.label()
         );
     }
+}
+
+/// Derivatives by unknowns and by rates, by central differences.
+fn differences(
+    element: &dyn Element,
+    motion: &[NodeMotion],
+    multipliers: &[f64],
+    frame: &TurningFrame,
+) -> [DMatrix<f64>; 2] {
+    let residual = |nodes: &[NodeMotion], multipliers: &[f64]| {
+        let mut out = LocalResidual::new(nodes.len(), multipliers.len());
+        let at = Local {
+            nodes,
+            multipliers,
+            frame,
+        };
+        element.residual(&at, &mut out);
+        nalgebra::DVector::from_column_slice(out.values())
+    };
+    let n = NODE_UNKNOWNS * motion.len() + multipliers.len();
+    let mut by = [DMatrix::zeros(n, n), DMatrix::zeros(n, n)];
+    for node in 0..motion.len() {
+        for (variable, axis) in Variable::ALL
+            .into_iter()
+            .flat_map(|v| (0..3).map(move |a| (v, a)))
+        {
+            let at = |step: f64| {
+                let mut nodes = motion.to_vec();
+                vary(&mut nodes[node], variable, axis, step);
+                residual(&nodes, multipliers)
+            };
+            let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
+            let place = NODE_UNKNOWNS * node + variable.column() + axis;
+            by[usize::from(variable.is_rate())].set_column(place, &column);
+        }
+    }
+    for i in 0..multipliers.len() {
+        let at = |step: f64| {
+            let mut changed = multipliers.to_vec();
+            changed[i] += step;
+            residual(motion, &changed)
+        };
+        let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
+        by[0].set_column(NODE_UNKNOWNS * motion.len() + i, &column);
+    }
+    by
 }
 
 fn geometry(random: &mut Random) -> BeamGeometry {

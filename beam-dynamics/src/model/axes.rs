@@ -6,10 +6,10 @@ use nalgebra::Matrix3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamingAxes {
     /// Axes of the blade root (columns): x along the span, y in the direction of lag
-    /// (toward the leading edge), z in that of flap.
+    /// (toward the leading edge), z in that of flap [-].
     pub blade: Matrix3<f64>,
     /// Axes of the section at the node (columns): x along the beam, about which
-    /// torsion turns.
+    /// torsion turns [-].
     pub section: Matrix3<f64>,
 }
 

@@ -65,13 +65,13 @@ impl DomainCell {
 /// The section in the solver's units.
 #[derive(Debug, Clone)]
 pub struct Domain {
-    /// Places (y, z) of the nodes from the area centroid, in units of length.
+    /// Places (y, z) of the nodes from the area centroid, in units of length \[-\].
     pub nodes: Vec<[f64; 2]>,
     /// For each node its index in the mesh of the section.
     pub mesh_nodes: Vec<u32>,
     /// Cells, in the order of the mesh.
     pub cells: Vec<DomainCell>,
-    /// Laws in section axes, order yz yy zz xx xy xz, in units of stress.
+    /// Laws in section axes, order yz yy zz xx xy xz, in units of stress \[-\].
     pub laws: Vec<Matrix6<f64>>,
     /// The units.
     pub scaling: Scaling,

@@ -29,11 +29,11 @@ use sprs::CsMat;
 #[derive(Debug, Clone)]
 pub struct SectionMatrices {
     /// `int B0' D B0`: the lower triangle in compressed columns, the diagonal
-    /// entry first in each, n x n.
+    /// entry first in each, n x n \[-\].
     pub e: CsMat<f64>,
-    /// `int B0' D Bpsi`, n x 6.
+    /// `int B0' D Bpsi`, n x 6 \[-\].
     pub r: DMatrix<f64>,
-    /// `int Bpsi' D Bpsi`.
+    /// `int Bpsi' D Bpsi` \[-\].
     pub a: Matrix6<f64>,
 }
 

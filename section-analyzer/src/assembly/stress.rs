@@ -18,23 +18,24 @@ use crate::element::{
 };
 use nalgebra::{DMatrix, Matrix3x6, Matrix6};
 
-/// A state of the section, up to six cases side by side.
+/// A state of the section in the units of the domain, up to six cases side by
+/// side.
 #[derive(Debug, Clone, Copy)]
 pub struct State<'a> {
-    /// u': derivative of the warping along the beam, n x k; zero where `None`.
+    /// u': derivative of the warping along the beam, n x k; zero where `None` \[-\].
     pub rate: Option<&'a DMatrix<f64>>,
-    /// u: warping, n x k; zero where `None`.
+    /// u: warping, n x k; zero where `None` \[-\].
     pub warping: Option<&'a DMatrix<f64>>,
-    /// psi: generalized strain; the first k columns count, the others are zero.
+    /// psi: generalized strain; the first k columns count, the others are zero \[-\].
     pub strain: &'a Matrix6<f64>,
 }
 
-/// Forces that hold a state within the section.
+/// Forces that hold a state within the section, in the units of the domain.
 #[derive(Debug, Clone)]
 pub struct InternalForces {
-    /// Q: at the unknowns, n x k.
+    /// Q: at the unknowns, n x k \[-\].
     pub within: DMatrix<f64>,
-    /// theta: internal force; the first k columns count.
+    /// theta: internal force; the first k columns count \[-\].
     pub resultant: Matrix6<f64>,
 }
 

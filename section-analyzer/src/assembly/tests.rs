@@ -1,5 +1,5 @@
 use super::*;
-use crate::samples::coupled_rectangle;
+use crate::section::samples::{coupled_rectangle, of_quadrilaterals};
 use approx::assert_relative_eq;
 use nalgebra::{DMatrix, Matrix6, Vector6};
 use shared_geom::mesh::CellKind;
@@ -154,7 +154,7 @@ fn equilibrium_of_an_unloaded_beam() {
 #[test]
 fn mass_of_a_square_off_the_origin() {
     let square = [[-0.5, -2.0], [1.5, -2.0], [1.5, 0.0], [-0.5, 0.0]];
-    let section = crate::samples::of_quadrilaterals(&square, &[[0, 1, 2, 3]]);
+    let section = of_quadrilaterals(&square, &[[0, 1, 2, 3]]);
     let mass = mass_per_length(&Domain::new(&section).expect("sound"));
     let (m, y, z) = (8.0, 0.5, -1.0);
     let mut expected = Matrix6::zeros();
@@ -187,7 +187,7 @@ fn unused_nodes_are_left_out() {
         [2.0, 0.0],
         [2.0, 1.0],
     ];
-    let section = crate::samples::of_quadrilaterals(&nodes, &[[0, 2, 3, 4], [2, 5, 6, 3]]);
+    let section = of_quadrilaterals(&nodes, &[[0, 2, 3, 4], [2, 5, 6, 3]]);
     let domain = Domain::new(&section).expect("sound");
     assert_eq!(domain.mesh_nodes, [0, 2, 3, 4, 5, 6]);
     assert_eq!(domain.unknowns(), 18);

@@ -7,14 +7,14 @@ use shared_geom::document::Document;
 use shared_geom::mesh::Mesh;
 
 use super::files::Files;
-use super::follow::{CurveLine, direction};
+use super::follow::{Parabola, direction};
 use super::groups;
 use super::materials::WrittenMaterial;
 use super::measure::CellMeasure;
 use super::problem::InputProblem;
 use super::regions::{WrittenAngle, WrittenRegion};
 use super::tables::Tables;
-use crate::mesh::{CurveLine as MeshLine, SectionMesh};
+use crate::mesh::{CurveLine, SectionMesh};
 use crate::section::CellMaterial;
 
 /// What the cells are assigned from.
@@ -35,7 +35,7 @@ pub(super) struct Assignment<'a> {
 enum Angle {
     Constant(f64),
     Table(PathBuf),
-    Follow { curve: Vec<CurveLine>, turn: f64 },
+    Follow { curve: Vec<Parabola>, turn: f64 },
 }
 
 impl Assignment<'_> {
@@ -100,7 +100,7 @@ impl Assignment<'_> {
                 let label = self.mesh.groups[group].label();
                 let curves = &self.section_mesh?.curves;
                 let lines = &curves.iter().find(|curve| curve.label == label)?.lines;
-                let line = |line: &MeshLine| CurveLine::new(line.first, line.second, line.middle);
+                let line = |line: &CurveLine| Parabola::new(line.first, line.second, line.middle);
                 let curve = lines.iter().map(line).collect();
                 let turn = if *reverse { PI } else { 0.0 };
                 Some(Angle::Follow { curve, turn })

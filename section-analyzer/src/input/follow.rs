@@ -18,9 +18,9 @@ const STEPS: usize = 80;
 /// point is then nearest to the corner between two lines.
 const TIE: f64 = 1e-9;
 
-/// One line of a curve, straight or quadratic, in the direction of its nodes.
+/// One line of a curve, in the direction of its nodes: a parabola, or straight.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct CurveLine {
+pub(super) struct Parabola {
     c0: Vector2<f64>,
     c1: Vector2<f64>,
     c2: Vector2<f64>,
@@ -39,7 +39,7 @@ struct Nearest {
     tangent: Vector2<f64>,
 }
 
-impl CurveLine {
+impl Parabola {
     /// The line from `first` to `second`, through `middle` at `t = 0` if it is
     /// quadratic.
     pub fn new(first: [f64; 2], second: [f64; 2], middle: Option<[f64; 2]>) -> Self {
@@ -171,7 +171,7 @@ fn rising_root(g: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, low: f64, hig
 ///
 /// At a corner of the curve that is nearest with both its lines, the line that
 /// passes the point abreast counts.
-pub(super) fn direction(curve: &[CurveLine], p: [f64; 2]) -> Option<f64> {
+pub(super) fn direction(curve: &[Parabola], p: [f64; 2]) -> Option<f64> {
     let p = Vector2::from(p);
     let mut best: Option<Nearest> = None;
     for line in curve {

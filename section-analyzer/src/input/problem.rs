@@ -1,6 +1,5 @@
 //! What can be wrong with a section input, beyond what any input file can have.
 
-use shared_geom::document::DocumentProblem;
 use shared_geom::error::{Explain, nearest_name};
 
 use crate::material::MaterialProblem;
@@ -173,9 +172,6 @@ pub enum InputProblem {
         /// Cells that are not in these groups.
         unknown: Vec<u64>,
     },
-    /// A problem that every input file can have.
-    #[error(transparent)]
-    Document(#[from] DocumentProblem),
 }
 
 impl Explain for InputProblem {
@@ -203,7 +199,6 @@ impl Explain for InputProblem {
                     .to_owned(),
             ),
             Self::Inadmissible { problem, .. } => problem.help(),
-            Self::Document(problem) => problem.help(),
             _ => None,
         }
     }

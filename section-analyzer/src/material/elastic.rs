@@ -4,7 +4,7 @@
 //! 3 through the thickness.
 //!
 //! # References
-//! - Jones, *Mechanics of Composite Materials*, 2nd ed. 1999, section 2.4: the
+//! - Jones, *Mechanics of Composite Materials*, 2nd ed. 1999, chapter 2: the
 //!   orthotropic stiffness in terms of the engineering constants.
 
 use nalgebra::Matrix6;
@@ -22,6 +22,10 @@ pub struct Material {
 
 /// A linear elastic law.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a section has a handful of materials, and cells refer to them by index"
+)]
 pub enum ElasticLaw {
     /// The same in all directions.
     Isotropic {
@@ -90,7 +94,7 @@ impl EngineeringConstants {
     /// C11 = E1 (1 - nu23 nu32) / D      C12 = E1 (nu21 + nu31 nu23) / D
     /// C22 = E2 (1 - nu13 nu31) / D      C13 = E1 (nu31 + nu21 nu32) / D
     /// C33 = E3 (1 - nu12 nu21) / D      C23 = E2 (nu32 + nu12 nu31) / D
-    /// C44 = G23   C55 = G13   C66 = G12      (Jones 1999, eq. 2.38)
+    /// C44 = G23   C55 = G13   C66 = G12
     /// ```
     fn stiffness(&self) -> Matrix6<f64> {
         let [nu21, nu31, nu32] = self.minor_ratios();
@@ -161,7 +165,7 @@ mod tests {
     };
 
     /// The compliance of an orthotropic material by definition of its constants
-    /// (Jones 1999, eq. 2.19) times the stiffness must be one, to round-off.
+    /// (Jones 1999, chapter 2) times the stiffness must be one, to round-off.
     #[test]
     fn orthotropic_stiffness_inverts_the_compliance() {
         let k = CARBON;

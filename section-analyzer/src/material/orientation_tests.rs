@@ -104,7 +104,7 @@ fn axes_are_fiber_transverse_normal() {
     assert_relative_eq!(q.determinant(), 1.0, epsilon = 1e-15);
 }
 
-/// Off-axis ply, closed forms of Lekhnitskii (1963), Jones (1999) eq. 2.88:
+/// Off-axis ply, closed forms of Lekhnitskii (1963) and Jones (1999, chapter 2):
 /// S_xx = c^4/E1 + (1/G12 - 2 nu12/E1) s^2 c^2 + s^4/E2 and the extension-shear
 /// term S_x,xy = (2/E1 + 2 nu12/E1 - 1/G12) s c^3 - (2/E2 + 2 nu12/E1 - 1/G12) s^3 c.
 #[test]

@@ -112,19 +112,17 @@ pub(super) fn widths(section: &Section, sides: &[Side]) -> (f64, f64) {
     let boundary: f64 = boundary
         .map(|side| length(&side_points(side.ends, side.middle, &place)))
         .sum();
-    let polygons = section
-        .mesh
-        .cells
-        .iter()
-        .map(|cell| cell_points(cell, &place));
-    let (mut area, mut narrow) = (0.0, 0.0);
-    for points in polygons {
-        area += polygon_area(&points);
-        narrow += 4.0 * polygon_area(&points) / length(&points);
+    let (mut area, mut width) = (0.0, 0.0);
+    for cell in &section.mesh.cells {
+        let mut points = cell_points(cell, &place);
+        let cell_area = polygon_area(&points);
+        points.push(points[0]);
+        area += cell_area;
+        width += 4.0 * cell_area / length(&points);
     }
     (
         2.0 * area / boundary,
-        narrow / section.mesh.cells.len().max(1) as f64,
+        width / section.mesh.cells.len().max(1) as f64,
     )
 }
 
@@ -144,4 +142,74 @@ pub(super) fn polygon_area(points: &[[f64; 2]]) -> f64 {
         .map(|(a, b)| a[0] * b[1] - b[0] * a[1])
         .sum();
     0.5 * doubled.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::SectionMesh;
+    use crate::mesh::generate::Tube;
+    use crate::section::CellMaterial;
+    use shared_geom::error::Place;
+    use shared_geom::mesh::CellKind;
+    use std::f64::consts::PI;
+
+    /// A tube of 24 x 2 cells, one half of each of two materials, in which the
+    /// curved sides are drawn as 8 chords each.
+    fn tube() -> Section {
+        let tube = Tube {
+            outer_radius: 1.0,
+            thickness: 0.1,
+            cells_around: 24,
+            cells_through: 2,
+            kind: CellKind::Quadrilateral9,
+            curved: true,
+        };
+        let mesh = tube.generate().unwrap();
+        let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("tube")).unwrap();
+        let material = |cell: &SectionCell| {
+            let node = cell.nodes()[8] as usize;
+            usize::from(mesh.nodes[node][1] > 0.0)
+        };
+        let cell = |cell| CellMaterial {
+            material: material(cell),
+            fiber_angle: 0.0,
+            plane_angle: 0.0,
+        };
+        let cells = mesh.cells.iter().map(cell).collect();
+        Section {
+            name: "tube".into(),
+            cells,
+            mesh,
+            materials: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn sides_are_counted_once_with_their_role() {
+        let sides = sides(&tube());
+        let count =
+            |role: fn(SideRole) -> bool| sides.iter().filter(|side| role(side.role)).count();
+        assert_eq!(count(|role| role == SideRole::Boundary), 48);
+        // the halves meet at two places, each two cells thick
+        assert_eq!(count(|role| role == SideRole::Interface), 4);
+        assert_eq!(sides.len(), 24 * 3 + 24 * 2);
+        assert_eq!(
+            count(|role| matches!(role, SideRole::Inner(_))),
+            24 * 3 + 24 * 2 - 52
+        );
+    }
+
+    /// Thickness 0.1; the chords of 192 pieces around shorten the boundary by
+    /// (pi/192)^2 / 6 = 5e-5 and more by the parabolas: 1e-3.
+    #[test]
+    fn walls_and_cells_have_their_width() {
+        let section = tube();
+        let (wall, cell) = widths(&section, &sides(&section));
+        assert!((wall / 0.1 - 1.0).abs() < 1e-3, "{wall}");
+        // cells of 0.05 by 0.95 * 2 pi / 24: four areas over the circumference
+        let length = 0.95 * 2.0 * PI / 24.0;
+        let expected = 2.0 * 0.05 * length / (0.05 + length);
+        assert!((cell / expected - 1.0).abs() < 1e-2, "{cell} {expected}");
+    }
 }

@@ -172,7 +172,7 @@ fn regions(summary: &InputSummary) -> String {
         "region",
         "material",
         "fiber angle",
-        "wall angle",
+        "plane angle",
         "cells",
         "area [m^2]",
         "mass [kg/m]",

@@ -29,9 +29,9 @@ pub(super) fn coordinate(value: f64, scale: f64) -> String {
     )
 }
 
-/// The value to four digits, for labels of figures.
+/// The value to two digits, for what is only about right.
 pub(super) fn rounded(value: f64) -> f64 {
-    format!("{value:.3e}").parse().unwrap_or(value)
+    format!("{value:.1e}").parse().unwrap_or(value)
 }
 
 /// The matrix in aligned columns under the names of the components.

@@ -8,11 +8,11 @@ use nalgebra::{Matrix2, Matrix6, Vector2};
 /// The centers of a section: places (y, z) from the reference point \[m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Centers {
-    /// Where an axial force bends no section.
+    /// Where an axial force bends no section \[m\].
     pub tension: [f64; 2],
-    /// Where a shear force twists no section.
+    /// Where a shear force twists no section \[m\].
     pub shear: [f64; 2],
-    /// Center of mass; `None` for a section without mass.
+    /// Center of mass; `None` for a section without mass \[m\].
     pub mass: Option<[f64; 2]>,
 }
 

@@ -29,9 +29,9 @@ const CONSTANT_STEP: [usize; 2] = [1, 2];
 /// rigid motions.
 #[derive(Debug, Clone)]
 pub struct CentralSolution {
-    /// X: warping of the unknowns, n x 6.
+    /// X: warping of the unknowns, n x 6, in the units of the domain \[-\].
     pub x: DMatrix<f64>,
-    /// Y: generalized strain, 6 x 6.
+    /// Y: generalized strain, 6 x 6, in the units of the domain \[-\].
     pub y: Matrix6<f64>,
     /// Largest of the last corrections of the two steps, relative to the
     /// solution \[-\].

@@ -22,11 +22,14 @@ use nalgebra::{DMatrix, Matrix6};
 /// Decoupled central solutions.
 #[derive(Debug, Clone)]
 pub struct Decoupled {
-    /// Xd: warping of the unknowns per unit internal force, n x 6.
+    /// Xd: warping of the unknowns per unit internal force, n x 6, in the units of
+    /// the domain \[-\].
     pub x: DMatrix<f64>,
-    /// Yd: generalized strain per unit internal force, 6 x 6.
+    /// Yd: generalized strain per unit internal force, 6 x 6, in the units of the
+    /// domain \[-\].
     pub y: Matrix6<f64>,
-    /// `H' Ph`: internal force of the solutions, the unit matrix up to round-off.
+    /// `H' Ph`: internal force of the solutions, the unit matrix up to round-off
+    /// \[-\].
     pub internal_force: Matrix6<f64>,
 }
 

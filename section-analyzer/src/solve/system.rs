@@ -54,9 +54,9 @@ pub struct CentralSystem<'a> {
 /// Warping and generalized strain in balance with given forces.
 #[derive(Debug, Clone)]
 pub struct BalancedState {
-    /// Warping, n x k, pinned unknowns zero.
+    /// Warping, n x k, pinned unknowns zero, in the units of the domain \[-\].
     pub x: DMatrix<f64>,
-    /// Generalized strain, 6 x k.
+    /// Generalized strain, 6 x k, in the units of the domain \[-\].
     pub y: Matrix6xX<f64>,
     /// Size of the last correction relative to the state \[-\]: how far the
     /// state was off before it.

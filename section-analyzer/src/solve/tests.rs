@@ -2,7 +2,7 @@ use super::*;
 use crate::assembly::{
     Domain, Pattern, SectionMatrices, State, face_forces, internal_forces, rigid_modes,
 };
-use crate::samples::{coupled_rectangle, of_quadrilaterals};
+use crate::section::samples::{coupled_rectangle, of_quadrilaterals};
 use approx::assert_relative_eq;
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 use shared_geom::mesh::CellKind;

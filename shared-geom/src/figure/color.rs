@@ -81,7 +81,8 @@ pub fn diverging(value: f64) -> RGBColor {
 /// Linear interpolation in an evenly spaced table over [0, 1]; not a number counts
 /// as 0.
 fn between(table: &[[u8; 3]], value: f64) -> RGBColor {
-    let place = value.max(0.0).min(1.0) * (table.len() - 1) as f64;
+    let value = if value.is_nan() { 0.0 } else { value };
+    let place = value.clamp(0.0, 1.0) * (table.len() - 1) as f64;
     let below = (place.floor() as usize).min(table.len() - 2);
     let part = place - below as f64;
     let channel = |c: usize| {

@@ -56,7 +56,10 @@ fn a_rigid_motion_changes_no_strain() {
     let motion = deformed(&nodes);
     let by = vector::to_rotation(&Vector3::new(1.0, -2.0, 0.7));
     let shift = Vector3::new(3.0, -1.0, 2.0);
-    for (motion, expected) in [(rest, [Vector6::zeros(); 2]), (motion.clone(), beam.strains(&motion))] {
+    for (motion, expected) in [
+        (rest, [Vector6::zeros(); 2]),
+        (motion.clone(), beam.strains(&motion)),
+    ] {
         let found = beam.strains(&turned(&motion, &by, &shift));
         for (found, expected) in found.iter().zip(expected) {
             assert!((found - expected).amax() < 1e-14);
@@ -71,7 +74,11 @@ fn nodal_forces_balance() {
     let motion = deformed(&nodes);
     let mut out = LocalResidual::new(3, 0);
     let frame = TurningFrame::at_rest();
-    let at = Local { nodes: &motion, multipliers: &[], frame: &frame };
+    let at = Local {
+        nodes: &motion,
+        multipliers: &[],
+        frame: &frame,
+    };
     beam.residual(&at, &mut out);
     let part = |node: usize, equation: Equation| {
         let first = NODE_UNKNOWNS * node + equation.row();
@@ -84,5 +91,8 @@ fn nodal_forces_balance() {
         moment += part(i, Equation::Moment) + node.position.cross(&part(i, Equation::Force));
     }
     assert!(part(0, Equation::Force).norm() > 0.1);
-    assert!(force.norm() < 1e-14 && moment.norm() < 1e-14, "{force} {moment}");
+    assert!(
+        force.norm() < 1e-14 && moment.norm() < 1e-14,
+        "{force} {moment}"
+    );
 }

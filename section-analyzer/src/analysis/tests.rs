@@ -1,6 +1,6 @@
 use super::*;
 use crate::material::ElasticLaw;
-use crate::samples::{coupled_rectangle, of_quadrilaterals};
+use crate::section::samples::{coupled_rectangle, of_quadrilaterals};
 use approx::assert_relative_eq;
 use shared_geom::error::Explain;
 use shared_geom::mesh::CellKind;

@@ -1,0 +1,182 @@
+//! The command line.
+
+use std::ffi::OsString;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+use shared_geom::error::Explain;
+
+use crate::analysis::modes::modes;
+use crate::input::{self, Input};
+use crate::output;
+
+mod arguments;
+mod terminal;
+
+use arguments::{Arguments, Command};
+use terminal::Terminal;
+
+/// The work is done.
+const DONE: u8 = 0;
+/// The program ran but did not reach its goal; what there is has been written.
+const NOT_REACHED: u8 = 1;
+/// The input or the command line is wrong.
+const WRONG_INPUT: u8 = 2;
+
+/// Two files whose results would go to the same place.
+#[derive(Debug, thiserror::Error)]
+#[error("results of \"{first}\" and \"{second}\" would both be \"{target}\"")]
+struct SameResults {
+    first: String,
+    second: String,
+    target: String,
+}
+
+impl Explain for SameResults {
+    fn help(&self) -> Option<String> {
+        Some("give the files different names, or run them one by one".to_owned())
+    }
+}
+
+/// Runs the program with the arguments of a command line, of which the first is the
+/// name of the program; gives the exit code.
+///
+/// 0: done. 1: ran but did not reach its goal; what there is has been written. 2: the
+/// input or the command line is wrong. Output that no one reads any more (a closed
+/// pipe) is no error.
+pub fn run(
+    arguments: impl IntoIterator<Item = OsString>,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+) -> u8 {
+    let mut terminal = Terminal::new(out, err);
+    let code = dispatch(arguments, &mut terminal);
+    match terminal.finish() {
+        true => code,
+        false => code.max(NOT_REACHED),
+    }
+}
+
+fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Terminal<'_>) -> u8 {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(message) if message.use_stderr() => {
+            terminal.tell_text(message.render().to_string().trim_end());
+            return WRONG_INPUT;
+        }
+        // The texts of --help and --version.
+        Err(message) => {
+            terminal.show(&message.render().to_string());
+            return DONE;
+        }
+    };
+    match arguments.command {
+        Command::Modes { files, out } => modes_of_files(&files, out.as_deref(), terminal),
+        Command::Check { files } => check_files(&files, terminal),
+    }
+}
+
+/// Reads all files; when one is wrong, tells all that is and gives none.
+fn read(files: &[PathBuf], terminal: &mut Terminal<'_>) -> Option<Vec<Input>> {
+    let read: Vec<_> = files
+        .iter()
+        .map(|file| {
+            let input = input::read(file);
+            input
+                .map_err(|problems| terminal.tell_text(&problems.to_string()))
+                .ok()
+        })
+        .collect();
+    read.into_iter().collect()
+}
+
+fn check_files(files: &[PathBuf], terminal: &mut Terminal<'_>) -> u8 {
+    let Some(inputs) = read(files, terminal) else {
+        return WRONG_INPUT;
+    };
+    for (file, input) in files.iter().zip(&inputs) {
+        terminal.show(&format!("{}: {}\n", file.display(), input.summary));
+    }
+    terminal.show("\nNo problem found\n");
+    DONE
+}
+
+fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal<'_>) -> u8 {
+    let places: Vec<_> = files.iter().map(|file| place(file, out)).collect();
+    for (i, target) in places.iter().enumerate() {
+        if let Some(first) = places[..i].iter().position(|other| other == target) {
+            let [first, second] = [first, i].map(|k| files[k].display().to_string());
+            let target = target
+                .0
+                .join(format!("{}.*", target.1))
+                .display()
+                .to_string();
+            terminal.tell(&SameResults {
+                first,
+                second,
+                target,
+            });
+            return WRONG_INPUT;
+        }
+    }
+    let Some(inputs) = read(files, terminal) else {
+        return WRONG_INPUT;
+    };
+    let codes = inputs
+        .iter()
+        .zip(&places)
+        .enumerate()
+        .map(|(number, (input, place))| {
+            if number > 0 {
+                terminal.show("\n\n");
+            }
+            modes_of(input, place, terminal)
+        });
+    codes.max().unwrap_or(DONE)
+}
+
+/// Folder and name of the results of a file.
+fn place(file: &Path, out: Option<&Path>) -> (PathBuf, String) {
+    let beside = || file.parent().unwrap_or(Path::new("")).join("results");
+    (
+        out.map_or_else(beside, Path::to_owned),
+        input::name_of(file),
+    )
+}
+
+/// Analyzes one model, writes its results, and prints them.
+fn modes_of(input: &Input, (folder, name): &(PathBuf, String), terminal: &mut Terminal<'_>) -> u8 {
+    let outcome = modes(&input.case);
+    let mut table = outcome.table;
+    if let Some(failure) = &outcome.failure {
+        table.remarks.push(format!("stopped early: {failure}"));
+    }
+    let written = output::write(&table, &input.measured, folder, name);
+    terminal.show(&output::result_text(&table, &input.measured));
+    let mut code = DONE;
+    if let Some(failure) = &outcome.failure {
+        let (reached, asked) = (table.speeds.len(), input.case.speeds.len());
+        terminal.tell_text(&format!(
+            "error: {name}: {failure}\n  help: {reached} of {asked} rotor speeds were reached, \
+             and their results written"
+        ));
+        code = NOT_REACHED;
+    }
+    match written {
+        Ok(written) => {
+            terminal.show("\nWritten\n");
+            for file in &written.files {
+                terminal.show(&format!("  {}\n", file.display()));
+            }
+            if let Some(reason) = written.no_plot {
+                terminal.show(&format!("  (no fan plot: {reason})\n"));
+            }
+        }
+        Err(problem) => {
+            terminal.tell(&problem);
+            code = NOT_REACHED;
+        }
+    }
+    code
+}

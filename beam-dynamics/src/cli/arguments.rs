@@ -1,0 +1,102 @@
+//! The arguments of the command line, and the words that explain them.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+
+const ABOUT: &str = "\
+Finds the natural frequencies of turning blades and rotors made of beams
+
+The steady equilibrium at each rotor speed is found with geometrically exact beams of any \
+6x6 stiffness and mass; small motions about it give frequencies and modes, which are named \
+and followed over the speeds.
+
+Axes: x along the blade, y toward the leading edge, z up; the rotor turns about +z unless \
+the file says otherwise.";
+
+const EXAMPLES: &str = "\
+Example, a uniform blade from nothing:
+  cat > blade.dynamics.toml <<'END'
+  units = \"SI\"
+  [properties.strip]
+  ea = 3e6
+  gay = 9.5e5
+  gaz = 9.5e5
+  gj = 2.8
+  eiy = 0.64
+  eiz = 160
+  m = 0.11
+  iy = 2.4e-8
+  iz = 5.9e-6
+  [[blade]]
+  name = \"blade\"
+  root = [0.06, 0, 0]
+  properties = \"strip\"
+  [[blade.piece]]
+  length = 0.95
+  elements = 6
+  [modes]
+  speeds = { from = 0, to = 750, steps = 6 }
+  count = 6
+  END
+  beam-dynamics modes blade.dynamics.toml
+
+Exit codes: 0 done; 1 ran but did not reach its goal; 2 wrong input or command line.";
+
+const MODES: &str = "\
+Finds frequencies and modes over rotor speed
+
+Reads the dynamics files and the files that they name, tells all that is wrong with them \
+at once, finds equilibrium and modes at each speed, prints the tables, and writes into the \
+folder DIR:
+  NAME.frequencies.csv   a row for each speed and mode
+  NAME.frequencies.txt   the tables as printed
+  NAME.comparison.csv    measured and computed frequencies, where there are measurements
+  NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed
+where FILE is NAME.dynamics.toml.";
+
+const MODES_EXAMPLE: &str = "\
+Example:
+  beam-dynamics modes rotor/straight.dynamics.toml rotor/swept.dynamics.toml --out rotor/results";
+
+const CHECK: &str = "\
+Reads and checks dynamics files without analyzing them
+
+Tells all that is wrong with the files and those that they name, with file, line and \
+remedy; prints what was read when nothing is.";
+
+const CHECK_EXAMPLE: &str = "\
+Example:
+  beam-dynamics check rotor/swept.dynamics.toml";
+
+/// What a command does, for the list of commands.
+fn first_line(text: &'static str) -> &'static str {
+    text.lines().next().unwrap_or(text)
+}
+
+/// The command line.
+#[derive(Debug, Parser)]
+#[command(name = "beam-dynamics", version, about = ABOUT, after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    #[command(about = first_line(MODES), long_about = MODES, after_help = MODES_EXAMPLE)]
+    Modes {
+        /// Dynamics files, NAME.dynamics.toml
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Folder for the results; the folder "results" beside each FILE if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
+    #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
+    Check {
+        /// Dynamics files, NAME.dynamics.toml
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+    },
+}

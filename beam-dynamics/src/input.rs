@@ -1,0 +1,137 @@
+//! The dynamics input: the cards of `NAME.dynamics.toml`, checked, as a case for the
+//! analysis.
+//!
+//! Every card has its own file, which reads the card and adds what it means to the
+//! model. All problems of a file are told at once, each with file, line and remedy.
+
+use std::path::Path;
+
+use shared_geom::document::{Document, read_text};
+use shared_geom::error::{Diagnostics, Place};
+
+use crate::assembly::mechanism;
+use crate::case::ModesCase;
+use crate::result::Measured;
+
+mod beam_check;
+mod beams;
+mod blade_line;
+mod blades;
+mod bodies;
+mod clamps;
+mod draft;
+mod hub;
+mod in_place;
+mod measured;
+mod naming;
+mod nodes;
+mod number;
+mod problem;
+mod properties;
+mod source;
+mod speeds;
+mod summary;
+
+#[cfg(test)]
+mod tests;
+
+pub use number::short_number;
+pub use problem::InputProblem;
+pub use summary::Summary;
+
+use draft::Draft;
+use source::Source;
+
+/// Ending of the names of dynamics inputs.
+pub const ENDING: &str = ".dynamics.toml";
+
+/// A checked input.
+#[derive(Debug)]
+pub struct Input {
+    /// What is to be analyzed.
+    pub case: ModesCase,
+    /// Measurements to set beside the result; empty when there are none.
+    pub measured: Measured,
+    /// What the model consists of.
+    pub summary: Summary,
+}
+
+/// Reads and checks the dynamics input at `path`, with the files that it names.
+///
+/// # Errors
+/// Everything that is wrong with the input and its files: what cannot be read, unknown
+/// keys and names, wrong values, impossible geometry; and if there is nothing of that
+/// kind, the ways in which the model can move freely.
+pub fn read(path: &Path) -> Result<Input, Diagnostics> {
+    let file = path.display().to_string();
+    let text = read_text(path)?;
+    let document = Document::parse(&text, &file)?;
+    let input = {
+        let source = Source::new(&document, &text);
+        cards(&source, &name_of(path))
+    };
+    let input = document.finish(input)?;
+    let mut problems = Diagnostics::new();
+    for found in mechanism::find(&input.case.system) {
+        problems.push(Place::file(&file), &found);
+    }
+    problems.into_result(input)
+}
+
+/// The file's name without folder and ending: what outputs are named by.
+pub fn name_of(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let stem = name
+        .strip_suffix(ENDING)
+        .or_else(|| name.strip_suffix(".toml"));
+    stem.filter(|stem| !stem.is_empty())
+        .unwrap_or(&name)
+        .to_owned()
+}
+
+/// Reads every card, in an order in which each finds the names that it uses.
+fn cards(source: &Source<'_>, default_name: &str) -> Option<Input> {
+    let root = source.document().root();
+    let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
+    source.document().declare_units(&root);
+    let properties = properties::read(&root);
+    let hub = hub::read(&root);
+
+    let mut draft = Draft::new(properties, hub);
+    nodes::read(&root, &mut draft);
+    blades::read(&root, &mut draft);
+    beams::read(source, &root, &mut draft);
+    clamps::read(&root, &mut draft);
+    bodies::read(&root, &mut draft);
+    let question = speeds::read(&root);
+    let measured = measured::read(source, &root);
+    root.finish();
+
+    draft.check(&root);
+    finish(name, draft, question?, measured?)
+}
+
+/// The input as a value, when the model is complete.
+fn finish(
+    name: String,
+    draft: Draft,
+    question: speeds::Question,
+    measured: Measured,
+) -> Option<Input> {
+    let summary = draft.summary(&question, &measured);
+    let spin = draft.hub()?.spin();
+    let (system, naming) = draft.system()?;
+    let case = ModesCase {
+        name,
+        system,
+        naming,
+        spin,
+        speeds: question.speeds,
+        count: question.count,
+    };
+    Some(Input {
+        case,
+        measured,
+        summary,
+    })
+}

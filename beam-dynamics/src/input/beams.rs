@@ -1,0 +1,126 @@
+//! Explicit beams.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
+use shared_geom::rotation::vector;
+use shared_geom::units::Dimension;
+
+use super::beam_check::BeamCheck;
+use super::draft::{Beam, Draft, Inertia};
+use super::problem::InputProblem;
+use super::source::Source;
+use crate::elements::beams::{BeamGeometry, BeamNode};
+
+/// Adds every `[[beam]]` to the model.
+pub(super) fn read(source: &Source<'_>, root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("beam").iter().enumerate() {
+        let label = table
+            .text("name")
+            .unwrap_or_else(|| format!("beam {}", number + 1));
+        let is_new = draft.take_label("beam", &label, table);
+        let beam = beam(source, table, draft, label);
+        table.finish();
+        let sound = |beam: &Beam| {
+            let words = format!("beam \"{}\"", beam.label);
+            BeamCheck::new(&words, beam, draft.nodes()).note_on(table, "nodes")
+        };
+        match beam.filter(sound) {
+            Some(beam) if is_new => draft.add_beam(beam),
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+fn beam(source: &Source<'_>, table: &Table<'_>, draft: &mut Draft, label: String) -> Option<Beam> {
+    let words = format!("beam \"{label}\"");
+    let nodes = nodes(source, table, draft, &words);
+    let properties = match table.has("properties") {
+        true => draft.find_properties(table, &words),
+        false => {
+            let _ = table.require_text("properties", "the name of properties");
+            None
+        }
+    };
+    let inertia = Inertia::read(table);
+    let geometry = geometry(table);
+    Some(Beam {
+        label,
+        nodes: nodes?,
+        geometry: geometry?,
+        properties: properties?,
+        inertia: inertia?,
+    })
+}
+
+fn nodes(
+    source: &Source<'_>,
+    table: &Table<'_>,
+    draft: &mut Draft,
+    words: &str,
+) -> Option<[usize; 3]> {
+    if !table.has("nodes") {
+        let _ = table.require_text("nodes", "the names of three nodes");
+    }
+    let Some(names) = source.names(table, "nodes") else {
+        draft.note_loose_end();
+        return None;
+    };
+    let found: Vec<_> = names
+        .iter()
+        .map(|name| draft.find_node(name, table, "nodes", words))
+        .collect();
+    let [first, middle, last] = found[..] else {
+        let (key, found, expected) = ("nodes", names.len(), "three: first, middle and last");
+        table.note(
+            "nodes",
+            &InputProblem::Count {
+                key,
+                found,
+                expected,
+            },
+        );
+        return None;
+    };
+    let nodes = [first?, middle?, last?];
+    let twice = (1..3).find(|&k| nodes[..k].contains(&nodes[k]));
+    if let Some(k) = twice {
+        let node = draft.nodes()[nodes[k]].label.clone();
+        table.note(
+            "nodes",
+            &InputProblem::NodeTwice {
+                beam: words.to_owned(),
+                node,
+            },
+        );
+        return None;
+    }
+    Some(nodes)
+}
+
+/// Offsets and section axes, both in the axes of the nodes.
+fn geometry(table: &Table<'_>) -> Option<BeamGeometry> {
+    let offsets = vectors(table, "offsets", Dimension::LENGTH);
+    let turns = vectors(table, "section_axes", Dimension::ANGLE);
+    let (offsets, turns) = (offsets?, turns?);
+    Some(BeamGeometry {
+        nodes: std::array::from_fn(|k| BeamNode {
+            offset: offsets[k],
+            orientation: match turns[k] == Vector3::zeros() {
+                true => Matrix3::identity(),
+                false => vector::to_rotation(&turns[k]),
+            },
+        }),
+    })
+}
+
+/// One vector for each node, in SI units; zeros when absent.
+fn vectors(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<[Vector3<f64>; 3]> {
+    if !table.has(key) {
+        return Some([Vector3::zeros(); 3]);
+    }
+    let factor = table.document().factor(dimension);
+    let rows = table.rows(key, 3, 3)?;
+    Some(std::array::from_fn(|k| {
+        Vector3::from_column_slice(&rows[k]) * factor
+    }))
+}

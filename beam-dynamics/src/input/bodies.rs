@@ -1,0 +1,63 @@
+//! Bodies: concentrated masses.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::draft::Draft;
+use super::problem::InputProblem;
+use crate::elements::bodies::RigidInertia;
+
+/// By how much one moment of inertia may pass the sum of the others, relative: digits
+/// lost in the input.
+const ROUNDING: f64 = 1e-6;
+
+/// Adds every `[[body]]` to the model.
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("body").iter().enumerate() {
+        let label = table
+            .text("name")
+            .unwrap_or_else(|| format!("body {}", number + 1));
+        let is_new = draft.take_label("body", &label, table);
+        let words = format!("body \"{label}\"");
+        let name = table.require_text("node", "the name of a node");
+        let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
+        let inertia = inertia(table, &label);
+        table.finish();
+        match (node, inertia) {
+            (Some(node), Some(inertia)) if is_new => draft.add_body(label, node, inertia),
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+fn inertia(table: &Table<'_>, label: &str) -> Option<RigidInertia> {
+    let mass = table.require_positive("mass", Dimension::MASS);
+    let offset = match table.has("offset") {
+        true => table.vector("offset", Dimension::LENGTH),
+        false => Some(Vector3::zeros()),
+    };
+    let moments = match table.has("inertia") {
+        true => table.vector("inertia", Dimension::INERTIA),
+        false => Some(Vector3::zeros()),
+    };
+    let moments = moments.filter(|moments| {
+        let possible = is_possible(moments);
+        if !possible {
+            let (body, found) = (label.to_owned(), (*moments).into());
+            table.note("inertia", &InputProblem::ImpossibleInertia { body, found });
+        }
+        possible
+    });
+    let central = Matrix3::from_diagonal(&moments?);
+    Some(RigidInertia::about_node(mass?, &offset?, &central))
+}
+
+/// Moments of inertia are sums of two of the three non-negative `int x^2 dm`: none is
+/// negative, and none larger than the sum of the others.
+fn is_possible(moments: &Vector3<f64>) -> bool {
+    let sum = moments.sum();
+    moments
+        .iter()
+        .all(|&moment| moment >= 0.0 && 2.0 * moment <= sum * (1.0 + ROUNDING))
+}

@@ -1,0 +1,19 @@
+//! Clamps.
+
+use shared_geom::document::Table;
+
+use super::draft::Draft;
+
+/// Adds every `[[clamp]]` to the model.
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("clamp").iter().enumerate() {
+        let words = format!("clamp {}", number + 1);
+        let name = table.require_text("node", "the name of a node");
+        table.finish();
+        let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
+        match node {
+            Some(node) => draft.add_clamp(node, table, "node"),
+            None => draft.note_broken(),
+        }
+    }
+}

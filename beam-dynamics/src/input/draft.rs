@@ -1,0 +1,334 @@
+//! The model as far as it has been read: nodes, and what is attached to them.
+//!
+//! A card that is wrong leaves its name behind, so that those who use the name are
+//! not told that it is unknown.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::Matrix3;
+use shared_geom::document::Table;
+
+use super::hub::Hub;
+use super::problem::InputProblem;
+use super::properties::{Catalog, Properties};
+use crate::assembly::System;
+use crate::elements::Element;
+use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, lumped_bodies};
+use crate::elements::bodies::{RigidBody, RigidInertia};
+use crate::elements::joints::Clamp;
+use crate::model::{NamingAxes, Node};
+
+/// How the mass of a beam moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Inertia {
+    /// With the interpolated velocities.
+    Consistent,
+    /// Rigidly with the nodes.
+    Lumped,
+}
+
+impl Inertia {
+    /// The word under `inertia` of a card; consistent when there is none.
+    pub fn read(table: &Table<'_>) -> Option<Self> {
+        if !table.has("inertia") {
+            return Some(Self::Consistent);
+        }
+        let word = table.word("inertia", &["consistent", "lumped"])?;
+        Some([Self::Consistent, Self::Lumped][word])
+    }
+}
+
+/// A beam of constant properties.
+#[derive(Debug, Clone)]
+pub(super) struct Beam {
+    pub label: String,
+    pub nodes: [usize; 3],
+    pub geometry: BeamGeometry,
+    pub properties: Properties,
+    pub inertia: Inertia,
+}
+
+/// What a name of a node stands for.
+#[derive(Debug, Clone, Copy)]
+struct Named {
+    /// Number of the node; `None` for one that could not be read.
+    node: Option<usize>,
+    /// Line of its card.
+    line: usize,
+}
+
+/// The model while it is read.
+#[derive(Debug)]
+pub(super) struct Draft {
+    properties: Catalog,
+    hub: Option<Hub>,
+    nodes: Vec<Node>,
+    /// Axes of the blade to which each node belongs.
+    blade_axes: Vec<Option<Matrix3<f64>>>,
+    names: BTreeMap<String, Named>,
+    broken_blades: BTreeSet<String>,
+    used: BTreeSet<usize>,
+    beams: Vec<Beam>,
+    clamps: BTreeMap<usize, usize>,
+    bodies: Vec<(String, usize, RigidInertia)>,
+    labels: BTreeMap<(&'static str, String), usize>,
+    /// Whether some beam or other user of a node could not be attached.
+    loose_ends: bool,
+    broken: bool,
+}
+
+impl Draft {
+    /// An empty model; `hub` is `None` when its card is wrong.
+    pub fn new(properties: Catalog, hub: Option<Hub>) -> Self {
+        Self {
+            properties,
+            hub,
+            nodes: Vec::new(),
+            blade_axes: Vec::new(),
+            names: BTreeMap::new(),
+            broken_blades: BTreeSet::new(),
+            used: BTreeSet::new(),
+            beams: Vec::new(),
+            clamps: BTreeMap::new(),
+            bodies: Vec::new(),
+            labels: BTreeMap::new(),
+            loose_ends: false,
+            broken: false,
+        }
+    }
+
+    /// The hub, if it could be read.
+    pub fn hub(&self) -> Option<&Hub> {
+        self.hub.as_ref()
+    }
+
+    /// Nodes so far.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// Beams so far.
+    pub fn beams(&self) -> &[Beam] {
+        &self.beams
+    }
+
+    /// Number of bodies so far.
+    pub fn body_count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Clamped nodes, in order.
+    pub fn clamped(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
+        self.clamps.keys().copied()
+    }
+
+    /// Axes of the blade to which a node belongs.
+    pub fn blade_axes(&self, node: usize) -> Option<Matrix3<f64>> {
+        self.blade_axes[node]
+    }
+
+    /// Adds a node of a card; a name that is taken already is noted there.
+    pub fn add_node(
+        &mut self,
+        node: Node,
+        table: &Table<'_>,
+        blade_axes: Option<Matrix3<f64>>,
+    ) -> Option<usize> {
+        let index = self.nodes.len();
+        if !self.name_node(&node.label, Some(index), table) {
+            return None;
+        }
+        self.nodes.push(node);
+        self.blade_axes.push(blade_axes);
+        Some(index)
+    }
+
+    /// Gives node number `index`, or one that could not be read, a further name.
+    pub fn name_node(&mut self, name: &str, index: Option<usize>, table: &Table<'_>) -> bool {
+        self.broken |= index.is_none();
+        if let Some(first) = self.names.get(name) {
+            let (kind, name, line) = ("node", name.to_owned(), first.line);
+            table.note("name", &InputProblem::DoubledName { kind, name, line });
+            self.broken = true;
+            return false;
+        }
+        let line = table.line_of("name");
+        self.names
+            .insert(name.to_owned(), Named { node: index, line });
+        true
+    }
+
+    /// Notes that a card could not be read.
+    pub fn note_broken(&mut self) {
+        self.broken = true;
+    }
+
+    /// Notes that a blade could not be read: its nodes are neither known nor unknown.
+    pub fn note_broken_blade(&mut self, blade: &str) {
+        self.broken = true;
+        self.broken_blades.insert(blade.to_owned());
+    }
+
+    /// The node called `name` under `key` of a card that is `user` in words.
+    pub fn find_node(
+        &mut self,
+        name: &str,
+        table: &Table<'_>,
+        key: &str,
+        user: &str,
+    ) -> Option<usize> {
+        let found = self.names.get(name).copied();
+        let of_broken_blade = name
+            .split_once('/')
+            .is_some_and(|(blade, _)| self.broken_blades.contains(blade));
+        if found.is_none() && !of_broken_blade {
+            let problem = InputProblem::UnknownName {
+                kind: "node",
+                name: name.to_owned(),
+                user: user.to_owned(),
+                known: self.names.keys().cloned().collect(),
+            };
+            table.note(key, &problem);
+        }
+        let node = found.and_then(|named| named.node);
+        self.used.extend(node);
+        if node.is_none() {
+            self.note_loose_end();
+        }
+        node
+    }
+
+    /// Notes that a card does not say which nodes it uses.
+    pub fn note_loose_end(&mut self) {
+        self.broken = true;
+        self.loose_ends = true;
+    }
+
+    /// The properties named under `properties` of a card that is `user` in words.
+    pub fn find_properties(&mut self, table: &Table<'_>, user: &str) -> Option<Properties> {
+        let found = self
+            .properties
+            .find(&table.text("properties")?, table, user);
+        self.broken |= found.is_none();
+        found
+    }
+
+    /// Takes a name for a thing of a kind; notes one that is taken already.
+    pub fn take_label(&mut self, kind: &'static str, name: &str, table: &Table<'_>) -> bool {
+        let key = (kind, name.to_owned());
+        if let Some(&line) = self.labels.get(&key) {
+            let name = name.to_owned();
+            table.note("name", &InputProblem::DoubledName { kind, name, line });
+            self.broken = true;
+            return false;
+        }
+        self.labels.insert(key, table.line_of("name"));
+        true
+    }
+
+    /// Adds a beam, whose geometry has been checked.
+    pub fn add_beam(&mut self, beam: Beam) {
+        self.used.extend(beam.nodes);
+        self.beams.push(beam);
+    }
+
+    /// Adds a body on a node.
+    pub fn add_body(&mut self, label: String, node: usize, inertia: RigidInertia) {
+        self.bodies.push((label, node, inertia));
+    }
+
+    /// Clamps a node; a node that is clamped already is noted under `key`.
+    pub fn add_clamp(&mut self, node: usize, table: &Table<'_>, key: &str) {
+        if let Some(&line) = self.clamps.get(&node) {
+            let (kind, name) = ("clamp of node", self.nodes[node].label.clone());
+            table.note(key, &InputProblem::DoubledName { kind, name, line });
+            self.broken = true;
+            return;
+        }
+        self.clamps.insert(node, table.line_of(key));
+    }
+
+    /// Notes what is wrong with the model as a whole.
+    pub fn check(&self, root: &Table<'_>) {
+        if !root.has("blade") && !root.has("beam") {
+            root.note("", &InputProblem::EmptyModel);
+            return;
+        }
+        let unused = (0..self.nodes.len()).filter(|node| !self.used.contains(node));
+        for node in unused.filter(|_| !self.loose_ends) {
+            let node = self.nodes[node].label.clone();
+            let line = self.names.get(&node).map_or(1, |named| named.line);
+            root.document()
+                .note(line, &InputProblem::UnusedNode { node });
+        }
+        if !self.broken && self.mass() <= 0.0 {
+            root.note("", &InputProblem::NoMass);
+        }
+    }
+
+    /// Mass of all beams and bodies \[kg\].
+    pub fn mass(&self) -> f64 {
+        let of_beams = self
+            .beams
+            .iter()
+            .flat_map(|beam| self.lumped(beam))
+            .map(|body| body.mass);
+        let of_bodies = self.bodies.iter().map(|body| body.2.mass);
+        of_beams.chain(of_bodies).sum()
+    }
+
+    fn ends(&self, beam: &Beam) -> [&Node; 3] {
+        beam.nodes.map(|node| &self.nodes[node])
+    }
+
+    fn lumped(&self, beam: &Beam) -> [RigidInertia; 3] {
+        lumped_bodies(&beam.geometry, self.ends(beam), |_| beam.properties.mass)
+    }
+
+    /// The equations of the model, and the axes by which each node's motion is named.
+    pub fn system(self) -> Option<(System, Vec<NamingAxes>)> {
+        let naming = self.naming()?;
+        let mut elements = Vec::new();
+        for beam in &self.beams {
+            elements.extend(self.beam_elements(beam));
+        }
+        for (label, node, inertia) in &self.bodies {
+            elements.push(boxed(RigidBody::new(label, *node, *inertia)));
+        }
+        for &node in self.clamps.keys() {
+            let label = format!("clamp of {}", self.nodes[node].label);
+            elements.push(boxed(Clamp::new(label, node, &self.nodes[node])));
+        }
+        Some((System::new(self.nodes, elements), naming))
+    }
+
+    fn beam_elements(&self, beam: &Beam) -> Vec<Box<dyn Element>> {
+        let Beam {
+            label,
+            nodes,
+            geometry,
+            properties,
+            inertia,
+        } = beam;
+        let stiffness = [properties.stiffness; 2];
+        let elastic = ElasticBeam::new(label, *nodes, *geometry, self.ends(beam), stiffness);
+        let mut elements = vec![boxed(elastic)];
+        match inertia {
+            Inertia::Consistent => {
+                let mass = |_| properties.mass;
+                let inertia = BeamInertia::new(label, *nodes, *geometry, self.ends(beam), mass);
+                elements.push(boxed(inertia));
+            }
+            Inertia::Lumped => {
+                for (&node, body) in nodes.iter().zip(self.lumped(beam)) {
+                    elements.push(boxed(RigidBody::new(label, node, body)));
+                }
+            }
+        }
+        elements
+    }
+}
+
+fn boxed(element: impl Element + 'static) -> Box<dyn Element> {
+    Box::new(element)
+}

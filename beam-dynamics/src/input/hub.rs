@@ -1,0 +1,154 @@
+//! The hub: what the model turns about, and where azimuth zero is.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
+use shared_geom::rotation::vector;
+use shared_geom::units::Dimension;
+
+use super::problem::InputProblem;
+use crate::case::Spin;
+
+/// Smallest sine of the angle between the axis and x for which the direction of
+/// azimuth zero has a meaning: a twentieth of a degree.
+const SMALLEST_SINE: f64 = 1e-3;
+
+/// Axis and center of rotation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Hub {
+    axis: Vector3<f64>,
+    center: Vector3<f64>,
+}
+
+/// Reads `[hub]`; `None` when it is wrong, the z axis through the origin when absent.
+pub(super) fn read(root: &Table<'_>) -> Option<Hub> {
+    let default = Spin::default();
+    let mut hub = Hub {
+        axis: default.axis,
+        center: default.center,
+    };
+    if !root.has("hub") {
+        return Some(hub);
+    }
+    let table = root.table("hub")?;
+    let (mut axis, mut center) = (Some(hub.axis), Some(hub.center));
+    if table.has("axis") {
+        axis = table
+            .vector("axis", Dimension::NUMBER)
+            .and_then(|axis| unit(&table, axis));
+    }
+    if table.has("center") {
+        center = table.vector("center", Dimension::LENGTH);
+    }
+    table.finish();
+    (hub.axis, hub.center) = (axis?, center?);
+    Some(hub)
+}
+
+fn unit(table: &Table<'_>, axis: Vector3<f64>) -> Option<Vector3<f64>> {
+    // Scaled first, so that very small and very large components keep their digits.
+    let largest = axis.amax();
+    if largest == 0.0 {
+        table.note("axis", &InputProblem::NoAxis);
+        return None;
+    }
+    Some((axis / largest).normalize())
+}
+
+impl Hub {
+    /// Axis and center, as the case wants them.
+    pub fn spin(&self) -> Spin {
+        Spin {
+            axis: self.axis,
+            center: self.center,
+        }
+    }
+
+    /// Axes of a blade (columns) at `azimuth` \[rad\]: x out along the span, z along
+    /// the axis, y = z x x the way the blade goes.
+    ///
+    /// At azimuth zero x is the model's x as seen across the axis; `None` when the
+    /// axis points along it.
+    pub fn blade_axes(&self, azimuth: f64) -> Option<Matrix3<f64>> {
+        let across = Vector3::x() - self.axis * self.axis.x;
+        if across.norm() < SMALLEST_SINE {
+            return None;
+        }
+        let span = across.normalize();
+        let at_zero = Matrix3::from_columns(&[span, self.axis.cross(&span), self.axis]);
+        Some(self.turn(azimuth) * at_zero)
+    }
+
+    /// Place at `azimuth` \[rad\] of what is at `position` for azimuth zero \[m\].
+    pub fn at_azimuth(&self, position: Vector3<f64>, azimuth: f64) -> Vector3<f64> {
+        self.center + self.turn(azimuth) * (position - self.center)
+    }
+
+    /// Axes for naming where no blade gives them: x along `span` as seen across the
+    /// axis, z along the axis; where the span is the axis itself, the model's axes.
+    pub fn naming_axes(&self, span: &Vector3<f64>) -> Matrix3<f64> {
+        let across = span - self.axis * self.axis.dot(span);
+        if across.norm() < SMALLEST_SINE * span.norm() {
+            return Matrix3::identity();
+        }
+        let x = across.normalize();
+        Matrix3::from_columns(&[x, self.axis.cross(&x), self.axis])
+    }
+
+    fn turn(&self, azimuth: f64) -> Matrix3<f64> {
+        vector::to_rotation(&(self.axis * azimuth))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shared_geom::document::Document;
+    use std::f64::consts::FRAC_PI_2;
+
+    fn hub(text: &str) -> Result<Hub, String> {
+        let document = Document::parse(text, "a.toml").unwrap();
+        let hub = read(&document.root());
+        document
+            .finish(hub)
+            .map_err(|problems| problems.to_string())
+    }
+
+    #[test]
+    fn axes_are_normalized_and_zero_is_refused() {
+        let found = hub("[hub]\naxis = [0, 0, -1e-200]\ncenter = [1, 2, 3]\n").unwrap();
+        assert_eq!(found.axis, -Vector3::z());
+        assert_eq!(found.center, Vector3::new(1.0, 2.0, 3.0));
+        assert_eq!(hub("").unwrap().spin(), Spin::default());
+        let shown = hub("[hub]\naxis = [0, 0, 0]\ncentre = [1, 1, 1]\n").unwrap_err();
+        assert!(
+            shown.contains("a.toml:2: \"axis\" has no direction"),
+            "{shown}"
+        );
+        assert!(shown.contains("did you mean \"center\"?"), "{shown}");
+    }
+
+    // Right-hand rotation about +z: a blade at azimuth 90 degrees lies along +y and
+    // goes toward -x.
+    #[test]
+    fn azimuth_turns_about_the_axis_through_the_center() {
+        let hub = Hub {
+            axis: Vector3::z(),
+            center: Vector3::new(1.0, 0.0, 0.0),
+        };
+        let axes = hub.blade_axes(FRAC_PI_2).unwrap();
+        let expected = Matrix3::from_columns(&[Vector3::y(), -Vector3::x(), Vector3::z()]);
+        assert!((axes - expected).amax() < 1e-15);
+        let moved = hub.at_azimuth(Vector3::new(3.0, 0.0, 5.0), FRAC_PI_2);
+        assert!((moved - Vector3::new(1.0, 2.0, 5.0)).amax() < 1e-15);
+    }
+
+    #[test]
+    fn an_axis_along_x_has_no_azimuth() {
+        let hub = Hub {
+            axis: -Vector3::x(),
+            center: Vector3::zeros(),
+        };
+        assert_eq!(hub.blade_axes(0.0), None);
+        assert_eq!(hub.naming_axes(&Vector3::x()), Matrix3::identity());
+    }
+}

@@ -1,0 +1,225 @@
+//! Properties given in place, by stiffnesses and inertias about their centers.
+//!
+//! ```text
+//! K = U(-t) diag(EA, 0, 0, 0, EIy, EIz) U(-t)^T + U(-s) diag(0, GAy, GAz, GJ, 0, 0) U(-s)^T
+//! M = U(-c) diag(m, m, m, Iy + Iz, Iy, Iz) U(-c)^T
+//! ```
+//!
+//! with t, s, c the tension, shear and mass centers as seen from the reference point
+//! and U(d) the change to the point O + d: the sums stand at the centers, and the
+//! reference point is at -t, -s, -c from them.
+
+use nalgebra::{Matrix6, Vector2, Vector3, Vector6};
+use shared_geom::document::Table;
+use shared_geom::section::{Centers, PrincipalAxes, Provenance, SectionProperties, half_turn};
+use shared_geom::units::Dimension;
+use shared_geom::wrench;
+
+use super::problem::InputProblem;
+use super::properties::{Properties, usable};
+
+/// Keys of properties in place.
+pub(super) const KEYS: [&str; 12] = [
+    "ea",
+    "gay",
+    "gaz",
+    "gj",
+    "eiy",
+    "eiz",
+    "m",
+    "iy",
+    "iz",
+    "tension_center",
+    "shear_center",
+    "mass_center",
+];
+
+/// Stiffnesses, inertias and centers as written.
+#[derive(Debug, Clone, Copy)]
+struct Written {
+    /// Axial and shear stiffnesses EA, GAy, GAz \[N\], GJ, EIy, EIz \[N m^2\].
+    stiffness: [f64; 6],
+    /// Mass m \[kg/m\], inertias Iy and Iz \[kg m\].
+    mass: [f64; 3],
+    centers: Centers,
+}
+
+/// Reads a table `[properties.NAME]` without a file.
+pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
+    const FORCE: Dimension = Dimension::FORCE;
+    const MOMENT: Dimension = Dimension::BENDING_STIFFNESS;
+    let dimensions = [FORCE, FORCE, FORCE, MOMENT, MOMENT, MOMENT];
+    // Every key is asked for, so that all problems are told.
+    let stiffness: [_; 6] = std::array::from_fn(|i| table.require_positive(KEYS[i], dimensions[i]));
+    let mass = [
+        not_negative(table, "m", Dimension::MASS_PER_LENGTH),
+        not_negative(table, "iy", Dimension::INERTIA_PER_LENGTH),
+        not_negative(table, "iz", Dimension::INERTIA_PER_LENGTH),
+    ];
+    let centers = ["tension_center", "shear_center", "mass_center"].map(|key| center(table, key));
+    let [ea, gay, gaz, gj, eiy, eiz] = stiffness;
+    let [m, iy, iz] = mass;
+    let [tension, shear, mass_center] = centers;
+    let written = Written {
+        stiffness: [ea?, gay?, gaz?, gj?, eiy?, eiz?],
+        mass: [m?, iy?, iz?],
+        centers: Centers {
+            tension: tension?,
+            shear: shear?,
+            mass: mass_center?,
+        },
+    };
+    usable(name, table, "", &written.section(name))
+}
+
+fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
+    let number = table.require_quantity(key, dimension)?;
+    if number >= 0.0 {
+        return Some(number);
+    }
+    table.wrong(key, &format!("{dimension}, zero or more"));
+    None
+}
+
+/// A point (y, z) of the section; the reference point when absent.
+fn center(table: &Table<'_>, key: &'static str) -> Option<Vector2<f64>> {
+    if !table.has(key) {
+        return Some(Vector2::zeros());
+    }
+    let numbers = table.quantities(key, Dimension::LENGTH)?;
+    match numbers[..] {
+        [y, z] => Some(Vector2::new(y, z)),
+        _ => {
+            let (found, expected) = (numbers.len(), "two lengths, y and z");
+            table.note(
+                key,
+                &InputProblem::Count {
+                    key,
+                    found,
+                    expected,
+                },
+            );
+            None
+        }
+    }
+}
+
+impl Written {
+    fn section(&self, name: &str) -> SectionProperties {
+        let [ea, gay, gaz, gj, eiy, eiz] = self.stiffness;
+        let [m, iy, iz] = self.mass;
+        let Centers {
+            tension,
+            shear,
+            mass,
+        } = self.centers;
+        let at = |center: &Vector2<f64>, diagonal: [f64; 6]| {
+            let diagonal = Matrix6::from_diagonal(&Vector6::from(diagonal));
+            wrench::shift(&diagonal, &-Vector3::new(0.0, center.x, center.y))
+        };
+        let bending = at(&tension, [ea, 0.0, 0.0, 0.0, eiy, eiz]);
+        let shearing = at(&shear, [0.0, gay, gaz, gj, 0.0, 0.0]);
+        SectionProperties {
+            name: name.to_owned(),
+            reference_point: Vector2::zeros(),
+            stiffness: bending + shearing,
+            mass: at(&mass, [m, m, m, iy + iz, iy, iz]),
+            centers: self.centers,
+            principal_axes: PrincipalAxes {
+                bending_angle: half_turn(0.0),
+                bending_stiffness: [eiy, eiz],
+                inertia_angle: half_turn(0.0),
+                inertia: [iy, iz],
+            },
+            initial_curvature: None,
+            piezo: None,
+            thermal_force: None,
+            damping: None,
+            provenance: Provenance {
+                program: env!("CARGO_PKG_NAME").to_owned(),
+                version: env!("CARGO_PKG_VERSION").to_owned(),
+                input_hash: String::new(),
+                nodes: 0,
+                cells: 0,
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shared_geom::document::Document;
+
+    const TEXT: &str = "ea = 7e6\ngay = 2e6\ngaz = 1e6\ngj = 30\neiy = 40\neiz = 900\n\
+        m = 2\niy = 0.01\niz = 0.04\n\
+        tension_center = [0.3, -0.1]\nshear_center = [-0.2, 0.05]\nmass_center = [0.1, 0.02]\n";
+
+    fn properties(text: &str) -> Result<Properties, String> {
+        let document = Document::parse(text, "a.toml").unwrap();
+        let root = document.root();
+        let found = read("p", &root);
+        root.finish();
+        document
+            .finish(found)
+            .map_err(|problems| problems.to_string())
+    }
+
+    /// Generalized strain of an internal force `f` that acts at the point (y, z):
+    /// its moments about the reference point are p x f.
+    fn strain(p: &Properties, f: [f64; 3], y: f64, z: f64) -> Vector6<f64> {
+        let (f, arm) = (Vector3::from(f), Vector3::new(0.0, y, z));
+        let moment = arm.cross(&f);
+        let load = Vector6::new(f.x, f.y, f.z, moment.x, moment.y, moment.z);
+        p.stiffness.try_inverse().unwrap() * load
+    }
+
+    // What the centers mean: an axial force at the tension center stretches by 1/EA and
+    // does not bend; a shear force at the shear center does not twist. Strains of 1e-7
+    // from an inverse with entries up to 1/30: a few roundings, 1e-15.
+    #[test]
+    fn forces_at_their_centers_cause_no_bending_and_no_twist() {
+        let p = properties(TEXT).unwrap();
+        let stretched = strain(&p, [1.0, 0.0, 0.0], 0.3, -0.1);
+        assert!(stretched.fixed_rows::<2>(4).amax() < 1e-15, "{stretched}");
+        let sheared = strain(&p, [0.0, 1.0, 1.0], -0.2, 0.05);
+        assert!(sheared[3].abs() < 1e-15, "{sheared}");
+        assert!((sheared[1] - 0.5e-6).abs() < 1e-15 && (sheared[2] - 1e-6).abs() < 1e-15);
+        // Elsewhere they do: EA at y = 0.3 bends about z by -0.3 F / EIz.
+        let elsewhere = strain(&p, [1.0, 0.0, 0.0], 0.0, 0.0);
+        assert!((elsewhere[5] - 0.3 / 900.0).abs() < 1e-12, "{elsewhere}");
+    }
+
+    // Momentum of a rotation about z through the reference point: the mass center at
+    // y = 0.1 moves with v_x = -0.1, and Steiner gives Iz + m y^2.
+    #[test]
+    fn mass_is_taken_from_its_center() {
+        let p = properties(TEXT).unwrap();
+        let turning = p.mass * Vector6::new(0.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+        assert!((turning[0] + 2.0 * 0.1).abs() < 1e-15, "{turning}");
+        assert!(
+            (turning[5] - (0.04 + 2.0 * 0.01)).abs() < 1e-15,
+            "{turning}"
+        );
+    }
+
+    #[test]
+    fn every_wrong_number_is_told_by_its_key() {
+        let text = TEXT
+            .replace("gj = 30", "gj = 0")
+            .replace("m = 2\n", "m = -2\n");
+        let text = text
+            .replace("ea = 7e6", "eaa = 1")
+            .replace("[0.1, 0.02]", "[1, 2, 3]");
+        let shown = properties(&text).unwrap_err();
+        for expected in [
+            "a.toml:1: the file has no \"ea\", expected a force",
+            "a.toml:4: \"gj\" is 0, expected a bending or torsional stiffness greater than zero",
+            "a.toml:7: \"m\" is -2, expected a mass per length, zero or more",
+            "a.toml:12: \"mass_center\" lists 3, expected two lengths, y and z",
+            "a.toml:1: unknown key \"eaa\"",
+        ] {
+            assert!(shown.contains(expected), "{expected} is not in\n{shown}");
+        }
+    }
+}

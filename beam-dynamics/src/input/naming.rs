@@ -1,0 +1,86 @@
+//! Axes by which the motion of each node is named.
+//!
+//! A node of a blade takes the axes of the blade's root, and so does every node that
+//! beams connect with it. Where no blade is near, the span is the section axis x at
+//! the clamped node of the connected beams, or else at their first node.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Matrix3;
+
+use super::draft::{Beam, Draft};
+use crate::model::NamingAxes;
+
+impl Draft {
+    /// Axes for naming, one a node; `None` without a hub.
+    pub fn naming(&self) -> Option<Vec<NamingAxes>> {
+        let groups = self.connected();
+        let sections = self.sections();
+        let group_axes = self.group_axes(&groups, &sections)?;
+        let axes = |node: usize| NamingAxes {
+            blade: self.blade_axes(node).unwrap_or(group_axes[&groups[node]]),
+            section: sections[node],
+        };
+        Some((0..groups.len()).map(axes).collect())
+    }
+
+    /// Blade axes of each group of connected nodes, by its first node.
+    fn group_axes(
+        &self,
+        groups: &[usize],
+        sections: &[Matrix3<f64>],
+    ) -> Option<BTreeMap<usize, Matrix3<f64>>> {
+        let hub = self.hub()?;
+        let mut roots = BTreeMap::new();
+        for node in self.clamped() {
+            roots.entry(groups[node]).or_insert(node);
+        }
+        let mut axes = BTreeMap::new();
+        for (node, &group) in groups.iter().enumerate() {
+            if let Some(of_blade) = self.blade_axes(node) {
+                axes.entry(group).or_insert(of_blade);
+            }
+        }
+        for &group in groups {
+            let root = roots.get(&group).copied().unwrap_or(group);
+            let span = sections[root].column(0).into_owned();
+            axes.entry(group).or_insert_with(|| hub.naming_axes(&span));
+        }
+        Some(axes)
+    }
+
+    /// For each node the first node that beams connect it with.
+    fn connected(&self) -> Vec<usize> {
+        let mut group: Vec<usize> = (0..self.nodes().len()).collect();
+        let mut spread = |beams: &mut dyn Iterator<Item = &Beam>| {
+            let mut changed = false;
+            for beam in beams {
+                let least = beam
+                    .nodes
+                    .map(|node| group[node])
+                    .into_iter()
+                    .min()
+                    .unwrap_or(0);
+                for node in beam.nodes {
+                    changed |= group[node] != least;
+                    group[node] = least;
+                }
+            }
+            changed
+        };
+        // Forward and back, so that a chain is done at once in either order.
+        while spread(&mut self.beams().iter()) | spread(&mut self.beams().iter().rev()) {}
+        group
+    }
+
+    /// Section axes at each node: those of the first beam on it, or its own.
+    fn sections(&self) -> Vec<Matrix3<f64>> {
+        let mut sections: Vec<_> = self.nodes().iter().map(|node| node.rotation).collect();
+        for beam in self.beams().iter().rev() {
+            for (node, end) in beam.nodes.into_iter().zip(&beam.geometry.nodes) {
+                sections[node] = self.nodes()[node].rotation * end.orientation;
+            }
+        }
+        sections
+    }
+}

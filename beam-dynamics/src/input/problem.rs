@@ -1,0 +1,357 @@
+//! What can be wrong with a dynamics input, beyond what any input file can have.
+
+use shared_geom::document::DocumentProblem;
+use shared_geom::error::{Explain, nearest_name};
+use shared_geom::section::PropertyProblem;
+
+use super::number::short_number;
+
+/// A problem of a dynamics input or of the table of measurements that it names.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum InputProblem {
+    /// A name that nothing in the file has.
+    #[error("unknown {kind} \"{name}\" in {user}")]
+    UnknownName {
+        /// `node` or `properties`.
+        kind: &'static str,
+        /// The name found.
+        name: String,
+        /// What uses the name, in words.
+        user: String,
+        /// The names of this kind.
+        known: Vec<String>,
+    },
+    /// A name that two things of a kind have.
+    #[error("{kind} \"{name}\" is already defined on line {line}, expected one of this name")]
+    DoubledName {
+        /// `node`, `beam` or the like.
+        kind: &'static str,
+        /// The name.
+        name: String,
+        /// Line of the first.
+        line: usize,
+    },
+    /// No beam and no body at all.
+    #[error("the model is empty, expected [[blade]], or [[node]] and [[beam]]")]
+    EmptyModel,
+    /// Nothing has a mass.
+    #[error("the model has no mass, expected a mass per length or a body")]
+    NoMass,
+    /// A node to which nothing is attached.
+    #[error("node \"{node}\" belongs to no beam, expected every node in one")]
+    UnusedNode {
+        /// Name of the node.
+        node: String,
+    },
+    /// A file of properties that cannot be opened.
+    #[error("properties \"{name}\": no property file at \"{file}\"")]
+    NoPropertyFile {
+        /// Name of the properties.
+        name: String,
+        /// Where the file was looked for.
+        file: String,
+        /// Files of this kind in the same folder.
+        known: Vec<String>,
+    },
+    /// Properties given in two ways.
+    #[error("{table} has \"file\" and \"{key}\", expected a file or numbers in place")]
+    FileAndNumbers {
+        /// The table, in words.
+        table: String,
+        /// The first key of properties in place.
+        key: &'static str,
+    },
+    /// Properties that no beam can have.
+    #[error("properties \"{name}\": {problem}")]
+    Unsound {
+        /// Name of the properties.
+        name: String,
+        /// What is wrong with them.
+        problem: PropertyProblem,
+    },
+    /// Properties with something that this program would leave out.
+    #[error("properties \"{name}\" have {what}, which this program does not use yet")]
+    NotUsed {
+        /// Name of the properties.
+        name: String,
+        /// What they have, in words.
+        what: &'static str,
+        /// The field of the property file to remove.
+        field: &'static str,
+    },
+    /// A list of another length.
+    #[error("\"{key}\" lists {found}, expected {expected}")]
+    Count {
+        /// The key.
+        key: &'static str,
+        /// Number of items found.
+        found: usize,
+        /// Number expected, in words.
+        expected: &'static str,
+    },
+    /// A number past what the program accepts.
+    #[error("\"{key}\" is {found}, expected at most {limit}")]
+    TooMany {
+        /// The key.
+        key: &'static str,
+        /// The number found.
+        found: usize,
+        /// The largest number accepted.
+        limit: usize,
+    },
+    /// An angle past a quarter turn.
+    #[error("\"{key}\" is {} deg, expected less than 90 deg to either side", six(*.found))]
+    SteepAngle {
+        /// The key.
+        key: &'static str,
+        /// The angle found \[deg\].
+        found: f64,
+    },
+    /// An axis of no direction.
+    #[error("\"axis\" has no direction: its length is zero")]
+    NoAxis,
+    /// A blade at a hub whose axis points along x.
+    #[error("the axis of the hub points along x, so that the azimuth of a blade has no zero")]
+    AxisAlongSpan,
+    /// A blade without length.
+    #[error("blade \"{blade}\" has no [[blade.piece]], expected at least one")]
+    NoPieces {
+        /// Name of the blade.
+        blade: String,
+    },
+    /// A piece of a blade without properties.
+    #[error("{piece} has no \"properties\", and the blade has none for all its pieces")]
+    NoProperties {
+        /// The piece, in words.
+        piece: String,
+    },
+    /// A beam with the same node twice.
+    #[error("{beam} has node \"{node}\" twice, expected three nodes")]
+    NodeTwice {
+        /// The beam, in words.
+        beam: String,
+        /// Name of the node.
+        node: String,
+    },
+    /// Two nodes of a beam at one place.
+    #[error("{beam}: \"{first}\" and \"{second}\" lie at the same place, expected a distance")]
+    Coincident {
+        /// The beam, in words.
+        beam: String,
+        /// Name of a node.
+        first: String,
+        /// Name of the other node.
+        second: String,
+    },
+    /// A middle node beyond an end.
+    #[error("{beam}: \"{middle}\" does not lie between \"{first}\" and \"{last}\"")]
+    OutOfOrder {
+        /// The beam, in words.
+        beam: String,
+        /// Names of the nodes as listed.
+        first: String,
+        /// The second.
+        middle: String,
+        /// The third.
+        last: String,
+    },
+    /// A middle node too far from the middle.
+    #[error(
+        "{beam}: \"{middle}\" lies at {:.1} % of the way from \"{first}\" to \"{last}\", \
+         expected 45 % to 55 %",
+        100.0 * .part
+    )]
+    OffMiddle {
+        /// The beam, in words.
+        beam: String,
+        /// Names of the nodes as listed.
+        first: String,
+        /// The second.
+        middle: String,
+        /// The third.
+        last: String,
+        /// Place of the middle node, as part of the way \[-\].
+        part: f64,
+    },
+    /// Section axes across the beam.
+    #[error(
+        "{beam}: the section axis x at \"{node}\" is {degrees:.1} deg off the line of the beam, \
+         expected at most {limit} deg"
+    )]
+    AcrossLine {
+        /// The beam, in words.
+        beam: String,
+        /// Name of the node.
+        node: String,
+        /// Angle between the axis and the line \[deg\].
+        degrees: f64,
+        /// The largest angle accepted \[deg\].
+        limit: f64,
+    },
+    /// Section axes that turn too much within a beam.
+    #[error(
+        "{beam}: the section turns by {degrees:.1} deg between \"{node}\" and the middle, \
+         expected less than {limit} deg"
+    )]
+    Wrung {
+        /// The beam, in words.
+        beam: String,
+        /// Name of the node.
+        node: String,
+        /// Angle of the rotation \[deg\].
+        degrees: f64,
+        /// The largest angle accepted \[deg\].
+        limit: f64,
+    },
+    /// A body with a moment of inertia that no mass has.
+    #[error(
+        "body \"{body}\" has the inertia {found:?} kg m^2, expected each at most the sum of the others"
+    )]
+    ImpossibleInertia {
+        /// Name of the body.
+        body: String,
+        /// The three moments \[kg m^2\].
+        found: [f64; 3],
+    },
+    /// No rotor speed.
+    #[error("\"speeds\" is empty, expected at least one rotor speed")]
+    NoSpeeds,
+    /// A rotor speed below zero.
+    #[error("\"{key}\" has the speed {} rpm, expected zero or more", six(*.rpm))]
+    NegativeSpeed {
+        /// The key.
+        key: &'static str,
+        /// The speed \[rpm\].
+        rpm: f64,
+    },
+    /// A rotor speed twice.
+    #[error("\"speeds\" has the speed {} rpm twice, expected each once", six(*.rpm))]
+    SpeedTwice {
+        /// The speed \[rpm\].
+        rpm: f64,
+    },
+    /// A range of speeds that does not rise.
+    #[error("\"speeds\" runs from {} to {} rpm, expected a rising range", six(*.from), six(*.to))]
+    FallingRange {
+        /// First speed \[rpm\].
+        from: f64,
+        /// Last speed \[rpm\].
+        to: f64,
+    },
+    /// A table of measurements that cannot be read.
+    #[error("no table of measurements at \"{file}\": {reason}")]
+    NoMeasurements {
+        /// Where the file was looked for.
+        file: String,
+        /// The reason in words.
+        reason: String,
+    },
+    /// A table of measurements without the expected heading.
+    #[error("the columns are {found}, expected \"speed_rpm,frequency_hz,order\"")]
+    Heading {
+        /// The heading found, in quotes, or `missing`.
+        found: String,
+    },
+    /// A row of measurements that cannot be read.
+    #[error("row \"{found}\" cannot be read, expected {expected}")]
+    Row {
+        /// The row as written.
+        found: String,
+        /// What was expected, in words.
+        expected: &'static str,
+    },
+    /// Two measurements of one mode at one speed.
+    #[error("order {order} at this speed is already measured on line {line}, expected one row")]
+    RowTwice {
+        /// The order.
+        order: usize,
+        /// Line of the first.
+        line: usize,
+    },
+    /// Further rows with problems.
+    #[error("{count} more rows have problems")]
+    MoreRows {
+        /// Their number.
+        count: usize,
+    },
+    /// A table of measurements without a row.
+    #[error("the table has no row, expected at least one measured frequency")]
+    NoRows,
+    /// A problem that every input file can have.
+    #[error(transparent)]
+    Document(#[from] DocumentProblem),
+}
+
+impl Explain for InputProblem {
+    fn help(&self) -> Option<String> {
+        let fixed = match self {
+            Self::UnknownName {
+                kind, name, known, ..
+            } => return Some(nearest(kind, name, known)),
+            Self::NoPropertyFile { file, known, .. } => return Some(nearest_file(file, known)),
+            Self::Unsound { problem, .. } => return problem.help(),
+            Self::Document(problem) => return problem.help(),
+            Self::NotUsed { field, .. } => {
+                return Some(format!(
+                    "remove \"{field}\" from the property file to go without"
+                ));
+            }
+            Self::UnusedNode { .. } => "name it in a [[beam]], or remove it",
+            Self::AxisAlongSpan => {
+                "azimuth 0 is where x lies across the axis: turn the model, for example axis = [0, 0, 1]"
+            }
+            Self::OutOfOrder { .. } => {
+                "list the nodes from one end to the other, the middle one second"
+            }
+            Self::OffMiddle { .. } => {
+                "move the middle node, or its offset, to the middle of the beam"
+            }
+            Self::AcrossLine { .. } => {
+                "give the nodes an \"orientation\", or the beam \"section_axes\", with x along the beam, from the first node to the last"
+            }
+            Self::Wrung { .. } => "divide the beam into shorter ones",
+            Self::NoProperties { .. } => "name the properties in [[blade]] or in the piece",
+            Self::ImpossibleInertia { .. } => {
+                "the three moments are about the axes of the node, at the center of the body"
+            }
+            _ => return None,
+        };
+        Some(fixed.to_owned())
+    }
+}
+
+/// A number of a message.
+fn six(value: f64) -> String {
+    short_number(value, 6)
+}
+
+fn nearest(kind: &str, found: &str, known: &[String]) -> String {
+    match nearest_name(found, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None => format!("{kind}: {}", shortened(known)),
+    }
+}
+
+fn nearest_file(found: &str, known: &[String]) -> String {
+    let name = found.rsplit(['/', '\\']).next().unwrap_or(found);
+    match nearest_name(name, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None if known.is_empty() => "section-analyzer writes property files".to_owned(),
+        None => format!("property files there: {}", shortened(known)),
+    }
+}
+
+/// Names in quotes, the first ones if they are many.
+fn shortened(names: &[String]) -> String {
+    const SHOWN: usize = 12;
+    let quoted: Vec<_> = names
+        .iter()
+        .take(SHOWN)
+        .map(|name| format!("\"{name}\""))
+        .collect();
+    match names.len() {
+        0 => "none".to_owned(),
+        all if all > SHOWN => format!("{} and {} more", quoted.join(", "), all - SHOWN),
+        _ => quoted.join(", "),
+    }
+}

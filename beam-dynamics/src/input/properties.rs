@@ -1,0 +1,149 @@
+//! Named properties of beams: from property files, or in place.
+
+use std::path::Path;
+
+use nalgebra::Matrix6;
+use shared_geom::document::Table;
+use shared_geom::section::{self, SectionProperties};
+
+use super::in_place::{self, KEYS};
+use super::problem::InputProblem;
+
+/// Ending of the names of property files.
+const PROPERTY_FILE: &str = ".properties.json";
+
+/// What a beam needs of its section, in section axes about the reference line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Properties {
+    /// 6x6 stiffness \[N, N m, N m^2\].
+    pub stiffness: Matrix6<f64>,
+    /// 6x6 mass per length \[kg/m, kg, kg m\].
+    pub mass: Matrix6<f64>,
+}
+
+/// The properties of an input by name; those that are wrong are `None`.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Catalog {
+    named: Vec<(String, Option<Properties>)>,
+}
+
+/// Reads every `[properties.NAME]`.
+pub(super) fn read(root: &Table<'_>) -> Catalog {
+    let tables = root.named_tables("properties");
+    let named = tables.into_iter().map(|(name, table)| {
+        let properties = match table.has("file") {
+            true => from_file(&name, &table),
+            false => in_place::read(&name, &table),
+        };
+        table.finish();
+        (name, properties)
+    });
+    Catalog {
+        named: named.collect(),
+    }
+}
+
+impl Catalog {
+    /// The properties `name`, as named under `properties` of `table`, which is `user`
+    /// in words; `None` when they are wrong, and when they are unknown, which is noted.
+    pub fn find(&self, name: &str, table: &Table<'_>, user: &str) -> Option<Properties> {
+        let found = self.named.iter().find(|named| named.0 == name);
+        if found.is_none() {
+            let problem = InputProblem::UnknownName {
+                kind: "properties",
+                name: name.to_owned(),
+                user: user.to_owned(),
+                known: self.named.iter().map(|named| named.0.clone()).collect(),
+            };
+            table.note("properties", &problem);
+        }
+        found?.1
+    }
+}
+
+fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
+    if let Some(key) = KEYS.into_iter().find(|key| table.has(key)) {
+        let table_words = table.title().to_owned();
+        table.note(
+            key,
+            &InputProblem::FileAndNumbers {
+                table: table_words,
+                key,
+            },
+        );
+        for key in KEYS {
+            let _ = table.has(key);
+        }
+        return None;
+    }
+    let written = table.text("file")?;
+    let path = table.document().path(&written);
+    if !path.is_file() {
+        let problem = InputProblem::NoPropertyFile {
+            name: name.to_owned(),
+            file: path.display().to_string(),
+            known: property_files_beside(&path),
+        };
+        table.note("file", &problem);
+        return None;
+    }
+    let properties = table.document().keep(section::read(&path))?;
+    usable(name, table, "file", &properties)
+}
+
+/// Names of the property files in the folder of `path`, in order.
+fn property_files_beside(path: &Path) -> Vec<String> {
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    let Ok(entries) = std::fs::read_dir(folder.unwrap_or(Path::new("."))) else {
+        return Vec::new();
+    };
+    let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    let mut names: Vec<_> = names.filter(|name| name.ends_with(PROPERTY_FILE)).collect();
+    names.sort();
+    names
+}
+
+/// The matrices of sound properties; notes under `key` what is unsound, and what
+/// would be left out.
+pub(super) fn usable(
+    name: &str,
+    table: &Table<'_>,
+    key: &str,
+    properties: &SectionProperties,
+) -> Option<Properties> {
+    let problems = properties.problems();
+    for problem in &problems {
+        let (name, problem) = (name.to_owned(), problem.clone());
+        table.note(key, &InputProblem::Unsound { name, problem });
+    }
+    let left_out = [
+        (
+            properties.initial_curvature.is_some(),
+            "an initial curvature",
+            "initial_curvature",
+        ),
+        (
+            properties.piezo.is_some(),
+            "a piezoelectric coupling",
+            "piezo",
+        ),
+        (properties.damping.is_some(), "damping", "damping"),
+    ];
+    let left_out = left_out.iter().filter(|part| part.0);
+    for &(_, what, field) in left_out.clone() {
+        table.note(
+            key,
+            &InputProblem::NotUsed {
+                name: name.to_owned(),
+                what,
+                field,
+            },
+        );
+    }
+    (problems.is_empty() && left_out.count() == 0).then_some(Properties {
+        stiffness: properties.stiffness,
+        mass: properties.mass,
+    })
+}

@@ -1,0 +1,169 @@
+//! What is asked: rotor speeds and the number of modes.
+
+use std::f64::consts::PI;
+
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::problem::InputProblem;
+
+/// Radians per second in one revolution per minute.
+pub(super) const RPM: f64 = PI / 30.0;
+
+/// Modes that are reported unless a number is given.
+const DEFAULT_COUNT: usize = 10;
+/// Speeds of one run: more are a slip of the pen.
+const MOST_SPEEDS: usize = 10_000;
+/// Speeds closer than this part of the largest are the same speed.
+const SAME_SPEED: f64 = 1e-9;
+
+/// Rotor speeds and number of modes.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Question {
+    /// Ascending, without doubles \[rad/s\].
+    pub speeds: Vec<f64>,
+    pub count: usize,
+}
+
+/// Reads `[modes]`.
+pub(super) fn read(root: &Table<'_>) -> Option<Question> {
+    let table = root.require_table("modes", "the rotor speeds: [modes] with \"speeds\"")?;
+    let speeds = speeds(&table);
+    let count = match table.has("count") {
+        true => table.count("count"),
+        false => Some(DEFAULT_COUNT),
+    };
+    table.finish();
+    Some(Question {
+        speeds: speeds?,
+        count: count?,
+    })
+}
+
+fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
+    const EXPECTED: &str = "a list of rotation speeds, or { from, to, steps }";
+    if !table.has("speeds") {
+        let _ = table.require_text("speeds", EXPECTED);
+        return None;
+    }
+    let speeds = match table.is_table("speeds") {
+        true => range(&table.table("speeds")?),
+        false => table.quantities("speeds", Dimension::ROTATION_SPEED),
+    };
+    ascending(table, speeds?)
+}
+
+/// `steps` speeds at equal distances, both ends included.
+fn range(table: &Table<'_>) -> Option<Vec<f64>> {
+    let from = table.require_quantity("from", Dimension::ROTATION_SPEED);
+    let to = table.require_quantity("to", Dimension::ROTATION_SPEED);
+    let steps = table.require_count("steps");
+    table.finish();
+    let (from, to, steps) = (from?, to?, steps?);
+    if steps > MOST_SPEEDS {
+        let (key, found, limit) = ("steps", steps, MOST_SPEEDS);
+        table.note(key, &InputProblem::TooMany { key, found, limit });
+        return None;
+    }
+    if to <= from {
+        let (from, to) = (from / RPM, to / RPM);
+        table.note("to", &InputProblem::FallingRange { from, to });
+        return None;
+    }
+    let last = (steps - 1).max(1) as f64;
+    Some(
+        (0..steps)
+            .map(|k| from + (to - from) * k as f64 / last)
+            .collect(),
+    )
+}
+
+fn ascending(table: &Table<'_>, mut speeds: Vec<f64>) -> Option<Vec<f64>> {
+    let key = "speeds";
+    let note = |problem: InputProblem| table.note(key, &problem);
+    if speeds.is_empty() {
+        note(InputProblem::NoSpeeds);
+        return None;
+    }
+    speeds.sort_by(f64::total_cmp);
+    let below: Vec<_> = speeds.iter().filter(|speed| **speed < 0.0).collect();
+    for speed in &below {
+        note(InputProblem::NegativeSpeed {
+            key,
+            rpm: **speed / RPM,
+        });
+    }
+    let nearest = SAME_SPEED * speeds.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    let doubled: Vec<_> = speeds
+        .windows(2)
+        .filter(|pair| pair[1] - pair[0] <= nearest)
+        .collect();
+    for pair in &doubled {
+        note(InputProblem::SpeedTwice { rpm: pair[0] / RPM });
+    }
+    (below.is_empty() && doubled.is_empty()).then_some(speeds)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shared_geom::document::Document;
+
+    fn question(text: &str) -> Result<Question, String> {
+        let document = Document::parse(&format!("[modes]\n{text}"), "a.toml").unwrap();
+        let question = read(&document.root());
+        document
+            .finish(question)
+            .map_err(|problems| problems.to_string())
+    }
+
+    fn rpm(text: &str) -> Vec<f64> {
+        question(text)
+            .unwrap()
+            .speeds
+            .iter()
+            .map(|speed| (speed / RPM).round())
+            .collect()
+    }
+
+    #[test]
+    fn speeds_come_in_order_from_lists_and_ranges() {
+        assert_eq!(rpm("speeds = [500, 0, \"2 rev/s\"]"), [0.0, 120.0, 500.0]);
+        assert_eq!(rpm("speeds = 300"), [300.0]);
+        assert_eq!(
+            rpm("speeds = { from = 100, to = 400, steps = 4 }"),
+            [100.0, 200.0, 300.0, 400.0]
+        );
+        assert_eq!(rpm("speeds = { from = 100, to = 400, steps = 1 }"), [100.0]);
+        assert_eq!(question("speeds = [1]").unwrap().count, 10);
+    }
+
+    #[test]
+    fn wrong_speeds_are_told() {
+        for (text, expected) in [
+            ("speeds = []", "\"speeds\" is empty"),
+            (
+                "speeds = [-3, 0]",
+                "has the speed -3 rpm, expected zero or more",
+            ),
+            ("speeds = [5, 5]", "has the speed 5 rpm twice"),
+            ("speeds = [0, 0]", "has the speed 0 rpm twice"),
+            (
+                "speeds = { from = 5, to = 5, steps = 2 }",
+                "runs from 5 to 5 rpm",
+            ),
+            (
+                "speeds = { from = 5, to = 9, steps = 100000 }",
+                "\"steps\" is 100000, expected at most",
+            ),
+            (
+                "speed = 1",
+                "has no \"speeds\", expected a list of rotation speeds",
+            ),
+            ("speeds = [1]\ncount = 0", "\"count\" is 0"),
+        ] {
+            let shown = question(text).unwrap_err();
+            assert!(shown.contains(expected), "{text}: {shown}");
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! What an input consists of, in one line.
+
+use std::fmt;
+
+use super::draft::Draft;
+use super::number::short_number;
+use super::speeds::{Question, RPM};
+use crate::result::Measured;
+
+/// What a model consists of and what is asked of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// Number of nodes.
+    pub nodes: usize,
+    /// Number of beams.
+    pub beams: usize,
+    /// Number of bodies.
+    pub bodies: usize,
+    /// Number of clamped nodes.
+    pub clamps: usize,
+    /// Mass of beams and bodies \[kg\].
+    pub mass: f64,
+    /// Number of modes asked for.
+    pub modes: usize,
+    /// Lowest and highest rotor speed \[rad/s\].
+    pub speed_range: [f64; 2],
+    /// Number of rotor speeds.
+    pub speeds: usize,
+    /// Number of measured frequencies.
+    pub measured: usize,
+}
+
+impl Draft {
+    /// Counts what the model consists of.
+    pub fn summary(&self, question: &Question, measured: &Measured) -> Summary {
+        let speeds = &question.speeds;
+        let ends = [speeds.first(), speeds.last()];
+        Summary {
+            nodes: self.nodes().len(),
+            beams: self.beams().len(),
+            bodies: self.body_count(),
+            clamps: self.clamped().len(),
+            mass: self.mass(),
+            modes: question.count,
+            speed_range: ends.map(|speed| speed.copied().unwrap_or(0.0)),
+            speeds: speeds.len(),
+            measured: measured.points.len(),
+        }
+    }
+}
+
+impl fmt::Display for Summary {
+    /// `13 nodes, 6 beams, 1 clamp, mass 0.0151 kg; 8 modes at 3 speeds, 0 to 750 rpm`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{}, {}",
+            counted(self.nodes, "node"),
+            counted(self.beams, "beam")
+        )?;
+        for (count, what) in [(self.bodies, "body"), (self.clamps, "clamp")] {
+            if count > 0 {
+                write!(f, ", {}", counted(count, what))?;
+            }
+        }
+        write!(f, ", mass {} kg; ", short_number(self.mass, 4))?;
+        write!(
+            f,
+            "{} at {}, ",
+            counted(self.modes, "mode"),
+            counted(self.speeds, "speed")
+        )?;
+        let [low, high] = self.speed_range.map(|speed| short_number(speed / RPM, 6));
+        match self.speeds {
+            1 => write!(f, "{low} rpm")?,
+            _ => write!(f, "{low} to {high} rpm")?,
+        }
+        match self.measured {
+            0 => Ok(()),
+            count => write!(f, "; {}", counted(count, "measured point")),
+        }
+    }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    match (count, what.strip_suffix('y')) {
+        (1, _) => format!("1 {what}"),
+        (_, Some(stem)) => format!("{count} {stem}ies"),
+        (_, None) => format!("{count} {what}s"),
+    }
+}

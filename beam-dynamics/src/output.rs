@@ -1,0 +1,18 @@
+//! What is written of a result: tables for people and for programs, the comparison
+//! with measurements, and the fan plot. Output reads results; it computes nothing.
+
+mod comparison;
+mod fan;
+mod files;
+mod table_csv;
+mod table_text;
+mod text;
+
+#[cfg(test)]
+mod samples;
+
+pub use comparison::{comparison_csv, comparison_text};
+pub use fan::FanPlot;
+pub use files::{OutputProblem, Written, result_text, write};
+pub use table_csv::frequency_csv;
+pub use table_text::{CONVENTION, frequency_text};

@@ -1,0 +1,200 @@
+//! The fan plot: frequencies over rotor speed, with the multiples of the speed.
+
+use std::path::Path;
+
+use plotters::backend::DrawingBackend;
+use plotters::style::RGBColor;
+use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, save};
+
+use super::text::RPM;
+use crate::result::{FrequencyTable, Measured, ModeBranch, ModeKind};
+
+mod axes;
+mod boxes;
+mod curves;
+mod labels;
+mod legend;
+mod per_rev;
+
+use axes::Axes;
+use boxes::Obstacles;
+
+/// Width and height \[figure pixels\].
+const SIZE: (u32, u32) = (WIDTH, 1250);
+/// Size of labels beside lines.
+const SMALL: f64 = 0.8 * TEXT;
+/// Colors of modes: those of categories without yellow, which is faint as a line.
+const COLORS: usize = CATEGORIES.len() - 1;
+
+/// A fan plot, ready to be saved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FanPlot {
+    title: String,
+    /// Rotor speeds \[rpm\].
+    speeds: Vec<f64>,
+    curves: Vec<Curve>,
+    /// Measured speeds \[rpm\] and frequencies \[Hz\].
+    measured: Vec<[f64; 2]>,
+}
+
+/// One mode: its frequency at each speed.
+#[derive(Debug, Clone, PartialEq)]
+struct Curve {
+    name: String,
+    kind: ModeKind,
+    /// Frequencies \[Hz\].
+    frequencies: Vec<Option<f64>>,
+    color: RGBColor,
+    /// Dashed where the colors come again.
+    dashed: bool,
+}
+
+impl FanPlot {
+    /// The plot of `table` and the measured points; `None` for less than two speeds,
+    /// which are no lines, and without modes.
+    pub fn new(table: &FrequencyTable, measured: &Measured) -> Option<Self> {
+        let speeds: Vec<_> = table.speeds.iter().map(|speed| speed * RPM).collect();
+        let shown = |branch: &&ModeBranch| branch.points.iter().any(Option::is_some);
+        let curves: Vec<_> = table
+            .branches
+            .iter()
+            .filter(shown)
+            .enumerate()
+            .map(|(index, branch)| Curve::new(index, branch, speeds.len()))
+            .collect();
+        let points = measured
+            .points
+            .iter()
+            .map(|point| [point.speed * RPM, point.frequency]);
+        (speeds.len() > 1 && !curves.is_empty()).then(|| Self {
+            title: table.name.clone(),
+            speeds,
+            curves,
+            measured: points.collect(),
+        })
+    }
+
+    /// Writes the plot to `path`, as PNG or SVG by its ending.
+    ///
+    /// # Errors
+    /// [`FigureProblem`]: another ending, or a file that cannot be written.
+    pub fn save(&self, path: &Path) -> Result<(), FigureProblem> {
+        save(path, SIZE, self)
+    }
+}
+
+impl FanPlot {
+    /// The name above all, in smaller letters if it is long.
+    fn draw_title<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        axes: &Axes,
+    ) -> Result<(), FigureProblem> {
+        // Bold letters are wider than those that are measured.
+        let width = 1.2 * canvas.text_width(&self.title, TEXT);
+        let (total, height) = canvas.size();
+        let size = TEXT * ((total - axes.left - 24.0) / width).min(1.0);
+        canvas.text(
+            &self.title,
+            [axes.left, 0.032 * height],
+            Label::new(size).bold(),
+        )
+    }
+}
+
+impl Curve {
+    fn new(index: usize, branch: &ModeBranch, speeds: usize) -> Self {
+        let point = |k: usize| branch.points.get(k).and_then(Option::as_ref);
+        Self {
+            name: branch.name.clone(),
+            kind: branch.kind,
+            frequencies: (0..speeds)
+                .map(|k| point(k).map(|point| point.frequency))
+                .collect(),
+            color: CATEGORIES[index % COLORS],
+            dashed: (index / COLORS) % 2 == 1,
+        }
+    }
+
+    /// Speed number and frequency of the last point.
+    fn end(&self) -> Option<(usize, f64)> {
+        let points = self.frequencies.iter().enumerate();
+        points
+            .rev()
+            .find_map(|(k, frequency)| Some((k, (*frequency)?)))
+    }
+}
+
+impl Drawing for FanPlot {
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let axes = Axes::new(canvas, self);
+        let multiples = per_rev::multiples(&axes);
+        let mut obstacles = Obstacles::default();
+        for curve in &self.curves {
+            for run in curves::runs(self, curve, &axes) {
+                obstacles.add_line(&run);
+            }
+        }
+        for &point in &self.measured {
+            obstacles.add_disc(axes.place(point), curves::RING);
+        }
+
+        per_rev::draw_lines(canvas, &multiples)?;
+        let at_ends = labels::beside_ends(canvas, self, &axes, &mut obstacles)?;
+        per_rev::draw_labels(canvas, &axes, &multiples, &mut obstacles)?;
+        curves::draw(canvas, self, &axes)?;
+        at_ends.draw(canvas)?;
+        labels::draw_column(canvas, self, &axes)?;
+        axes.draw(canvas)?;
+        self.draw_title(canvas, &axes)?;
+        legend::draw(canvas, self, &axes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::samples;
+
+    #[test]
+    fn one_speed_has_no_plot() {
+        let mut table = samples::small();
+        assert!(FanPlot::new(&table, &Measured::default()).is_some());
+        table.speeds.truncate(1);
+        assert_eq!(FanPlot::new(&table, &Measured::default()), None);
+        table.branches.clear();
+        assert_eq!(FanPlot::new(&table, &Measured::default()), None);
+    }
+
+    #[test]
+    fn the_plot_names_axes_modes_and_multiples() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("fan.svg");
+        let plot = FanPlot::new(&samples::swept_tip(9), &samples::epps_chandra()).unwrap();
+        plot.save(&path).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        for expected in [
+            "swept tip, 15 deg",
+            "rotor speed [rpm]",
+            "frequency [Hz]",
+            "measured",
+            "flap 1",
+            "axial 1",
+            "coupled 1",
+            "1P",
+            "10P",
+        ] {
+            assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+        }
+    }
+
+    // Colors repeat with dashes, never alone.
+    #[test]
+    fn no_two_modes_look_alike() {
+        let plot = FanPlot::new(&samples::swept_tip(3), &Measured::default()).unwrap();
+        let looks: Vec<_> = plot.curves.iter().map(|c| (c.color, c.dashed)).collect();
+        for (i, look) in looks.iter().enumerate() {
+            assert!(!looks[i + 1..].contains(look), "{i}");
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! Lines and marks of the modes, and rings for measured points.
+
+use plotters::backend::DrawingBackend;
+use plotters::style::{BLACK, RGBColor};
+use shared_geom::figure::{Canvas, FigureProblem};
+
+use super::axes::Axes;
+use super::{Curve, FanPlot};
+use crate::result::ModeKind;
+
+/// Radius of the rings of measured points \[figure pixels\].
+pub(super) const RING: f64 = 13.0;
+/// Half the size of a mark.
+const MARK: f64 = 9.0;
+/// Smallest distance of two marks of a line.
+const BETWEEN_MARKS: f64 = 80.0;
+const LINE: f64 = 4.0;
+/// Length of a dash and of a gap.
+const DASH: [f64; 2] = [26.0, 14.0];
+
+/// Runs of neighboring points of a curve.
+pub(super) fn runs(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Vec<Vec<[f64; 2]>> {
+    let points = plot.speeds.iter().zip(&curve.frequencies);
+    let places: Vec<_> = points
+        .map(|(speed, f)| f.map(|frequency| axes.place([*speed, frequency])))
+        .collect();
+    let runs = places.split(Option::is_none);
+    runs.map(|run| run.iter().flatten().copied().collect::<Vec<_>>())
+        .filter(|run| !run.is_empty())
+        .collect()
+}
+
+/// Draws the lines, the measured points, and the marks.
+pub(super) fn draw<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    plot: &FanPlot,
+    axes: &Axes,
+) -> Result<(), FigureProblem> {
+    for curve in &plot.curves {
+        for run in runs(plot, curve, axes) {
+            line(canvas, &run, curve.dashed, curve.color)?;
+        }
+    }
+    // Below the marks, which stay whole.
+    for &point in &plot.measured {
+        ring(canvas, axes.place(point))?;
+    }
+    let step = marked_every(plot, axes);
+    for curve in &plot.curves {
+        for (k, frequency) in curve.frequencies.iter().enumerate() {
+            let is_end = curve.end().is_some_and(|end| end.0 == k);
+            if let Some(frequency) = frequency.filter(|_| k % step == 0 || is_end) {
+                mark(
+                    canvas,
+                    axes.place([plot.speeds[k], frequency]),
+                    curve.kind,
+                    curve.color,
+                )?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Every how many speeds a line is marked.
+fn marked_every(plot: &FanPlot, axes: &Axes) -> usize {
+    let between = (axes.right - axes.left) / plot.speeds.len() as f64;
+    (BETWEEN_MARKS / between).ceil().max(1.0) as usize
+}
+
+/// A whole or dashed line.
+pub(super) fn line<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    points: &[[f64; 2]],
+    dashed: bool,
+    color: RGBColor,
+) -> Result<(), FigureProblem> {
+    if !dashed {
+        return canvas.line(points, LINE, color);
+    }
+    for dash in dashes(points) {
+        canvas.line(&dash, LINE, color)?;
+    }
+    Ok(())
+}
+
+/// The dashes of a line, which go on around its corners.
+fn dashes(points: &[[f64; 2]]) -> Vec<[[f64; 2]; 2]> {
+    let mut dashes = Vec::new();
+    // How far the dash or gap reaches, and whether it is a dash.
+    let (mut left, mut is_dash) = (DASH[0], true);
+    for pair in points.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let at = |s: f64| std::array::from_fn(|i| a[i] + (b[i] - a[i]) * s / length);
+        let mut done = 0.0;
+        while done < length {
+            let step = left.min(length - done);
+            if is_dash {
+                dashes.push([at(done), at(done + step)]);
+            }
+            done += step;
+            left -= step;
+            if left <= 0.0 {
+                is_dash = !is_dash;
+                left = DASH[usize::from(!is_dash)];
+            }
+        }
+    }
+    dashes
+}
+
+/// The mark of a kind of mode.
+pub(super) fn mark<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    [x, y]: [f64; 2],
+    kind: ModeKind,
+    color: RGBColor,
+) -> Result<(), FigureProblem> {
+    let polygon = |corners: &[[f64; 2]], size: f64| {
+        let moved = corners
+            .iter()
+            .map(|[u, v]| [x + size * MARK * u, y + size * MARK * v]);
+        moved.collect::<Vec<_>>()
+    };
+    match kind {
+        ModeKind::Flap => canvas.disc([x, y], MARK, color),
+        ModeKind::Lag => {
+            let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+            canvas.polygon(&polygon(&square, 0.95), color)
+        }
+        ModeKind::Torsion => {
+            let triangle = [[0.0, -1.2], [1.1, 0.8], [-1.1, 0.8]];
+            canvas.polygon(&polygon(&triangle, 1.1), color)
+        }
+        ModeKind::Axial => {
+            let diamond = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+            canvas.polygon(&polygon(&diamond, 1.35), color)
+        }
+        ModeKind::Coupled => {
+            for arm in [[[-1.0, -1.0], [1.0, 1.0]], [[-1.0, 1.0], [1.0, -1.0]]] {
+                canvas.line(&polygon(&arm, 1.0), 1.4 * LINE, color)?;
+            }
+            Ok(())
+        }
+    }
+}
+
+/// An open ring that lets what is below it be seen.
+pub(super) fn ring<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    [x, y]: [f64; 2],
+) -> Result<(), FigureProblem> {
+    const CORNERS: u32 = 48;
+    let circle: Vec<_> = (0..=CORNERS)
+        .map(|k| {
+            let (sine, cosine) =
+                (f64::from(k) / f64::from(CORNERS) * std::f64::consts::TAU).sin_cos();
+            [x + RING * cosine, y + RING * sine]
+        })
+        .collect();
+    canvas.line(&circle, 0.8 * LINE, BLACK)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // 100 pixels: dashes from 0 to 26, 40 to 66 and 80 to 100, also around a corner
+    // at 50.
+    #[test]
+    fn dashes_go_on_around_corners() {
+        let lengths = |points: &[[f64; 2]]| -> Vec<f64> {
+            let length = |[a, b]: &[[f64; 2]; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+            dashes(points).iter().map(length).collect()
+        };
+        assert_eq!(lengths(&[[0.0, 0.0], [100.0, 0.0]]), [26.0, 26.0, 20.0]);
+        let bent = [[0.0, 0.0], [50.0, 0.0], [50.0, 50.0]];
+        assert_eq!(lengths(&bent), [26.0, 10.0, 16.0, 20.0]);
+        assert_eq!(lengths(&[[1.0, 1.0], [1.0, 1.0]]), [0.0; 0]);
+    }
+}

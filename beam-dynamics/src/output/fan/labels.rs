@@ -1,0 +1,104 @@
+//! Names of the modes at the right ends of their lines.
+
+use plotters::backend::DrawingBackend;
+use plotters::style::{BLACK, WHITE};
+use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label};
+
+use super::axes::{Axes, LEADER};
+use super::boxes::{Box2, Obstacles, spread};
+use super::{Curve, FanPlot, SMALL};
+
+/// Distance of two names, in sizes of their letters.
+const LINE_SPACING: f64 = 1.15;
+const LEADER_LINE: f64 = 2.0;
+
+/// Writes the names of the modes that reach the last speed in a column to the right,
+/// each joined with its line.
+pub(super) fn draw_column<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    plot: &FanPlot,
+    axes: &Axes,
+) -> Result<(), FigureProblem> {
+    let mut ends: Vec<_> = plot
+        .curves
+        .iter()
+        .filter_map(|curve| Some((curve, last_place(plot, curve, axes)?)))
+        .collect();
+    ends.sort_by(|a, b| a.1[1].total_cmp(&b.1[1]));
+    let wanted: Vec<_> = ends.iter().map(|end| end.1[1]).collect();
+    let room = axes.bottom - axes.top;
+    let gap = (LINE_SPACING * SMALL).min(room / ends.len().max(1) as f64);
+    let size = SMALL.min(gap / LINE_SPACING);
+    let heights = spread(&wanted, gap, [axes.top, axes.bottom]);
+    for ((curve, end), height) in ends.into_iter().zip(heights) {
+        // Out of the curve, over to the height of the name, and on to it.
+        let text = axes.right.max(end[0]) + LEADER;
+        let bends = [end[0] + 20.0, text - 22.0];
+        let leader = [
+            end,
+            [bends[0], end[1]],
+            [bends[1], height],
+            [text - 10.0, height],
+        ];
+        canvas.line(&leader, LEADER_LINE, curve.color)?;
+        canvas.text(&curve.name, [text, height], Label::new(size).colored(BLACK))?;
+    }
+    Ok(())
+}
+
+/// Place of the end of a curve that reaches the last speed.
+fn last_place(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Option<[f64; 2]> {
+    let (k, frequency) = curve.end()?;
+    (k + 1 == plot.speeds.len()).then(|| axes.place([plot.speeds[k], frequency]))
+}
+
+/// Names that have their places within the frame.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Placed(Vec<(String, Box2)>);
+
+/// Finds places for the names of modes that end before the last speed.
+pub(super) fn beside_ends<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    plot: &FanPlot,
+    axes: &Axes,
+    obstacles: &mut Obstacles,
+) -> Result<Placed, FigureProblem> {
+    let mut placed = Placed::default();
+    for curve in plot
+        .curves
+        .iter()
+        .filter(|curve| last_place(plot, curve, axes).is_none())
+    {
+        let Some((k, frequency)) = curve.end() else {
+            continue;
+        };
+        let [x, y] = axes.place([plot.speeds[k], frequency]);
+        let width = canvas.text_width(&curve.name, SMALL);
+        let right = x + 0.5 * width + 26.0;
+        let steps = [0.0, -0.7, 0.7, -1.1, 1.1, -1.6, 1.6];
+        let beside = steps.map(|step| [right, y + step * SMALL]);
+        let above = [-1.0, 1.0, -1.6, 1.6].map(|step| [x, y + step * SMALL]);
+        let candidates = beside.into_iter().chain(above);
+        let boxes = candidates.map(|center| Box2::around(center, width, SMALL));
+        if let Some(place) = obstacles.best(boxes) {
+            obstacles.add_box(place);
+            placed.0.push((curve.name.clone(), place));
+        }
+    }
+    Ok(placed)
+}
+
+impl Placed {
+    /// Writes the names, on white.
+    pub fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        for (name, place) in &self.0 {
+            canvas.polygon(&place.corners(), WHITE)?;
+            canvas.text(
+                name,
+                place.center(),
+                Label::new(SMALL).anchored(Anchor::Middle),
+            )?;
+        }
+        Ok(())
+    }
+}

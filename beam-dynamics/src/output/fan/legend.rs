@@ -1,0 +1,41 @@
+//! What the marks mean, in a row above the plot.
+
+use plotters::backend::DrawingBackend;
+use plotters::style::RGBColor;
+use shared_geom::figure::{Canvas, FigureProblem, Label};
+
+use super::axes::Axes;
+use super::{FanPlot, SMALL, curves};
+use crate::result::ModeKind;
+
+const GRAY: RGBColor = RGBColor(90, 90, 90);
+/// From the middle of a mark to its word, and from a word to the next mark.
+const GAPS: [f64; 2] = [24.0, 44.0];
+
+/// Draws the marks of the kinds that the plot has, and the ring of measured points.
+pub(super) fn draw<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    plot: &FanPlot,
+    axes: &Axes,
+) -> Result<(), FigureProblem> {
+    let y = 0.078 * canvas.size().1;
+    let mut x = axes.left + 12.0;
+    let word = |x: &mut f64, text: &str| {
+        let start = *x + GAPS[0];
+        *x = start + canvas.text_width(text, SMALL) + GAPS[1];
+        canvas.text(text, [start, y], Label::new(SMALL))
+    };
+    for kind in ModeKind::PURE.into_iter().chain([ModeKind::Coupled]) {
+        if plot.curves.iter().any(|curve| curve.kind == kind) {
+            curves::mark(canvas, [x, y], kind, GRAY)?;
+            word(&mut x, kind.word())?;
+        }
+    }
+    if !plot.measured.is_empty() {
+        curves::ring(canvas, [x, y])?;
+        word(&mut x, "measured")?;
+    }
+    x += GAPS[0];
+    canvas.line(&[[x - 34.0, y], [x, y]], 2.0, RGBColor(175, 175, 175))?;
+    word(&mut x, "nP: n per revolution")
+}

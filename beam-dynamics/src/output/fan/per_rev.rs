@@ -1,0 +1,159 @@
+//! Multiples of the rotor speed: thin lines, labeled where nothing else is.
+
+use plotters::backend::DrawingBackend;
+use plotters::style::{RGBColor, WHITE};
+use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label};
+
+use super::SMALL;
+use super::axes::Axes;
+use super::boxes::{Box2, Obstacles};
+
+const GRAY: RGBColor = RGBColor(175, 175, 175);
+const DARK_GRAY: RGBColor = RGBColor(105, 105, 105);
+const LINE: f64 = 2.0;
+const LETTERS: f64 = 0.85 * SMALL;
+
+/// A line that leaves the frame before this part of the speeds is left out.
+const FIRST_EXIT: f64 = 0.25;
+
+/// A multiple of the rotor speed within the frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Multiple {
+    number: f64,
+    /// Places where the line enters and leaves the frame.
+    ends: [[f64; 2]; 2],
+}
+
+/// The multiples that cross the frame: the first ten, then fewer.
+pub(super) fn multiples(axes: &Axes) -> Vec<Multiple> {
+    let numbers = (1..=10).chain([15, 20, 30, 50, 100]);
+    numbers.map_while(|number| multiple(axes, number)).collect()
+}
+
+/// The line `f = n Omega / 60` within the frame; `None` when it leaves it early.
+fn multiple(axes: &Axes, number: u32) -> Option<Multiple> {
+    let [low, high] = axes.speeds;
+    let number = f64::from(number);
+    let exit = high.min(60.0 * axes.highest / number);
+    (exit - low > FIRST_EXIT * (high - low)).then(|| Multiple {
+        number,
+        ends: [low, exit].map(|speed| axes.place([speed, number * speed / 60.0])),
+    })
+}
+
+/// Draws the lines.
+pub(super) fn draw_lines<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    multiples: &[Multiple],
+) -> Result<(), FigureProblem> {
+    multiples
+        .iter()
+        .try_for_each(|multiple| canvas.line(&multiple.ends, LINE, GRAY))
+}
+
+/// Writes `1P`, `2P` and so on at the lines, as far out as nothing is covered: over
+/// the line, or else below or above it. What finds no place is left out.
+pub(super) fn draw_labels<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    axes: &Axes,
+    multiples: &[Multiple],
+    obstacles: &mut Obstacles,
+) -> Result<(), FigureProblem> {
+    let frame = Box2 {
+        low: [axes.left, axes.top],
+        high: [axes.right, axes.bottom],
+    };
+    for multiple in multiples {
+        let text = format!("{}P", multiple.number);
+        let width = canvas.text_width(&text, LETTERS);
+        let mut in_the_way = obstacles.clone();
+        for other in multiples.iter().filter(|other| *other != multiple) {
+            in_the_way.add_line(&other.ends);
+        }
+        let candidates = multiple
+            .candidates(width)
+            .filter(|place| place.label.is_within(&frame));
+        let best = candidates.min_by_key(|place| in_the_way.covered(&place.needs));
+        let Some(place) = best.filter(|place| in_the_way.is_free(&place.needs)) else {
+            continue;
+        };
+        obstacles.add_box(place.label);
+        canvas.polygon(&place.label.corners(), WHITE)?;
+        let label = Label::new(LETTERS)
+            .anchored(Anchor::Middle)
+            .colored(DARK_GRAY);
+        canvas.text(&text, place.label.center(), label)?;
+    }
+    Ok(())
+}
+
+/// A place for a label.
+struct Candidate {
+    label: Box2,
+    /// What must be free: the label, and what is between it and its line.
+    needs: Box2,
+}
+
+impl Multiple {
+    /// Places for a label of `width`, the better ones first.
+    fn candidates(&self, width: f64) -> impl Iterator<Item = Candidate> {
+        let [a, b] = self.ends;
+        // At this height the label is clear of the line.
+        let slope = ((b[1] - a[1]) / (b[0] - a[0])).abs();
+        let clear = slope * (0.5 * width + 0.2 * LETTERS) + 0.5 * LETTERS + 3.0;
+        [0.0, clear, -clear].into_iter().flat_map(move |beside| {
+            (10..100).rev().map(move |percent| {
+                let s = f64::from(percent) / 100.0;
+                let on_line = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
+                let label = Box2::around([on_line[0], on_line[1] + beside], width, LETTERS);
+                Candidate {
+                    label,
+                    needs: label.with_height(on_line[1]),
+                }
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axes(highest: f64) -> Axes {
+        Axes {
+            left: 0.0,
+            right: 1000.0,
+            top: 0.0,
+            bottom: 1000.0,
+            speeds: [0.0, 600.0],
+            highest,
+        }
+    }
+
+    // At 600 rpm = 10 Hz, 3P is 30 Hz: it leaves a frame of 40 Hz at three quarters of
+    // its height, 5P at four fifths of its width.
+    #[test]
+    fn lines_end_at_the_frame() {
+        let found = multiples(&axes(40.0));
+        assert_eq!(found[2].ends, [[0.0, 1000.0], [1000.0, 250.0]]);
+        assert_eq!(found[4].ends, [[0.0, 1000.0], [800.0, 0.0]]);
+    }
+
+    #[test]
+    fn after_ten_they_are_thinned() {
+        let numbers: Vec<_> = multiples(&axes(400.0)).iter().map(|m| m.number).collect();
+        assert_eq!(numbers[8..], [9.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0]);
+        // 15P leaves a frame of 40 Hz at 160 of 600 rpm, 20P at 120.
+        assert_eq!(multiples(&axes(40.0)).len(), 11);
+        assert_eq!(multiples(&axes(2.0)), []);
+    }
+
+    #[test]
+    fn labels_beside_a_line_clear_it() {
+        let line = multiples(&axes(40.0))[2];
+        let mut obstacles = Obstacles::default();
+        obstacles.add_line(&line.ends);
+        let beside = |place: &Candidate| obstacles.is_free(&place.label);
+        assert_eq!(line.candidates(30.0).filter(beside).count(), 180);
+    }
+}

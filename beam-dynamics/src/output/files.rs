@@ -1,0 +1,207 @@
+//! The files of one result.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use shared_geom::error::Explain;
+use shared_geom::figure::FigureProblem;
+
+use super::{CONVENTION, FanPlot, comparison_csv, comparison_text, frequency_csv, frequency_text};
+use crate::result::{FrequencyTable, Measured};
+
+/// Endings of all files that a result can have.
+const ENDINGS: [&str; 5] = [TABLE, TEXT, COMPARISON, PNG, SVG];
+const TABLE: &str = "frequencies.csv";
+const TEXT: &str = "frequencies.txt";
+const COMPARISON: &str = "comparison.csv";
+const PNG: &str = "fan.png";
+const SVG: &str = "fan.svg";
+
+/// Why results could not be written.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum OutputProblem {
+    /// The folder cannot be made.
+    #[error("folder \"{folder}\" cannot be made: {reason}")]
+    Folder {
+        /// The folder.
+        folder: String,
+        /// The reason in words.
+        reason: String,
+    },
+    /// A file cannot be written.
+    #[error("file \"{file}\" cannot be written: {reason}")]
+    File {
+        /// The file.
+        file: String,
+        /// The reason in words.
+        reason: String,
+    },
+    /// A figure cannot be made.
+    #[error(transparent)]
+    Figure(#[from] FigureProblem),
+}
+
+impl Explain for OutputProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Folder { .. } => Some("name another folder with --out".to_owned()),
+            Self::Figure(problem) => problem.help(),
+            Self::File { .. } => None,
+        }
+    }
+}
+
+/// Files written, in order, and what was left out.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Written {
+    /// The files.
+    pub files: Vec<PathBuf>,
+    /// Why there is no fan plot, if there is none.
+    pub no_plot: Option<&'static str>,
+}
+
+/// The text of a result: the frequency table, the comparison with the measurements if
+/// there are any, and what it all means.
+pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
+    let comparison = match measured.points.is_empty() {
+        true => String::new(),
+        false => comparison_text(measured, table) + "\n",
+    };
+    format!("{}\n{comparison}{CONVENTION}", frequency_text(table))
+}
+
+/// Writes `NAME.frequencies.csv`, `NAME.frequencies.txt`, with measurements
+/// `NAME.comparison.csv`, and for two speeds or more `NAME.fan.png` and `NAME.fan.svg`
+/// into `folder`, which is made when it does not exist. Those that an earlier run left
+/// there and this one does not have are removed.
+///
+/// # Errors
+/// [`OutputProblem`]: the folder or a file cannot be written.
+pub fn write(
+    table: &FrequencyTable,
+    measured: &Measured,
+    folder: &Path,
+    name: &str,
+) -> Result<Written, OutputProblem> {
+    std::fs::create_dir_all(folder).map_err(|error| OutputProblem::Folder {
+        folder: folder.display().to_string(),
+        reason: words(&error),
+    })?;
+    let path = |ending: &str| folder.join(format!("{name}.{ending}"));
+    for ending in ENDINGS {
+        // One that does not exist is no problem.
+        let _ = std::fs::remove_file(path(ending));
+    }
+
+    let mut written = Written::default();
+    let mut texts = vec![
+        (TABLE, frequency_csv(table)),
+        (TEXT, result_text(table, measured)),
+    ];
+    if !measured.points.is_empty() {
+        texts.push((COMPARISON, comparison_csv(&measured.compare(table))));
+    }
+    for (ending, text) in texts {
+        let path = path(ending);
+        write_text(&path, &text)?;
+        written.files.push(path);
+    }
+    match FanPlot::new(table, measured) {
+        Some(plot) => {
+            for ending in [PNG, SVG] {
+                plot.save(&path(ending))?;
+                written.files.push(path(ending));
+            }
+        }
+        None => written.no_plot = Some(no_plot(table)),
+    }
+    Ok(written)
+}
+
+fn no_plot(table: &FrequencyTable) -> &'static str {
+    match table.speeds.len() {
+        0 => "no rotor speed was reached",
+        1 => "a single rotor speed makes no lines",
+        _ => "there are no modes",
+    }
+}
+
+fn write_text(file: &Path, text: &str) -> Result<(), OutputProblem> {
+    std::fs::write(file, text).map_err(|error| OutputProblem::File {
+        file: file.display().to_string(),
+        reason: words(&error),
+    })
+}
+
+/// The reason of an error without its number.
+fn words(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
+            "a file of this name is in the way".to_owned()
+        }
+        io::ErrorKind::IsADirectory => "a folder of this name is in the way".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::samples;
+
+    fn names(written: &Written) -> Vec<String> {
+        let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+        written.files.iter().map(name).collect()
+    }
+
+    #[test]
+    fn all_files_are_written_into_a_new_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        let results = folder.path().join("a/results");
+        let written = write(&samples::small(), &samples::measured(), &results, "x").unwrap();
+        let expected = [
+            "x.frequencies.csv",
+            "x.frequencies.txt",
+            "x.comparison.csv",
+            "x.fan.png",
+            "x.fan.svg",
+        ];
+        assert_eq!(names(&written), expected);
+        assert!(written.files.iter().all(|path| path.is_file()));
+        let text = std::fs::read_to_string(&written.files[1]).unwrap();
+        assert!(
+            text.contains("\n\nComparison with measurements\n\n"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_second_run_leaves_nothing_of_the_first() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut table = samples::small();
+        write(&table, &samples::measured(), folder.path(), "x").unwrap();
+        table.speeds.truncate(1);
+        let written = write(&table, &Measured::default(), folder.path(), "x").unwrap();
+        assert_eq!(names(&written), ["x.frequencies.csv", "x.frequencies.txt"]);
+        assert_eq!(written.no_plot, Some("a single rotor speed makes no lines"));
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn what_is_in_the_way_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("results");
+        std::fs::write(&file, "").unwrap();
+        let refused = |folder: &Path| {
+            write(&samples::small(), &Measured::default(), folder, "x")
+                .unwrap_err()
+                .to_string()
+        };
+        let shown = refused(&file);
+        assert!(shown.ends_with("results\" cannot be made: a file of this name is in the way"));
+        std::fs::create_dir(folder.path().join("x.frequencies.csv")).unwrap();
+        let shown = refused(folder.path());
+        assert!(shown.ends_with("csv\" cannot be written: a folder of this name is in the way"));
+    }
+}

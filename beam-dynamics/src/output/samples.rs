@@ -1,0 +1,155 @@
+//! Made-up results for the tests of output.
+
+use super::text::RPM;
+use crate::result::{
+    EquilibriumReport, FrequencyTable, Measured, MeasuredPoint, ModeBranch, ModeKind, ModePoint,
+    Shares,
+};
+
+fn point(frequency: f64, shares: Shares, assurance: Option<f64>) -> Option<ModePoint> {
+    Some(ModePoint {
+        frequency,
+        damping_ratio: 0.0,
+        shares,
+        assurance,
+    })
+}
+
+fn branch(name: &str, kind: ModeKind, points: Vec<Option<ModePoint>>) -> ModeBranch {
+    ModeBranch {
+        name: name.to_owned(),
+        kind,
+        points,
+    }
+}
+
+fn report(iterations: usize, residual: f64) -> EquilibriumReport {
+    EquilibriumReport {
+        iterations,
+        residual,
+        positions: vec![[0.0; 3]],
+    }
+}
+
+/// Three modes at 0 and 600 rpm, one of them at the second only.
+pub(super) fn small() -> FrequencyTable {
+    let (flap, lag, torsion) = (
+        [0.99, 0.01, 0.0, 0.0],
+        [0.01, 0.98, 0.01, 0.0],
+        [0.0, 0.0, 1.0, 0.0],
+    );
+    let mut lag_at_rest = point(22.25, lag, None);
+    if let Some(point) = &mut lag_at_rest {
+        point.damping_ratio = 1e-15;
+    }
+    FrequencyTable {
+        name: "two speeds".to_owned(),
+        speeds: vec![0.0, 600.0 / RPM],
+        branches: vec![
+            branch(
+                "flap 1",
+                ModeKind::Flap,
+                vec![point(1.4, flap, None), point(12.5, flap, Some(0.999))],
+            ),
+            branch(
+                "lag 1",
+                ModeKind::Lag,
+                vec![lag_at_rest, point(23.333, lag, Some(0.998))],
+            ),
+            branch(
+                "torsion 1",
+                ModeKind::Torsion,
+                vec![None, point(99.5, torsion, None)],
+            ),
+        ],
+        equilibria: vec![report(1, 1.0), report(4, 2e-13)],
+        remarks: vec!["made up".to_owned()],
+    }
+}
+
+/// Measurements beside [`small`], lag left out: two that fit, one without an order,
+/// one at another speed, one of an order too high.
+pub(super) fn measured() -> Measured {
+    let point = |rpm: f64, frequency, order| MeasuredPoint {
+        speed: rpm / RPM,
+        frequency,
+        order,
+    };
+    Measured {
+        points: vec![
+            point(0.0, 1.5, Some(1)),
+            point(600.0, 99.0, Some(2)),
+            point(300.0, 5.0, None),
+            point(300.0, 6.0, Some(1)),
+            point(600.0, 300.0, Some(9)),
+        ],
+        leave_out: vec![ModeKind::Lag],
+    }
+}
+
+/// A table like that of a swept tip at `count` speeds from 0 to 750 rpm, with
+/// crossing modes, a branch that begins late and one that ends early:
+/// `f^2 = f0^2 + K (Omega / 2 pi)^2`.
+pub(super) fn swept_tip(count: usize) -> FrequencyTable {
+    let modes: [(&str, ModeKind, f64, f64); 10] = [
+        ("flap 1", ModeKind::Flap, 1.4, 1.4),
+        ("flap 2", ModeKind::Flap, 10.3, 7.5),
+        ("lag 1", ModeKind::Lag, 22.0, 0.35),
+        ("flap 3", ModeKind::Flap, 27.6, 19.0),
+        ("flap 4", ModeKind::Flap, 54.0, 36.0),
+        ("flap 5", ModeKind::Flap, 89.0, 62.0),
+        ("torsion 1", ModeKind::Torsion, 98.0, 4.0),
+        ("coupled 1", ModeKind::Coupled, 103.0, 12.0),
+        ("lag 2", ModeKind::Lag, 139.0, 5.0),
+        ("axial 1", ModeKind::Axial, 160.0, 0.0),
+    ];
+    let last = (count.max(2) - 1) as f64;
+    let speeds: Vec<_> = (0..count).map(|k| 750.0 / RPM * k as f64 / last).collect();
+    let branches = modes
+        .into_iter()
+        .enumerate()
+        .map(|(i, (name, kind, rest, slope))| {
+            let points = speeds.iter().enumerate().map(|(k, speed)| {
+                let turns = speed / (2.0 * std::f64::consts::PI);
+                let frequency = (rest * rest + slope * turns * turns).sqrt();
+                let hidden = (i == 9 && 2 * k > count) || (i == 7 && 4 * k < count && k > 0);
+                if hidden {
+                    None
+                } else {
+                    point(frequency, [0.25; 4], (k > 0).then_some(0.99))
+                }
+            });
+            branch(name, kind, points.collect())
+        });
+    FrequencyTable {
+        name: "swept tip, 15 deg".to_owned(),
+        branches: branches.collect(),
+        equilibria: vec![report(3, 1e-12); count],
+        speeds,
+        remarks: Vec::new(),
+    }
+}
+
+/// Measurements by Epps and Chandra (1996) on a strip with a tip swept by 15 degrees
+/// (the file of it is in `tests/reference/rotors`).
+pub(super) fn epps_chandra() -> Measured {
+    let rows: [(f64, &[f64]); 3] = [
+        (0.0, &[1.8, 10.2, 27.2]),
+        (500.0, &[10.1, 25.2, 44.4]),
+        (750.0, &[14.4, 34.8, 55.9, 87.5, 120.1, 147.3]),
+    ];
+    let points = rows.into_iter().flat_map(|(rpm, frequencies)| {
+        frequencies
+            .iter()
+            .enumerate()
+            .map(move |(i, &frequency)| MeasuredPoint {
+                speed: rpm / RPM,
+                frequency,
+                order: Some(i + 1),
+            })
+    });
+    Measured {
+        points: points.collect(),
+        leave_out: vec![ModeKind::Lag],
+    }
+}

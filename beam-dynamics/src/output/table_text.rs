@@ -1,0 +1,142 @@
+//! The frequency table as text for a report: a row a mode, columns of speeds.
+
+use super::text::{RPM, aligned, per_rev};
+use crate::input::short_number;
+use crate::result::FrequencyTable;
+
+/// Speeds side by side: four fill the width of a page. Blocks are of equal width.
+const SPEEDS_A_BLOCK: usize = 4;
+
+/// What the numbers and names of the tables mean.
+pub const CONVENTION: &str = "\
+Convention
+  Hz    frequency of small motions about the steady equilibrium, seen in the turning axes
+  /rev  frequency over rotor speed; none at rest
+  mode  named at its first speed by the motion that holds most of the kinetic energy,
+        numbered from the lowest, and followed over the speeds by its shape
+          flap     out of the plane of rotation
+          lag      in the plane of rotation
+          torsion  about the axis of the beam
+          axial    along the span
+          coupled  none of these holds most of the energy
+  -     no value, or not among the modes computed at this speed
+";
+
+/// The table in blocks of speeds, and remarks; see [`CONVENTION`].
+pub fn frequency_text(table: &FrequencyTable) -> String {
+    let mut text = format!("{}\n\nFrequencies over rotor speed\n\n", table.name);
+    if table.speeds.is_empty() {
+        text.push_str("  no rotor speed was reached\n\n");
+    }
+    let speeds: Vec<_> = (0..table.speeds.len()).collect();
+    let blocks = speeds.len().div_ceil(SPEEDS_A_BLOCK).max(1);
+    for block in speeds.chunks(speeds.len().div_ceil(blocks).max(1)) {
+        text.push_str(&aligned(&rows(table, block)));
+        text.push('\n');
+    }
+    text.push_str(&remarks(table));
+    text
+}
+
+/// Two lines of heading and a row for each mode that has a point in the block.
+fn rows(table: &FrequencyTable, block: &[usize]) -> Vec<Vec<String>> {
+    let mut speeds = vec!["rotor speed [rpm]".to_owned()];
+    let mut units = vec!["mode".to_owned()];
+    for &speed in block {
+        let rpm = short_number(table.speeds[speed] * RPM, 6);
+        speeds.extend([String::new(), rpm, String::new()]);
+        units.extend([String::new(), "Hz".to_owned(), "/rev".to_owned()]);
+    }
+    let mut rows = vec![speeds, units];
+    for branch in &table.branches {
+        let mut row = vec![branch.name.clone()];
+        let mut has_point = false;
+        for &speed in block {
+            let point = branch.points.get(speed).and_then(Option::as_ref);
+            let frequency = point.map(|point| point.frequency);
+            let over_speed = frequency.and_then(|f| per_rev(f, table.speeds[speed]));
+            row.extend([String::new(), decimal(frequency), decimal(over_speed)]);
+            has_point |= point.is_some();
+        }
+        if has_point {
+            rows.push(row);
+        }
+    }
+    rows
+}
+
+fn decimal(value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"))
+}
+
+/// Remarks, and how the equilibria were found.
+fn remarks(table: &FrequencyTable) -> String {
+    let mut text = String::new();
+    for remark in &table.remarks {
+        text.push_str(&format!("  {remark}\n"));
+    }
+    // At rest nothing acts, and a residual has nothing to be small against.
+    let turning = table
+        .equilibria
+        .iter()
+        .zip(&table.speeds)
+        .filter(|(_, speed)| **speed > 0.0);
+    let (mut iterations, mut residual) = (0, 0.0_f64);
+    for (report, _) in turning {
+        iterations = iterations.max(report.iterations);
+        residual = residual.max(report.residual);
+    }
+    if iterations > 0 {
+        text.push_str(&format!(
+            "  steady equilibrium: at most {iterations} Newton iterations a speed, relative \
+             residual at most {residual:.1e}\n"
+        ));
+    }
+    match text.is_empty() {
+        true => text,
+        false => format!("Remarks\n{text}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::samples;
+
+    #[test]
+    fn modes_are_rows_and_speeds_are_columns() {
+        let text = frequency_text(&samples::small());
+        let expected = "\
+two speeds
+
+Frequencies over rotor speed
+
+rotor speed [rpm]         0             600
+mode                     Hz  /rev        Hz   /rev
+flap 1                1.400     -    12.500  1.250
+lag 1                22.250     -    23.333  2.333
+torsion 1                 -     -    99.500  9.950
+
+Remarks
+  made up
+  steady equilibrium: at most 4 Newton iterations a speed, relative residual at most 2.0e-13
+";
+        assert_eq!(text, expected);
+        assert!(CONVENTION.lines().all(|line| line.len() <= 96));
+    }
+
+    #[test]
+    fn many_speeds_come_in_blocks() {
+        let text = frequency_text(&samples::swept_tip(9));
+        assert_eq!(text.matches("rotor speed [rpm]").count(), 3, "{text}");
+        assert!(text.lines().all(|line| line.len() <= 96), "{text}");
+    }
+
+    #[test]
+    fn nothing_reached_is_said() {
+        let mut table = samples::small();
+        table.speeds.clear();
+        table.equilibria.clear();
+        assert!(frequency_text(&table).contains("no rotor speed was reached"));
+    }
+}

@@ -1,0 +1,247 @@
+//! Good runs, and analyses that fail.
+
+use std::path::Path;
+
+use crate::workplace::Workplace;
+
+/// A strip of aluminum, 1 x 0.063 in.
+const STRIP: &str = "\
+name = \"strip of aluminum\"
+mesh = \"strip.msh\"
+[units]
+length = \"in\"
+force = \"lbf\"
+[material.aluminum]
+young = 10.6e6
+poisson = 0.325
+density = \"2.51e-4 lbf*s^2/in^4\"
+[material.spare]
+young = 1
+poisson = 0
+density = 1
+[[region]]
+group = \"section\"
+material = \"aluminum\"
+";
+
+fn strip() -> Workplace {
+    let place = Workplace::new();
+    place.write("strip.section.toml", STRIP);
+    let size = ["mesh", "rectangle", "--width", "1", "--height", "0.063"];
+    let cells = ["--cells-y", "16", "--cells-z", "2", "--out", "strip.msh"];
+    let run = place.run(&[&size[..], &cells].concat());
+    assert_eq!(
+        run.out,
+        "strip.msh: 165 nodes, 32 cells\n  physical surface: section\n  \
+         physical curves: bottom, right, top, left\n"
+    );
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    place
+}
+
+#[test]
+fn all_files_are_written_and_listed() {
+    let place = strip();
+    let run = place.run(&["analyze", "strip.section.toml"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let report = place.read("results/strip.report.txt");
+    let list = "\nWritten\n  results/strip.properties.json\n  results/strip.report.txt\n  \
+        results/strip.mesh.png\n  results/strip.warping.png\n";
+    assert_eq!(run.out, report + list);
+    for figure in ["results/strip.mesh.png", "results/strip.warping.png"] {
+        let bytes = std::fs::read(place.path(figure)).unwrap();
+        assert_eq!(&bytes[..4], b"\x89PNG");
+        // width in the header of the file
+        assert_eq!(bytes[16..20], 1800_u32.to_be_bytes());
+    }
+}
+
+/// EA = E A, EI = E I of the strip in SI: 1 in = 0.0254 m, 1 psi = 6894.757293168 Pa.
+/// Biquadratic cells hold the linear strains of extension and bending exactly, so
+/// that only round-off is left: 1e-11.
+#[test]
+fn property_file_holds_the_properties() {
+    let place = strip();
+    assert_eq!(
+        place
+            .run(&["analyze", "strip.section.toml", "--out", "deep/down"])
+            .code,
+        0
+    );
+    let properties =
+        shared_geom::section::read(&place.path("deep/down/strip.properties.json")).unwrap();
+    let (width, height, young) = (0.0254, 0.063 * 0.0254, 10.6e6 * 6_894.757_293_168_361);
+    let stiffness = properties.stiffness;
+    let near = |found: f64, expected: f64| {
+        assert!((found / expected - 1.0).abs() < 1e-11, "{found} {expected}")
+    };
+    near(stiffness[(0, 0)], young * width * height);
+    near(stiffness[(4, 4)], young * width * height.powi(3) / 12.0);
+    near(stiffness[(5, 5)], young * width.powi(3) * height / 12.0);
+    // density: 1 lbf s^2/in^4 = 4.4482216152605 / 0.0254^4 kg/m^3
+    let density = 2.51e-4 * 4.448_221_615_260_5 / 0.0254_f64.powi(4);
+    near(properties.mass[(0, 0)], density * width * height);
+    assert_eq!(properties.name, "strip of aluminum");
+    assert_eq!(
+        (properties.provenance.nodes, properties.provenance.cells),
+        (165, 32)
+    );
+}
+
+#[test]
+fn report_says_what_went_in_and_in_which_axes() {
+    let place = strip();
+    let report = place.run(&["analyze", "strip.section.toml"]).out;
+    for line in [
+        "Section \"strip of aluminum\"",
+        "  mesh      strip.msh: 165 nodes, 32 quadrilaterals with 9 nodes",
+        "  warning: material \"spare\" (line 10) is used by no region",
+        "  Components: axial, shear y, shear z, torsion, bending y, bending z.",
+        "  section  aluminum  0 deg        0 deg           32  4.06451e-5   1.09027e-1",
+        "  tension  0  0  an axial force here causes no bending",
+        "  none above 1e-6",
+    ] {
+        assert!(
+            report.lines().any(|found| found == line),
+            "\"{line}\" is not in\n{report}"
+        );
+    }
+    assert!(report.lines().all(|line| line.chars().count() <= 110));
+}
+
+#[test]
+fn runs_repeat_to_the_last_digit_and_inputs_have_a_fingerprint() {
+    let place = strip();
+    let hash = |place: &Workplace| {
+        let properties = shared_geom::section::read(&place.path("results/strip.properties.json"));
+        properties.unwrap().provenance.input_hash
+    };
+    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+    let (first, first_hash) = (place.read("results/strip.properties.json"), hash(&place));
+    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+    assert_eq!(place.read("results/strip.properties.json"), first);
+    let mesh = place.read("strip.msh");
+    place.write("strip.msh", &(mesh + "\n"));
+    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+    assert_ne!(hash(&place), first_hash);
+    assert!(first_hash.starts_with("sha256:"));
+}
+
+#[test]
+fn check_prints_what_was_read_and_writes_nothing() {
+    let place = strip();
+    let run = place.run(&["check", "strip.section.toml"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(run.out.starts_with("Section \"strip of aluminum\"\n"));
+    assert!(run.out.ends_with("\nNo problem found\n"));
+    assert!(!place.path("results").exists());
+}
+
+#[test]
+fn every_shape_and_kind_of_cell_gives_a_section() {
+    let place = Workplace::new();
+    let shapes: [(&str, &[&str], &str); 3] = [
+        (
+            "rectangle",
+            &[
+                "--width",
+                "2",
+                "--height",
+                "1",
+                "--cells-y",
+                "4",
+                "--cells-z",
+                "2",
+            ],
+            "section",
+        ),
+        (
+            "tube",
+            &[
+                "--outer-radius",
+                "2",
+                "--thickness",
+                "0.5",
+                "--cells-around",
+                "12",
+                "--cells-through",
+                "1",
+            ],
+            "wall",
+        ),
+        (
+            "ellipse",
+            &[
+                "--semi-y",
+                "2",
+                "--semi-z",
+                "1",
+                "--cells",
+                "1",
+                "--straight",
+            ],
+            "section",
+        ),
+    ];
+    for (shape, sizes, group) in shapes {
+        let section = STRIP
+            .replace("strip.msh", "a.msh")
+            .replace("\"section\"", &format!("\"{group}\""));
+        place.write("a.section.toml", &section);
+        for cell in ["tri3", "tri6", "quad4", "quad8", "quad9"] {
+            let arguments = [&["mesh", shape, "--cell", cell, "--out", "a.msh"], sizes].concat();
+            assert_eq!(place.run(&arguments).code, 0, "{shape} {cell}");
+            let run = place.run(&["check", "a.section.toml"]);
+            assert_eq!((run.code, run.err.as_str()), (0, ""), "{shape} {cell}");
+        }
+    }
+}
+
+/// A folder in whose place a file stands is told before anything is solved.
+#[test]
+fn results_need_a_folder() {
+    let place = strip();
+    let run = place.run(&["analyze", "strip.section.toml", "--out", "strip.msh"]);
+    assert_eq!(
+        run.err,
+        "error: folder \"strip.msh\" cannot be made: a file of this name is in the way\n  \
+         help: name another folder with --out\n"
+    );
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    assert!(Path::new(&place.path("strip.msh")).is_file());
+}
+
+/// A part without any stiffness to speak of hangs on the rest: no input error, but
+/// no solution. What there is gets written, and results of an earlier run go.
+#[test]
+fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
+    let place = Workplace::with(&[], &[]);
+    assert_eq!(place.run(&["analyze", "a.section.toml"]).code, 0);
+    assert!(place.path("results/a.properties.json").exists());
+
+    let soft = "[material.air]\nyoung = 1e-20\npoisson = 0\ndensity = 1\n\n[[region]]\ngroup = \"web\"\nmaterial = \"air\"";
+    let section = place.read("a.section.toml");
+    let web = "[[region]]\ngroup = \"web\"\nmaterial = \"steel\"";
+    place.write("a.section.toml", &section.replace(web, soft));
+    let run = place.run(&["analyze", "a.section.toml"]);
+    assert_eq!(run.code, 1);
+    assert!(
+        run.err
+            .starts_with("error: a.section.toml: the section is loose at node "),
+        "{}",
+        run.err
+    );
+    assert!(run.err.contains("\n  help: "), "{}", run.err);
+    assert_eq!(
+        run.out,
+        "\nWritten\n  results/a.report.txt\n  results/a.mesh.png\n"
+    );
+    assert!(
+        place
+            .read("results/a.report.txt")
+            .contains("\nNo result\n  the section is loose at node ")
+    );
+    assert!(place.path("results/a.mesh.png").exists());
+    assert!(!place.path("results/a.properties.json").exists());
+    assert!(!place.path("results/a.warping.png").exists());
+}

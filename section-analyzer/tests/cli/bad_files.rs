@@ -1,0 +1,138 @@
+//! What can be wrong with the files that a section names.
+
+use crate::workplace::Workplace;
+
+#[test]
+fn missing_files_are_told_where_they_are_named() {
+    Workplace::with(&[("two.msh", "tow.msh")], &[])
+        .is_refused(&["error: a.section.toml:1: mesh \"tow.msh\" cannot be read: no such file"]);
+    Workplace::with(&[("\"two.msh\"", "\".\"")], &[])
+        .is_refused(&["error: a.section.toml:1: mesh \".\" cannot be read: it is a folder"]);
+    let run = Workplace::new().run(&["check", "b.section.toml"]);
+    assert_eq!(
+        run.err,
+        "error: b.section.toml: cannot be read: no such file\n"
+    );
+    assert_eq!(run.code, 2);
+}
+
+#[test]
+fn mesh_file_errors_carry_the_line_of_the_mesh() {
+    Workplace::with(&[], &[("3 2 0 0\n", "3 2 zero 0\n")])
+        .is_refused(&["error: two.msh:15: coordinate: expected a finite number, found \"zero\""]);
+}
+
+#[test]
+fn surface_without_material_is_told() {
+    let region =
+        "[[region]]\ngroup = \"web\"\nmaterial = \"steel\"\nfiber_angle = 0\nplane_angle = 0\n";
+    Workplace::with(&[(region, "")], &[]).is_refused(&[
+        "error: a.section.toml:1: physical surface \"web\" (1 cell) has no region",
+        "  help: add [[region]] with group = \"web\" and its material",
+    ]);
+}
+
+#[test]
+fn cells_without_surface_are_counted() {
+    let free = ("12 3 2 2 2 2 3 6 5", "12 3 2 0 2 2 3 6 5");
+    let place = Workplace::with(&[], &[free]);
+    place.is_refused(&[
+        "error: a.section.toml:17: physical surface \"web\" has no cells in the mesh, expected \
+         at least one",
+        "error: a.section.toml:1: mesh \"two.msh\" has 1 cell in no physical surface (cell 12 \
+         for example), expected every cell in one",
+        "  help: in gmsh, put every meshed surface in a physical surface, or set \
+         Mesh.SaveAll = 0",
+    ]);
+}
+
+/// The second cell moved away by one: the parts are named by their place.
+#[test]
+fn parts_of_a_section_are_named_by_their_place() {
+    let changes = [
+        ("6\n1 0 0 0", "8\n7 3 0 0\n8 3 1 0\n1 0 0 0"),
+        ("12 3 2 2 2 2 3 6 5", "12 3 2 2 2 3 7 8 6"),
+    ];
+    Workplace::with(&[], &changes).is_refused(&[
+        "error: two.msh: the section falls into 2 parts that share no side, expected one",
+        "    part 1: 1 cell at (0.5, 0.5), between (0, 0) and (1, 1), in \"skin\"",
+        "    part 2: 1 cell at (2.5, 0.5), between (2, 0) and (3, 1), in \"web\"",
+        "  help: parts must share whole sides of cells: join them, or analyze each by itself",
+    ]);
+}
+
+/// Node 5 pulled into the lower left of cell 12: its corner there opens beyond 180
+/// degrees.
+#[test]
+fn inverted_cell_is_named_with_its_place_and_node() {
+    Workplace::with(&[], &[("5 1 1 0", "5 1.6 0.3 0")]).is_refused(&[
+        "error: two.msh: cell 12 at (1.65, 0.325) is inverted: the corner at node 5 is not \
+         less than 180 degrees, or its sides cross",
+        "  help: mesh this place again; in a structured mesh, check the order of the points \
+         and the numbers of cells on facing curves",
+    ]);
+}
+
+fn with_table(text: &str) -> Workplace {
+    let table = (
+        "plane_angle = 0",
+        "plane_angle = { table = \"angles.csv\" }",
+    );
+    let place = Workplace::with(&[table], &[]);
+    place.write("angles.csv", text);
+    place
+}
+
+#[test]
+fn angle_table_must_have_a_row_for_each_cell() {
+    with_table("cell,angle\n").is_refused(&[
+        "error: a.section.toml:20: angle table \"angles.csv\" has 0 rows, expected 1, one for \
+         each cell of \"web\"; no angle for cell 12",
+    ]);
+    with_table("cell,angle\n11,30\n12,30\n13,3\n").is_refused(&[
+        "error: a.section.toml:20: angle table \"angles.csv\" has 3 rows, expected 1, one for \
+         each cell of \"web\"; unknown cells 11, 13",
+    ]);
+    with_table("cell,angle\n7,30\n").is_refused(&[
+        "error: a.section.toml:20: angle table \"angles.csv\" has 1 row, expected 1, one for \
+         each cell of \"web\"; no angle for cell 12; unknown cell 7",
+    ]);
+    assert_eq!(
+        with_table("cell,angle\n12,30\n")
+            .run(&["check", "a.section.toml"])
+            .code,
+        0
+    );
+}
+
+#[test]
+fn table_for_two_regions_must_have_the_cells_of_both() {
+    let table = "plane_angle = { table = \"angles.csv\" }";
+    let changes = [
+        ("group = \"skin\"", &*format!("{table}\ngroup = \"skin\"")),
+        ("plane_angle = 0", table),
+    ];
+    let place = Workplace::with(&changes, &[]);
+    place.write("angles.csv", "cell,angle\n12,30\n");
+    place.is_refused(&[
+        "error: a.section.toml:13: angle table \"angles.csv\" has 1 row, expected 2, one for \
+         each cell of \"skin\", \"web\"; no angle for cell 11",
+    ]);
+    place.write("angles.csv", "cell,angle\n12,30\n11,0\n");
+    assert_eq!(place.run(&["check", "a.section.toml"]).code, 0);
+}
+
+#[test]
+fn unreadable_rows_are_told_with_the_line_of_the_table() {
+    with_table("cell;angle\n12;x\n").is_refused(&[
+        "error: angles.csv:1: the columns are \"cell;angle\", expected \"cell,angle\"",
+        "error: angles.csv:2: row \"12;x\" cannot be read, expected two columns, the number of \
+         a cell and its angle",
+    ]);
+    with_table("cell,angle\n12,3 deg\n12.5,3\n").is_refused(&[
+        "error: angles.csv:2: row \"12,3 deg\" cannot be read, expected an angle in the second \
+         column",
+        "error: angles.csv:3: row \"12.5,3\" cannot be read, expected the number of a cell in \
+         the first column",
+    ]);
+}

@@ -1,0 +1,191 @@
+//! What can be wrong in the section file itself.
+
+use crate::workplace::Workplace;
+
+#[test]
+fn unknown_key_is_told_with_the_nearest() {
+    let place = Workplace::with(&[("fiber_angle = 0", "fibre_angle = 0")], &[]);
+    place.is_refused(&[
+        "error: a.section.toml:19: unknown key \"fibre_angle\" in [[region]] number 2",
+        "  help: did you mean \"fiber_angle\"?",
+    ]);
+}
+
+#[test]
+fn wrong_units_are_told_with_those_that_fit() {
+    let density = ("\"7850 kg/m^3\"", "\"7850 kg/m^2\"");
+    Workplace::with(&[density], &[]).is_refused(&[
+        "error: a.section.toml:10: \"density\": \"kg/m^2\" measures a quantity in kg m^-2, \
+         expected a density",
+    ]);
+    Workplace::with(&[("\"mm\"", "\"inch\"")], &[]).is_refused(&[
+        "error: a.section.toml:4: \"length\": unknown unit \"inch\"",
+        "  help: did you mean \"in\"?",
+    ]);
+    Workplace::with(&[("fiber_angle = 0", "fiber_angle = \"3 mm\"")], &[]).is_refused(&[
+        "error: a.section.toml:19: \"fiber_angle\": \"mm\" measures a length, expected an angle",
+        "  help: units of it: rad, deg, rev",
+    ]);
+    let none = ("[units]\nlength = \"mm\"\nstress = \"GPa\"", "\n\n");
+    Workplace::with(&[none], &[]).is_refused(&[
+        "error: a.section.toml:1: the file has no \"units\", expected \"SI\", or a table of units",
+    ]);
+}
+
+#[test]
+fn materials_that_cannot_exist_are_told_with_the_bound() {
+    Workplace::with(&[("poisson = 0.3", "poisson = 0.5")], &[]).is_refused(&[
+        "error: a.section.toml:9: material \"steel\": nu is 0.5, expected more than -1 and \
+         less than 0.5",
+        "  help: nearly incompressible materials such as rubber take 0.49 to 0.4999",
+    ]);
+    let orthotropic = "e1 = 142\ne2 = 9.8\ne3 = 9.8\ng12 = 6\ng13 = 6\ng23 = 4.8\n\
+        nu12 = 0.3\nnu13 = 4\nnu23 = 0.34";
+    // sqrt(142/9.8) = 3.80654...
+    Workplace::with(&[("young = 210\npoisson = 0.3", orthotropic)], &[]).is_refused(&[
+        "error: a.section.toml:15: material \"steel\": |nu13| is 4.000000, expected less than \
+         sqrt(E1/E3) = 3.806546",
+        "  help: nu_ij is -strain_j / strain_i under a stress along i alone; \
+         nu_ji = nu_ij E_j / E_i may have been given in its place",
+    ]);
+    let rows = "stiffness = [\n[1, 2, 0, 0, 0, 0],\n[2, 1, 0, 0, 0, 0],\n[0, 0, 1, 0, 0, 0],\n\
+        [0, 0, 0, 1, 0, 0],\n[0, 0, 0, 0, 1, 0],\n[0, 0, 0, 0, 0, 1]]";
+    // The block [1 2; 2 1] has the eigenvalues 3 and -1.
+    Workplace::with(&[("young = 210\npoisson = 0.3", rows)], &[]).is_refused(&[
+        "error: a.section.toml:8: material \"steel\": smallest eigenvalue of the stiffness is \
+         -1e9 Pa beside a largest of 3e9 Pa, expected more than 0",
+        "  help: rows and columns are ordered 11 22 33 23 13 12, with engineering shear strains",
+    ]);
+}
+
+#[test]
+fn kind_of_material_must_be_clear() {
+    Workplace::with(&[("poisson = 0.3", "e1 = 3")], &[]).is_refused(&[
+        "error: a.section.toml:9: material \"steel\" has \"young\" and \"e1\", which belong to \
+         two kinds of material, expected one kind",
+    ]);
+    Workplace::with(&[("young = 210\npoisson = 0.3\n", "")], &[]).is_refused(&[
+        "error: a.section.toml:7: material \"steel\" has no elastic constants, expected \
+         \"young\" and \"poisson\", \"e1\" to \"nu23\", or \"stiffness\"",
+    ]);
+    Workplace::with(&[("poisson = 0.3\n", "")], &[]).is_refused(&[
+        "error: a.section.toml:7: material \"steel\" has no \"poisson\", expected a pure number",
+    ]);
+}
+
+#[test]
+fn unknown_material_is_told_with_the_nearest() {
+    let slip = (
+        "group = \"web\"\nmaterial = \"steel\"",
+        "group = \"web\"\nmaterial = \"steal\"",
+    );
+    Workplace::with(&[slip], &[]).is_refused(&[
+        "error: a.section.toml:18: unknown material \"steal\" in region \"web\"",
+        "  help: did you mean \"steel\"?",
+    ]);
+    let other = (
+        "group = \"web\"\nmaterial = \"steel\"",
+        "group = \"web\"\nmaterial = \"foam\"",
+    );
+    Workplace::with(&[other], &[]).is_refused(&[
+        "error: a.section.toml:18: unknown material \"foam\" in region \"web\"",
+        "  help: materials of the file: \"steel\"",
+    ]);
+}
+
+#[test]
+fn unknown_group_is_told_with_the_nearest_and_all() {
+    Workplace::with(&[("\"web\"", "\"wib\"")], &[]).is_refused(&[
+        "error: a.section.toml:17: the mesh has no physical surface \"wib\"",
+        "  help: did you mean \"web\"? physical surfaces of the mesh: \"skin\", \"web\"",
+        "error: a.section.toml:1: physical surface \"web\" (1 cell) has no region",
+        "  help: add [[region]] with group = \"web\" and its material",
+    ]);
+}
+
+#[test]
+fn group_needs_one_region() {
+    Workplace::with(&[("\"web\"", "\"skin\"")], &[]).is_refused(&[
+        "error: a.section.toml:17: physical surface \"skin\" already has a region on line 12, \
+         expected one",
+        "error: a.section.toml:1: physical surface \"web\" (1 cell) has no region",
+        "  help: add [[region]] with group = \"web\" and its material",
+    ]);
+    let bare = ("group = \"web\"\nmaterial = \"steel\"", "group = \"web\"");
+    Workplace::with(&[bare], &[]).is_refused(&[
+        "error: a.section.toml:16: [[region]] number 2 has no \"material\", expected the name \
+         of a material",
+    ]);
+}
+
+#[test]
+fn group_may_be_given_by_its_number() {
+    for number in ["2", "\"2\""] {
+        let place = Workplace::with(&[("\"web\"", number)], &[]);
+        assert_eq!(place.run(&["check", "a.section.toml"]).code, 0);
+    }
+}
+
+#[test]
+fn angle_must_be_a_number_a_table_or_a_curve() {
+    let change = |angle| Workplace::with(&[("plane_angle = 0", angle)], &[]);
+    change("plane_angle = {}")
+        .is_refused(&["error: a.section.toml:20: \"plane_angle\" has no \"table\" or \"follow\""]);
+    change("plane_angle = { table = \"a.csv\", follow = \"edge\" }").is_refused(&[
+        "error: a.section.toml:20: \"plane_angle\" has both \"table\" and \"follow\", expected \
+         one of them",
+    ]);
+    change("plane_angle = { follow = \"egde\" }").is_refused(&[
+        "error: a.section.toml:20: the mesh has no physical curve \"egde\"",
+        "  help: did you mean \"edge\"? physical curves of the mesh: \"edge\", \"bare\"",
+    ]);
+    change("plane_angle = { follow = \"bare\" }").is_refused(&[
+        "error: a.section.toml:20: physical curve \"bare\" has no lines in the mesh, expected \
+         at least one",
+    ]);
+    change("plane_angle = { follow = \"edge\", revers = true }").is_refused(&[
+        "error: a.section.toml:20: unknown key \"revers\" in [plane_angle]",
+        "  help: did you mean \"reverse\"?",
+    ]);
+    let fiber = ("fiber_angle = 0", "fiber_angle = { follow = \"edge\" }");
+    Workplace::with(&[fiber], &[]).is_refused(&[
+        "error: a.section.toml:19: \"fiber_angle\" has no \"table\"",
+        "error: a.section.toml:19: unknown key \"follow\" in [fiber_angle]",
+        "  help: known keys: table",
+    ]);
+}
+
+#[test]
+fn several_problems_come_together() {
+    let changes = [
+        ("poisson = 0.3", "poisson = 0.7"),
+        ("\"skin\"", "\"skim\""),
+        ("fiber_angle = 0", "fiber_angel = 0"),
+        ("plane_angle = 0", "plane_angle = { table = \"none.csv\" }"),
+    ];
+    Workplace::with(&changes, &[]).is_refused(&[
+        "error: a.section.toml:9: material \"steel\": nu is 0.7, expected more than -1 and \
+         less than 0.5",
+        "  help: nearly incompressible materials such as rubber take 0.49 to 0.4999",
+        "error: a.section.toml:19: unknown key \"fiber_angel\" in [[region]] number 2",
+        "  help: did you mean \"fiber_angle\"?",
+        "error: a.section.toml:13: the mesh has no physical surface \"skim\"",
+        "  help: did you mean \"skin\"? physical surfaces of the mesh: \"skin\", \"web\"",
+        "error: a.section.toml:1: physical surface \"skin\" (1 cell) has no region",
+        "  help: add [[region]] with group = \"skin\" and its material",
+        "error: a.section.toml:20: angle table \"none.csv\" cannot be read: no such file",
+    ]);
+}
+
+#[test]
+fn text_that_is_no_toml_is_told_with_its_line() {
+    let run =
+        Workplace::with(&[("young = 210", "young 210")], &[]).run(&["check", "a.section.toml"]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err
+            .starts_with("error: a.section.toml:8: not valid TOML: "),
+        "{}",
+        run.err
+    );
+}

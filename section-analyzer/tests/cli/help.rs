@@ -1,0 +1,139 @@
+//! Help, wrong command lines, and streams that close.
+
+use std::io::Read;
+use std::process::Stdio;
+
+use crate::workplace::Workplace;
+
+#[test]
+fn help_teaches_with_an_example() {
+    let place = Workplace::new();
+    for (arguments, example) in [
+        (
+            &["--help"][..],
+            "section-analyzer analyze strip.section.toml",
+        ),
+        (
+            &["analyze", "--help"],
+            "section-analyzer analyze blade/root.section.toml --out",
+        ),
+        (
+            &["check", "--help"],
+            "section-analyzer check blade/root.section.toml",
+        ),
+        (
+            &["mesh", "rectangle", "--help"],
+            "section-analyzer mesh rectangle --width 1",
+        ),
+        (
+            &["mesh", "tube", "--help"],
+            "plane_angle = { follow = \"outer\" }",
+        ),
+        (
+            &["mesh", "ellipse", "--help"],
+            "section-analyzer mesh ellipse --semi-y 10",
+        ),
+    ] {
+        let run = place.run(arguments);
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{arguments:?}");
+        assert!(run.out.contains(example), "{arguments:?}: {}", run.out);
+        assert!(
+            run.out.lines().all(|line| line.len() < 200),
+            "{arguments:?}"
+        );
+    }
+}
+
+/// The example of the help text, as a new user would type it.
+#[test]
+fn example_of_the_help_text_runs() {
+    let place = Workplace::new();
+    let help = place.run(&["--help"]).out;
+    let (_, example) = help.split_once("from nothing:\n").unwrap();
+    let (_, section) = example.split_once("<<'END'\n").unwrap();
+    let (section, _) = section.split_once("  END\n").unwrap();
+    place.write("strip.section.toml", &section.replace("\n  ", "\n"));
+    let mesh = [
+        "mesh",
+        "rectangle",
+        "--width",
+        "1",
+        "--height",
+        "0.063",
+        "--cells-y",
+        "40",
+    ];
+    let mesh = [&mesh[..], &["--cells-z", "4", "--out", "strip.msh"]].concat();
+    assert!(
+        example.replace("\\\n    ", "").contains(&mesh.join(" ")),
+        "{example}"
+    );
+    assert_eq!(place.run(&mesh).code, 0);
+    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+}
+
+#[test]
+fn wrong_command_lines_end_with_two() {
+    let place = Workplace::new();
+    for arguments in [
+        &[][..],
+        &["solve", "a.section.toml"],
+        &["analyze"],
+        &["mesh", "rectangle", "--width", "wide"],
+    ] {
+        let run = place.run(arguments);
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");
+        assert!(
+            run.err.contains("Usage:") || run.err.contains("--help"),
+            "{}",
+            run.err
+        );
+    }
+    let run = place.run(&["analyse", "a.section.toml"]);
+    assert!(run.err.contains("analyze"), "{}", run.err);
+}
+
+#[test]
+fn wrong_measures_of_a_mesh_are_told_together() {
+    let place = Workplace::new();
+    let sizes = ["mesh", "tube", "--outer-radius", "5", "--thickness", "-5"];
+    let cells = [
+        "--cells-around",
+        "2",
+        "--cells-through",
+        "1",
+        "--out",
+        "x.msh",
+    ];
+    let run = place.run(&[&sizes[..], &cells].concat());
+    assert_eq!(
+        run.err,
+        "error: thickness: expected a positive length, found -5\n\
+         error: cells around: expected at least 3, found 2\n"
+    );
+    assert_eq!(run.code, 2);
+    assert!(!place.path("x.msh").exists());
+}
+
+/// As in `section-analyzer check ... | head -0`: the reader of the output is gone.
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let place = Workplace::with(&[], &[]);
+    for arguments in [["check", "a.section.toml"], ["analyze", "a.section.toml"]] {
+        let mut command = place.command(&arguments);
+        let mut child = command
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let mut err = String::new();
+        child
+            .stderr
+            .take()
+            .unwrap()
+            .read_to_string(&mut err)
+            .unwrap();
+        assert_eq!((child.wait().unwrap().code(), err.as_str()), (Some(0), ""));
+    }
+}

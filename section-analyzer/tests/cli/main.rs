@@ -1,0 +1,10 @@
+//! The real program on real files: what it prints, what it writes, its exit code.
+
+// A failed unwrap fails the test, with its line.
+#![allow(clippy::unwrap_used)]
+
+mod analyze;
+mod bad_files;
+mod bad_section;
+mod help;
+mod workplace;
