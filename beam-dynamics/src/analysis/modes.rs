@@ -24,7 +24,10 @@ pub enum Failure {
     #[error(transparent)]
     Equilibrium(#[from] Box<NoEquilibrium>),
     /// The linearized system cannot be inverted.
-    #[error("the model has a motion without stiffness at {speed:.6} rad/s: its frequency is zero")]
+    #[error(
+        "the model has a motion without stiffness at {:.6} rpm: its frequency is zero",
+        speed * 30.0 / std::f64::consts::PI
+    )]
     Singular {
         /// Speed of rotation [rad/s].
         speed: f64,

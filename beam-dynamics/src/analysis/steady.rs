@@ -7,8 +7,8 @@ use crate::case::Spin;
 use crate::model::{Equation, NODE_UNKNOWNS, State, TurningFrame};
 use crate::solver::{Equations, LinearSolver, Newton, NewtonReport, NewtonStatus, Worst, solve};
 
-/// Halvings of a step in speed before giving up.
-const HALVINGS: usize = 8;
+/// Smallest step, as a part of the way to the wanted speed, before giving up.
+const SMALLEST_STEP: f64 = 1.0 / 256.0;
 
 /// The equilibrium equations of a system at one speed.
 struct Steady<'a> {
@@ -36,7 +36,8 @@ pub struct Equilibrium {
 /// Why no equilibrium was found.
 #[derive(Debug, Clone, thiserror::Error)]
 #[error(
-    "no steady equilibrium at {speed:.6} rad/s: {reason}; worst equation: {equation}, relative residual {residual:.1e}"
+    "no steady equilibrium at {:.6} rpm: {reason}; worst equation: {equation}, relative residual {residual:.1e}",
+    speed * 30.0 / std::f64::consts::PI
 )]
 pub struct NoEquilibrium {
     /// Speed of rotation [rad/s].
@@ -71,40 +72,35 @@ pub fn equilibrium(
     from: (f64, &State),
     speed: f64,
 ) -> Result<Equilibrium, Box<NoEquilibrium>> {
-    let (mut reached, mut state) = (from.0, from.1.clone());
-    let mut step = speed - reached;
+    let (mut reached, mut state) = (0.0, from.1.clone());
+    let mut step = 1.0;
     let mut iterations = 0;
-    let mut halvings = 0;
+    // `reached` and `step` are parts of the way: no step is below SMALLEST_STEP.
     loop {
-        let next = if halvings == 0 { speed } else { reached + step };
-        let frame = frame_at(spin, next);
+        let next: f64 = f64::min(reached + step, 1.0);
+        let speed_there = if next == 1.0 {
+            speed
+        } else {
+            from.0 + next * (speed - from.0)
+        };
+        let frame = frame_at(spin, speed_there);
         let mut steady = Steady::new(system, solver, frame, state.clone());
         let report = solve(&mut steady, &Newton::default());
         iterations += report.history.len();
-        if report.status == NewtonStatus::Converged {
-            if next == speed {
-                let residual = report.worst.relative;
-                let state = steady.state;
-                return Ok(Equilibrium {
-                    state,
-                    frame,
-                    iterations,
-                    residual,
-                });
-            }
-            (reached, state) = (next, steady.state);
-            step = step
-                .abs()
-                .min((speed - reached).abs())
-                .copysign(speed - reached);
-            if (speed - reached - step).abs() < 1e-12 * speed.abs() {
-                halvings = 0;
-            }
-        } else if halvings == HALVINGS || step == 0.0 {
-            return Err(Box::new(no_equilibrium(system, next, report)));
-        } else {
-            halvings += 1;
+        if report.status != NewtonStatus::Converged {
             step *= 0.5;
+            if step < SMALLEST_STEP || speed == from.0 {
+                return Err(Box::new(no_equilibrium(system, speed_there, report)));
+            }
+        } else if next < 1.0 {
+            (reached, state) = (next, steady.state);
+        } else {
+            return Ok(Equilibrium {
+                state: steady.state,
+                frame,
+                iterations,
+                residual: report.worst.relative,
+            });
         }
     }
 }

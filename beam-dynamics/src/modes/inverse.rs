@@ -9,10 +9,12 @@
 //! rotations q, momenta and angular momenta p; the multipliers have no rates and
 //! drop out. p is scaled so that the blocks `T_qp` and `T_pq` are of the same size.
 
+use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_real, evd_scratch};
 use faer::matrix_free::LinOp;
 use faer::matrix_free::eigen::{PartialEigenParams, partial_eigen, partial_eigen_scratch};
-use faer::{Col, Mat, MatMut, MatRef, Par, c64};
+use faer::{Auto, Col, Mat, MatMut, MatRef, Par, c64};
 
 use super::eigen::start_value;
 use crate::assembly::Sparse;
@@ -21,14 +23,19 @@ use crate::solver::Factorization;
 
 /// Up to this number of unknowns T is formed and all its eigenvalues are computed;
 /// above, only the wanted ones by Krylov iteration.
-const DENSE: usize = 400;
+const DENSE: usize = 200;
 /// Parts of the largest eigenvalue of T below which one is taken for zero: those at
 /// zero are defective, and round-off moves them to the cube root of 1e-16 or so.
 const INFINITE: f64 = 1e-7;
 /// Residual to which the Krylov iteration is driven, relative.
 const KRYLOV: f64 = 1e-12;
-/// Rounds of the search for copies of repeated eigenvalues.
-const ROUNDS: usize = 12;
+/// Eigenvalues sought in one Krylov iteration, and the dimension of its space. The
+/// multishift QR iteration of faer 0.24, which it uses from dimension 75 on, has been
+/// seen not to end; the plain one below that is bounded.
+const BATCH: usize = 32;
+const SPACE: usize = 72;
+/// Krylov iterations at most.
+const ROUNDS: usize = 60;
 
 /// The operator T on the unknowns of the nodes, with scaled momenta.
 #[derive(Debug)]
@@ -126,19 +133,32 @@ impl Inverse {
         Some(())
     }
 
-    /// All eigenvalues of T.
+    /// All eigenvalues of T; empty when the iteration fails.
     fn all(&self) -> Vec<c64> {
-        let mut matrix = Mat::zeros(self.size, self.size);
-        let mut column = vec![0.0; self.size];
-        for j in 0..self.size {
+        let n = self.size;
+        let mut matrix = Mat::zeros(n, n);
+        let mut column = vec![0.0; n];
+        for j in 0..n {
             column.fill(0.0);
             column[j] = 1.0;
             self.multiply(&mut column);
-            for i in 0..self.size {
+            for i in 0..n {
                 matrix[(i, j)] = column[i];
             }
         }
-        matrix.eigenvalues().unwrap_or_default()
+        // The plain QR iteration at any size: see BATCH.
+        let mut parameters = <EvdParams as Auto<f64>>::auto();
+        parameters.schur.blocking_threshold = usize::MAX;
+        let no = ComputeEigenvectors::No;
+        let spec = parameters.into();
+        let mut memory = MemBuffer::new(evd_scratch::<f64>(n, no, no, Par::Seq, spec));
+        let stack = MemStack::new(&mut memory);
+        let (mut real, mut imaginary) = (Diag::zeros(n), Diag::zeros(n));
+        let (re, im) = (real.as_mut(), imaginary.as_mut());
+        match evd_real(matrix.as_ref(), re, im, None, None, Par::Seq, stack, spec) {
+            Ok(()) => (0..n).map(|i| c64::new(real[i], imaginary[i])).collect(),
+            Err(_) => Vec::new(),
+        }
     }
 
     /// The `count` largest eigenvalues of T.
@@ -154,7 +174,7 @@ impl Inverse {
             basis: Vec::new(),
         };
         for _ in 0..ROUNDS {
-            let (values, vectors) = deflated.krylov(count);
+            let (values, vectors) = deflated.krylov();
             let limit = nth_largest(&found, count);
             let new: Vec<_> = (0..values.len())
                 .filter(|&j| values[j].norm() > limit * (1.0 - 1e-9))
@@ -187,9 +207,10 @@ struct Deflated<'a> {
 }
 
 impl Deflated<'_> {
-    /// The converged ones of the `count` largest eigenvalues, and their vectors.
-    fn krylov(&self, count: usize) -> (Vec<c64>, Mat<c64>) {
+    /// The converged ones of the largest eigenvalues, and their vectors.
+    fn krylov(&self) -> (Vec<c64>, Mat<c64>) {
         let size = self.inverse.size;
+        let count = BATCH;
         let mut vectors = Mat::<c64>::zeros(size, count);
         let mut values = vec![c64::new(0.0, 0.0); count];
         let mut start: Vec<_> = (0..size)
@@ -197,7 +218,8 @@ impl Deflated<'_> {
             .collect();
         self.project(&mut start);
         let start = Col::from_fn(size, |i| start[i]);
-        let parameters = PartialEigenParams::default();
+        let mut parameters = PartialEigenParams::default();
+        parameters.max_dim = SPACE;
         let mut memory = MemBuffer::new(partial_eigen_scratch(self, count, Par::Seq, parameters));
         let found = partial_eigen(
             vectors.as_mut(),
