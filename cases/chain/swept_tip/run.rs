@@ -52,7 +52,65 @@ fn main() -> ExitCode {
         }
         println!();
     }
+    match summary(&case) {
+        Ok(text) => print!("{text}"),
+        Err(error) => {
+            eprintln!("error: the comparisons cannot be read: {error}");
+            return ExitCode::from(1);
+        }
+    }
+    println!("\nAll files: {}", case.join("results").display());
     ExitCode::SUCCESS
+}
+
+/// All blades beside the experiment, from the comparison files of the four runs.
+fn summary(case: &Path) -> Result<String, csv::Error> {
+    let mut rows: Vec<(String, [String; SWEEPS.len()])> = Vec::new();
+    for (column, sweep) in SWEEPS.iter().enumerate() {
+        let file = case.join(format!("results/sweep_{sweep}.comparison.csv"));
+        for record in csv::Reader::from_path(file)?.deserialize() {
+            let Comparison {
+                speed_rpm,
+                order,
+                measured_hz,
+                computed_hz,
+            } = record?;
+            let key = format!("{speed_rpm:>5}  {order:>4}");
+            let entry = format!("{measured_hz:>6.1}  {computed_hz:>6.1}");
+            let row = match rows.iter().position(|row| row.0 == key) {
+                Some(row) => row,
+                None => {
+                    rows.push((key, std::array::from_fn(|_| String::new())));
+                    rows.len() - 1
+                }
+            };
+            rows[row].1[column] = entry;
+        }
+    }
+    let mut text = String::from("Frequencies beside the experiment [Hz], lag modes left out\n\n");
+    text += "speed  mode";
+    SWEEPS
+        .iter()
+        .for_each(|sweep| text += &format!("   sweep {sweep:>2} deg  "));
+    text += "\n[rpm]      ";
+    SWEEPS.iter().for_each(|_| text += "   meas.  comp. ");
+    text += "\n";
+    for (key, entries) in rows {
+        text += &format!(
+            "{key}  {}\n",
+            entries.map(|entry| format!("{entry:>14}")).join("  ")
+        );
+    }
+    Ok(text)
+}
+
+/// The columns of a comparison file that the summary shows.
+#[derive(serde::Deserialize)]
+struct Comparison {
+    speed_rpm: f64,
+    order: usize,
+    measured_hz: f64,
+    computed_hz: f64,
 }
 
 /// The case below the present folder, or below the one in which the runner was built.
