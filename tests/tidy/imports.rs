@@ -33,8 +33,7 @@ pub const CRATES: [Stages; 2] = [
     Stages {
         folder: "beam-dynamics",
         order: &[
-            "model", "elements", "assembly", "case", "solver", "result", "modes", "input",
-            "output",
+            "model", "elements", "assembly", "case", "solver", "result", "modes", "input", "output",
         ],
     },
 ];
