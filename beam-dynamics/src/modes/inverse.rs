@@ -218,8 +218,10 @@ impl Deflated<'_> {
             .collect();
         self.project(&mut start);
         let start = Col::from_fn(size, |i| start[i]);
-        let mut parameters = PartialEigenParams::default();
-        parameters.max_dim = SPACE;
+        let parameters = PartialEigenParams {
+            max_dim: SPACE,
+            ..PartialEigenParams::default()
+        };
         let mut memory = MemBuffer::new(partial_eigen_scratch(self, count, Par::Seq, parameters));
         let found = partial_eigen(
             vectors.as_mut(),
