@@ -1,3 +1,5 @@
 //! Program 1 feeds program 2: from a mesh to frequencies beside measurements.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 mod swept_tip;
