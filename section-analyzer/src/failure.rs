@@ -54,7 +54,7 @@ pub enum Failure {
     NodesOnOneLine,
     /// The matrix of the in-plane problem is singular to working accuracy.
     #[error(
-        "the section is loose at node {node} (y = {y} m, z = {z} m): its stiffness against warping there is {ratio:.0e} of what its cells provide, expected more than {limit:.0e}"
+        "the section is loose at node {node} (y = {y:.4e} m, z = {z:.4e} m): its stiffness against warping there is {ratio:.0e} of what its cells provide, expected more than {limit:.0e}"
     )]
     Loose {
         /// Tag of the node where the factorization broke down.
@@ -82,7 +82,7 @@ pub enum Failure {
     },
     /// The solution fails one of its own checks.
     #[error(
-        "{check} is off by {error:.1e}, expected less than {limit:.0e}; the weakest place is node {node} (y = {y} m, z = {z} m)"
+        "{check} is off by {error:.1e}, expected less than {limit:.0e}; the weakest place is node {node} (y = {y:.4e} m, z = {z:.4e} m)"
     )]
     Inaccurate {
         /// What was checked.
@@ -120,13 +120,13 @@ impl Explain for Failure {
                 "merge coincident nodes along the seam (in gmsh: \"Coherence Mesh\"), or fill the gap with a soft material"
             }
             Self::Loose { .. } => {
-                "look for parts joined at a single node, seams whose nodes are doubled, and moduli many orders of magnitude apart"
+                "look for parts joined at a single node, seams whose nodes are doubled, walls or cells thousands of times longer than thick, and moduli many orders of magnitude apart"
             }
             Self::Identity { .. } => {
                 "look for mid-side nodes that do not belong to their cell and for cells of extreme aspect ratio"
             }
             Self::Inaccurate { .. } => {
-                "look for nearly detached parts, cells of extreme aspect ratio, and moduli many orders of magnitude apart"
+                "look for nearly detached parts, cells of extreme aspect ratio, moduli many orders of magnitude apart, and a Poisson's ratio next to 0.5"
             }
             Self::NodesOnOneLine => "a section needs an area: give the wall a thickness",
             Self::OutOfMemory { .. } => "coarsen the mesh, or use a machine with more memory",

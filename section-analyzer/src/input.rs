@@ -220,11 +220,15 @@ fn measures(mesh: &SectionMesh) -> Vec<CellMeasure> {
 
 /// The name of the declared unit of length.
 fn length_unit(root: &Table<'_>) -> String {
-    let declared = match root.is_table("units") {
-        true => root.table("units").and_then(|units| units.text("length")),
-        false => None,
-    };
-    declared.unwrap_or_else(|| "m".to_owned())
+    let units = root
+        .is_table("units")
+        .then(|| root.table("units"))
+        .flatten();
+    // One that is no text has been told where the units were read.
+    let declared = units.filter(|units| units.is_text("length"));
+    declared
+        .and_then(|units| units.text("length"))
+        .unwrap_or_else(|| "m".to_owned())
 }
 
 /// The mesh that `key` names.

@@ -99,9 +99,10 @@ impl Document {
     /// The value, when there is one and no problem was noted.
     ///
     /// # Errors
-    /// All noted problems.
+    /// All noted problems, those of each file in the order of its lines.
     pub fn finish<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
         let mut problems = self.problems.into_inner();
+        problems.sort_by_line();
         match value {
             Some(value) => problems.into_result(value),
             None => {
@@ -117,11 +118,14 @@ impl Document {
     /// every plain number asked for afterwards: the word `"SI"`, or a table with
     /// some of the keys of [`DECLARABLE`].
     pub fn declare_units(&self, root: &Table<'_>) {
-        if root.is_text("units") {
-            let _ = root.word("units", &["SI"]);
+        const EXPECTED: &str = "\"SI\", or a table of units";
+        if root.has("units") && !root.is_table("units") {
+            if !root.is_text("units") || root.text("units").as_deref() != Some("SI") {
+                root.wrong("units", EXPECTED);
+            }
             return;
         }
-        let Some(table) = root.require_table("units", "\"SI\", or a table of units") else {
+        let Some(table) = root.require_table("units", EXPECTED) else {
             return;
         };
         for (key, dimension) in DECLARABLE {
@@ -154,6 +158,7 @@ pub fn read_text(path: &Path) -> Result<String, Diagnostics> {
         let reason = match error.kind() {
             std::io::ErrorKind::NotFound => "no such file".to_owned(),
             std::io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+            std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
             std::io::ErrorKind::InvalidData => "not a text file".to_owned(),
             _ => error.to_string(),
         };

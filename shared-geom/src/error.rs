@@ -4,6 +4,7 @@
 //! [`Explain`] adds the remedy, and [`Diagnostics`] collects all problems of an
 //! input so that a user sees them at once rather than one at a time.
 
+use std::collections::{BTreeMap, VecDeque};
 use std::fmt;
 
 /// A typed problem that may know its remedy.
@@ -124,6 +125,22 @@ impl Diagnostics {
         }
     }
 
+    /// Puts the problems of each file in the order of its lines, those of the file
+    /// as a whole first; problems of one line, and the places that each file has in
+    /// the list, stay as they were.
+    pub fn sort_by_line(&mut self) {
+        let files = self.items.iter().map(|item| item.place.file.clone());
+        let files: Vec<_> = files.collect();
+        self.items.sort_by_key(|item| item.place.line);
+        let mut of_file: BTreeMap<String, VecDeque<Diagnostic>> = BTreeMap::new();
+        for item in self.items.drain(..) {
+            let items = of_file.entry(item.place.file.clone()).or_default();
+            items.push_back(item);
+        }
+        let next = |file| of_file.get_mut(file).and_then(VecDeque::pop_front);
+        self.items = files.iter().filter_map(next).collect();
+    }
+
     /// Whether no problem was found.
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()
@@ -205,6 +222,39 @@ mod tests {
              error: b.toml: unknown key \"zzz\""
         );
         assert!(all.into_result(()).is_err());
+    }
+
+    #[test]
+    fn problems_are_sorted_by_line_within_their_file_only() {
+        let mut all = Diagnostics::new();
+        for (file, line, key) in [
+            ("a", Some(9), "first"),
+            ("b", Some(7), "second"),
+            ("a", Some(2), "third"),
+            ("b", Some(1), "fourth"),
+            ("a", Some(9), "fifth"),
+            ("a", None, "sixth"),
+        ] {
+            let file = file.to_owned();
+            all.push(Place { file, line }, &Unknown(key.into()));
+        }
+        all.sort_by_line();
+        let shown: Vec<_> = all
+            .iter()
+            .map(|item| (item.place.to_string(), &item.message[13..]))
+            .collect();
+        let expected = [
+            ("a", "sixth\""),
+            ("b:1", "fourth\""),
+            ("a:2", "third\""),
+            ("b:7", "second\""),
+            ("a:9", "first\""),
+            ("a:9", "fifth\""),
+        ];
+        for ((place, message), (file, key)) in shown.iter().zip(expected) {
+            assert_eq!((place.as_str(), *message), (file, key));
+        }
+        assert_eq!(shown.len(), expected.len());
     }
 
     #[test]

@@ -183,11 +183,21 @@ pub enum UnitProblem {
     Unknown {
         /// The name as written.
         found: String,
+        /// What the whole unit was to measure, where that is known.
+        expected: Option<Dimension>,
     },
     /// A compound unit that cannot be taken apart.
     #[error("unit \"{found}\" cannot be read, expected a product like \"lbf*s^2/in^4\"")]
     Malformed {
         /// The unit as written.
+        found: String,
+    },
+    /// A quantity that is not a number and a unit.
+    #[error(
+        "\"{found}\" cannot be read, expected a number, a space and a unit, as in \"73.1 GPa\""
+    )]
+    Quantity {
+        /// The quantity as written.
         found: String,
     },
     /// A unit of another quantity.
@@ -205,14 +215,8 @@ pub enum UnitProblem {
 impl Explain for UnitProblem {
     fn help(&self) -> Option<String> {
         match self {
-            Self::Unknown { found } => {
-                let names = NAMES.iter().map(|unit| unit.0);
-                Some(match nearest_name(found, names.clone()) {
-                    Some(near) => format!("did you mean \"{near}\"?"),
-                    None => format!("known units: {}", names.collect::<Vec<_>>().join(", ")),
-                })
-            }
-            Self::Malformed { .. } => None,
+            Self::Unknown { found, expected } => Some(help_with_unknown(found, *expected)),
+            Self::Malformed { .. } | Self::Quantity { .. } => None,
             Self::Dimension { expected, .. } => {
                 let fitting: Vec<_> = NAMES
                     .iter()
@@ -222,6 +226,27 @@ impl Explain for UnitProblem {
                 (!fitting.is_empty()).then(|| format!("units of it: {}", fitting.join(", ")))
             }
         }
+    }
+}
+
+/// The nearest name among the units of the quantity `expected`, else all of them;
+/// among all units where no quantity is expected, or one without a unit of its own.
+fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
+    let fitting = NAMES.iter().filter(|unit| Some(unit.1) == expected);
+    let mut names: Vec<_> = fitting.map(|unit| unit.0).collect();
+    let what = match names.is_empty() {
+        true => "known units",
+        false => "units of it",
+    };
+    if names.is_empty() {
+        names.extend(NAMES.iter().map(|unit| unit.0));
+    }
+    // Of names that are equally near, one of the same length is the likelier slip.
+    let mut by_length = names.clone();
+    by_length.sort_by_key(|name| name.len().abs_diff(found.len()));
+    match nearest_name(found, by_length) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None => format!("{what}: {}", names.join(", ")),
     }
 }
 
@@ -292,7 +317,10 @@ fn simple(token: &str) -> Option<Result<(Unit, i8), UnitProblem>> {
     let found = NAMES.iter().find(|unit| unit.0 == name);
     Some(match found {
         Some(&(_, dimension, factor)) => Ok((Unit { dimension, factor }, power)),
-        None => Err(UnitProblem::Unknown { found: name.into() }),
+        None => Err(UnitProblem::Unknown {
+            found: name.into(),
+            expected: None,
+        }),
     })
 }
 
@@ -301,7 +329,14 @@ fn simple(token: &str) -> Option<Result<(Unit, i8), UnitProblem>> {
 /// # Errors
 /// As [`parse`], and [`UnitProblem::Dimension`].
 pub fn parse_as(text: &str, expected: Dimension) -> Result<Unit, UnitProblem> {
-    let unit = parse(text)?;
+    let unit = parse(text).map_err(|problem| match problem {
+        // A part of a compound unit may measure anything.
+        UnitProblem::Unknown { found, .. } if found == text.trim() => UnitProblem::Unknown {
+            found,
+            expected: Some(expected),
+        },
+        other => other,
+    })?;
     if unit.dimension == expected {
         Ok(unit)
     } else {
@@ -400,9 +435,9 @@ impl Units {
 /// is in SI units.
 ///
 /// # Errors
-/// [`UnitProblem`]; a text that does not begin with a number is malformed.
+/// [`UnitProblem`]; [`UnitProblem::Quantity`] for a text without a number or a unit.
 pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, UnitProblem> {
-    let malformed = || UnitProblem::Malformed { found: text.into() };
+    let malformed = || UnitProblem::Quantity { found: text.into() };
     let trimmed = text.trim();
     let (number, unit) = trimmed.split_once(' ').ok_or_else(malformed)?;
     let number: f64 = number.parse().map_err(|_| malformed())?;
@@ -450,6 +485,23 @@ mod tests {
         for bad in ["", "*m", "m*", "m//s", "m^x", "m^99", "m**2", "2 m"] {
             assert!(parse(bad).is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn an_unknown_unit_is_corrected_to_one_of_the_expected_quantity() {
+        let help = |text, expected| parse_as(text, expected).unwrap_err().help().unwrap();
+        // "MN" is as near, but a force.
+        assert_eq!(help("mn", Dimension::LENGTH), "did you mean \"mm\"?");
+        assert_eq!(help("mn", Dimension::FORCE), "did you mean \"MN\"?");
+        assert_eq!(help("gpa", Dimension::STRESS), "did you mean \"GPa\"?");
+        assert_eq!(
+            help("furlong", Dimension::LENGTH),
+            "units of it: m, mm, cm, km, um, in, ft"
+        );
+        // Parts of a compound unit measure something else than the whole.
+        assert_eq!(help("kgs/m^3", Dimension::DENSITY), "did you mean \"kg\"?");
+        let quantity = parse_quantity("3 mn", Dimension::LENGTH).unwrap_err();
+        assert_eq!(quantity.help().unwrap(), "did you mean \"mm\"?");
     }
 
     #[test]

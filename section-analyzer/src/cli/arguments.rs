@@ -85,6 +85,15 @@ const ELLIPSE_EXAMPLE: &str = "\
 Example, a full disk of 12 x 6 x 6 cells in the physical surface \"section\":
   section-analyzer mesh ellipse --semi-y 10 --semi-z 10 --cells 6 --out disk.msh";
 
+/// A name that a mesh file can hold.
+fn group_name(text: &str) -> Result<String, &'static str> {
+    let fits = |letter: char| letter != '"' && !letter.is_control();
+    match !text.trim().is_empty() && text.chars().all(fits) {
+        true => Ok(text.to_owned()),
+        false => Err("expected letters, without quotes and line breaks"),
+    }
+}
+
 /// What the list of commands shows of a text.
 fn first_line(text: &'static str) -> &'static str {
     text.lines().next().unwrap_or_default()
@@ -130,13 +139,13 @@ pub(super) enum Shape {
         #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
         height: f64,
         /// Cells along y
-        #[arg(long, value_name = "COUNT")]
+        #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
         cells_y: usize,
         /// Cells along z
-        #[arg(long, value_name = "COUNT")]
+        #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
         cells_z: usize,
         /// Name of the physical surface
-        #[arg(long, default_value = "section")]
+        #[arg(long, default_value = "section", value_parser = group_name)]
         name: String,
         #[command(flatten)]
         common: Common,
@@ -151,10 +160,10 @@ pub(super) enum Shape {
         #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
         thickness: f64,
         /// Cells around
-        #[arg(long, value_name = "COUNT")]
+        #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
         cells_around: usize,
         /// Cells through the wall
-        #[arg(long, value_name = "COUNT")]
+        #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
         cells_through: usize,
         /// Straight sides: the tube becomes a polygon
         #[arg(long)]
@@ -172,7 +181,7 @@ pub(super) enum Shape {
         #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
         semi_z: f64,
         /// Cells from the core to the boundary, and along a quarter of the core
-        #[arg(long, value_name = "COUNT")]
+        #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
         cells: usize,
         /// Straight sides: the ellipse becomes a polygon
         #[arg(long)]

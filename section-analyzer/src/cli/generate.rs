@@ -34,10 +34,15 @@ pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(
     };
     writeln!(
         terminal.out,
-        "{}: {} nodes, {} cells\n  physical surface: {}\n  physical curves: {}",
+        "{}: {} nodes, {} {}\n  physical surface: {}\n  physical curves: {}",
         file.display(),
         mesh.nodes.len(),
         mesh.cells.len(),
+        if mesh.cells.len() == 1 {
+            "cell"
+        } else {
+            "cells"
+        },
         groups(2),
         groups(1),
     )?;

@@ -135,6 +135,10 @@ fn disagreeing(
 
 /// The likely reason why a cell is inverted.
 fn reason(mesh: &PlaneMesh, cell: &Cell) -> Inversion {
+    if let Some(node) = repeated(cell) {
+        let node = mesh.node_tags[node as usize];
+        return Inversion::Repeated { node };
+    }
     let corners: Vec<[f64; 2]> = mesh.corners(cell).collect();
     let count = corners.len();
     let cross = |i: usize| {
@@ -161,6 +165,13 @@ fn reason(mesh: &PlaneMesh, cell: &Cell) -> Inversion {
         return Inversion::Corner { node };
     }
     farthest_middle(mesh, cell, longest).unwrap_or(Inversion::NoArea)
+}
+
+/// A node that the cell lists more than once.
+fn repeated(cell: &Cell) -> Option<u32> {
+    let nodes = cell.nodes();
+    let mut numbered = nodes.iter().enumerate();
+    numbered.find_map(|(i, node)| nodes[..i].contains(node).then_some(*node))
 }
 
 /// The node that is farthest from the middle of its side or of the cell.

@@ -44,7 +44,7 @@ pub enum MeshProblem {
         other: Option<(char, f64)>,
     },
     /// A cell whose mapping folds.
-    #[error("cell {cell} at {} is inverted: {reason}", place(*.center))]
+    #[error("cell {cell} at {} {reason}", place(*.center))]
     InvertedCell {
         /// Tag of the cell.
         cell: u64,
@@ -113,6 +113,11 @@ pub enum MeshProblem {
 /// Why a cell is inverted.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Inversion {
+    /// It lists a node more than once.
+    Repeated {
+        /// Tag of the node.
+        node: u64,
+    },
     /// Its corners lie on a line, or on each other.
     NoArea,
     /// A corner of more than 180 degrees, or crossed sides.
@@ -133,14 +138,17 @@ pub enum Inversion {
 impl fmt::Display for Inversion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoArea => write!(f, "it has no area"),
+            Self::Repeated { node } => {
+                write!(f, "has no inside: it lists node {node} more than once")
+            }
+            Self::NoArea => write!(f, "has no area: its corners lie on one line, or nearly"),
             Self::Corner { node } => write!(
                 f,
-                "the corner at node {node} is not less than 180 degrees, or its sides cross"
+                "is inverted: the corner at node {node} is not less than 180 degrees, or its sides cross"
             ),
             Self::Middle { node, distance } => write!(
                 f,
-                "it is folded, node {node} lies {distance:.2} side lengths off the middle"
+                "is inverted: it is folded, node {node} lies {distance:.2} side lengths off the middle"
             ),
         }
     }

@@ -278,13 +278,26 @@ fn a_mesh_in_another_coordinate_plane_is_recognized() {
 }
 
 #[test]
+fn a_cell_that_lists_a_node_twice_is_told_once() {
+    let nodes = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
+    assert_eq!(
+        message(&mesh(&nodes, &[&[0, 1, 2, 2]])),
+        "cell 1 at (0.75, 0.5) has no inside: it lists node 103 more than once"
+    );
+    assert_eq!(
+        message(&mesh(&nodes, &[&[1, 1, 1, 1]])),
+        "cell 1 at (1, 0) has no inside: it lists node 102 more than once"
+    );
+}
+
+#[test]
 fn cells_without_area_and_folded_corners_are_inverted() {
     // the triangle's corners lie on a line
     let nodes = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [1.0, 1.0]];
     let problems = refused(&mesh(&nodes, &[&[0, 1, 3], &[0, 1, 2]]));
     assert_eq!(
         problems[0].to_string(),
-        "cell 2 at (1, 0) is inverted: it has no area"
+        "cell 2 at (1, 0) has no area: its corners lie on one line, or nearly"
     );
     // corner 2 is pushed through the diagonal between its neighbors
     let nodes = [[0.0, 0.0], [1.0, 0.0], [0.3, 0.3], [0.0, 1.0]];

@@ -46,7 +46,8 @@ pub(super) fn sides(mesh: &PlaneMesh, oriented: bool) -> Sides {
                     met: false,
                 }
             });
-            if new {
+            // A cell that meets itself lists a node twice: told with the cell.
+            if new || side.cell == number {
                 continue;
             }
             let cells = [side.cell, number].map(|cell| mesh.cells[cell].tag);

@@ -112,12 +112,15 @@ pub fn write_text(file: &Path, text: &str) -> Result<(), OutputProblem> {
 /// Draws a figure of `size` (width, height) \[figure pixels\] into a file.
 ///
 /// # Errors
+/// [`OutputProblem::File`] where the file cannot be made, else
 /// [`OutputProblem::Figure`].
 pub fn write_figure(
     file: &Path,
     size: (u32, u32),
     drawing: &impl Drawing,
 ) -> Result<(), OutputProblem> {
+    // Made first, since the words of the backend teach less than those of the system.
+    write_text(file, "")?;
     Ok(figure::save(file, size, drawing)?)
 }
 
@@ -128,7 +131,9 @@ fn words(error: &io::Error) -> String {
         io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
             "a file of this name is in the way".to_owned()
         }
+        io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
         io::ErrorKind::NotFound => "its folder does not exist".to_owned(),
+        io::ErrorKind::StorageFull => "no space is left".to_owned(),
         _ => error.to_string(),
     }
 }

@@ -211,6 +211,47 @@ fn results_need_a_folder() {
     assert!(Path::new(&place.path("strip.msh")).is_file());
 }
 
+/// Where a file should go, a folder stands: told in words, for texts and figures.
+#[test]
+fn files_that_cannot_be_written_end_with_one() {
+    for (file, what) in [("strip.report.txt", "file"), ("strip.warping.png", "file")] {
+        let place = strip();
+        std::fs::create_dir_all(place.path("results").join(file)).unwrap();
+        let run = place.run(&["analyze", "strip.section.toml"]);
+        let expected =
+            format!("error: {what} \"results/{file}\" cannot be written: it is a folder\n");
+        assert_eq!((run.code, run.err), (1, expected));
+    }
+}
+
+/// A wall of a hundred thousandth of the radius in 48 cells: more than the digits
+/// give. The place is told in few digits, and the remedy speaks of thin walls.
+#[test]
+fn a_wall_too_thin_to_solve_is_told_with_its_remedy() {
+    let place = Workplace::with(
+        &[
+            ("two.msh", "tube.msh"),
+            ("\"skin\"", "\"wall\""),
+            (
+                "\n[[region]]\ngroup = \"web\"\nmaterial = \"steel\"\nfiber_angle = 0\nplane_angle = 0\n",
+                "",
+            ),
+        ],
+        &[],
+    );
+    let sizes = ["mesh", "tube", "--outer-radius", "1", "--thickness", "1e-6"];
+    let cells = ["--cells-around", "48", "--cells-through", "1", "--out"];
+    place.run(&[&sizes[..], &cells, &["tube.msh"]].concat());
+    let run = place.run(&["analyze", "a.section.toml"]);
+    assert_eq!(run.code, 1);
+    assert!(
+        run.err.contains("thousands of times longer than thick"),
+        "{}",
+        run.err
+    );
+    assert!(run.err.lines().all(|line| line.len() < 200), "{}", run.err);
+}
+
 /// A part without any stiffness to speak of hangs on the rest: no input error, but
 /// no solution. What there is gets written, and results of an earlier run go.
 #[test]

@@ -37,12 +37,12 @@ fn cells_without_surface_are_counted() {
     let free = ("12 3 2 2 2 2 3 6 5", "12 3 2 0 2 2 3 6 5");
     let place = Workplace::with(&[], &[free]);
     place.is_refused(&[
-        "error: a.section.toml:17: physical surface \"web\" has no cells in the mesh, expected \
-         at least one",
         "error: a.section.toml:1: mesh \"two.msh\" has 1 cell in no physical surface (cell 12 \
          for example), expected every cell in one",
         "  help: in gmsh, put every meshed surface in a physical surface, or set \
          Mesh.SaveAll = 0",
+        "error: a.section.toml:17: physical surface \"web\" has no cells in the mesh, expected \
+         at least one",
     ]);
 }
 

@@ -22,6 +22,16 @@ fn wrong_units_are_told_with_those_that_fit() {
         "error: a.section.toml:4: \"length\": unknown unit \"inch\"",
         "  help: did you mean \"in\"?",
     ]);
+    Workplace::with(&[("\"mm\"", "\"mn\"")], &[]).is_refused(&[
+        "error: a.section.toml:4: \"length\": unknown unit \"mn\"",
+        "  help: did you mean \"mm\"?",
+    ]);
+    Workplace::with(&[("\"mm\"", "25.4")], &[])
+        .is_refused(&["error: a.section.toml:4: \"length\" is 25.4, expected a text in quotes"]);
+    Workplace::with(&[("young = 210", "young = \"210GPa\"")], &[]).is_refused(&[
+        "error: a.section.toml:8: \"young\": \"210GPa\" cannot be read, expected a number, a \
+         space and a unit, as in \"73.1 GPa\"",
+    ]);
     Workplace::with(&[("fiber_angle = 0", "fiber_angle = \"3 mm\"")], &[]).is_refused(&[
         "error: a.section.toml:19: \"fiber_angle\": \"mm\" measures a length, expected an angle",
         "  help: units of it: rad, deg, rev",
@@ -96,20 +106,20 @@ fn unknown_material_is_told_with_the_nearest() {
 #[test]
 fn unknown_group_is_told_with_the_nearest_and_all() {
     Workplace::with(&[("\"web\"", "\"wib\"")], &[]).is_refused(&[
-        "error: a.section.toml:17: the mesh has no physical surface \"wib\"",
-        "  help: did you mean \"web\"? physical surfaces of the mesh: \"skin\", \"web\"",
         "error: a.section.toml:1: physical surface \"web\" (1 cell) has no region",
         "  help: add [[region]] with group = \"web\" and its material",
+        "error: a.section.toml:17: the mesh has no physical surface \"wib\"",
+        "  help: did you mean \"web\"? physical surfaces of the mesh: \"skin\", \"web\"",
     ]);
 }
 
 #[test]
 fn group_needs_one_region() {
     Workplace::with(&[("\"web\"", "\"skin\"")], &[]).is_refused(&[
-        "error: a.section.toml:17: physical surface \"skin\" already has a region on line 12, \
-         expected one",
         "error: a.section.toml:1: physical surface \"web\" (1 cell) has no region",
         "  help: add [[region]] with group = \"web\" and its material",
+        "error: a.section.toml:17: physical surface \"skin\" already has a region on line 12, \
+         expected one",
     ]);
     let bare = ("group = \"web\"\nmaterial = \"steel\"", "group = \"web\"");
     Workplace::with(&[bare], &[]).is_refused(&[
@@ -164,15 +174,15 @@ fn several_problems_come_together() {
         ("plane_angle = 0", "plane_angle = { table = \"none.csv\" }"),
     ];
     Workplace::with(&changes, &[]).is_refused(&[
+        "error: a.section.toml:1: physical surface \"skin\" (1 cell) has no region",
+        "  help: add [[region]] with group = \"skin\" and its material",
         "error: a.section.toml:9: material \"steel\": nu is 0.7, expected more than -1 and \
          less than 0.5",
         "  help: nearly incompressible materials such as rubber take 0.49 to 0.4999",
-        "error: a.section.toml:19: unknown key \"fiber_angel\" in [[region]] number 2",
-        "  help: did you mean \"fiber_angle\"?",
         "error: a.section.toml:13: the mesh has no physical surface \"skim\"",
         "  help: did you mean \"skin\"? physical surfaces of the mesh: \"skin\", \"web\"",
-        "error: a.section.toml:1: physical surface \"skin\" (1 cell) has no region",
-        "  help: add [[region]] with group = \"skin\" and its material",
+        "error: a.section.toml:19: unknown key \"fiber_angel\" in [[region]] number 2",
+        "  help: did you mean \"fiber_angle\"?",
         "error: a.section.toml:20: angle table \"none.csv\" cannot be read: no such file",
     ]);
 }

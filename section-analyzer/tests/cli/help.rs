@@ -115,6 +115,35 @@ fn wrong_measures_of_a_mesh_are_told_together() {
     assert!(!place.path("x.msh").exists());
 }
 
+#[test]
+fn names_that_no_mesh_file_can_hold_and_negative_counts_are_refused() {
+    let place = Workplace::new();
+    let mesh = |name: &str, cells: &str| {
+        let sizes = ["mesh", "rectangle", "--width", "1", "--height", "1"];
+        let cells = ["--cells-y", cells, "--cells-z", "1", "--out", "x.msh"];
+        place.run(&[&sizes[..], &cells, &["--name", name]].concat())
+    };
+    for name in ["", " ", "a\"b", "a\nb"] {
+        let run = mesh(name, "1");
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{name:?}");
+        assert!(run.err.contains("--name <NAME>"), "{}", run.err);
+    }
+    let run = mesh("skin", "-1");
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err.contains("invalid value '-1' for '--cells-y"),
+        "{}",
+        run.err
+    );
+    assert!(!place.path("x.msh").exists());
+    let run = mesh("my skin", "1");
+    assert_eq!(
+        run.out,
+        "x.msh: 9 nodes, 1 cell\n  physical surface: my skin\n  \
+         physical curves: bottom, right, top, left\n"
+    );
+}
+
 /// As in `section-analyzer check ... | head -0`: the reader of the output is gone.
 #[test]
 fn a_closed_pipe_is_no_error() {

@@ -104,6 +104,25 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// A list of texts under `key`; one text is a list of one.
+    pub fn texts(&self, key: &str) -> Option<Vec<String>> {
+        let value = self.ask(key)?;
+        let items = match &value.kind {
+            Kind::Text(text) => return Some(vec![text.clone()]),
+            Kind::Array(items) => items,
+            _ => return self.wrong_value(key, value, "a text in quotes, or a list of texts"),
+        };
+        // Every item is looked at, so that each wrong one is noted.
+        let texts: Vec<_> = items
+            .iter()
+            .map(|item| match &item.kind {
+                Kind::Text(text) => Some(text.clone()),
+                _ => self.wrong_value(key, item, "a text in quotes"),
+            })
+            .collect();
+        texts.into_iter().collect()
+    }
+
     /// Required text under `key`; `expected` says what it is for.
     pub fn require_text(&self, key: &str, expected: &str) -> Option<String> {
         self.require(key, expected)?;

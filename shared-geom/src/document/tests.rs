@@ -60,14 +60,61 @@ fn all_problems_come_at_once_with_lines() {
     });
     let expected = "\
 error: a.toml:1: the file has no \"length\", expected a length
+error: a.toml:2: unknown key \"lenght\" in the file
+  help: did you mean \"length\"?
 error: a.toml:3: \"width\": \"kg\" measures a mass, expected a length
   help: units of it: m, mm, cm, km, um, in, ft
 error: a.toml:4: \"cells\" is 0, expected a whole number of at least 1
 error: a.toml:5: \"kind\" is \"quad5\", expected one of \"quad4\", \"quad8\"
-  help: did you mean \"quad4\"?
-error: a.toml:2: unknown key \"lenght\" in the file
-  help: did you mean \"length\"?";
+  help: did you mean \"quad4\"?";
     assert_eq!(shown, expected);
+}
+
+#[test]
+fn a_text_is_a_list_of_one_text() {
+    let text = "one = \"a\"\ntwo = [\"a\", \"b\"]\nnone = []\n";
+    let document = Document::parse(text, "a.toml").unwrap();
+    let root = document.root();
+    assert_eq!(root.texts("one").unwrap(), ["a"]);
+    assert_eq!(root.texts("two").unwrap(), ["a", "b"]);
+    assert!(root.texts("none").unwrap().is_empty());
+    assert_eq!(root.texts("absent"), None);
+    root.finish();
+    assert!(document.finish(Some(())).is_ok());
+
+    let wrong = problems("number = 3\nmixed = [\"a\", 1,\n true]\n", |root| {
+        assert_eq!(root.texts("number"), None);
+        assert_eq!(root.texts("mixed"), None);
+    });
+    let expected = "\
+error: a.toml:1: \"number\" is 3, expected a text in quotes, or a list of texts
+error: a.toml:2: \"mixed\" is 1, expected a text in quotes
+error: a.toml:3: \"mixed\" is true, expected a text in quotes";
+    assert_eq!(wrong, expected);
+}
+
+#[test]
+fn numbers_and_units_that_cannot_be_read_are_shown_short() {
+    let text = "units = \"imperial\"\nhuge = 1e308\njoined = \"70GPa\"\n";
+    let shown = problems(text, |root| {
+        root.document().declare_units(root);
+        assert_eq!(root.word("huge", &["a"]), None);
+        assert_eq!(root.quantity("joined", Dimension::STRESS), None);
+    });
+    let expected = "\
+error: a.toml:1: \"units\" is the text \"imperial\", expected \"SI\", or a table of units
+error: a.toml:2: \"huge\" is 1e308, expected a text in quotes
+error: a.toml:3: \"joined\": \"70GPa\" cannot be read, expected a number, a space and a unit, as in \"73.1 GPa\"";
+    assert_eq!(shown, expected);
+}
+
+#[test]
+fn a_folder_is_no_file() {
+    let shown = Document::read(Path::new(".")).unwrap_err();
+    assert_eq!(
+        shown.to_string(),
+        "error: .: cannot be read: it is a folder"
+    );
 }
 
 #[test]

@@ -36,6 +36,7 @@ impl Kind {
         match self {
             Self::Text(text) => format!("the text \"{text}\""),
             Self::Integer(number) => number.to_string(),
+            Self::Number(number) if number.abs() >= 1e16 => format!("{number:e}"),
             Self::Number(number) => number.to_string(),
             Self::Boolean(value) => value.to_string(),
             Self::Date => "a date".to_owned(),
