@@ -314,6 +314,30 @@ fn ellipse_torsion_and_bending_converge() {
     );
 }
 
+/// Shear of the ellipse 2:1, which has no closed form here: the order shows in the
+/// differences of three meshes, `log2 |k(n) - k(2n)| / |k(2n) - k(4n)|`.
+#[test]
+fn ellipse_shear_converges() {
+    for (kind, bound) in [
+        (CellKind::Quadrilateral4, 1.9),
+        (CellKind::Quadrilateral8, 3.7),
+        (CellKind::Quadrilateral9, 3.7),
+    ] {
+        let [coarse, middle, fine] = [4, 8, 16].map(|n| {
+            let mesh = ellipse(2.0, 1.0, n, kind);
+            solved(&uniform(&mesh, isotropic(1.0, NU), 0.0)).stiffness
+        });
+        for i in [1, 2] {
+            let at = |matrix: &nalgebra::Matrix6<f64>| matrix[(i, i)];
+            let first = (at(&coarse) - at(&middle)).abs();
+            let second = (at(&middle) - at(&fine)).abs();
+            let order = (first / second).log2();
+            println!("{kind:?} shear {i}: {} order {order:.2}", at(&fine));
+            assert!(order >= bound, "{kind:?} shear {i}: order {order:.2}");
+        }
+    }
+}
+
 /// Circle: shear factor `6 (1+nu)^2 / (7 + 14 nu + 8 nu^2)`, [renton], and polar moment.
 #[test]
 fn circle_shear_and_torsion_converge() {
