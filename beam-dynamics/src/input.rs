@@ -28,7 +28,6 @@ mod nodes;
 mod number;
 mod problem;
 mod properties;
-mod source;
 mod speeds;
 mod summary;
 
@@ -40,7 +39,6 @@ pub use problem::InputProblem;
 pub use summary::Summary;
 
 use draft::Draft;
-use source::Source;
 
 /// Ending of the names of dynamics inputs.
 pub const ENDING: &str = ".dynamics.toml";
@@ -66,10 +64,7 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let file = path.display().to_string();
     let text = read_text(path)?;
     let document = Document::parse(&text, &file)?;
-    let input = {
-        let source = Source::new(&document, &text);
-        cards(&source, &name_of(path))
-    };
+    let input = cards(&document, &name_of(path));
     let input = document.finish(input)?;
     let mut problems = Diagnostics::new();
     for found in mechanism::find(&input.case.system) {
@@ -90,21 +85,21 @@ pub fn name_of(path: &Path) -> String {
 }
 
 /// Reads every card, in an order in which each finds the names that it uses.
-fn cards(source: &Source<'_>, default_name: &str) -> Option<Input> {
-    let root = source.document().root();
+fn cards(document: &Document, default_name: &str) -> Option<Input> {
+    let root = document.root();
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
-    source.document().declare_units(&root);
+    document.declare_units(&root);
     let properties = properties::read(&root);
     let hub = hub::read(&root);
 
     let mut draft = Draft::new(properties, hub);
     nodes::read(&root, &mut draft);
     blades::read(&root, &mut draft);
-    beams::read(source, &root, &mut draft);
+    beams::read(&root, &mut draft);
     clamps::read(&root, &mut draft);
     bodies::read(&root, &mut draft);
     let question = speeds::read(&root);
-    let measured = measured::read(source, &root);
+    let measured = measured::read(&root);
     root.finish();
 
     draft.check(&root);

@@ -8,17 +8,16 @@ use shared_geom::units::Dimension;
 use super::beam_check::BeamCheck;
 use super::draft::{Beam, Draft, Inertia};
 use super::problem::InputProblem;
-use super::source::Source;
 use crate::elements::beams::{BeamGeometry, BeamNode};
 
 /// Adds every `[[beam]]` to the model.
-pub(super) fn read(source: &Source<'_>, root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("beam").iter().enumerate() {
         let label = table
             .text("name")
             .unwrap_or_else(|| format!("beam {}", number + 1));
         let is_new = draft.take_label("beam", &label, table);
-        let beam = beam(source, table, draft, label);
+        let beam = beam(table, draft, label);
         table.finish();
         let sound = |beam: &Beam| {
             let words = format!("beam \"{}\"", beam.label);
@@ -31,9 +30,9 @@ pub(super) fn read(source: &Source<'_>, root: &Table<'_>, draft: &mut Draft) {
     }
 }
 
-fn beam(source: &Source<'_>, table: &Table<'_>, draft: &mut Draft, label: String) -> Option<Beam> {
+fn beam(table: &Table<'_>, draft: &mut Draft, label: String) -> Option<Beam> {
     let words = format!("beam \"{label}\"");
-    let nodes = nodes(source, table, draft, &words);
+    let nodes = nodes(table, draft, &words);
     let properties = match table.has("properties") {
         true => draft.find_properties(table, &words),
         false => {
@@ -52,16 +51,11 @@ fn beam(source: &Source<'_>, table: &Table<'_>, draft: &mut Draft, label: String
     })
 }
 
-fn nodes(
-    source: &Source<'_>,
-    table: &Table<'_>,
-    draft: &mut Draft,
-    words: &str,
-) -> Option<[usize; 3]> {
+fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 3]> {
     if !table.has("nodes") {
         let _ = table.require_text("nodes", "the names of three nodes");
     }
-    let Some(names) = source.names(table, "nodes") else {
+    let Some(names) = table.texts("nodes") else {
         draft.note_loose_end();
         return None;
     };
@@ -79,6 +73,7 @@ fn nodes(
                 expected,
             },
         );
+        draft.note_loose_end();
         return None;
     };
     let nodes = [first?, middle?, last?];
@@ -92,6 +87,7 @@ fn nodes(
                 node,
             },
         );
+        draft.note_loose_end();
         return None;
     }
     Some(nodes)

@@ -250,8 +250,13 @@ impl Draft {
 
     /// Notes what is wrong with the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
-        if !root.has("blade") && !root.has("beam") {
-            root.note("", &InputProblem::EmptyModel);
+        const CARDS: [&str; 2] = ["blade", "beam"];
+        let nothing = self.beams.is_empty() && !self.broken;
+        if nothing || !CARDS.iter().any(|card| root.has(card)) {
+            // That [blade] should be [[blade]] has been told already.
+            if !CARDS.iter().any(|card| root.is_table(card)) {
+                root.note("", &InputProblem::EmptyModel);
+            }
             return;
         }
         let unused = (0..self.nodes.len()).filter(|node| !self.used.contains(node));
@@ -261,9 +266,20 @@ impl Draft {
             root.document()
                 .note(line, &InputProblem::UnusedNode { node });
         }
-        if !self.broken && self.mass() <= 0.0 {
+        if !self.broken && self.moving_mass() <= 0.0 {
             root.note("", &InputProblem::NoMass);
         }
+    }
+
+    /// Mass that is not held by clamps \[kg\].
+    fn moving_mass(&self) -> f64 {
+        let on_clamps = self.bodies.iter().filter(|body| self.is_clamped(body.1));
+        let held: f64 = on_clamps.map(|body| body.2.mass).sum();
+        self.mass() - held
+    }
+
+    fn is_clamped(&self, node: usize) -> bool {
+        self.clamps.contains_key(&node)
     }
 
     /// Mass of all beams and bodies \[kg\].

@@ -6,7 +6,6 @@ use shared_geom::document::{DocumentProblem, Table, read_text};
 use shared_geom::error::{Diagnostics, Place};
 
 use super::problem::InputProblem;
-use super::source::Source;
 use super::speeds::RPM;
 use crate::result::{Measured, MeasuredPoint, ModeKind};
 
@@ -15,13 +14,13 @@ const HEADING: [&str; 3] = ["speed_rpm", "frequency_hz", "order"];
 const ROWS_SHOWN: usize = 10;
 
 /// Reads `[measured]` and the file that it names; nothing measured when absent.
-pub(super) fn read(source: &Source<'_>, root: &Table<'_>) -> Option<Measured> {
+pub(super) fn read(root: &Table<'_>) -> Option<Measured> {
     if !root.has("measured") {
         return Some(Measured::default());
     }
     let table = root.table("measured")?;
     let points = points(&table);
-    let leave_out = kinds(source, &table);
+    let leave_out = kinds(&table);
     table.finish();
     Some(Measured {
         points: points?,
@@ -29,7 +28,7 @@ pub(super) fn read(source: &Source<'_>, root: &Table<'_>) -> Option<Measured> {
     })
 }
 
-fn kinds(source: &Source<'_>, table: &Table<'_>) -> Option<Vec<ModeKind>> {
+fn kinds(table: &Table<'_>) -> Option<Vec<ModeKind>> {
     const KEY: &str = "leave_out";
     if !table.has(KEY) {
         return Some(Vec::new());
@@ -44,7 +43,7 @@ fn kinds(source: &Source<'_>, table: &Table<'_>) -> Option<Vec<ModeKind>> {
         kind
     };
     // Every name is looked at, so that each wrong one is noted.
-    let kinds: Vec<_> = source.names(table, KEY)?.into_iter().map(kind).collect();
+    let kinds: Vec<_> = table.texts(KEY)?.into_iter().map(kind).collect();
     kinds.into_iter().collect()
 }
 

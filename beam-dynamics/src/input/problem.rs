@@ -34,8 +34,8 @@ pub enum InputProblem {
     /// No beam and no body at all.
     #[error("the model is empty, expected [[blade]], or [[node]] and [[beam]]")]
     EmptyModel,
-    /// Nothing has a mass.
-    #[error("the model has no mass, expected a mass per length or a body")]
+    /// Nothing has a mass, or only what is clamped.
+    #[error("the model has no mass that can move, expected a mass per length or a body")]
     NoMass,
     /// A node to which nothing is attached.
     #[error("node \"{node}\" belongs to no beam, expected every node in one")]

@@ -14,7 +14,9 @@ pub(super) const RPM: f64 = PI / 30.0;
 const DEFAULT_COUNT: usize = 10;
 /// Speeds of one run: more are a slip of the pen.
 const MOST_SPEEDS: usize = 10_000;
-/// Speeds closer than this part of the largest are the same speed.
+/// Modes of one run: more than any model has that can be solved here.
+const MOST_MODES: usize = 10_000;
+/// Speeds closer than this part of the larger are the same speed.
 const SAME_SPEED: f64 = 1e-9;
 
 /// Rotor speeds and number of modes.
@@ -30,7 +32,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Question> {
     let table = root.require_table("modes", "the rotor speeds: [modes] with \"speeds\"")?;
     let speeds = speeds(&table);
     let count = match table.has("count") {
-        true => table.count("count"),
+        true => at_most(&table, "count", table.count("count"), MOST_MODES),
         false => Some(DEFAULT_COUNT),
     };
     table.finish();
@@ -53,6 +55,21 @@ fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
     ascending(table, speeds?)
 }
 
+/// The number `found` under `key`, unless it is above `limit`, which is noted.
+fn at_most(
+    table: &Table<'_>,
+    key: &'static str,
+    found: Option<usize>,
+    limit: usize,
+) -> Option<usize> {
+    let found = found?;
+    if found > limit {
+        table.note(key, &InputProblem::TooMany { key, found, limit });
+        return None;
+    }
+    Some(found)
+}
+
 /// `steps` speeds at equal distances, both ends included.
 fn range(table: &Table<'_>) -> Option<Vec<f64>> {
     let from = table.require_quantity("from", Dimension::ROTATION_SPEED);
@@ -60,11 +77,7 @@ fn range(table: &Table<'_>) -> Option<Vec<f64>> {
     let steps = table.require_count("steps");
     table.finish();
     let (from, to, steps) = (from?, to?, steps?);
-    if steps > MOST_SPEEDS {
-        let (key, found, limit) = ("steps", steps, MOST_SPEEDS);
-        table.note(key, &InputProblem::TooMany { key, found, limit });
-        return None;
-    }
+    let steps = at_most(table, "steps", Some(steps), MOST_SPEEDS)?;
     if to <= from {
         let (from, to) = (from / RPM, to / RPM);
         table.note("to", &InputProblem::FallingRange { from, to });
@@ -93,10 +106,9 @@ fn ascending(table: &Table<'_>, mut speeds: Vec<f64>) -> Option<Vec<f64>> {
             rpm: **speed / RPM,
         });
     }
-    let nearest = SAME_SPEED * speeds.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
     let doubled: Vec<_> = speeds
         .windows(2)
-        .filter(|pair| pair[1] - pair[0] <= nearest)
+        .filter(|pair| pair[1] - pair[0] <= SAME_SPEED * pair[1].abs())
         .collect();
     for pair in &doubled {
         note(InputProblem::SpeedTwice { rpm: pair[0] / RPM });
@@ -135,6 +147,8 @@ mod tests {
             [100.0, 200.0, 300.0, 400.0]
         );
         assert_eq!(rpm("speeds = { from = 100, to = 400, steps = 1 }"), [100.0]);
+        // Far apart, but close in parts of the largest.
+        assert_eq!(rpm("speeds = [0, 1, 1e12]"), [0.0, 1.0, 1e12]);
         assert_eq!(question("speeds = [1]").unwrap().count, 10);
     }
 
@@ -161,6 +175,10 @@ mod tests {
                 "has no \"speeds\", expected a list of rotation speeds",
             ),
             ("speeds = [1]\ncount = 0", "\"count\" is 0"),
+            (
+                "speeds = [1]\ncount = 9223372036854775807",
+                "\"count\" is 9223372036854775807, expected at most 10000",
+            ),
         ] {
             let shown = question(text).unwrap_err();
             assert!(shown.contains(expected), "{text}: {shown}");

@@ -336,8 +336,22 @@ fn beams_need_three_nodes_in_order() {
         &cards,
         nodes,
         "\"root\"",
-        "expected a list of names in quotes",
+        "\"nodes\" lists 1, expected three",
     );
+    expect(
+        &cards,
+        nodes,
+        "[\"root\", 3, \"tip\"]",
+        "\"nodes\" is 3, expected a text in quotes",
+    );
+    // A beam that does not say its nodes leaves none unused.
+    for wrong in ["[\"root\", \"mid\"]", "[\"root\", \"root\", \"tip\"]"] {
+        let shown = refused(&cards.replacen(nodes, wrong, 1));
+        assert!(!shown.contains("belongs to no beam"), "{shown}");
+    }
+    let multiline = "[\"root\", \"\"\"mid\"\"\", 'tip'] # \"nodes\"";
+    let found = input(&cards.replacen(nodes, multiline, 1)).unwrap();
+    assert_eq!(found.case.system.nodes().len(), 3);
 }
 
 #[test]
@@ -400,6 +414,16 @@ fn impossible_blades_are_explained() {
 }
 
 #[test]
+fn a_list_of_no_blades_is_an_empty_model() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dynamics.toml");
+    fs::write(&path, format!("blade = []\nunits = \"SI\"\n{MODES}")).unwrap();
+    let shown = read(&path).unwrap_err().to_string();
+    assert!(shown.contains("the model is empty"), "{shown}");
+    assert_eq!(shown.lines().count(), 1, "{shown}");
+}
+
+#[test]
 fn the_model_as_a_whole_is_checked() {
     assert!(
         refused(MODES).contains("the model is empty, expected [[blade]], or [[node]] and [[beam]]")
@@ -408,7 +432,14 @@ fn the_model_as_a_whole_is_checked() {
         "{BLADE}{MODES}[properties.light]\nea = 1\ngay = 1\ngaz = 1\ngj = 1\n\
         eiy = 1\neiz = 1\nm = 0\niy = 0\niz = 0\n"
     );
-    expect(&massless, "\"strip\"", "\"light\"", "the model has no mass");
+    let no_mass = "the model has no mass that can move";
+    expect(&massless, "\"strip\"", "\"light\"", no_mass);
+    let held = format!("{massless}[[body]]\nnode = \"b/root\"\nmass = 1\n");
+    expect(&held, "\"strip\"", "\"light\"", no_mass);
+    let single = BLADE.replace("[[blade]]", "[blade]");
+    let shown = refused(&format!("{single}{MODES}"));
+    assert!(shown.contains("expected tables [[blade]]"), "{shown}");
+    assert_eq!(shown.lines().count(), 1, "{shown}");
     let lonely = format!("{BEAM}{MODES}[[node]]\nname = \"far\"\nposition = [9, 0, 0]\n");
     let shown = refused(&lonely);
     assert!(

@@ -188,6 +188,34 @@ mod tests {
         }
     }
 
+    // Where a measured point lies beyond the last speed, the names stand at the ends of
+    // the lines within the frame; a line from there to the column beyond the frame would
+    // look like more of the curve.
+    #[test]
+    fn no_line_is_drawn_beyond_the_last_speed() {
+        let table = samples::swept_tip(3);
+        let mut measured = Measured::default();
+        let lines = |measured: &Measured| {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("fan.svg");
+            let plot = FanPlot::new(&table, measured).unwrap();
+            plot.save(&path).unwrap();
+            let text = std::fs::read_to_string(&path).unwrap();
+            assert!(text.contains("\nflap 1\n"));
+            let color = plot.curves[0].color;
+            let color = format!("#{:02X}{:02X}{:02X}", color.0, color.1, color.2);
+            let of_color = |line: &&str| line.contains("polyline") && line.contains(&color);
+            text.lines().filter(of_color).count()
+        };
+        let with_leaders = lines(&measured);
+        measured.points.push(crate::result::MeasuredPoint {
+            speed: 2.0 * table.speeds[2],
+            frequency: 10.0,
+            order: None,
+        });
+        assert!(lines(&measured) < with_leaders);
+    }
+
     // Colors repeat with dashes, never alone.
     #[test]
     fn no_two_modes_look_alike() {
