@@ -8,6 +8,7 @@ use std::path::Path;
 
 use shared_geom::document::{Document, read_text};
 use shared_geom::error::{Diagnostics, Place};
+use shared_geom::files::name_without;
 
 use crate::assembly::mechanism;
 use crate::case::ModesCase;
@@ -75,13 +76,7 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
 
 /// The file's name without folder and ending: what outputs are named by.
 pub fn name_of(path: &Path) -> String {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let stem = name
-        .strip_suffix(ENDING)
-        .or_else(|| name.strip_suffix(".toml"));
-    stem.filter(|stem| !stem.is_empty())
-        .unwrap_or(&name)
-        .to_owned()
+    name_without(path, ENDING)
 }
 
 /// Reads every card, in an order in which each finds the names that it uses.

@@ -9,5 +9,5 @@ mod tracking;
 
 pub use eigen::{EigenProblem, Eigenpair};
 pub use motion::ModeMotion;
-pub use separation::separate;
+pub use separation::{align, separate};
 pub use tracking::{assurances, follow};

@@ -13,6 +13,6 @@ mod samples;
 
 pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
-pub use files::{OutputProblem, Written, result_text, write};
+pub use files::{Written, result_text, write};
 pub use table_csv::frequency_csv;
 pub use table_text::{CONVENTION, frequency_text};

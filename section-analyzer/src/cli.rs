@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use shared_geom::error::{Diagnostics, Explain, Place};
+use shared_geom::files::{OutputProblem, write_figure, write_text};
 
 use crate::analysis::analyze;
 use crate::input::{self, Input};
 use crate::output::{
-    MeshPlot, OutputFiles, OutputProblem, WarpingPlot, failure_report, input_report, properties,
-    report, write_figure, write_text,
+    MeshPlot, OutputFiles, WarpingPlot, failure_report, input_report, properties, report,
 };
 
 mod arguments;

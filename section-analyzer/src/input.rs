@@ -13,6 +13,7 @@ use std::path::Path;
 
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::{Diagnostics, Place};
+use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::units::Dimension;
@@ -68,13 +69,7 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
 
 /// The name of `path` without its ending: `blade` for `blade.section.toml`.
 pub fn name_of(path: &Path) -> String {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let stem = name
-        .strip_suffix(ENDING)
-        .or_else(|| name.strip_suffix(".toml"));
-    stem.filter(|stem| !stem.is_empty())
-        .unwrap_or(&name)
-        .to_owned()
+    name_without(path, ENDING)
 }
 
 /// The file as written.

@@ -12,7 +12,7 @@ mod text;
 mod warping_plot;
 
 pub use engineering::{EngineeringValue, engineering_values};
-pub use files::{OutputFiles, OutputProblem, write_figure, write_text};
+pub use files::OutputFiles;
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
 pub use report::{failure_report, input_report, report};

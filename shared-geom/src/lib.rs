@@ -8,6 +8,7 @@
 pub mod document;
 pub mod error;
 pub mod figure;
+pub mod files;
 pub mod frame;
 pub mod gmsh;
 pub mod hash;

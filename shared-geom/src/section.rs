@@ -94,7 +94,10 @@ pub struct Piezo {
 }
 
 /// Internal damping of the beam: internal force per rate of generalized strain.
-#[expect(clippy::large_enum_variant, reason = "one a section; a plain value is simpler")]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one a section; a plain value is simpler"
+)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Damping {
     /// `D = time K`, with the time in [s].

@@ -3,5 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod beam_statics;
+mod equal_blades;
 mod rotating_beam;
 mod uniform_beam;

@@ -3,17 +3,20 @@
 use crate::assembly::System;
 use crate::case::ModesCase;
 use crate::model::State;
-use crate::modes::{EigenProblem, Eigenpair, ModeMotion, assurances, follow, separate};
+use crate::modes::{EigenProblem, Eigenpair, ModeMotion, align, assurances, follow, separate};
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
 
-use super::steady::{Equilibrium, NoEquilibrium, equilibrium};
+use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
 
 /// Modes computed beyond those reported, so that a mode that rises out of the list
 /// at one speed is still followed to the next.
 const SPARE: usize = 6;
 /// Assurance below which a step in speed is halved to follow the modes.
 const FOLLOWED: f64 = 0.8;
+/// Relative residual above which the reader is told that digits are lost: frequencies
+/// are then wrong in about the fifth digit.
+const TRUSTED: f64 = 1e-5;
 /// Halvings of a step in speed for following modes.
 const HALVINGS: usize = 5;
 
@@ -25,8 +28,8 @@ pub enum Failure {
     Equilibrium(#[from] Box<NoEquilibrium>),
     /// The linearized system cannot be inverted.
     #[error(
-        "the model has a motion without stiffness at {:.6} rpm: its frequency is zero",
-        speed * 30.0 / std::f64::consts::PI
+        "the model has a motion without stiffness at {}: its frequency is zero",
+        rpm(*speed)
     )]
     Singular {
         /// Speed of rotation [rad/s].
@@ -49,6 +52,8 @@ struct Modes {
     state: State,
     found: Vec<Mode>,
     unstable: Vec<f64>,
+    /// Largest residual of the eigenpairs and of the equilibrium, relative.
+    residual: f64,
 }
 
 struct Mode {
@@ -89,9 +94,9 @@ fn run(
             .as_ref()
             .map_or(rest, |modes| (modes.speed, modes.state.clone()));
         let steady = equilibrium(&case.system, &solver, &case.spin, (from.0, &from.1), speed)?;
-        let now = at_equilibrium(case, &solver, speed, &steady)?;
+        let mut now = at_equilibrium(case, &solver, speed, &steady)?;
         let links = match &last {
-            Some(before) => Some(links(case, &solver, before, &now, HALVINGS)?),
+            Some(before) => Some(links(case, &solver, before, &mut now, HALVINGS)?),
             None => None,
         };
         branches.add(&now, links.as_deref());
@@ -116,12 +121,23 @@ fn report(steady: &Equilibrium) -> EquilibriumReport {
     }
 }
 
-fn remarks(modes: &Modes) -> Option<String> {
-    let worst = modes.unstable.last()?;
-    let speed = modes.speed * 30.0 / std::f64::consts::PI;
-    Some(format!(
-        "at {speed:.6} rpm the equilibrium is unstable: a motion grows with {worst:.3e} 1/s"
-    ))
+/// What a reader must know of the modes at one speed.
+fn remarks(modes: &Modes) -> Vec<String> {
+    let at = format!("at {}", rpm(modes.speed));
+    let mut found = Vec::new();
+    if let Some(worst) = modes.unstable.last() {
+        found.push(format!(
+            "{at} the equilibrium is unstable: a motion grows with {worst:.3e} 1/s"
+        ));
+    }
+    if !(modes.residual <= TRUSTED) {
+        found.push(format!(
+            "{at} digits are lost (relative residual {:.1e}): stiffnesses, masses or lengths \
+             of very different size meet in the model",
+            modes.residual
+        ));
+    }
+    found
 }
 
 /// Linearizes at an equilibrium and finds the lowest modes.
@@ -142,6 +158,9 @@ fn at_equilibrium(
         .map(|pair| ModeMotion::new(pair, &tangent.by_rates))
         .collect();
     let frequencies: Vec<_> = pairs.iter().map(|pair| pair.angular_frequency).collect();
+    let residual = pairs.iter().map(|pair| pair.residual);
+    // At rest all terms of the equilibrium are round-off.
+    let steady_residual = if speed == 0.0 { 0.0 } else { steady.residual };
     separate(&mut motions, &frequencies, &case.naming);
     let mode = |(pair, motion): (&Eigenpair, ModeMotion)| {
         let magnitude = pair.growth.hypot(pair.angular_frequency);
@@ -158,6 +177,7 @@ fn at_equilibrium(
         state: steady.state.clone(),
         found: pairs.iter().zip(motions).map(mode).collect(),
         unstable: real.into_iter().filter(|growth| *growth > 0.0).collect(),
+        residual: residual.fold(steady_residual, f64::max),
     })
 }
 
@@ -168,20 +188,10 @@ fn links(
     case: &ModesCase,
     solver: &LinearSolver,
     before: &Modes,
-    now: &Modes,
+    now: &mut Modes,
     halvings: usize,
 ) -> Result<Vec<Option<(usize, f64)>>, Failure> {
-    let motions = |modes: &Modes| {
-        modes
-            .found
-            .iter()
-            .map(|mode| mode.motion.clone())
-            .collect::<Vec<_>>()
-    };
-    let macs = assurances(&motions(before), &motions(now));
-    let continued = follow(&macs);
-    let linked = |(i, next): (usize, &Option<usize>)| next.map(|j| (j, macs[i][j]));
-    let direct: Vec<_> = continued.iter().enumerate().map(linked).collect();
+    let direct = direct_links(before, now);
     let reported = direct.iter().take(case.count);
     let certain = reported
         .clone()
@@ -192,8 +202,8 @@ fn links(
     let middle = 0.5 * (before.speed + now.speed);
     let from = (before.speed, &before.state);
     let steady = equilibrium(&case.system, solver, &case.spin, from, middle)?;
-    let between = at_equilibrium(case, solver, middle, &steady)?;
-    let first = links(case, solver, before, &between, halvings - 1)?;
+    let mut between = at_equilibrium(case, solver, middle, &steady)?;
+    let first = links(case, solver, before, &mut between, halvings - 1)?;
     let second = links(case, solver, &between, now, halvings - 1)?;
     let chained = first.into_iter().map(|link| {
         let (middle, mac) = link?;
@@ -201,6 +211,23 @@ fn links(
         Some((end, mac.min(other)))
     });
     Ok(chained.collect())
+}
+
+/// For each mode of `before` its nearest shape in `now`, whose copies of repeated modes
+/// are turned toward those of `before`.
+fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
+    let motions = |modes: &Modes| -> Vec<ModeMotion> {
+        modes.found.iter().map(|mode| mode.motion.clone()).collect()
+    };
+    let frequencies: Vec<_> = now.found.iter().map(|mode| mode.point.frequency).collect();
+    let (known, mut found) = (motions(before), motions(now));
+    align(&mut found, &frequencies, &known);
+    let macs = assurances(&known, &found);
+    for (mode, motion) in now.found.iter_mut().zip(found) {
+        mode.motion = motion;
+    }
+    let linked = |(i, next): (usize, &Option<usize>)| next.map(|j| (j, macs[i][j]));
+    follow(&macs).iter().enumerate().map(linked).collect()
 }
 
 /// Modes while they are being followed.

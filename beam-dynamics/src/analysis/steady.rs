@@ -36,8 +36,8 @@ pub struct Equilibrium {
 /// Why no equilibrium was found.
 #[derive(Debug, Clone, thiserror::Error)]
 #[error(
-    "no steady equilibrium at {:.6} rpm: {reason}; worst equation: {equation}, relative residual {residual:.1e}",
-    speed * 30.0 / std::f64::consts::PI
+    "no steady equilibrium at {}: {reason}; worst equation: {equation}, relative residual {residual:.1e}",
+    rpm(*speed)
 )]
 pub struct NoEquilibrium {
     /// Speed of rotation [rad/s].
@@ -50,6 +50,16 @@ pub struct NoEquilibrium {
     pub residual: f64,
     /// The last iteration's history.
     pub report: NewtonReport,
+}
+
+/// A speed in the unit of messages, with the digits that a reader needs.
+pub(super) fn rpm(speed: f64) -> String {
+    let speed = speed * 30.0 / std::f64::consts::PI;
+    if speed.abs() < 1e7 {
+        format!("{} rpm", (1e3 * speed).round() / 1e3)
+    } else {
+        format!("{speed:.3e} rpm")
+    }
 }
 
 /// The frame of `spin` at a speed [rad/s].

@@ -38,6 +38,8 @@ pub struct Eigenpair {
     pub real: Vec<f64>,
     /// Imaginary parts of the vector [unit of each unknown].
     pub imaginary: Vec<f64>,
+    /// Error of the pair in the inverted problem, relative [-].
+    pub residual: f64,
 }
 
 /// A linearized system, ready for its eigenvalues.
@@ -107,6 +109,7 @@ impl<'a> EigenProblem<'a> {
             angular_frequency: s.im,
             real: vector.iter().map(|v| v.re).collect(),
             imaginary: vector.iter().map(|v| v.im).collect(),
+            residual: self.inverse.residual(*s, &vector),
         };
         copies.iter().zip(vectors).map(pair).collect()
     }
@@ -172,8 +175,14 @@ fn orthonormalize(vectors: &mut [Vec<c64>], size: usize) {
     }
 }
 
-/// Entry of a start vector without structure and without chance.
+/// Entry of a start vector: without structure and without chance (the finalizer of
+/// the splitmix generator applied to its place).
 pub(super) fn start_value(i: usize) -> f64 {
-    let golden = 0.618_033_988_749_895;
-    ((i + 1) as f64 * golden).fract() - 0.5
+    let mut z = (i as u64)
+        .wrapping_add(1)
+        .wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^= z >> 31;
+    (z >> 11) as f64 / (1u64 << 53) as f64 - 0.5
 }

@@ -10,11 +10,9 @@
 //! drop out. p is scaled so that the blocks `T_qp` and `T_pq` are of the same size.
 
 use faer::diag::Diag;
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_real, evd_scratch};
-use faer::matrix_free::LinOp;
-use faer::matrix_free::eigen::{PartialEigenParams, partial_eigen, partial_eigen_scratch};
-use faer::{Auto, Col, Mat, MatMut, MatRef, Par, c64};
+use faer::{Auto, Mat, MatRef, Par, c64};
 
 use super::eigen::start_value;
 use crate::assembly::Sparse;
@@ -22,20 +20,17 @@ use crate::model::NODE_UNKNOWNS;
 use crate::solver::Factorization;
 
 /// Up to this number of unknowns T is formed and all its eigenvalues are computed;
-/// above, only the wanted ones by Krylov iteration.
+/// above, only the wanted ones by subspace iteration.
 const DENSE: usize = 200;
 /// Parts of the largest eigenvalue of T below which one is taken for zero: those at
 /// zero are defective, and round-off moves them to the cube root of 1e-16 or so.
 const INFINITE: f64 = 1e-7;
-/// Residual to which the Krylov iteration is driven, relative.
-const KRYLOV: f64 = 1e-12;
-/// Eigenvalues sought in one Krylov iteration, and the dimension of its space. The
-/// multishift QR iteration of faer 0.24, which it uses from dimension 75 on, has been
-/// seen not to end; the plain one below that is bounded.
-const BATCH: usize = 32;
-const SPACE: usize = 72;
-/// Krylov iterations at most.
-const ROUNDS: usize = 60;
+/// Change of the wanted eigenvalues from one subspace iteration to the next at which
+/// they count as found, relative; what is left is smaller by the rate of convergence.
+const FOUND: f64 = 1e-11;
+/// Subspace iterations at most. Blades need 15 to 40: each takes the error of the
+/// last wanted value down by its ratio to the first one outside the space.
+const ITERATIONS: usize = 150;
 
 /// The operator T on the unknowns of the nodes, with scaled momenta.
 #[derive(Debug)]
@@ -64,10 +59,12 @@ impl Inverse {
     /// copies included, where there are so many.
     pub fn smallest(&self, count: usize) -> Vec<c64> {
         let wanted = 2 * count + 8;
-        let inverted = if self.size <= DENSE || wanted * 3 > self.size {
+        // The room beyond the wanted ones sets the rate of convergence.
+        let space = wanted + wanted / 2 + 8;
+        let inverted = if self.size <= DENSE || space * 2 > self.size {
             self.all()
         } else {
-            self.largest(wanted)
+            self.largest(wanted, space)
         };
         let largest = inverted
             .iter()
@@ -135,174 +132,101 @@ impl Inverse {
 
     /// All eigenvalues of T; empty when the iteration fails.
     fn all(&self) -> Vec<c64> {
-        let n = self.size;
-        let mut matrix = Mat::zeros(n, n);
-        let mut column = vec![0.0; n];
-        for j in 0..n {
-            column.fill(0.0);
-            column[j] = 1.0;
-            self.multiply(&mut column);
-            for i in 0..n {
-                matrix[(i, j)] = column[i];
-            }
-        }
-        // The plain QR iteration at any size: see BATCH.
-        let mut parameters = <EvdParams as Auto<f64>>::auto();
-        parameters.schur.blocking_threshold = usize::MAX;
-        let no = ComputeEigenvectors::No;
-        let spec = parameters.into();
-        let mut memory = MemBuffer::new(evd_scratch::<f64>(n, no, no, Par::Seq, spec));
-        let stack = MemStack::new(&mut memory);
-        let (mut real, mut imaginary) = (Diag::zeros(n), Diag::zeros(n));
-        let (re, im) = (real.as_mut(), imaginary.as_mut());
-        match evd_real(matrix.as_ref(), re, im, None, None, Par::Seq, stack, spec) {
-            Ok(()) => (0..n).map(|i| c64::new(real[i], imaginary[i])).collect(),
-            Err(_) => Vec::new(),
-        }
+        let mut matrix = Mat::zeros(self.size, self.size);
+        matrix.diagonal_mut().fill(1.0);
+        self.multiply_columns(&mut matrix);
+        eigenvalues(matrix.as_ref())
     }
 
-    /// The `count` largest eigenvalues of T.
+    /// The `wanted` largest eigenvalues of T, by iteration of a whole space, which sees
+    /// all copies of a repeated eigenvalue:
     ///
-    /// A Krylov iteration sees one copy of a repeated eigenvalue. With Q an orthonormal
-    /// basis of the invariant space found so far, `(I - Q Q^T) T` has the eigenvalues
-    /// that are left: the search is repeated on it until none of them is larger than
-    /// the smallest wanted.
-    fn largest(&self, count: usize) -> Vec<c64> {
-        let mut found: Vec<c64> = Vec::new();
-        let mut deflated = Deflated {
-            inverse: self,
-            basis: Vec::new(),
-        };
-        for _ in 0..ROUNDS {
-            let (values, vectors) = deflated.krylov();
-            let limit = nth_largest(&found, count);
-            let new: Vec<_> = (0..values.len())
-                .filter(|&j| values[j].norm() > limit * (1.0 - 1e-9))
-                .collect();
-            if new.is_empty() {
+    /// ```text
+    /// Y = T Q,    eigenvalues of Q^T Y,    Q <- orthonormal basis of Y
+    /// ```
+    fn largest(&self, wanted: usize, space: usize) -> Vec<c64> {
+        let start = |i, j| start_value(i + j * self.size);
+        let mut basis = Mat::from_fn(self.size, space, start).qr().compute_thin_Q();
+        let mut before: Vec<f64> = Vec::new();
+        let mut values = Vec::new();
+        for _ in 0..ITERATIONS {
+            let mut image = basis.clone();
+            self.multiply_columns(&mut image);
+            values = eigenvalues((basis.transpose() * &image).as_ref());
+            values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+            values.truncate(wanted);
+            let sizes: Vec<_> = values.iter().map(|value| value.norm()).collect();
+            let close = |(a, b): (&f64, &f64)| (a - b).abs() <= FOUND * b;
+            if !sizes.is_empty()
+                && sizes.len() == before.len()
+                && sizes.iter().zip(&before).all(close)
+            {
                 break;
             }
-            for j in new {
-                found.push(values[j]);
-                deflated.extend(&vectors, j);
-            }
+            before = sizes;
+            basis = image.qr().compute_thin_Q();
         }
-        found
+        values
     }
-}
 
-/// Magnitude of the value number `count` by falling magnitude, zero where there is none.
-fn nth_largest(values: &[c64], count: usize) -> f64 {
-    let mut sizes: Vec<_> = values.iter().map(|value| value.norm()).collect();
-    sizes.sort_by(|a, b| b.total_cmp(a));
-    sizes.get(count - 1).copied().unwrap_or(0.0)
-}
-
-/// `(I - Q Q^T) T`.
-#[derive(Debug)]
-struct Deflated<'a> {
-    inverse: &'a Inverse,
-    /// Orthonormal columns of Q.
-    basis: Vec<Vec<f64>>,
-}
-
-impl Deflated<'_> {
-    /// The converged ones of the largest eigenvalues, and their vectors.
-    fn krylov(&self) -> (Vec<c64>, Mat<c64>) {
-        let size = self.inverse.size;
-        let count = BATCH;
-        let mut vectors = Mat::<c64>::zeros(size, count);
-        let mut values = vec![c64::new(0.0, 0.0); count];
-        let mut start: Vec<_> = (0..size)
-            .map(|i| start_value(i + size * self.basis.len()))
-            .collect();
-        self.project(&mut start);
-        let start = Col::from_fn(size, |i| start[i]);
-        let parameters = PartialEigenParams {
-            max_dim: SPACE,
-            ..PartialEigenParams::default()
+    /// `|T v - v / s|` relative to `|v / s|`, v in the unknowns of the nodes: about 1e-12
+    /// for a well-conditioned model.
+    pub fn residual(&self, s: c64, vector: &[c64]) -> f64 {
+        let scaled = |part: fn(&c64) -> f64| -> Vec<f64> {
+            vector
+                .iter()
+                .zip(&self.scale)
+                .map(|(v, scale)| part(v) / scale)
+                .collect()
         };
-        let mut memory = MemBuffer::new(partial_eigen_scratch(self, count, Par::Seq, parameters));
-        let found = partial_eigen(
-            vectors.as_mut(),
-            &mut values,
-            self,
-            start.as_ref(),
-            KRYLOV,
-            Par::Seq,
-            MemStack::new(&mut memory),
-            parameters,
-        );
-        values.truncate(found.n_converged_eigen);
-        (values, vectors)
+        let (mut real, mut imaginary) = (scaled(|v| v.re), scaled(|v| v.im));
+        let expected: Vec<_> = real
+            .iter()
+            .zip(&imaginary)
+            .map(|(re, im)| c64::new(*re, *im) / s)
+            .collect();
+        self.multiply(&mut real);
+        self.multiply(&mut imaginary);
+        let found = real
+            .iter()
+            .zip(&imaginary)
+            .map(|(re, im)| c64::new(*re, *im));
+        let error: f64 = found.zip(&expected).map(|(a, b)| (a - b).norm_sqr()).sum();
+        let size: f64 = expected.iter().map(|value| value.norm_sqr()).sum();
+        (error / size).sqrt()
     }
 
-    /// Adds the real and imaginary part of a vector to Q, where they are new.
-    fn extend(&mut self, vectors: &Mat<c64>, j: usize) {
-        for part in [|z: &c64| z.re, |z: &c64| z.im] {
-            let mut column: Vec<_> = (0..vectors.nrows())
-                .map(|i| part(&vectors[(i, j)]))
-                .collect();
-            let before = norm(&column);
-            self.project(&mut column);
-            self.project(&mut column);
-            let after = norm(&column);
-            if after > 1e-6 * before {
-                column.iter_mut().for_each(|value| *value /= after);
-                self.basis.push(column);
-            }
-        }
-    }
-
-    fn project(&self, x: &mut [f64]) {
-        for column in &self.basis {
-            let along: f64 = column.iter().zip(x.iter()).map(|(c, x)| c * x).sum();
-            x.iter_mut().zip(column).for_each(|(x, c)| *x -= along * c);
-        }
-    }
-}
-
-fn norm(x: &[f64]) -> f64 {
-    x.iter().map(|value| value * value).sum::<f64>().sqrt()
-}
-
-impl LinOp<f64> for Deflated<'_> {
-    fn apply_scratch(&self, _columns: usize, _par: Par) -> StackReq {
-        StackReq::EMPTY
-    }
-
-    fn nrows(&self) -> usize {
-        self.inverse.size
-    }
-
-    fn ncols(&self) -> usize {
-        self.inverse.size
-    }
-
-    fn apply(
-        &self,
-        mut out: MatMut<'_, f64>,
-        rhs: MatRef<'_, f64>,
-        _par: Par,
-        _stack: &mut MemStack,
-    ) {
-        for j in 0..rhs.ncols() {
-            let mut column: Vec<f64> = rhs.col(j).iter().copied().collect();
-            self.inverse.multiply(&mut column);
-            self.project(&mut column);
+    fn multiply_columns(&self, matrix: &mut Mat<f64>) {
+        for j in 0..matrix.ncols() {
+            let mut column: Vec<_> = matrix.col(j).iter().copied().collect();
+            self.multiply(&mut column);
             for (i, value) in column.into_iter().enumerate() {
-                out[(i, j)] = value;
+                matrix[(i, j)] = value;
             }
         }
     }
+}
 
-    fn conj_apply(
-        &self,
-        out: MatMut<'_, f64>,
-        rhs: MatRef<'_, f64>,
-        par: Par,
-        stack: &mut MemStack,
-    ) {
-        self.apply(out, rhs, par, stack);
+/// All eigenvalues of a square matrix; empty when it is not finite or the iteration
+/// fails.
+///
+/// The plain QR iteration at any size: the multishift one of faer 0.24, which it takes
+/// from size 75 on by itself, has been seen not to end.
+fn eigenvalues(matrix: MatRef<'_, f64>) -> Vec<c64> {
+    let n = matrix.nrows();
+    if !matrix.is_all_finite() {
+        return Vec::new();
+    }
+    let mut parameters = <EvdParams as Auto<f64>>::auto();
+    parameters.schur.blocking_threshold = usize::MAX;
+    let no = ComputeEigenvectors::No;
+    let spec = parameters.into();
+    let mut memory = MemBuffer::new(evd_scratch::<f64>(n, no, no, Par::Seq, spec));
+    let stack = MemStack::new(&mut memory);
+    let (mut real, mut imaginary) = (Diag::zeros(n), Diag::zeros(n));
+    let (re, im) = (real.as_mut(), imaginary.as_mut());
+    match evd_real(matrix, re, im, None, None, Par::Seq, stack, spec) {
+        Ok(()) => (0..n).map(|i| c64::new(real[i], imaginary[i])).collect(),
+        Err(_) => Vec::new(),
     }
 }

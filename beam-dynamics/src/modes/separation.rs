@@ -6,7 +6,7 @@
 //! weights 1, 2, 3, 4 of the four kinds, the pure combinations are the eigenvectors of
 //! `W c = w G c`.
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, DMatrix, SVD};
 
 use super::ModeMotion;
 use super::eigen::COPIES;
@@ -14,20 +14,59 @@ use crate::model::NamingAxes;
 
 /// Replaces modes of equal frequency by pure ones; `frequencies` ascend.
 pub fn separate(modes: &mut [ModeMotion], frequencies: &[f64], axes: &[NamingAxes]) {
+    for copies in groups(frequencies) {
+        if let Some(pure) = pure_combinations(&modes[copies.clone()], axes) {
+            modes[copies].clone_from_slice(&pure);
+        }
+    }
+}
+
+/// Replaces modes of equal frequency, of unit energy and independent as [`separate`]
+/// leaves them, by those combinations that are nearest to the modes `before`, as the
+/// equal blades of a rotor need: with `A = C^H M B = X S Y^H` for the copies C and the
+/// modes B that they overlap with most, `C X Y^H`.
+pub fn align(modes: &mut [ModeMotion], frequencies: &[f64], before: &[ModeMotion]) {
+    for copies in groups(frequencies) {
+        let own = modes[copies.clone()].to_vec();
+        let overlap = |b: &ModeMotion| own.iter().map(|c| c.product(b).norm_sqr()).sum::<f64>();
+        let mut nearest: Vec<_> = before.iter().map(|b| (overlap(b), b)).collect();
+        nearest.sort_by(|a, b| b.0.total_cmp(&a.0));
+        if nearest.len() < own.len() {
+            continue;
+        }
+        let n = own.len();
+        let overlaps = DMatrix::from_fn(n, n, |i, j| own[i].product(nearest[j].1));
+        if let SVD {
+            u: Some(x),
+            v_t: Some(y),
+            ..
+        } = overlaps.svd(true, true)
+        {
+            let turn = x * y;
+            for (j, place) in copies.enumerate() {
+                modes[place] = ModeMotion::combined(&own, turn.column(j).as_slice());
+            }
+        }
+    }
+}
+
+/// Ranges of two or more modes of equal frequency; `frequencies` ascend.
+fn groups(frequencies: &[f64]) -> Vec<std::ops::Range<usize>> {
+    let mut found = Vec::new();
     let mut first = 0;
-    while first < modes.len() {
+    while first < frequencies.len() {
         let limit = frequencies[first] * (1.0 + COPIES);
         let count = frequencies[first..]
             .iter()
             .take_while(|f| **f <= limit)
             .count();
-        if count > 1
-            && let Some(pure) = pure_combinations(&modes[first..first + count], axes)
-        {
-            modes[first..first + count].clone_from_slice(&pure);
+        let end = first + count.max(1);
+        if end - first > 1 {
+            found.push(first..end);
         }
-        first += count.max(1);
+        first = end;
     }
+    found
 }
 
 /// `None` when the modes are not independent.

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use plotters::backend::DrawingBackend;
 use plotters::style::RGBColor;
-use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, save};
+use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
+use shared_geom::files::{OutputProblem, write_figure};
 
 use super::text::RPM;
 use crate::result::{FrequencyTable, Measured, ModeBranch, ModeKind};
@@ -78,8 +79,8 @@ impl FanPlot {
     ///
     /// # Errors
     /// [`FigureProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), FigureProblem> {
-        save(path, SIZE, self)
+    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
+        write_figure(path, SIZE, self)
     }
 }
 

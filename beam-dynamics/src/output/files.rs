@@ -1,10 +1,8 @@
 //! The files of one result.
 
-use std::io;
 use std::path::{Path, PathBuf};
 
-use shared_geom::error::Explain;
-use shared_geom::figure::FigureProblem;
+use shared_geom::files::{OutputProblem, make_folder, write_text};
 
 use super::{CONVENTION, FanPlot, comparison_csv, comparison_text, frequency_csv, frequency_text};
 use crate::result::{FrequencyTable, Measured};
@@ -16,40 +14,6 @@ const TEXT: &str = "frequencies.txt";
 const COMPARISON: &str = "comparison.csv";
 const PNG: &str = "fan.png";
 const SVG: &str = "fan.svg";
-
-/// Why results could not be written.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum OutputProblem {
-    /// The folder cannot be made.
-    #[error("folder \"{folder}\" cannot be made: {reason}")]
-    Folder {
-        /// The folder.
-        folder: String,
-        /// The reason in words.
-        reason: String,
-    },
-    /// A file cannot be written.
-    #[error("file \"{file}\" cannot be written: {reason}")]
-    File {
-        /// The file.
-        file: String,
-        /// The reason in words.
-        reason: String,
-    },
-    /// A figure cannot be made.
-    #[error(transparent)]
-    Figure(#[from] FigureProblem),
-}
-
-impl Explain for OutputProblem {
-    fn help(&self) -> Option<String> {
-        match self {
-            Self::Folder { .. } => Some("name another folder with --out".to_owned()),
-            Self::Figure(problem) => problem.help(),
-            Self::File { .. } => None,
-        }
-    }
-}
 
 /// Files written, in order, and what was left out.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -83,10 +47,7 @@ pub fn write(
     folder: &Path,
     name: &str,
 ) -> Result<Written, OutputProblem> {
-    std::fs::create_dir_all(folder).map_err(|error| OutputProblem::Folder {
-        folder: folder.display().to_string(),
-        reason: words(&error),
-    })?;
+    make_folder(folder)?;
     let path = |ending: &str| folder.join(format!("{name}.{ending}"));
     for ending in ENDINGS {
         // One that does not exist is no problem.
@@ -123,25 +84,6 @@ fn no_plot(table: &FrequencyTable) -> &'static str {
         0 => "no rotor speed was reached",
         1 => "a single rotor speed makes no lines",
         _ => "there are no modes",
-    }
-}
-
-fn write_text(file: &Path, text: &str) -> Result<(), OutputProblem> {
-    std::fs::write(file, text).map_err(|error| OutputProblem::File {
-        file: file.display().to_string(),
-        reason: words(&error),
-    })
-}
-
-/// The reason of an error without its number.
-fn words(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
-            "a file of this name is in the way".to_owned()
-        }
-        io::ErrorKind::IsADirectory => "a folder of this name is in the way".to_owned(),
-        _ => error.to_string(),
     }
 }
 
@@ -186,22 +128,5 @@ mod tests {
         assert_eq!(names(&written), ["x.frequencies.csv", "x.frequencies.txt"]);
         assert_eq!(written.no_plot, Some("a single rotor speed makes no lines"));
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
-    }
-
-    #[test]
-    fn what_is_in_the_way_is_told() {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("results");
-        std::fs::write(&file, "").unwrap();
-        let refused = |folder: &Path| {
-            write(&samples::small(), &Measured::default(), folder, "x")
-                .unwrap_err()
-                .to_string()
-        };
-        let shown = refused(&file);
-        assert!(shown.ends_with("results\" cannot be made: a file of this name is in the way"));
-        std::fs::create_dir(folder.path().join("x.frequencies.csv")).unwrap();
-        let shown = refused(folder.path());
-        assert!(shown.ends_with("csv\" cannot be written: a folder of this name is in the way"));
     }
 }

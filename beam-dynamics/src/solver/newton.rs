@@ -75,8 +75,9 @@ pub struct NewtonReport {
     pub worst: Worst,
 }
 
-/// A correction of this size, in parts of the system, is no way to a solution.
-const BEYOND_REASON: f64 = 1e4;
+/// A correction of this size, in parts of the system or radians, is no way to the
+/// solution sought, but may be one to another.
+const BEYOND_REASON: f64 = 10.0;
 
 /// Solves `equations` from their present state.
 pub fn solve(equations: &mut impl Equations, limits: &Newton) -> NewtonReport {

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
+use shared_geom::files::write_text;
 use shared_geom::gmsh;
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 
 use super::arguments::Shape;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT};
 use crate::mesh::generate::{Ellipse, GenerateProblem, Rectangle, Tube};
-use crate::output::write_text;
 
 /// Makes the mesh of `shape` and writes it.
 pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(), Stop> {

@@ -1,50 +1,14 @@
-//! The files of an analysis, and the writing of them.
+//! The files of an analysis.
 
-use std::io;
 use std::path::{Path, PathBuf};
 
-use shared_geom::error::Explain;
-use shared_geom::figure::{self, Drawing, FigureProblem};
+use shared_geom::files::{OutputProblem, make_folder};
 
 /// Where the results of one section go: `FOLDER/NAME.properties.json` and so on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputFiles {
     folder: PathBuf,
     name: String,
-}
-
-/// Why results could not be written.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum OutputProblem {
-    /// The folder cannot be made.
-    #[error("folder \"{folder}\" cannot be made: {reason}")]
-    Folder {
-        /// The folder.
-        folder: String,
-        /// The reason in words.
-        reason: String,
-    },
-    /// A file cannot be written.
-    #[error("file \"{file}\" cannot be written: {reason}")]
-    File {
-        /// The file.
-        file: String,
-        /// The reason in words.
-        reason: String,
-    },
-    /// A figure cannot be made.
-    #[error(transparent)]
-    Figure(#[from] FigureProblem),
-}
-
-impl Explain for OutputProblem {
-    fn help(&self) -> Option<String> {
-        match self {
-            Self::Folder { .. } => Some("name another folder with --out".to_owned()),
-            Self::Figure(problem) => problem.help(),
-            Self::File { .. } => None,
-        }
-    }
 }
 
 impl OutputFiles {
@@ -54,10 +18,7 @@ impl OutputFiles {
     /// # Errors
     /// [`OutputProblem::Folder`].
     pub fn new(folder: &Path, name: &str) -> Result<Self, OutputProblem> {
-        std::fs::create_dir_all(folder).map_err(|error| OutputProblem::Folder {
-            folder: folder.display().to_string(),
-            reason: words(&error),
-        })?;
+        make_folder(folder)?;
         Ok(Self {
             folder: folder.to_owned(),
             name: name.to_owned(),
@@ -95,45 +56,5 @@ impl OutputFiles {
             // One that does not exist is no problem.
             let _ = std::fs::remove_file(file);
         }
-    }
-}
-
-/// Writes a text file.
-///
-/// # Errors
-/// [`OutputProblem::File`].
-pub fn write_text(file: &Path, text: &str) -> Result<(), OutputProblem> {
-    std::fs::write(file, text).map_err(|error| OutputProblem::File {
-        file: file.display().to_string(),
-        reason: words(&error),
-    })
-}
-
-/// Draws a figure of `size` (width, height) \[figure pixels\] into a file.
-///
-/// # Errors
-/// [`OutputProblem::File`] where the file cannot be made, else
-/// [`OutputProblem::Figure`].
-pub fn write_figure(
-    file: &Path,
-    size: (u32, u32),
-    drawing: &impl Drawing,
-) -> Result<(), OutputProblem> {
-    // Made first, since the words of the backend teach less than those of the system.
-    write_text(file, "")?;
-    Ok(figure::save(file, size, drawing)?)
-}
-
-/// The reason of an error without its number.
-fn words(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
-            "a file of this name is in the way".to_owned()
-        }
-        io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
-        io::ErrorKind::NotFound => "its folder does not exist".to_owned(),
-        io::ErrorKind::StorageFull => "no space is left".to_owned(),
-        _ => error.to_string(),
     }
 }

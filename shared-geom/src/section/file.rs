@@ -76,7 +76,10 @@ struct FilePiezo {
     capacitance: Vec<Vec<f64>>,
 }
 
-#[expect(clippy::large_enum_variant, reason = "one a file; a plain value is simpler")]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one a file; a plain value is simpler"
+)]
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
 enum FileDamping {

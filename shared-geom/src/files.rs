@@ -1,0 +1,139 @@
+//! Result folders and files, with errors that a user can act on.
+
+use std::io;
+use std::path::Path;
+
+use crate::error::Explain;
+use crate::figure::{self, Drawing, FigureProblem};
+
+/// Why results could not be written.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum OutputProblem {
+    /// The folder cannot be made.
+    #[error("folder \"{folder}\" cannot be made: {reason}")]
+    Folder {
+        /// The folder.
+        folder: String,
+        /// The reason in words.
+        reason: String,
+    },
+    /// A file cannot be written.
+    #[error("file \"{file}\" cannot be written: {reason}")]
+    File {
+        /// The file.
+        file: String,
+        /// The reason in words.
+        reason: String,
+    },
+    /// A figure cannot be made.
+    #[error(transparent)]
+    Figure(#[from] FigureProblem),
+}
+
+impl Explain for OutputProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Folder { .. } => Some("name another folder with --out".to_owned()),
+            Self::Figure(problem) => problem.help(),
+            Self::File { .. } => None,
+        }
+    }
+}
+
+/// Makes `folder` with all that it lies in, where it does not exist.
+///
+/// # Errors
+/// [`OutputProblem::Folder`].
+pub fn make_folder(folder: &Path) -> Result<(), OutputProblem> {
+    std::fs::create_dir_all(folder).map_err(|error| OutputProblem::Folder {
+        folder: folder.display().to_string(),
+        reason: words(&error),
+    })
+}
+
+/// Writes a text file.
+///
+/// # Errors
+/// [`OutputProblem::File`].
+pub fn write_text(file: &Path, text: &str) -> Result<(), OutputProblem> {
+    std::fs::write(file, text).map_err(|error| OutputProblem::File {
+        file: file.display().to_string(),
+        reason: words(&error),
+    })
+}
+
+/// Draws a figure of `size` (width, height) in figure pixels into a file.
+///
+/// # Errors
+/// [`OutputProblem::File`] where the file cannot be made, else
+/// [`OutputProblem::Figure`].
+pub fn write_figure(
+    file: &Path,
+    size: (u32, u32),
+    drawing: &impl Drawing,
+) -> Result<(), OutputProblem> {
+    // Made first, since the words of the backend teach less than those of the system.
+    write_text(file, "")?;
+    Ok(figure::save(file, size, drawing)?)
+}
+
+/// The name of `path` without folder and `ending`, or else without `.toml`: `blade`
+/// for `cases/blade.section.toml`.
+pub fn name_without(path: &Path, ending: &str) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let stem = name
+        .strip_suffix(ending)
+        .or_else(|| name.strip_suffix(".toml"));
+    stem.filter(|stem| !stem.is_empty())
+        .unwrap_or(&name)
+        .to_owned()
+}
+
+/// The reason of an error without its number.
+fn words(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
+            "a file of this name is in the way".to_owned()
+        }
+        io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        io::ErrorKind::NotFound => "its folder does not exist".to_owned(),
+        io::ErrorKind::StorageFull => "no space is left".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lose_folder_and_ending() {
+        let name = |path| name_without(Path::new(path), ".section.toml");
+        assert_eq!(name("a/blade.section.toml"), "blade");
+        assert_eq!(name("blade.toml"), "blade");
+        assert_eq!(name("blade.msh"), "blade.msh");
+        assert_eq!(name(".section.toml"), ".section.toml");
+    }
+
+    #[test]
+    fn what_is_in_the_way_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("results");
+        write_text(&file, "x").unwrap();
+        let shown = make_folder(&file).unwrap_err().to_string();
+        assert!(
+            shown.ends_with("cannot be made: a file of this name is in the way"),
+            "{shown}"
+        );
+        let shown = write_text(folder.path(), "x").unwrap_err().to_string();
+        assert!(shown.ends_with("written: it is a folder"), "{shown}");
+        let shown = write_text(&folder.path().join("no/such"), "x")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            shown.ends_with("written: its folder does not exist"),
+            "{shown}"
+        );
+    }
+}

@@ -1,0 +1,90 @@
+//! A rotor of equal blades: every frequency of one blade as often as there are blades.
+
+use beam_dynamics::analysis::modes::modes;
+use beam_dynamics::result::{FrequencyTable, ModeKind};
+
+/// Blades on a rigid hub, 4 elements each: 3 or more exceed the size for dense
+/// eigenvalues.
+fn rotor(blades: usize, count: usize) -> FrequencyTable {
+    let mut text = String::from(
+        "units = \"SI\"\n[properties.p]\nea = 1e7\ngay = 3e6\ngaz = 3e6\ngj = 500\n\
+         eiy = 1000\neiz = 4000\nm = 2.0\niy = 0.001\niz = 0.004\n",
+    );
+    for blade in 0..blades {
+        let azimuth = 360.0 * blade as f64 / blades as f64;
+        text += &format!(
+            "[[blade]]\nname = \"b{blade}\"\nroot = [0.3, 0, 0]\nazimuth = {azimuth}\n\
+             properties = \"p\"\n[[blade.piece]]\nlength = 3\nelements = 4\n"
+        );
+    }
+    text += &format!("[modes]\nspeeds = [0, 300]\ncount = {count}\n");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("rotor.dynamics.toml");
+    std::fs::write(&file, text).unwrap();
+    let input = beam_dynamics::input::read(&file).unwrap();
+    let outcome = modes(&input.case);
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    outcome.table
+}
+
+/// Blades on a rigid hub do not feel each other, so the frequencies are those of one,
+/// to the round-off of the eigenvalues, and each branch goes on at the second speed.
+#[test]
+fn every_frequency_comes_once_a_blade_and_is_followed() {
+    let one = rotor(1, 8);
+    for blades in [3, 4] {
+        let all = rotor(blades, 6 * blades);
+        for speed in 0..2 {
+            let single: Vec<_> = one
+                .at_speed(speed)
+                .iter()
+                .map(|mode| mode.1.frequency)
+                .collect();
+            let found = all.at_speed(speed);
+            assert!(found.len() >= 6 * blades);
+            for (i, (branch, mode)) in found.iter().take(6 * blades).enumerate() {
+                let expected = single[i / blades];
+                let error = (mode.frequency / expected - 1.0).abs();
+                assert!(
+                    error < 1e-8,
+                    "{blades} blades, {}: {} {expected}",
+                    branch.name,
+                    mode.frequency
+                );
+                assert!(
+                    speed == 0 || mode.assurance.is_some_and(|mac| mac > 0.8),
+                    "{}",
+                    branch.name
+                );
+                assert_ne!(branch.kind, ModeKind::Coupled);
+            }
+        }
+    }
+}
+
+/// A tip piece a million times as stiff as the blade: the answer has few digits, and
+/// the reader is told. Without it there is nothing to say.
+#[test]
+fn lost_digits_are_told() {
+    assert_eq!(rotor(1, 4).remarks, Vec::<String>::new());
+    let text = "units = \"SI\"\n[properties.p]\nea = 1e7\ngay = 3e6\ngaz = 3e6\ngj = 500\n\
+         eiy = 1000\neiz = 4000\nm = 2.0\niy = 0.001\niz = 0.004\n\
+         [properties.q]\nea = 1e17\ngay = 3e16\ngaz = 3e16\ngj = 5e12\n\
+         eiy = 1e13\neiz = 4e13\nm = 2.0\niy = 0.001\niz = 0.004\n\
+         [[blade]]\nname = \"b\"\nroot = [0.3, 0, 0]\nproperties = \"p\"\n\
+         [[blade.piece]]\nlength = 2\nelements = 4\n\
+         [[blade.piece]]\nlength = 1\nelements = 4\nproperties = \"q\"\n\
+         [modes]\nspeeds = [0, 100]\ncount = 4\n";
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("stiff.dynamics.toml");
+    std::fs::write(&file, text).unwrap();
+    let outcome = modes(&beam_dynamics::input::read(&file).unwrap().case);
+    let told = outcome
+        .table
+        .remarks
+        .iter()
+        .any(|remark| remark.contains("digits are lost"));
+    let shown = outcome.failure.map(|failure| failure.to_string());
+    println!("{:?} {shown:?}", outcome.table.remarks);
+    assert!(told || shown.is_some());
+}
