@@ -130,7 +130,7 @@ fn remarks(modes: &Modes) -> Vec<String> {
             "{at} the equilibrium is unstable: a motion grows with {worst:.3e} 1/s"
         ));
     }
-    if !(modes.residual <= TRUSTED) {
+    if modes.residual > TRUSTED || modes.residual.is_nan() {
         found.push(format!(
             "{at} digits are lost (relative residual {:.1e}): stiffnesses, masses or lengths \
              of very different size meet in the model",
@@ -177,8 +177,13 @@ fn at_equilibrium(
         state: steady.state.clone(),
         found: pairs.iter().zip(motions).map(mode).collect(),
         unstable: real.into_iter().filter(|growth| *growth > 0.0).collect(),
-        residual: residual.fold(steady_residual, f64::max),
+        residual: residual.fold(steady_residual, larger),
     })
+}
+
+/// The larger of two, or not a number when one of them is none.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
 }
 
 /// For each mode of `before`, its continuation in `now` and the least assurance on
