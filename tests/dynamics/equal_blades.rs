@@ -3,8 +3,8 @@
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::result::{FrequencyTable, ModeKind};
 
-/// Blades on a rigid hub, 4 elements each: 3 or more exceed the size for dense
-/// eigenvalues.
+/// Blades on a rigid hub, 4 elements of 9 nodes each: with 4 blades the 432 unknowns
+/// exceed the size for dense eigenvalues.
 fn rotor(blades: usize, count: usize) -> FrequencyTable {
     let mut text = String::from(
         "units = \"SI\"\n[properties.p]\nea = 1e7\ngay = 3e6\ngaz = 3e6\ngj = 500\n\

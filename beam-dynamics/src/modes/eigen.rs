@@ -61,7 +61,7 @@ impl<'a> EigenProblem<'a> {
         Some(Self {
             solver,
             tangent,
-            inverse: Inverse::new(factorization, tangent.by_rates.clone(), size)?,
+            inverse: Inverse::new(factorization, &tangent.by_rates, size)?,
             size,
         })
     }
@@ -102,39 +102,56 @@ impl<'a> EigenProblem<'a> {
             .factorize_complex(by_unknowns, beside, by_rates)
             .and_then(|matrix| self.iterate(&matrix, copies.len()));
         // Where the inversion overflows there is no vector: the mode moves nothing.
-        let zero = || vec![vec![c64::new(0.0, 0.0); self.size]; copies.len()];
-        let vectors = solved.unwrap_or_else(zero);
-        let pair = |(s, vector): (&c64, Vec<c64>)| Eigenpair {
+        let nothing = || {
+            (
+                vec![vec![c64::new(0.0, 0.0); self.size]; copies.len()],
+                None,
+            )
+        };
+        let (vectors, amplification) = solved.unwrap_or_else(nothing);
+        let s = amplification.map_or(mean, |amplification| beside - amplification.inv());
+        let pair = |vector: Vec<c64>| Eigenpair {
             growth: s.re,
             angular_frequency: s.im,
             real: vector.iter().map(|v| v.re).collect(),
             imaginary: vector.iter().map(|v| v.im).collect(),
-            residual: self.inverse.residual(*s, &vector),
+            residual: self.inverse.residual(s, &vector),
         };
-        copies.iter().zip(vectors).map(pair).collect()
+        vectors.into_iter().map(pair).collect()
     }
 
-    /// `x <- (F_y + s F_y')^-1 F_y' x`, orthonormal, for several x at once; `None`
-    /// when a solution is not finite.
-    fn iterate(&self, matrix: &ComplexFactorization, count: usize) -> Option<Vec<Vec<c64>>> {
+    /// `x <- (F_y + beside F_y')^-1 F_y' x`, orthonormal, for several x at once, and the
+    /// mean factor `1 / (beside - s)` by which they grow; `None` when a solution is not
+    /// finite.
+    fn iterate(&self, matrix: &ComplexFactorization, count: usize) -> Option<Vectors> {
         let n = self.tangent.by_rates.pattern().size();
         let start = |copy: usize| {
-            let value =
-                |i: usize| c64::new(start_value(i + copy * n), start_value(i + (copy + 7) * n));
+            let value = |i: usize| {
+                c64::new(
+                    start_value(i + copy * n),
+                    start_value(i + (copy + count) * n),
+                )
+            };
             (0..n).map(value).collect::<Vec<_>>()
         };
         let mut vectors: Vec<_> = (0..count).map(start).collect();
+        let mut amplification = None;
         for _ in 0..ITERATIONS {
+            let mut sum = c64::new(0.0, 0.0);
             for vector in &mut vectors {
-                *vector = self.rates_times(vector);
+                let before = std::mem::replace(vector, self.rates_times(vector));
                 matrix.solve(vector)?;
+                let size = product(&before, &before, self.size).re;
+                sum += product(&before, vector, self.size) / size;
             }
+            amplification = Some(sum / count as f64);
             orthonormalize(&mut vectors, self.size);
         }
         vectors
             .iter_mut()
             .for_each(|vector| vector.truncate(self.size));
-        Some(vectors)
+        let sound = |factor: &c64| factor.is_finite() && factor.norm() > 0.0;
+        Some((vectors, amplification.filter(sound)))
     }
 
     /// `F_y' x`.
@@ -147,28 +164,32 @@ impl<'a> EigenProblem<'a> {
     }
 }
 
-/// Orthonormalizes by Gram and Schmidt, twice for the round-off, in the product of the
-/// positions and rotations of the nodes: the reactions, which follow from these, are
-/// larger by the stiffness and would hide them.
-fn orthonormalize(vectors: &mut [Vec<c64>], size: usize) {
+/// Vectors of copies, and the factor by which the last iteration made them grow.
+type Vectors = (Vec<Vec<c64>>, Option<c64>);
+
+/// `a^H b` over the positions and rotations of the nodes: the reactions, which follow
+/// from these, are larger by the stiffness and would hide them.
+fn product(a: &[c64], b: &[c64], size: usize) -> c64 {
     let is_motion = |i: &usize| i % NODE_UNKNOWNS < NODE_UNKNOWNS / 2;
-    let product = |a: &[c64], b: &[c64]| -> c64 {
-        (0..size)
-            .filter(is_motion)
-            .map(|i| a[i].conj() * b[i])
-            .sum()
-    };
+    (0..size)
+        .filter(is_motion)
+        .map(|i| a[i].conj() * b[i])
+        .sum()
+}
+
+/// Orthonormalizes by Gram and Schmidt, twice for the round-off.
+fn orthonormalize(vectors: &mut [Vec<c64>], size: usize) {
     for j in 0..vectors.len() {
         let (before, rest) = vectors.split_at_mut(j);
         let vector = &mut rest[0];
         for other in before.iter().chain(before.iter()) {
-            let along = product(other, vector);
+            let along = product(other, vector, size);
             vector
                 .iter_mut()
                 .zip(other)
                 .for_each(|(v, o)| *v -= along * o);
         }
-        let norm = product(vector, vector).re.sqrt();
+        let norm = product(vector, vector, size).re.sqrt();
         if norm > 0.0 {
             vector.iter_mut().for_each(|v| *v /= norm);
         }

@@ -21,22 +21,24 @@ use crate::solver::Factorization;
 
 /// Up to this number of unknowns T is formed and all its eigenvalues are computed;
 /// above, only the wanted ones by subspace iteration.
-const DENSE: usize = 200;
+const DENSE: usize = 400;
 /// Parts of the largest eigenvalue of T below which one is taken for zero: those at
 /// zero are defective, and round-off moves them to the cube root of 1e-16 or so.
 const INFINITE: f64 = 1e-7;
 /// Change of the wanted eigenvalues from one subspace iteration to the next at which
-/// they count as found, relative; what is left is smaller by the rate of convergence.
-const FOUND: f64 = 1e-11;
-/// Subspace iterations at most. Blades need 15 to 40: each takes the error of the
+/// they count as found, relative: near enough for inverse iteration, which gives the
+/// last digits.
+const FOUND: f64 = 1e-8;
+/// Subspace iterations at most. Blades need 10 to 30: each takes the error of the
 /// last wanted value down by its ratio to the first one outside the space.
-const ITERATIONS: usize = 150;
+const ITERATIONS: usize = 100;
 
 /// The operator T on the unknowns of the nodes, with scaled momenta.
 #[derive(Debug)]
 pub(super) struct Inverse {
     factorization: Factorization,
-    by_rates: Sparse,
+    /// Entries (row, column, value) of `F_y'` that are not zero.
+    rates: Vec<(usize, usize, f64)>,
     size: usize,
     /// Scale of each unknown: value = scale times scaled value.
     scale: Vec<f64>,
@@ -44,10 +46,10 @@ pub(super) struct Inverse {
 
 impl Inverse {
     /// T on the first `size` unknowns; `None` when it is not finite.
-    pub fn new(factorization: Factorization, by_rates: Sparse, size: usize) -> Option<Self> {
+    pub fn new(factorization: Factorization, by_rates: &Sparse, size: usize) -> Option<Self> {
         let mut inverse = Self {
             factorization,
-            by_rates,
+            rates: by_rates.triplets().filter(|entry| entry.2 != 0.0).collect(),
             size,
             scale: vec![1.0; size],
         };
@@ -64,7 +66,7 @@ impl Inverse {
         let inverted = if self.size <= DENSE || space * 2 > self.size {
             self.all()
         } else {
-            self.largest(wanted, space)
+            self.largest(wanted, 2 * count, space)
         };
         let largest = inverted
             .iter()
@@ -78,12 +80,10 @@ impl Inverse {
 
     /// `T x` for scaled x, in place.
     fn multiply(&self, x: &mut [f64]) {
-        let mut values = vec![0.0; self.by_rates.pattern().size()];
-        let mut product = values.clone();
-        for i in 0..self.size {
-            values[i] = -self.scale[i] * x[i];
+        let mut product = vec![0.0; self.factorization.size()];
+        for &(i, j, value) in &self.rates {
+            product[i] -= value * self.scale[j] * x[j];
         }
-        self.by_rates.multiply_add(&values, &mut product);
         // A singular matrix was refused before; what is not finite shows as NaN.
         if self.factorization.solve(&mut product).is_none() {
             product.fill(f64::NAN);
@@ -144,7 +144,9 @@ impl Inverse {
     /// ```text
     /// Y = T Q,    eigenvalues of Q^T Y,    Q <- orthonormal basis of Y
     /// ```
-    fn largest(&self, wanted: usize, space: usize) -> Vec<c64> {
+    ///
+    /// It ends when the first `sure` of them stand still.
+    fn largest(&self, wanted: usize, sure: usize, space: usize) -> Vec<c64> {
         let start = |i, j| start_value(i + j * self.size);
         let mut basis = Mat::from_fn(self.size, space, start).qr().compute_thin_Q();
         let mut before: Vec<f64> = Vec::new();
@@ -155,7 +157,7 @@ impl Inverse {
             values = eigenvalues((basis.transpose() * &image).as_ref());
             values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
             values.truncate(wanted);
-            let sizes: Vec<_> = values.iter().map(|value| value.norm()).collect();
+            let sizes: Vec<_> = values.iter().take(sure).map(|value| value.norm()).collect();
             let close = |(a, b): (&f64, &f64)| (a - b).abs() <= FOUND * b;
             if !sizes.is_empty()
                 && sizes.len() == before.len()

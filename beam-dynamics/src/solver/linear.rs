@@ -141,6 +141,11 @@ impl ComplexFactorization {
 }
 
 impl Factorization {
+    /// Number of unknowns.
+    pub fn size(&self) -> usize {
+        self.row_scale.len()
+    }
+
     /// Solves `A x = b`, `b` being replaced by x, with one step of refinement;
     /// `None` when the solution is not finite.
     pub fn solve(&self, b: &mut [f64]) -> Option<()> {
