@@ -7,7 +7,7 @@ use shared_geom::gmsh;
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 
 use super::arguments::Shape;
-use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT};
+use super::{Stop, Terminal, WRONG_INPUT};
 use crate::mesh::generate::{Ellipse, GenerateProblem, Rectangle, Tube};
 
 /// Makes the mesh of `shape` and writes it.
@@ -23,7 +23,7 @@ pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(
         }
     };
     write_text(file, &gmsh::write(&mesh))
-        .map_err(|problem| terminal.tell(&problem, NOT_REACHED))?;
+        .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
     let groups = |dimension: u8| {
         let of_dimension = mesh
             .groups

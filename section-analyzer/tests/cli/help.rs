@@ -166,3 +166,16 @@ fn a_closed_pipe_is_no_error() {
         assert_eq!((child.wait().unwrap().code(), err.as_str()), (Some(0), ""));
     }
 }
+
+#[test]
+fn a_mesh_that_cannot_be_written_is_wrong_usage() {
+    let place = Workplace::new();
+    let sizes = ["mesh", "rectangle", "--width", "1", "--height", "1"];
+    let rest = ["--cells-y", "1", "--cells-z", "1", "--out", "no/such.msh"];
+    let run = place.run(&[&sizes[..], &rest].concat());
+    assert_eq!(
+        run.err,
+        "error: file \"no/such.msh\" cannot be written: its folder does not exist\n"
+    );
+    assert_eq!(run.code, 2);
+}
