@@ -81,11 +81,7 @@ fn run(
     branches: &mut Branches,
     table: &mut FrequencyTable,
 ) -> Result<(), Failure> {
-    let pattern = case.system.tangent(
-        &case.system.rest(),
-        &super::steady::frame_at(&case.spin, 0.0),
-    );
-    let solver = LinearSolver::new(pattern.by_unknowns.pattern());
+    let solver = LinearSolver::new(case.system.pattern());
     let solver = solver.ok_or(Failure::Singular { speed: 0.0 })?;
     let mut last: Option<Modes> = None;
     for &speed in &case.speeds {

@@ -106,6 +106,11 @@ impl System {
         &self.numbering
     }
 
+    /// The pattern of the Jacobian, found once.
+    pub fn pattern(&self) -> &Arc<Pattern> {
+        &self.pattern
+    }
+
     /// Elements, the balances of the nodes first.
     pub fn elements(&self) -> impl Iterator<Item = &dyn Element> {
         self.elements.iter().map(AsRef::as_ref)

@@ -76,12 +76,6 @@ impl LocalJacobian {
         }
     }
 
-    /// Sets all entries to zero and keeps the pattern.
-    pub fn clear(&mut self) {
-        self.by_unknowns.fill(0.0);
-        self.by_rates.fill(0.0);
-    }
-
     /// Adds `d equation / d variable`: rows of `row.0`, columns of `column.0`.
     pub fn add(&mut self, row: (usize, Equation), column: (usize, Variable), block: &Matrix3<f64>) {
         let first_row = NODE_UNKNOWNS * row.0 + row.1.row();

@@ -40,16 +40,6 @@ impl ModeMotion {
         Self { motion, momentum }.scaled()
     }
 
-    /// Displacement of each node as (real, imaginary) [m for a unit of energy].
-    pub fn displacements(&self) -> impl Iterator<Item = [Vector3<f64>; 2]> + '_ {
-        self.motion.chunks(SIX).map(|node| {
-            let part = |pick: fn(&Complex<f64>) -> f64| {
-                Vector3::new(pick(&node[0]), pick(&node[1]), pick(&node[2]))
-            };
-            [part(|z| z.re), part(|z| z.im)]
-        })
-    }
-
     /// `q_a^H M q_b`.
     pub(super) fn product(&self, other: &Self) -> Complex<f64> {
         let terms = self.motion.iter().zip(&other.momentum);
