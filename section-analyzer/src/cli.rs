@@ -5,16 +5,14 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
-use shared_geom::error::{Diagnostics, Explain, Place};
-use shared_geom::files::{OutputProblem, write_figure, write_text};
+use shared_geom::error::{Diagnostics, Explain};
+use shared_geom::files::OutputProblem;
 
-use crate::analysis::analyze;
 use crate::input::{self, Input};
-use crate::output::{
-    MeshPlot, OutputFiles, WarpingPlot, failure_report, input_report, properties, report,
-};
 
+mod analyze;
 mod arguments;
+mod check;
 mod generate;
 
 use arguments::{Arguments, Command};
@@ -85,8 +83,8 @@ fn dispatch(
         Err(message) => return Ok(write!(terminal.out, "{}", message.render())?),
     };
     match arguments.command {
-        Command::Analyze { file, out } => analyze_file(&file, out, terminal),
-        Command::Check { file } => check_file(&file, terminal),
+        Command::Analyze { file, out } => analyze::analyze_file(&file, out, terminal),
+        Command::Check { file } => check::check_file(&file, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
     }
 }
@@ -113,66 +111,6 @@ impl Terminal<'_> {
 
     fn tell_all(&mut self, problems: &Diagnostics) -> Stop {
         self.tell_text(&problems.to_string(), WRONG_INPUT)
-    }
-}
-
-fn check_file(file: &Path, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
-    let input = terminal.read(file)?;
-    let report = input_report(&input.section, &input.summary);
-    Ok(write!(terminal.out, "{report}\nNo problem found\n")?)
-}
-
-fn analyze_file(
-    file: &Path,
-    out: Option<PathBuf>,
-    terminal: &mut Terminal<'_>,
-) -> Result<(), Stop> {
-    let input = terminal.read(file)?;
-    let folder = out.unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).join("results"));
-    let name = input::name_of(file);
-    let files =
-        OutputFiles::new(&folder, &name).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
-    let Input { section, summary } = &input;
-
-    match analyze(section) {
-        Ok(solution) => {
-            let properties = properties(section, &solution, &summary.input_hash);
-            let text = report(section, summary, &solution);
-            let mesh = MeshPlot::new(section, summary, Some(&solution.centers));
-            let warping = WarpingPlot::new(section, &solution);
-            let written = write_text(&files.report(), &text)
-                .and_then(|()| {
-                    write_text(
-                        &files.properties(),
-                        &shared_geom::section::write(&properties),
-                    )
-                })
-                .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh))
-                .and_then(|()| write_figure(&files.warping(), warping.size(), &warping));
-            write!(terminal.out, "{text}")?;
-            list(
-                &[
-                    files.properties(),
-                    files.report(),
-                    files.mesh(),
-                    files.warping(),
-                ],
-                written,
-                terminal,
-            )
-        }
-        Err(failure) => {
-            files.remove_results();
-            let text = failure_report(section, summary, &failure);
-            let mesh = MeshPlot::new(section, summary, None);
-            let written = write_text(&files.report(), &text)
-                .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh));
-            let place = Place::file(file.display().to_string());
-            let problem = Diagnostics::one(place, &failure);
-            let stop = terminal.tell_text(&problem.to_string(), NOT_REACHED);
-            list(&[files.report(), files.mesh()], written, terminal)?;
-            Err(stop)
-        }
     }
 }
 

@@ -73,6 +73,7 @@ pub mod material;
 pub mod mesh;
 pub mod output;
 pub mod properties;
+pub mod recovery;
 pub mod section;
 pub mod solution;
 pub mod solve;

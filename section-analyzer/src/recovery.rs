@@ -1,0 +1,18 @@
+//! From internal force back to strain and stress in the section.
+//!
+//! ```text
+//! u = X theta      u' = X T' theta      psi = Y theta
+//! eps = B1 u' + B0 u + Bpsi psi         sigma = D eps
+//! ```
+//!
+//! All values are in SI units. Vectors of strain and stress have the usual order
+//! 11 22 33 23 13 12 with engineering shear strains. In section axes 1 is x along the
+//! beam, 2 is y, 3 is z; in material axes 1 is the fiber, 2 the transverse direction
+//! in the ply, 3 its normal.
+//!
+//! # References
+//! - Giavotto et al. 1983: stresses of the central solutions.
+
+mod state;
+
+pub use state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};

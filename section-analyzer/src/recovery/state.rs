@@ -1,0 +1,82 @@
+//! Recovered strain and stress as values.
+
+use nalgebra::Vector6;
+
+/// A named internal force.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadCase {
+    /// Name, as the input gives it.
+    pub name: String,
+    /// Internal force about the reference point, the origin of the mesh, order of
+    /// [`shared_geom::wrench::COMPONENTS`] \[N, N m\].
+    pub force: Vector6<f64>,
+}
+
+/// Strain and stress at one place, in both systems of axes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tensors {
+    /// Strain in section axes, order xx yy zz yz xz xy \[-\].
+    pub strain: Vector6<f64>,
+    /// Stress in section axes, order xx yy zz yz xz xy \[Pa\].
+    pub stress: Vector6<f64>,
+    /// Strain in material axes, order 11 22 33 23 13 12 \[-\].
+    pub material_strain: Vector6<f64>,
+    /// Stress in material axes, order 11 22 33 23 13 12 \[Pa\].
+    pub material_stress: Vector6<f64>,
+}
+
+/// Strain and stress at an integration point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointState {
+    /// Cell: index in the mesh of the section.
+    pub cell: usize,
+    /// Place (y, z) \[m\].
+    pub place: [f64; 2],
+    /// Area that the point stands for \[m^2\].
+    pub area: f64,
+    /// Strain and stress.
+    pub tensors: Tensors,
+}
+
+/// Mean strain and stress of a cell over its area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CellState {
+    /// Centroid (y, z) \[m\].
+    pub centroid: [f64; 2],
+    /// Strain and stress.
+    pub tensors: Tensors,
+}
+
+/// Smoothed strain and stress at a node, as one region sees it: stresses jump
+/// between materials, so nodes on a border have a state for each region.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NodalState {
+    /// Node: index in the mesh of the section.
+    pub node: usize,
+    /// Region: index of the physical surface in the mesh of the section.
+    pub group: usize,
+    /// Strain and stress.
+    pub tensors: Tensors,
+}
+
+/// Strain and stress of the whole section under one internal force.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recovery {
+    /// The internal force.
+    pub load: LoadCase,
+    /// Generalized strain, order of [`shared_geom::wrench::COMPONENTS`] \[-, 1/m\].
+    pub generalized_strain: Vector6<f64>,
+    /// Integration points, cell by cell.
+    pub points: Vec<PointState>,
+    /// Means of the cells, parallel to the cells of the mesh.
+    pub cells: Vec<CellState>,
+    /// Nodes, by region and then by node.
+    pub nodes: Vec<NodalState>,
+    /// For each cell, and each of its nodes in the cell's order, the index in `nodes`.
+    pub cell_nodes: Vec<Vec<u32>>,
+    /// Internal force of the recovered stress, integrated over the section \[N, N m\].
+    pub resultant: Vector6<f64>,
+    /// Largest difference of `resultant` from the load, relative to the load: moments
+    /// and forces made comparable by the size of the section \[-\].
+    pub resultant_error: f64,
+}
