@@ -331,18 +331,19 @@ fn checks(checks: &Checks) -> String {
         .fold(0.0_f64, |worst, error| worst.max(*error));
     let row = |name: &str, value: f64| vec![name.to_owned(), format!("{value:.1e}")];
     let rows = [
-        row("rigid-body identities of the section matrices", worst),
+        row("rigid-body identities of the assembled matrices", worst),
         row("last correction of the linear systems", checks.correction),
         row("internal force of the six solutions", checks.equilibrium),
         row("symmetry of the compliance", checks.asymmetry),
         row("energy against mean strain", checks.decoupling),
+        row("condition number, from below", checks.condition),
         row(
             "smallest pivot (1e-16: the section falls apart)",
             checks.smallest_pivot,
         ),
     ];
     format!(
-        "Checks of this run (relative errors)\n{}",
+        "Checks of this run (relative errors, but for the last two)\n{}",
         table(&rows, "lr")
     )
 }
