@@ -13,6 +13,12 @@
 //! # References
 //! - Giavotto et al. 1983: stresses of the central solutions.
 
+mod axes;
+mod extrapolate;
+mod locate;
+mod recoverer;
+mod resultant;
 mod state;
 
+pub use recoverer::{Recoverer, recover};
 pub use state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};
