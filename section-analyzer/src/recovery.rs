@@ -14,11 +14,18 @@
 //! - Giavotto et al. 1983: stresses of the central solutions.
 
 mod axes;
+mod criteria;
 mod extrapolate;
+mod extremes;
 mod locate;
 mod recoverer;
 mod resultant;
 mod state;
 
+pub use criteria::{Criterion, FailureIndex, Mode, failure_indices};
+pub use extremes::{
+    Extreme, Range, RegionFailure, RegionStresses, STRESS_NAMES, criteria_of, region_failures,
+    region_stresses,
+};
 pub use recoverer::{Recoverer, recover};
 pub use state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};

@@ -52,14 +52,22 @@ pub struct Recoverer<'a> {
     center: [f64; 2],
     /// Largest distance of a node from it \[m\].
     size: f64,
-    /// Stiffness of each cell in section axes, order yz yy zz xx xy xz \[Pa\], and its
-    /// material axes; cells that follow each other share them.
-    laws: Vec<(Matrix6<f64>, Matrix3<f64>)>,
+    /// Cells that follow each other share them.
+    laws: Vec<OrientedLaw>,
     law_of_cell: Vec<usize>,
     cells: Vec<CellGrid>,
     /// Pairs of region and node, ascending.
     nodes: Vec<(usize, usize)>,
     cell_nodes: Vec<Vec<u32>>,
+}
+
+/// A law and where its axes point.
+#[derive(Debug, Clone)]
+struct OrientedLaw {
+    /// Stiffness in section axes, order yz yy zz xx xy xz \[Pa\].
+    stiffness: Matrix6<f64>,
+    /// Material axes in section axes: columns \[-\].
+    axes: Matrix3<f64>,
 }
 
 /// A cell: its integration points and how they make its nodes.
@@ -242,8 +250,8 @@ impl<'a> Recoverer<'a> {
 
     /// Stress and material axes from the strain in the order yz yy zz xx xy xz.
     fn tensors(&self, cell: usize, strain: &Vector6<f64>) -> Tensors {
-        let (law, axes) = &self.laws[self.law_of_cell[cell]];
-        let stress = law * strain;
+        let OrientedLaw { stiffness, axes } = &self.laws[self.law_of_cell[cell]];
+        let stress = stiffness * strain;
         let usual = |v: &Vector6<f64>| Vector6::from_fn(|i, _| v[USUAL_ORDER[i]]);
         let (strain, stress) = (usual(strain), usual(&stress));
         Tensors {
@@ -287,7 +295,7 @@ fn mean_of(points: &[PointState]) -> (CellState, f64) {
 }
 
 /// Law and axes of each cell; neighbors in the list that are alike share them.
-fn laws(section: &Section) -> (Vec<(Matrix6<f64>, Matrix3<f64>)>, Vec<usize>) {
+fn laws(section: &Section) -> (Vec<OrientedLaw>, Vec<usize>) {
     let mut laws = Vec::new();
     let mut law_of_cell = Vec::with_capacity(section.cells.len());
     let mut last = None;
@@ -295,10 +303,10 @@ fn laws(section: &Section) -> (Vec<(Matrix6<f64>, Matrix3<f64>)>, Vec<usize>) {
         if last != Some(made_of) {
             let stiffness = section.materials[made_of.material].law.stiffness();
             let (fiber, plane) = (made_of.fiber_angle, made_of.plane_angle);
-            laws.push((
-                section_stiffness(&stiffness, fiber, plane),
-                material_axes(fiber, plane),
-            ));
+            laws.push(OrientedLaw {
+                stiffness: section_stiffness(&stiffness, fiber, plane),
+                axes: material_axes(fiber, plane),
+            });
             last = Some(made_of);
         }
         law_of_cell.push(laws.len() - 1);
