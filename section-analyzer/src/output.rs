@@ -8,6 +8,7 @@ mod outline;
 mod plane;
 mod properties;
 mod report;
+mod strengths;
 mod stress_report;
 mod stress_tables;
 mod text;

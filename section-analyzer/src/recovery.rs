@@ -2,8 +2,13 @@
 //!
 //! ```text
 //! u = X theta      u' = X T' theta      psi = Y theta
-//! eps = B1 u' + B0 u + Bpsi psi         sigma = D eps
+//! eps = B1 u' + B0 u + Bpsi psi         sigma = D eps            (S-33)
 //! ```
+//!
+//! A [`Recoverer`] holds what the load cases of a section share and gives a
+//! [`Recovery`] for each: integration points, means of cells, smoothed nodes, and the
+//! resultants that vouch for them. [`region_stresses`] and [`region_failures`] are what
+//! a report says about it.
 //!
 //! All values are in SI units. Vectors of strain and stress have the usual order
 //! 11 22 33 23 13 12 with engineering shear strains. In section axes 1 is x along the
@@ -11,7 +16,7 @@
 //! in the ply, 3 its normal.
 //!
 //! # References
-//! - Giavotto et al. 1983: stresses of the central solutions.
+//! - \[Giavotto1983\]: stresses of the central solutions.
 
 mod axes;
 mod criteria;

@@ -4,6 +4,7 @@
 use nalgebra::Vector6;
 use shared_geom::wrench::COMPONENTS;
 
+use super::strengths::strengths;
 use super::text::{ZERO, coordinate, number, table};
 use crate::material::MaterialLimits;
 use crate::recovery::{Extreme, Range, Recovery, STRESS_NAMES, region_failures, region_stresses};
@@ -25,10 +26,12 @@ pub fn stress_report(section: &Section, limits: &[MaterialLimits], recovery: &Re
             section.name, recovery.load.name
         ),
         CONVENTION.to_owned(),
+        strengths(&section.materials, limits),
         load(recovery),
         stresses(section, recovery),
         failures(section, limits, recovery),
     ];
+    let parts: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     parts.join("\n")
 }
 

@@ -199,6 +199,10 @@ fn wrong_strengths_are_told() {
              not known",
         ],
     );
+}
+
+#[test]
+fn wrong_strengths_of_plies_are_told() {
     let ply = "e1 = 142\ne2 = 9.8\ne3 = 9.8\ng12 = 6\ng13 = 6\ng23 = 4.8\n\
         nu12 = 0.3\nnu13 = 0.3\nnu23 = 0.34";
     let section = SECTION.replace("young = 210\npoisson = 0.3", ply);
