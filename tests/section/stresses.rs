@@ -275,7 +275,7 @@ fn torsion_of_a_square() {
         (CellKind::Quadrilateral8, 3.8, 1e-5),
         (CellKind::Quadrilateral9, 3.8, 1e-5),
     ] {
-        let errors = [8, 16, 32].map(|cells| {
+        let found = [8, 16, 32].map(|cells| {
             let section = rectangle(1.0, 1.0, [cells, cells], kind, 0.3);
             let recovery = recovered(&section, &solved(&section), &unit_load(3));
             let node = recovery.nodes.iter().find(|node| {
@@ -283,14 +283,31 @@ fn torsion_of_a_square() {
                 (y - 0.5).abs() < 1e-9 && z.abs() < 1e-9
             });
             let tensors = node.expect("a node in the middle of the side").tensors;
-            relative_error(tensors.stress[4], exact)
+            tensors.stress[4]
         });
+        let errors = found.map(|tau| relative_error(tau, exact));
         for pair in errors.windows(2) {
             let order = (pair[0] / pair[1]).log2();
             assert!(order > least_order, "{kind:?}: order {order}");
         }
         assert!(errors[2] < largest, "{kind:?}: {:e}", errors[2]);
+        // a stored numerical result, with its own tolerance
+        let stored = stored_square_torsion();
+        assert!(relative_error(found[2], stored[0]) < stored[1], "{kind:?}");
     }
+}
+
+/// Largest shear stress per torque of a unit square, and its tolerance.
+fn stored_square_torsion() -> [f64; 2] {
+    let file = "tests/reference/theory/straight_isotropic.json";
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let text = std::fs::read_to_string(path).expect("the reference file");
+    let stored: Value = serde_json::from_str(&text).expect("reference in JSON");
+    let square = &stored["square_torsion"];
+    [
+        number(&square["tau_max_per_unit_torque"]),
+        number(&square["tolerance"]),
+    ]
 }
 
 /// A load times the reserve factor of a section is the load at which its worst index is
