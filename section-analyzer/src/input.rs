@@ -18,7 +18,9 @@ use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::units::Dimension;
 
+use crate::material::MaterialLimits;
 use crate::mesh::SectionMesh;
+use crate::recovery::LoadCase;
 use crate::section::Section;
 
 mod angles;
@@ -26,13 +28,16 @@ mod assign;
 mod files;
 mod follow;
 mod groups;
+mod loads;
 mod materials;
 mod measure;
 mod problem;
 mod regions;
+mod strengths;
 mod summary;
 mod tables;
 
+pub use loads::{LOAD_KEYS, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
@@ -47,6 +52,10 @@ use regions::{Written, WrittenAngle, WrittenRegion};
 pub struct Input {
     /// The section, checked and in SI units.
     pub section: Section,
+    /// Strengths of its materials, parallel to them.
+    pub limits: Vec<MaterialLimits>,
+    /// The load cases to recover stresses for.
+    pub loads: Vec<LoadCase>,
     /// What went into it.
     pub summary: InputSummary,
 }
@@ -80,6 +89,7 @@ struct WrittenSection {
     length_unit: String,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
+    loads: Vec<LoadCase>,
 }
 
 impl WrittenSection {
@@ -100,6 +110,7 @@ impl WrittenSection {
             length_unit: length_unit(&root),
             materials: materials::read(&root),
             regions: regions::read(&root),
+            loads: loads::read(&root),
         };
         root.finish();
         written
@@ -148,7 +159,12 @@ impl WrittenSection {
             materials,
             cells: cells?,
         };
-        Some(Input { section, summary })
+        Some(Input {
+            section,
+            limits: self.materials.iter().map(|known| known.limits).collect(),
+            loads: self.loads.clone(),
+            summary,
+        })
     }
 }
 

@@ -8,6 +8,9 @@ mod outline;
 mod plane;
 mod properties;
 mod report;
+mod strengths;
+mod stress_report;
+mod stress_tables;
 mod text;
 mod warping_plot;
 
@@ -16,4 +19,6 @@ pub use files::OutputFiles;
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
 pub use report::{failure_report, input_report, report};
+pub use stress_report::stress_report;
+pub use stress_tables::{stress_cells_csv, stress_nodes_csv, stress_points_csv};
 pub use warping_plot::WarpingPlot;

@@ -5,3 +5,4 @@ mod gmsh_pairs;
 mod invariances;
 mod reference_cases;
 mod sections;
+mod stresses;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::{write_figure, write_text};
 
+use super::stress::Stresses;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
 use crate::analysis::analyze;
 use crate::input::{self, Input};
@@ -21,7 +22,9 @@ pub(super) fn analyze_file(
     let name = input::name_of(file);
     let files =
         OutputFiles::new(&folder, &name).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
-    let Input { section, summary } = &input;
+    let Input {
+        section, summary, ..
+    } = &input;
 
     match analyze(section) {
         Ok(solution) => {
@@ -38,20 +41,21 @@ pub(super) fn analyze_file(
                 })
                 .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh))
                 .and_then(|()| write_figure(&files.warping(), warping.size(), &warping));
+            let stresses = Stresses::write(&input, &solution, &files);
             write!(terminal.out, "{text}")?;
-            list(
-                &[
-                    files.properties(),
-                    files.report(),
-                    files.mesh(),
-                    files.warping(),
-                ],
-                written,
-                terminal,
-            )
+            let others = vec![
+                files.properties(),
+                files.report(),
+                files.mesh(),
+                files.warping(),
+            ];
+            stresses.end(file, others, written, terminal)
         }
         Err(failure) => {
             files.remove_results();
+            for load in &input.loads {
+                files.remove_stresses(&load.name);
+            }
             let text = failure_report(section, summary, &failure);
             let mesh = MeshPlot::new(section, summary, None);
             let written = write_text(&files.report(), &text)

@@ -45,6 +45,39 @@ impl OutputFiles {
         self.path("warping.png")
     }
 
+    /// The table of the integration points under `load`.
+    pub fn stress_points(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.stress.csv"))
+    }
+
+    /// The table of the means of the cells under `load`.
+    pub fn stress_cells(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.stress_cells.csv"))
+    }
+
+    /// The table of the smoothed nodes under `load`.
+    pub fn stress_nodes(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.stress_nodes.csv"))
+    }
+
+    /// The text report of the stresses under `load`.
+    pub fn stress_report(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.stress.txt"))
+    }
+
+    /// Removes the files of `load` of an earlier run.
+    pub fn remove_stresses(&self, load: &str) {
+        for file in [
+            self.stress_report(load),
+            self.stress_points(load),
+            self.stress_cells(load),
+            self.stress_nodes(load),
+        ] {
+            // One that does not exist is no problem.
+            let _ = std::fs::remove_file(file);
+        }
+    }
+
     fn path(&self, ending: &str) -> PathBuf {
         self.folder.join(format!("{}.{ending}", self.name))
     }
