@@ -1,7 +1,10 @@
 //! The section solver against published and independent results.
 
 mod closed_forms;
+mod converged;
 mod gmsh_pairs;
 mod invariances;
+mod quads;
 mod reference_cases;
+mod restrained_warping;
 mod sections;
