@@ -5,6 +5,7 @@ mod converged;
 mod gmsh_pairs;
 mod invariances;
 mod quads;
+mod random_sections;
 mod reference_cases;
 mod restrained_warping;
 mod sections;
