@@ -3,7 +3,7 @@
 //! # References
 //! - [Vlasov1961] V. Z. Vlasov, *Thin-walled elastic beams*, 2nd ed. 1961, chapter 1:
 //!   warping constants of open thin walls from the sectorial area.
-//! - Timoshenko, Gere, *Theory of elastic stability*, 2nd ed. 1961, appendix, table
+//! - [TimoshenkoGere] Timoshenko, Gere, *Theory of elastic stability*, 2nd ed. 1961, appendix, table
 //!   the formulas of channel, I, Z and angle used here, in center line lengths.
 //! - [TimoshenkoGoodier] chapter 10: torsion functions of ellipse and rectangle.
 

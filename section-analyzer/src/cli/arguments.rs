@@ -43,10 +43,12 @@ Reads the section file, its mesh and its tables, tells all that is wrong with th
 once, solves, prints the report, and writes into the folder DIR:
   NAME.properties.json   stiffness, mass, centers: input of the beam program
   NAME.report.txt        the report: what went in, what came out, run-time checks
+  NAME.areas.csv         area, moments of area, perimeter and mass by region
+  NAME.constants.csv     constants of restrained warping, if all materials are isotropic
   NAME.mesh.png          the mesh in the colors of its materials, with the centers
   NAME.warping.png       the warping under each unit internal force
 where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
-and removes the other two files of an earlier run.";
+and removes the other files of an earlier run.";
 
 const ANALYZE_EXAMPLE: &str = "\
 Example:

@@ -63,7 +63,7 @@ impl OutputFiles {
     /// replace.
     pub fn remove_results(&self) {
         self.remove_constants();
-        for file in [self.properties(), self.warping()] {
+        for file in [self.properties(), self.areas(), self.warping()] {
             // One that does not exist is no problem.
             let _ = std::fs::remove_file(file);
         }

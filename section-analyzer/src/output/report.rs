@@ -42,7 +42,6 @@ pub fn report(
         CONVENTION.to_owned(),
         materials(&section.materials),
         regions(summary),
-        areas(&summary.areas),
         format!(
             "Stiffness, internal force per generalized strain [N, N m, N m^2]\n{}",
             matrix(&solution.stiffness)
@@ -56,6 +55,7 @@ pub fn report(
         centers(summary, solution),
         principal_axes(solution),
         couplings(&solution.stiffness),
+        areas(&summary.areas),
         restrained_warping(restrained, solution, &summary.areas),
         checks(&solution.checks),
     ];

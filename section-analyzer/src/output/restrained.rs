@@ -29,8 +29,12 @@ pub(super) fn restrained_warping(
     };
     let [y, z] = warping.center.map(|value| coordinate(value, area.sqrt()));
     let mut rows = vec![
-        row("shear-flow center y", y, "m", "pole of the warping: its"),
-        row("shear-flow center z", z, "m", "stress has no resultant"),
+        row(
+            "shear-flow center",
+            format!("{y}, {z}"),
+            "m",
+            "(y, z): about it the stress of a restraint has no resultant",
+        ),
         row(
             "E Gamma",
             shown(warping.stiffness),

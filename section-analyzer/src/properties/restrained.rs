@@ -3,25 +3,26 @@
 //! In torsion without restraint a section of isotropic materials turns about an axis
 //! and warps along the beam, `u_x = kappa_1 omega(y, z)`. The central solution of
 //! unit torque holds both: its warping per unit twist is omega for a turn about the
-//! axis at c, where its generalized shear strains vanish,
+//! point c that does not move,
 //!
 //! ```text
-//! omega_c = X[ux, M1] / Y[k1, M1]                                             (S-62)
-//! y_c = -Y[nu3, M1] / Y[k1, M1]      z_c = Y[nu2, M1] / Y[k1, M1]
+//! omega_c = X[ux, M1] / Y[kappa_1, M1]                                       (S-62)
+//! y_c = -Y[nu_3, M1] / Y[kappa_1, M1]     z_c = Y[nu_2, M1] / Y[kappa_1, M1]
 //! ```
 //!
 //! A turn about another pole p adds a rigid rotation of the section about y and z,
 //!
 //! ```text
-//! omega_p = omega_c + (y_p - y_c) z - (z_p - z_c) y + constant                (S-63)
+//! omega_p = omega_c + (y_p - y_c) z - (z_p - z_c) y + constant               (S-63)
 //! ```
 //!
 //! and the pole for which the stress `E omega` of a restraint has no resultant is the
 //! shear-flow center:
 //!
 //! ```text
-//! int E omega dA = int E omega y dA = int E omega z dA = 0                    (S-64)
-//! E Gamma = int E omega^2 dA       decay length = sqrt(E Gamma / G J)         (S-65)
+//! int E omega dA = int E omega y dA = int E omega z dA = 0                   (S-64)
+//! E Gamma = int E omega^2 dA                                                 (S-65)
+//! decay length = sqrt(E Gamma / G J)                                         (S-66)
 //! ```
 //!
 //! # References

@@ -62,9 +62,8 @@ fn an_isotropic_law_is_known_however_it_is_written() {
     }
 }
 
-/// The resultants of the stress `E omega` vanish, whatever the moduli: the definition,
-/// integrated here with the mean of the corners, which is not exact for the quadratic
-/// products: only the mean itself is compared. Two moduli leave no single constant.
+/// The weighted mean of omega vanishes, here by the mean of the corners of each square,
+/// which is exact for bilinear functions. Two moduli leave no single constant.
 #[test]
 fn two_moduli_have_a_stiffness_but_no_constant() {
     let mut section = square();
@@ -93,4 +92,34 @@ fn two_moduli_have_a_stiffness_but_no_constant() {
     assert!(mean.abs() < 1e-12 * found.stiffness.sqrt(), "{mean:e}");
     let length = (found.stiffness / found.torsional_stiffness).sqrt();
     assert_eq!(found.decay_length, length);
+}
+
+/// What (S-62) rests on: under a torque the section is sheared only, also where Poisson
+/// ratios differ and nothing is symmetric; to round-off, relative to
+/// `sqrt(C_ii C_44)`. The shear center is then not quite the shear-flow center.
+#[test]
+fn torsion_of_isotropic_materials_shears_only() {
+    let mut section = square();
+    section.materials.push(Material {
+        name: "rubber".into(),
+        law: ElasticLaw::Isotropic {
+            young: 3.0,
+            poisson: 0.45,
+        },
+        density: 1.0,
+    });
+    for cell in section.cells.iter_mut().skip(9) {
+        cell.material = 1;
+    }
+    let solution = analyze(&section).expect("sound");
+    let scale = |i: usize| (solution.strain[(i, i)] * solution.strain[(3, 3)]).sqrt();
+    for i in [0, 4, 5] {
+        let relative = solution.strain[(i, 3)] / scale(i);
+        assert!(relative.abs() < 1e-13, "{i}: {relative:e}");
+    }
+    let found = restrained(&section).expect("isotropic");
+    let shear = solution.centers.shear;
+    let apart = (found.center[0] - shear[0]).hypot(found.center[1] - shear[1]);
+    println!("centers are {apart:e} apart");
+    assert!(apart > 1e-5 && apart < 0.1, "{apart:e}");
 }
