@@ -75,7 +75,15 @@ fn check(name: &str, shape: &Quads, tag: impl Fn(usize) -> usize, tolerance: f64
 }
 
 fn check_stiffness(what: &str, section: &Section, case: &Value, tolerance: f64) {
-    let found = solved(section).stiffness;
+    let solution = solved(section);
+    check_shear_center(
+        what,
+        section,
+        case,
+        solution.centers.shear,
+        10.0 * tolerance,
+    );
+    let found = solution.stiffness;
     let expected = matrix(&case["converged"]["K"]);
     let uncertainty = matrix(&case["converged"]["uncertainty_abs"]);
     let scaled =
@@ -94,6 +102,18 @@ fn check_stiffness(what: &str, section: &Section, case: &Value, tolerance: f64) 
         "{what}: {:.2e} beyond",
         beyond.max()
     );
+}
+
+/// The shear center of the converged solution, within `limit` of the size of the
+/// section: a ratio of two entries that are uncertain, without an uncertainty of its own.
+fn check_shear_center(what: &str, section: &Section, case: &Value, found: [f64; 2], limit: f64) {
+    let places = section.mesh.nodes.iter().flatten();
+    let size = places.fold(0.0_f64, |size, x| size.max(x.abs()));
+    for axis in 0..2 {
+        let expected = number(&case["converged"]["shear_centre"][axis]);
+        let error = (found[axis] - expected).abs() / size;
+        assert!(error < limit, "{what}: shear center off by {error:e}");
+    }
 }
 
 /// Beside the uncertainty: it is itself estimated from two or three meshes, and a mixed

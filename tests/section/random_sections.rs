@@ -327,6 +327,8 @@ fn transport_error(section: &Section, (phi, d): (f64, [f64; 2])) -> f64 {
     errors.extend(second.map(|(found, expected)| (found - expected).abs()));
     errors.push(apart(two.centroid, place(one.centroid)));
     errors.push((one.perimeter.length() - two.perimeter.length()).abs());
+    // two ways to one mass: by sides and by the rules of the cells
+    errors.push((two.mass / found.mass[(0, 0)] - 1.0).abs());
     if let (Some(one), Some(two)) = (restrained(section, &plain), restrained(&there, &found)) {
         let size = plain.stiffness[(0, 0)] * i.yy.max(i.zz);
         errors.push((one.stiffness - two.stiffness).abs() / size);
