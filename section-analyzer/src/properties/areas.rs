@@ -78,10 +78,13 @@ fn properties(section: &Section, name: &str, is_part: impl Fn(usize) -> bool) ->
     let base = part().next().map_or([0.0; 2], |cell| {
         mesh.nodes[mesh.cells[cell].nodes()[0] as usize]
     });
-    let [y, z] = sum_about(base).centroid();
-    let centroid = [base[0] + y, base[1] + z];
-    let central = sum_about(centroid);
-    let placed = central.moved(centroid);
+    let first_guess = placed(base, sum_about(base).centroid());
+    let near = sum_about(first_guess);
+    // again from there: the first guess has the round-off of places as far as `base`
+    let correction = near.centroid();
+    let centroid = placed(first_guess, correction);
+    let central = near.moved(correction.map(|shift| -shift));
+    let about_reference = near.moved(first_guess);
     let density = |cell: usize| section.materials[section.cells[cell].material].density;
     let mass = |cell| density(cell) * AreaMoments::of_cell(mesh, &mesh.cells[cell], base).area;
     AreaProperties {
@@ -89,12 +92,16 @@ fn properties(section: &Section, name: &str, is_part: impl Fn(usize) -> bool) ->
         cells: part().count(),
         area: central.area,
         centroid,
-        first: placed.first,
-        second: placed.second,
+        first: about_reference.first,
+        second: about_reference.second,
         central: central.second,
         perimeter: Perimeter::of(mesh, &is_part),
         mass: part().map(mass).sum(),
     }
+}
+
+fn placed(origin: [f64; 2], place: [f64; 2]) -> [f64; 2] {
+    [origin[0] + place[0], origin[1] + place[1]]
 }
 
 #[cfg(test)]
