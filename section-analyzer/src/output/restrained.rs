@@ -33,7 +33,7 @@ pub(super) fn restrained_warping(
             "shear-flow center",
             format!("{y}, {z}"),
             "m",
-            "(y, z): about it the stress of a restraint has no resultant",
+            "(y, z): pole without resultants of the stress",
         ),
         row(
             "E Gamma",
