@@ -1,6 +1,7 @@
 //! Reports, property files and figures. Output reads; it never computes what a
 //! user could call a result.
 
+mod areas;
 mod engineering;
 mod files;
 mod mesh_plot;
@@ -8,17 +9,20 @@ mod outline;
 mod plane;
 mod properties;
 mod report;
+mod restrained;
 mod strengths;
 mod stress_report;
 mod stress_tables;
 mod text;
 mod warping_plot;
 
+pub use areas::areas_csv;
 pub use engineering::{EngineeringValue, engineering_values};
 pub use files::OutputFiles;
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
 pub use report::{failure_report, input_report, report};
+pub use restrained::constants_csv;
 pub use stress_report::stress_report;
 pub use stress_tables::{stress_cells_csv, stress_nodes_csv, stress_points_csv};
 pub use warping_plot::WarpingPlot;

@@ -53,14 +53,14 @@ pub fn number(value: &Value) -> f64 {
         .unwrap_or_else(|| panic!("expected a number, found {value}"))
 }
 
-fn matrix(value: &Value) -> Matrix6<f64> {
+pub fn matrix(value: &Value) -> Matrix6<f64> {
     let matrix = Matrix6::from_fn(|i, j| number(&value[ORDER[i]][ORDER[j]]));
     0.5 * (matrix + matrix.transpose())
 }
 
 /// f is the fiber, g in-plane transverse, n through the thickness; the files call
 /// them z, x, y.
-fn material(value: &Value) -> Material {
+pub fn material(value: &Value) -> Material {
     let constant = |key: &str| number(&value[key]);
     let law = match value["type"].as_str() {
         Some("iso") => ElasticLaw::Isotropic {

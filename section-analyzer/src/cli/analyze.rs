@@ -9,7 +9,11 @@ use super::stress::Stresses;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
 use crate::analysis::analyze;
 use crate::input::{self, Input};
-use crate::output::{MeshPlot, OutputFiles, WarpingPlot, failure_report, properties, report};
+use crate::output::{
+    MeshPlot, OutputFiles, WarpingPlot, areas_csv, constants_csv, failure_report, properties,
+    report,
+};
+use crate::properties::RestrainedWarping;
 
 /// Analyzes one section and writes its results.
 pub(super) fn analyze_file(
@@ -29,7 +33,8 @@ pub(super) fn analyze_file(
     match analyze(section) {
         Ok(solution) => {
             let properties = properties(section, &solution, &summary.input_hash);
-            let text = report(section, summary, &solution);
+            let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
+            let text = report(section, summary, &solution, &restrained);
             let mesh = MeshPlot::new(section, summary, Some(&solution.centers));
             let warping = WarpingPlot::new(section, &solution);
             let written = write_text(&files.report(), &text)
@@ -39,17 +44,22 @@ pub(super) fn analyze_file(
                         &shared_geom::section::write(&properties),
                     )
                 })
+                .and_then(|()| write_text(&files.areas(), &areas_csv(&summary.areas)))
+                .and_then(|()| match &restrained {
+                    Ok(constants) => write_text(&files.constants(), &constants_csv(constants)),
+                    Err(_) => {
+                        files.remove_constants();
+                        Ok(())
+                    }
+                })
                 .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh))
                 .and_then(|()| write_figure(&files.warping(), warping.size(), &warping));
             let stresses = Stresses::write(&input, &solution, &files);
             write!(terminal.out, "{text}")?;
-            let others = vec![
-                files.properties(),
-                files.report(),
-                files.mesh(),
-                files.warping(),
-            ];
-            stresses.end(file, others, written, terminal)
+            let mut paths = vec![files.properties(), files.report(), files.areas()];
+            paths.extend(restrained.is_ok().then(|| files.constants()));
+            paths.extend([files.mesh(), files.warping()]);
+            stresses.end(file, paths, written, terminal)
         }
         Err(failure) => {
             files.remove_results();

@@ -45,6 +45,8 @@ Reads the section file, its mesh and its tables, tells all that is wrong with th
 once, solves, prints the report, and writes into the folder DIR:
   NAME.properties.json   stiffness, mass, centers: input of the beam program
   NAME.report.txt        the report: what went in, what came out, run-time checks
+  NAME.areas.csv         area, moments of area, perimeter and mass by region
+  NAME.constants.csv     constants of restrained warping, if all materials are isotropic
   NAME.mesh.png          the mesh in the colors of its materials, with the centers
   NAME.warping.png       the warping under each unit internal force
   NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE

@@ -78,16 +78,33 @@ impl OutputFiles {
         }
     }
 
+    /// The table of areas by region.
+    pub fn areas(&self) -> PathBuf {
+        self.path("areas.csv")
+    }
+
+    /// The constants of restrained warping.
+    pub fn constants(&self) -> PathBuf {
+        self.path("constants.csv")
+    }
+
     fn path(&self, ending: &str) -> PathBuf {
         self.folder.join(format!("{}.{ending}", self.name))
     }
 
-    /// Removes the property file and the figure of the warping of an earlier run,
-    /// which an analysis that failed does not replace.
+    /// Removes the results of an earlier run that an analysis that failed does not
+    /// replace.
     pub fn remove_results(&self) {
-        for file in [self.properties(), self.warping()] {
+        self.remove_constants();
+        for file in [self.properties(), self.areas(), self.warping()] {
             // One that does not exist is no problem.
             let _ = std::fs::remove_file(file);
         }
+    }
+
+    /// Removes the constants of restrained warping of an earlier run, for a section
+    /// that has none.
+    pub fn remove_constants(&self) {
+        let _ = std::fs::remove_file(self.constants());
     }
 }
