@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use shared_geom::error::{Diagnostics, Explain};
-use shared_geom::files::OutputProblem;
 
 use crate::input::{self, Input};
 
@@ -83,7 +82,7 @@ fn dispatch(
         Err(message) => return Ok(write!(terminal.out, "{}", message.render())?),
     };
     match arguments.command {
-        Command::Analyze { file, out } => analyze::analyze_file(&file, out, terminal),
+        Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),
         Command::Check { file } => check::check_file(&file, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
     }
@@ -92,10 +91,7 @@ fn dispatch(
 impl Terminal<'_> {
     /// Tells a problem.
     fn tell(&mut self, problem: &impl Explain, code: u8) -> Stop {
-        let help = problem
-            .help()
-            .map_or_else(String::new, |help| format!("\n  help: {help}"));
-        self.tell_text(&format!("error: {problem}{help}"), code)
+        self.tell_text(&words(problem), code)
     }
 
     fn tell_text(&mut self, text: &str, code: u8) -> Stop {
@@ -114,14 +110,20 @@ impl Terminal<'_> {
     }
 }
 
-/// Says where the files lie, or why they could not be written.
-fn list(
-    files: &[PathBuf],
-    written: Result<(), OutputProblem>,
-    terminal: &mut Terminal<'_>,
-) -> Result<(), Stop> {
-    written.map_err(|problem| terminal.tell(&problem, NOT_REACHED))?;
-    writeln!(terminal.out, "\nWritten")?;
+/// A problem as it is told, with its remedy.
+fn words(problem: &impl Explain) -> String {
+    let help = problem
+        .help()
+        .map_or_else(String::new, |help| format!("\n  help: {help}"));
+    format!("error: {problem}{help}")
+}
+
+/// Says where the files lie.
+fn list(heading: &str, files: &[PathBuf], terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+    if files.is_empty() {
+        return Ok(());
+    }
+    writeln!(terminal.out, "\n{heading}")?;
     for file in files {
         writeln!(terminal.out, "  {}", file.display())?;
     }

@@ -7,13 +7,17 @@ mod mesh_plot;
 mod outline;
 mod plane;
 mod properties;
+mod record;
 mod report;
+mod results;
 mod text;
 mod warping_plot;
 
-pub use engineering::{EngineeringValue, engineering_values};
+pub use engineering::{EngineeringValue, engineering_values, engineering_values_of};
 pub use files::OutputFiles;
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
+pub use record::AnalysisRecord;
 pub use report::{failure_report, input_report, report};
+pub use results::ResultWriter;
 pub use warping_plot::WarpingPlot;

@@ -5,6 +5,11 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use shared_geom::mesh::CellKind;
 
+mod analyze;
+
+pub(super) use analyze::AnalyzeArguments;
+use analyze::{ANALYZE, ANALYZE_EXAMPLE};
+
 const ABOUT: &str = "\
 Finds the 6x6 stiffness and mass of a beam section of any shape and material
 
@@ -35,22 +40,6 @@ Example, a strip of aluminum from nothing:
   section-analyzer analyze strip.section.toml
 
 Exit codes: 0 done; 1 ran but did not reach its goal; 2 wrong input or command line.";
-
-const ANALYZE: &str = "\
-Solves a section and writes its properties
-
-Reads the section file, its mesh and its tables, tells all that is wrong with them at
-once, solves, prints the report, and writes into the folder DIR:
-  NAME.properties.json   stiffness, mass, centers: input of the beam program
-  NAME.report.txt        the report: what went in, what came out, run-time checks
-  NAME.mesh.png          the mesh in the colors of its materials, with the centers
-  NAME.warping.png       the warping under each unit internal force
-where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
-and removes the other two files of an earlier run.";
-
-const ANALYZE_EXAMPLE: &str = "\
-Example:
-  section-analyzer analyze blade/root.section.toml --out blade/results";
 
 const CHECK: &str = "\
 Reads and checks a section file without solving it
@@ -110,13 +99,7 @@ pub(super) struct Arguments {
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     #[command(about = first_line(ANALYZE), long_about = ANALYZE, after_help = ANALYZE_EXAMPLE)]
-    Analyze {
-        /// Section file, NAME.section.toml
-        file: PathBuf,
-        /// Folder for the results; the folder "results" beside FILE if not given
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
-    },
+    Analyze(AnalyzeArguments),
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
     Check {
         /// Section file, NAME.section.toml

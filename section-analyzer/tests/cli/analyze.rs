@@ -46,7 +46,8 @@ fn all_files_are_written_and_listed() {
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let report = place.read("results/strip.report.txt");
     let list = "\nWritten\n  results/strip.properties.json\n  results/strip.report.txt\n  \
-        results/strip.mesh.png\n  results/strip.warping.png\n";
+        results/strip.mesh.png\n  results/strip.warping.png\n  \
+        results/strip.analysis.json\n";
     assert_eq!(run.out, report + list);
     for figure in ["results/strip.mesh.png", "results/strip.warping.png"] {
         let bytes = std::fs::read(place.path(figure)).unwrap();
@@ -118,7 +119,8 @@ fn runs_repeat_to_the_last_digit_and_inputs_have_a_fingerprint() {
     };
     assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
     let (first, first_hash) = (place.read("results/strip.properties.json"), hash(&place));
-    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+    let again = place.run(&["analyze", "strip.section.toml", "--force"]);
+    assert!(again.out.contains("\nWritten\n"), "{}", again.out);
     assert_eq!(place.read("results/strip.properties.json"), first);
     let mesh = place.read("strip.msh");
     place.write("strip.msh", &(mesh + "\n"));
@@ -285,4 +287,5 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
     assert!(place.path("results/a.mesh.png").exists());
     assert!(!place.path("results/a.properties.json").exists());
     assert!(!place.path("results/a.warping.png").exists());
+    assert!(!place.path("results/a.analysis.json").exists());
 }

@@ -7,4 +7,6 @@ mod analyze;
 mod bad_files;
 mod bad_section;
 mod help;
+mod many;
+mod unchanged;
 mod workplace;
