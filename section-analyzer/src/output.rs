@@ -5,6 +5,7 @@ mod engineering;
 mod files;
 mod mesh_plot;
 mod outline;
+mod parts;
 mod plane;
 mod properties;
 mod record;
