@@ -11,8 +11,11 @@ use crate::input::{self, Input};
 
 mod analyze;
 mod arguments;
+mod change;
 mod check;
+mod compare;
 mod generate;
+mod report;
 
 use arguments::{Arguments, Command};
 
@@ -85,6 +88,10 @@ fn dispatch(
         Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),
         Command::Check { file } => check::check_file(&file, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
+        Command::Report(arguments) => report::report_files(&arguments, terminal),
+        Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
+        Command::Shift(arguments) => change::shift_file(&arguments, terminal),
+        Command::Rotate(arguments) => change::rotate_file(&arguments, terminal),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Reports, property files and figures. Output reads; it never computes what a
 //! user could call a result.
 
+mod comparison;
 mod engineering;
 mod files;
 mod mesh_plot;
@@ -8,16 +9,19 @@ mod outline;
 mod parts;
 mod plane;
 mod properties;
+mod property_report;
 mod record;
 mod report;
 mod results;
 mod text;
 mod warping_plot;
 
+pub use comparison::{Named, comparison};
 pub use engineering::{EngineeringValue, engineering_values, engineering_values_of};
 pub use files::OutputFiles;
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
+pub use property_report::{property_axes, property_centers, property_report};
 pub use record::AnalysisRecord;
 pub use report::{failure_report, input_report, report};
 pub use results::ResultWriter;

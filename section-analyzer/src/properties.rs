@@ -2,9 +2,11 @@
 //! centers and principal axes.
 
 mod centers;
+mod difference;
 mod principal;
 mod scaled;
 
 pub use centers::Centers;
+pub use difference::{Difference, Entry, Part, radius_of_gyration};
 pub use principal::PrincipalAxes;
 pub use scaled::{invert_symmetric, scaled_difference};

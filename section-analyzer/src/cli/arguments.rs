@@ -6,9 +6,16 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use shared_geom::mesh::CellKind;
 
 mod analyze;
+mod property_files;
 
 pub(super) use analyze::AnalyzeArguments;
 use analyze::{ANALYZE, ANALYZE_EXAMPLE};
+use property_files::{
+    COMPARE, COMPARE_EXAMPLE, REPORT, REPORT_EXAMPLE, ROTATE, ROTATE_EXAMPLE, SHIFT, SHIFT_EXAMPLE,
+};
+pub(super) use property_files::{
+    CompareArguments, Point, PrincipalName, ReportArguments, RotateArguments, ShiftArguments,
+};
 
 const ABOUT: &str = "\
 Finds the 6x6 stiffness and mass of a beam section of any shape and material
@@ -107,6 +114,14 @@ pub(super) enum Command {
     },
     #[command(subcommand, about = first_line(MESH), long_about = MESH)]
     Mesh(Shape),
+    #[command(about = first_line(REPORT), long_about = REPORT, after_help = REPORT_EXAMPLE)]
+    Report(ReportArguments),
+    #[command(about = first_line(COMPARE), long_about = COMPARE, after_help = COMPARE_EXAMPLE)]
+    Compare(CompareArguments),
+    #[command(about = first_line(SHIFT), long_about = SHIFT, after_help = SHIFT_EXAMPLE)]
+    Shift(ShiftArguments),
+    #[command(about = first_line(ROTATE), long_about = ROTATE, after_help = ROTATE_EXAMPLE)]
+    Rotate(RotateArguments),
 }
 
 /// The shapes that can be meshed.

@@ -5,6 +5,7 @@ use std::fmt;
 use nalgebra::Vector2;
 
 use super::SectionProperties;
+use crate::figure::tick_label;
 
 /// A change of point or axes, and the program that made it.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,13 +44,16 @@ impl SectionProperties {
     }
 }
 
+/// In words, with six digits.
 impl fmt::Display for Change {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Shift(by) => write!(f, "reference point moved by ({}, {}) m", by.x, by.y),
+            Self::Shift(by) => {
+                let (y, z) = (tick_label(by.x, 0.0), tick_label(by.y, 0.0));
+                write!(f, "reference point moved by ({y}, {z}) m")
+            }
             Self::Rotate(angle) => {
-                // Degrees to nine decimals, free of the noise of the conversion.
-                let degrees = (angle.to_degrees() * 1e9).round() / 1e9 + 0.0;
+                let degrees = tick_label(angle.to_degrees(), 0.0);
                 write!(f, "axes turned by {degrees} deg about +x")
             }
         }

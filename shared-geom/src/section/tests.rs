@@ -117,8 +117,8 @@ fn a_wrong_history_is_refused_where_it_stands() {
         ("\"version\": 2", "\"version\": 1", "belongs to version 2"),
         ("\"rotate\": 0.7,", "", "either \"shift\" or \"rotate\""),
         (
-            "0.7",
-            "0.7, \"shift\": [0, 0]",
+            "\"rotate\": 0.7",
+            "\"rotate\": 0.7, \"shift\": [0, 0]",
             "either \"shift\" or \"rotate\"",
         ),
     ];
