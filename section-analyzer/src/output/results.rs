@@ -43,9 +43,7 @@ impl ResultWriter {
     /// # Errors
     /// [`OutputProblem::File`].
     pub fn text(&mut self, file: PathBuf, text: &str) -> Result<(), OutputProblem> {
-        write_text(&file, text)?;
-        self.written.push(file);
-        Ok(())
+        self.add(file, |file| write_text(file, text))
     }
 
     /// Draws a figure of `size` (width, height) in figure pixels.
@@ -58,7 +56,19 @@ impl ResultWriter {
         size: (u32, u32),
         drawing: &impl Drawing,
     ) -> Result<(), OutputProblem> {
-        write_figure(&file, size, drawing)?;
+        self.add(file, |file| write_figure(file, size, drawing))
+    }
+
+    /// Notes a file of the section that `write` writes.
+    ///
+    /// # Errors
+    /// Those of `write`.
+    pub fn add(
+        &mut self,
+        file: PathBuf,
+        write: impl FnOnce(&Path) -> Result<(), OutputProblem>,
+    ) -> Result<(), OutputProblem> {
+        write(&file)?;
         self.written.push(file);
         Ok(())
     }

@@ -151,3 +151,90 @@ impl<'a, 'b> Listener<'a, 'b> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::analyze::one::Status;
+    use std::io::{self, Write};
+    use std::path::Path;
+
+    fn jobs() -> Vec<Job> {
+        let files = ["a.section.toml", "b.section.toml", "c.section.toml"];
+        let job = |file: &str| Job::new(Path::new(file), None);
+        files.map(job).to_vec()
+    }
+
+    fn ended(number: usize, status: Status) -> Event {
+        let outcome = Outcome {
+            problems: (status == Status::NotReached).then(|| format!("error: {number}")),
+            ..Outcome::new(status)
+        };
+        Event::Ended(number, Box::new(outcome))
+    }
+
+    /// The last section ends first: its line waits for the others.
+    #[test]
+    fn lines_keep_the_order_of_the_sections() {
+        let (mut out, mut err) = (Vec::new(), Vec::new());
+        let mut terminal = Terminal {
+            out: &mut out,
+            err: &mut err,
+        };
+        let jobs = jobs();
+        let mut listener = Listener::new(&jobs, &mut terminal);
+        (0..3).for_each(|number| listener.take(Event::Begun(number)));
+        listener.take(ended(2, Status::NotReached));
+        listener.take(ended(0, Status::Unchanged));
+        assert_eq!((listener.told, listener.waiting.len()), (1, 1));
+        listener.take(ended(1, Status::Solved));
+        assert!(matches!(listener.finish(), Err(Stop::Told(NOT_REACHED))));
+        let out = String::from_utf8(out).unwrap();
+        let lines: Vec<_> = out.lines().skip(1).collect();
+        let expected = [
+            "a.section.toml  unchanged",
+            "b.section.toml  solved",
+            "c.section.toml  failed",
+            "",
+            "3 sections: 1 solved, 1 unchanged, 1 failed",
+        ];
+        assert_eq!(lines, expected);
+        assert_eq!(err, b"error: 2\n");
+    }
+
+    /// A stream that no one reads any more.
+    struct Closed;
+
+    impl Write for Closed {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::Error::from(io::ErrorKind::BrokenPipe))
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    /// The work goes on without a reader, and its exit code counts.
+    #[test]
+    fn a_closed_pipe_hides_no_failure() {
+        for (status, code) in [(Status::Solved, None), (Status::WrongInput, Some(2))] {
+            let mut err = Vec::new();
+            let mut terminal = Terminal {
+                out: &mut Closed,
+                err: &mut err,
+            };
+            let jobs = jobs();
+            let mut listener = Listener::new(&jobs, &mut terminal);
+            (0..3).for_each(|number| listener.take(ended(number, status)));
+            assert_eq!(listener.told, 3);
+            match (listener.finish(), code) {
+                (Err(Stop::Closed(error)), None) => {
+                    assert_eq!(error.kind(), io::ErrorKind::BrokenPipe);
+                }
+                (Err(Stop::Told(found)), Some(code)) => assert_eq!(found, code),
+                (other, _) => panic!("{other:?}"),
+            }
+        }
+    }
+}

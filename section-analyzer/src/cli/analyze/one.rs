@@ -79,7 +79,8 @@ pub(super) struct Outcome {
 }
 
 impl Outcome {
-    fn new(status: Status) -> Self {
+    /// One of which nothing but its status is known.
+    pub fn new(status: Status) -> Self {
         Self {
             status,
             report: String::new(),
