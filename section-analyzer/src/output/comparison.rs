@@ -153,6 +153,10 @@ fn optional(table: String) -> String {
 /// What is beyond the tolerance, largest first, or that nothing is.
 fn verdict(difference: &Difference, tolerance: f64) -> String {
     let beyond = difference.beyond(tolerance);
+    let tolerance = match tolerance == 0.0 {
+        true => "0".to_owned(),
+        false => format!("{tolerance:e}"),
+    };
     let mut text = String::new();
     if !difference.unlike.is_empty() {
         text += "Unlike\n";
@@ -169,10 +173,10 @@ fn verdict(difference: &Difference, tolerance: f64) -> String {
         };
         let largest = relative(difference.largest()).replace('+', "");
         return text
-            + &format!("{words} {tolerance:e}: the largest relative difference is {largest}\n");
+            + &format!("{words} {tolerance}: the largest relative difference is {largest}\n");
     }
     text +=
-        &format!("Different: {count} of {all} numbers by more than {tolerance:e}, largest first\n");
+        &format!("Different: {count} of {all} numbers by more than {tolerance}, largest first\n");
     let heading = ["", "", "A", "B", "", "relative"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     for entry in beyond.iter().take(SHOWN) {
