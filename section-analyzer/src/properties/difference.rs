@@ -10,6 +10,10 @@ mod options;
 
 use entries::Entries;
 
+/// Distance of two reference points that counts as none, relative to the larger of
+/// their coordinates and the radius of gyration: a few roundings.
+const ROUND_OFF: f64 = 1e-14;
+
 /// The differences of the properties B from the properties A.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
@@ -135,12 +139,9 @@ fn changes(a: &SectionProperties, b: &SectionProperties) -> Vec<Change> {
         point = b.rotate(angle).reference_point;
     }
     let by: Vector2<f64> = a.reference_point - point;
-    // Turning leaves round-off in a reference point that is the same.
-    let round_off = match angle == 0.0 {
-        true => 0.0,
-        false => 8.0 * f64::EPSILON * point.amax(),
-    };
-    if by.amax() > round_off {
+    // Moving there and back leaves round-off in a point that is the same.
+    let size = a.reference_point.amax().max(radius_of_gyration(a));
+    if by.amax() > ROUND_OFF * size {
         changes.push(Change::Shift(by));
     }
     changes

@@ -153,6 +153,8 @@ fn other_points_and_axes_are_brought_together() {
             assert!(Difference::between(a, b, true).largest() > 0.1);
         }
     }
+    let there_and_back = shifted.changed(Change::Shift(-by), "a", "1");
+    assert!(between(&a, &there_and_back).brought.is_empty());
     let only_turned = a.changed(Change::Rotate(0.7), "a", "1");
     let difference = between(&a, &only_turned);
     assert_eq!(difference.brought, [Change::Rotate(-0.7)]);
