@@ -8,9 +8,11 @@
 mod coincident;
 mod components;
 pub mod generate;
+mod jacobian;
 mod orientation;
 mod plane;
 mod problem;
+pub mod quality;
 mod section_mesh;
 mod sides;
 
