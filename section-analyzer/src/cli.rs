@@ -84,7 +84,7 @@ fn dispatch(
     };
     match arguments.command {
         Command::Analyze { file, out } => analyze::analyze_file(&file, out, terminal),
-        Command::Check { file } => check::check_file(&file, terminal),
+        Command::Check { file, out } => check::check_file(&file, out, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
     }
 }

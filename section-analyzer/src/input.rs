@@ -18,7 +18,8 @@ use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::units::Dimension;
 
-use crate::mesh::SectionMesh;
+use crate::mesh::quality::MeshQuality;
+use crate::mesh::{DoubledNodes, SectionMesh};
 use crate::section::Section;
 
 mod angles;
@@ -78,6 +79,7 @@ struct WrittenSection {
     name: String,
     mesh: Option<Written>,
     length_unit: String,
+    doubled_nodes: DoubledNodes,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
 }
@@ -98,6 +100,7 @@ impl WrittenSection {
             name,
             mesh,
             length_unit: length_unit(&root),
+            doubled_nodes: doubled_nodes(&root),
             materials: materials::read(&root),
             regions: regions::read(&root),
         };
@@ -114,7 +117,12 @@ impl WrittenSection {
         let region_of_cell = groups::region_of_cells(document, &mesh, mesh_key, &self.regions);
         let place = Place::file(files.path(mesh_key).display().to_string());
         let unit = document.factor(Dimension::LENGTH);
-        let checked = document.keep(SectionMesh::from_mesh(&mesh, unit, &place));
+        let checked = document.keep(SectionMesh::from_mesh_with(
+            &mesh,
+            unit,
+            self.doubled_nodes,
+            &place,
+        ));
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
         let measures = section_mesh.map_or_else(Vec::new, measures);
         let assignment = Assignment {
@@ -136,6 +144,7 @@ impl WrittenSection {
 
         let mut summary = self.summary(document, &section_mesh, &of_region);
         summary.warnings.extend(InputWarning::of_mesh(&report));
+        summary.rate(&section_mesh);
         summary.input_hash = files.hash();
         for (measure, region) in measures.iter().zip(&region_of_cell) {
             let region = (*region)?;
@@ -183,6 +192,7 @@ impl WrittenSection {
             length_factor: document.factor(Dimension::LENGTH),
             kinds: kinds.into_iter().filter(|(_, count)| *count > 0).collect(),
             regions: regions.collect(),
+            quality: MeshQuality::default(),
             warnings: self.warnings(of_region),
         }
     }
@@ -224,6 +234,14 @@ fn length_unit(root: &Table<'_>) -> String {
     declared
         .and_then(|units| units.text("length"))
         .unwrap_or_else(|| "m".to_owned())
+}
+
+/// Whether nodes may be doubled along the border of two regions.
+fn doubled_nodes(root: &Table<'_>) -> DoubledNodes {
+    match root.word("doubled_nodes", &["error", "allow"]) {
+        Some(1) => DoubledNodes::Allow,
+        _ => DoubledNodes::Error,
+    }
 }
 
 /// The mesh that `key` names.

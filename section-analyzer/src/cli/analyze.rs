@@ -8,7 +8,9 @@ use shared_geom::files::{write_figure, write_text};
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
 use crate::analysis::analyze;
 use crate::input::{self, Input};
-use crate::output::{MeshPlot, OutputFiles, WarpingPlot, failure_report, properties, report};
+use crate::output::{
+    FiberPlot, MeshPlot, OutputFiles, WarpingPlot, failure_report, properties, report,
+};
 
 /// Analyzes one section and writes its results.
 pub(super) fn analyze_file(
@@ -29,6 +31,10 @@ pub(super) fn analyze_file(
             let text = report(section, summary, &solution);
             let mesh = MeshPlot::new(section, summary, Some(&solution.centers));
             let warping = WarpingPlot::new(section, &solution);
+            let fibers = FiberPlot::new(section, summary);
+            let mut paths = vec![files.properties(), files.report(), files.mesh()];
+            paths.extend(fibers.iter().map(|_| files.fibers()));
+            paths.push(files.warping());
             let written = write_text(&files.report(), &text)
                 .and_then(|()| {
                     write_text(
@@ -37,18 +43,16 @@ pub(super) fn analyze_file(
                     )
                 })
                 .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh))
-                .and_then(|()| write_figure(&files.warping(), warping.size(), &warping));
+                .and_then(|()| write_figure(&files.warping(), warping.size(), &warping))
+                .and_then(|()| match &fibers {
+                    Some(fibers) => write_figure(&files.fibers(), fibers.size(), fibers),
+                    None => {
+                        files.remove_fibers();
+                        Ok(())
+                    }
+                });
             write!(terminal.out, "{text}")?;
-            list(
-                &[
-                    files.properties(),
-                    files.report(),
-                    files.mesh(),
-                    files.warping(),
-                ],
-                written,
-                terminal,
-            )
+            list(&paths, written, terminal)
         }
         Err(failure) => {
             files.remove_results();

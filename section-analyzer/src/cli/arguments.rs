@@ -44,6 +44,7 @@ once, solves, prints the report, and writes into the folder DIR:
   NAME.properties.json   stiffness, mass, centers: input of the beam program
   NAME.report.txt        the report: what went in, what came out, run-time checks
   NAME.mesh.png          the mesh in the colors of its materials, with the centers
+  NAME.fibers.png        wall directions and fiber angles, if a material has directions
   NAME.warping.png       the warping under each unit internal force
 where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
 and removes the other two files of an earlier run.";
@@ -56,11 +57,14 @@ const CHECK: &str = "\
 Reads and checks a section file without solving it
 
 Tells all that is wrong with the section file, its mesh and its tables, with file,
-line and remedy; prints what was read when nothing is.";
+line and remedy; prints what was read, and the shapes of the cells by region, when
+nothing is. With --out it draws the section too:
+  NAME.mesh.png          the mesh in the colors of its materials
+  NAME.fibers.png        wall directions and fiber angles, if a material has directions";
 
 const CHECK_EXAMPLE: &str = "\
 Example:
-  section-analyzer check blade/root.section.toml";
+  section-analyzer check blade/root.section.toml --out blade/results";
 
 const MESH: &str = "\
 Makes the mesh of a simple shape
@@ -121,6 +125,9 @@ pub(super) enum Command {
     Check {
         /// Section file, NAME.section.toml
         file: PathBuf,
+        /// Folder for the figures of mesh and fibers; none is written if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
     },
     #[command(subcommand, about = first_line(MESH), long_about = MESH)]
     Mesh(Shape),

@@ -137,7 +137,7 @@ impl ShapeMeasure {
     /// What it is called in tables.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Jacobian => "Jacobian, least over largest",
+            Self::Jacobian => "least over largest Jacobian",
             Self::Aspect => "aspect ratio",
             Self::SmallestAngle => "smallest corner angle [deg]",
             Self::LargestAngle => "largest corner angle [deg]",
@@ -158,30 +158,26 @@ pub struct ShapeValue {
 impl fmt::Display for ShapeValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let value = self.value;
-        let [poor, _] = self.measure.limits();
+        let degrees = value.to_degrees();
         match self.measure {
             ShapeMeasure::Jacobian => write!(
                 f,
-                "its Jacobian falls to {value:.2} of the largest, expected at least {poor}"
+                "least over largest Jacobian {value:.2}, poor below {POOR_JACOBIAN}"
             ),
             ShapeMeasure::Aspect => {
-                write!(f, "aspect ratio {value:.0}, expected at most {poor}")
+                write!(f, "aspect ratio {value:.1}, poor above {POOR_ASPECT}")
             }
-            ShapeMeasure::SmallestAngle => write!(
-                f,
-                "a corner of {:.1} degrees, expected at least {:.0}",
-                value.to_degrees(),
-                poor.to_degrees()
-            ),
-            ShapeMeasure::LargestAngle => write!(
-                f,
-                "a corner of {:.1} degrees, expected at most {:.0}",
-                value.to_degrees(),
-                poor.to_degrees()
-            ),
+            ShapeMeasure::SmallestAngle => {
+                let poor = POOR_SMALL_ANGLE.to_degrees();
+                write!(f, "corner of {degrees:.1} deg, poor below {poor:.0}")
+            }
+            ShapeMeasure::LargestAngle => {
+                let poor = POOR_LARGE_ANGLE.to_degrees();
+                write!(f, "corner of {degrees:.1} deg, poor above {poor:.0}")
+            }
             ShapeMeasure::Middle => write!(
                 f,
-                "a side node {value:.2} side lengths off the middle, expected at most {poor}"
+                "side middle off by {value:.2} of the side, poor above {POOR_MIDDLE}"
             ),
         }
     }
@@ -234,7 +230,11 @@ impl MeshQuality {
     /// Measures all cells of `mesh`.
     pub fn of(mesh: &SectionMesh) -> Self {
         let jacobian = Jacobian::new();
-        let mut regions: Vec<_> = mesh.groups.iter().map(RegionQuality::empty).collect();
+        let mut regions: Vec<_> = mesh
+            .groups
+            .iter()
+            .map(|group| RegionQuality::empty(group))
+            .collect();
         // severity, number of the cell, its worst value
         let mut worst: Vec<(f64, usize, ShapeValue)> = Vec::new();
         for (number, cell) in mesh.cells.iter().enumerate() {
@@ -288,13 +288,13 @@ impl MeshQuality {
 }
 
 impl RegionQuality {
-    fn empty(group: &String) -> Self {
+    fn empty(group: &str) -> Self {
         let start = ShapeMeasure::ALL.map(|measure| match measure.is_better_large() {
             true => f64::INFINITY,
             false => 0.0,
         });
         Self {
-            group: group.clone(),
+            group: group.to_owned(),
             cells: 0,
             poor: 0,
             has_middles: false,

@@ -40,6 +40,11 @@ impl OutputFiles {
         self.path("mesh.png")
     }
 
+    /// The figure of the fiber directions.
+    pub fn fibers(&self) -> PathBuf {
+        self.path("fibers.png")
+    }
+
     /// The figure of the warping.
     pub fn warping(&self) -> PathBuf {
         self.path("warping.png")
@@ -47,6 +52,13 @@ impl OutputFiles {
 
     fn path(&self, ending: &str) -> PathBuf {
         self.folder.join(format!("{}.{ending}", self.name))
+    }
+
+    /// Removes the figure of the fibers of an earlier run, for a section that has
+    /// none.
+    pub fn remove_fibers(&self) {
+        // One that does not exist is no problem.
+        let _ = std::fs::remove_file(self.fibers());
     }
 
     /// Removes the property file and the figure of the warping of an earlier run,

@@ -5,6 +5,7 @@ use nalgebra::Matrix6;
 use shared_geom::wrench::COMPONENTS;
 
 use super::engineering::engineering_values;
+use super::quality::{quality_by_region, quality_in_short};
 use super::text::{coordinate, matrix, number, table};
 use crate::failure::Failure;
 use crate::input::InputSummary;
@@ -34,6 +35,7 @@ pub fn report(section: &Section, summary: &InputSummary, solution: &SectionSolut
         CONVENTION.to_owned(),
         materials(&section.materials),
         regions(summary),
+        quality_in_short(summary),
         format!(
             "Stiffness, internal force per generalized strain [N, N m, N m^2]\n{}",
             matrix(&solution.stiffness)
@@ -74,6 +76,7 @@ pub fn input_report(section: &Section, summary: &InputSummary) -> String {
         warnings(summary),
         materials(&section.materials),
         regions(summary),
+        quality_by_region(summary),
     ];
     joined(&parts)
 }

@@ -113,7 +113,7 @@ fn limit_of_the_jacobian() {
     assert_eq!(complaint(&trapezoid(0.101)), None);
     assert_eq!(
         complaint(&trapezoid(0.08)).unwrap(),
-        "its Jacobian falls to 0.08 of the largest, expected at least 0.1"
+        "least over largest Jacobian 0.08, poor below 0.1"
     );
 }
 
@@ -123,7 +123,7 @@ fn limit_of_the_aspect_ratio() {
     assert_eq!(complaint(&strip(99.9)), None);
     assert_eq!(
         complaint(&strip(101.0)).unwrap(),
-        "aspect ratio 101, expected at most 100"
+        "aspect ratio 101.0, poor above 100"
     );
 }
 
@@ -137,7 +137,7 @@ fn limits_of_the_corner_angles() {
     assert_eq!(complaint(&narrow(5.05)), None);
     assert_eq!(
         complaint(&narrow(4.9)).unwrap(),
-        "a corner of 4.9 degrees, expected at least 5"
+        "corner of 4.9 deg, poor below 5"
     );
     // a kite with one blunt corner; its opposite corner has 90 degrees
     let kite = |degrees: f64| {
@@ -157,7 +157,7 @@ fn limit_of_the_middles() {
     assert_eq!(complaint(&moved_middle(0.0, 0.199)), None);
     assert_eq!(
         complaint(&moved_middle(0.0, 0.22)).unwrap(),
-        "a side node 0.22 side lengths off the middle, expected at most 0.2"
+        "side middle off by 0.22 of the side, poor above 0.2"
     );
 }
 

@@ -1,0 +1,298 @@
+//! Cells that overlap, hang on each other, or nearly touch.
+//!
+//! All cells being counterclockwise and all inner sides shared by two cells that
+//! run through them in opposite directions, a place is covered as often as the
+//! boundary winds around it. That number changes at the boundary only, so that it
+//! is enough to look around the sides of the boundary.
+
+use std::collections::HashSet;
+
+use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
+
+use super::boundary::{Boundary, Curve, curves};
+use super::findings::{CellOverlap, HangingNode, NarrowGap};
+use super::overlap::place_inside;
+use super::plane::{PlaneMesh, distance};
+use super::seams::{Groups, SidePair};
+
+/// Part of the height of a cell within which sides run close to each other, and
+/// beyond which a side that runs inside of another cell is an overlap.
+const NARROW: f64 = 0.02;
+/// Part of the height of a cell within which a corner lies on a side.
+const TOUCHING: f64 = 1e-3;
+/// Cosine of the angle within which sides run along each other: 26 degrees.
+const ALONG: f64 = 0.9;
+/// Where the distance between sides is measured.
+const SAMPLES: [f64; 2] = [0.25, 0.75];
+
+/// What was found.
+#[derive(Debug, Default)]
+pub(super) struct Contacts {
+    pub(super) overlaps: Vec<CellOverlap>,
+    /// Cells that overlap, parallel to `overlaps`.
+    pub(super) overlapping: Vec<[usize; 2]>,
+    pub(super) hanging: Vec<HangingNode>,
+    /// The cell with the corner and the cell with the side, parallel to `hanging`.
+    pub(super) hangs_on: Vec<[usize; 2]>,
+    pub(super) gaps: Vec<NarrowGap>,
+}
+
+/// The search, with what it has found so far.
+struct Search<'a> {
+    mesh: &'a PlaneMesh,
+    boundary: &'a Boundary,
+    curves: Vec<Curve>,
+    heights: Vec<f64>,
+    /// For each node the least of those at its place.
+    least: &'a [u32],
+    groups: Groups<'a>,
+    /// Pairs of cells that overlap.
+    covered: HashSet<[usize; 2]>,
+    /// Nodes that hang, with the side on which they do.
+    hung: HashSet<(u32, usize)>,
+    /// Sides with a node that hangs on them.
+    carrying: HashSet<usize>,
+    /// Sides that nearly touch, and a place and its distance.
+    near: Vec<(SidePair, [f64; 2], f64)>,
+    found: Contacts,
+}
+
+/// Searches a mesh whose cells are counterclockwise and fit at their shared sides.
+/// `doubled` are the pairs of sides of which another finding tells.
+pub(super) fn contacts(
+    mesh: &PlaneMesh,
+    boundary: &Boundary,
+    least: &[u32],
+    doubled: &[SidePair],
+    groups: Groups<'_>,
+) -> Contacts {
+    let boxes: Vec<_> = (0..mesh.cells.len())
+        .map(|cell| box_of(mesh, cell))
+        .collect();
+    let Some(index) = index_of(&boxes) else {
+        return Contacts::default();
+    };
+    let mut search = Search {
+        mesh,
+        boundary,
+        curves: boundary.sides.iter().map(|side| side.curve(mesh)).collect(),
+        heights: (0..mesh.cells.len())
+            .map(|cell| height(mesh, cell))
+            .collect(),
+        least,
+        groups,
+        covered: HashSet::new(),
+        hung: HashSet::new(),
+        carrying: HashSet::new(),
+        near: Vec::new(),
+        found: Contacts::default(),
+    };
+    let mut cells = Vec::new();
+    for side in 0..boundary.sides.len() {
+        let own = boundary.sides[side].cell;
+        let reach = NARROW * search.heights[own];
+        let [low_y, low_z, high_y, high_z] = box_around(search.curves[side].hull());
+        cells.clear();
+        index.visit_query(
+            low_y - reach,
+            low_z - reach,
+            high_y + reach,
+            high_z + reach,
+            &mut |cell: usize| cells.push(cell),
+        );
+        cells.sort_unstable();
+        for &cell in cells.iter().filter(|&&cell| cell != own) {
+            search.overlap(side, cell);
+            for other in boundary.of_cell(cell) {
+                search.compare(side, other);
+            }
+        }
+    }
+    search.finish(doubled)
+}
+
+impl Search<'_> {
+    /// Whether the side runs through the inside of `cell`.
+    fn overlap(&mut self, side: usize, cell: usize) {
+        let own = self.boundary.sides[side].cell;
+        let tolerance = NARROW * self.heights[own].min(self.heights[cell]);
+        let (mesh, curve) = (self.mesh, &self.curves[side]);
+        if let Some(place) = place_inside(mesh, &mesh.cells[cell], curve, tolerance) {
+            self.cover([own, cell], place);
+        }
+    }
+
+    fn cover(&mut self, cells: [usize; 2], place: [f64; 2]) {
+        let cells = [cells[0].min(cells[1]), cells[0].max(cells[1])];
+        if self.covered.insert(cells) {
+            self.found.overlaps.push(CellOverlap {
+                cells: cells.map(|cell| self.mesh.cells[cell].tag),
+                groups: self.groups.labels_of(cells),
+                place,
+            });
+            self.found.overlapping.push(cells);
+        }
+    }
+
+    /// How the side `one` runs along the side `other`.
+    fn compare(&mut self, one: usize, other: usize) {
+        let cells = [one, other].map(|side| self.boundary.sides[side].cell);
+        let height = self.heights[cells[0]].min(self.heights[cells[1]]);
+        if is_beyond(&self.curves[one], &self.curves[other], NARROW * height) {
+            return;
+        }
+        self.hang(one, other, TOUCHING * height);
+        for t in SAMPLES {
+            let place = self.curves[one].at(t);
+            let on = self.curves[other].nearest(place);
+            let width = distance(place, self.curves[other].at(on));
+            if width > NARROW * height {
+                continue;
+            }
+            let cosine = dot(
+                self.curves[one].direction(t),
+                self.curves[other].direction(on),
+            );
+            if cosine > ALONG {
+                // both cells lie on the same side of the line
+                self.cover(cells, place);
+            } else if cosine < -ALONG && !self.share_nodes(one, other) {
+                self.near
+                    .push(([one.min(other), one.max(other)], place, width));
+            }
+        }
+    }
+
+    /// Whether an end of the side `other` hangs on the side `one`, along which
+    /// `other` runs.
+    fn hang(&mut self, one: usize, other: usize, tolerance: f64) {
+        let [on, of] = [one, other].map(|side| self.boundary.sides[side]);
+        let carrier = self.mesh.cells[on.cell].nodes();
+        for (end, node) in of.ends.into_iter().enumerate() {
+            let place = self.mesh.nodes[node as usize];
+            let curve = &self.curves[one];
+            let t = curve.nearest(place);
+            let is_between = t > TOUCHING && t < 1.0 - TOUCHING;
+            if !is_between || distance(curve.at(t), place) > tolerance {
+                continue;
+            }
+            let least = |node: u32| self.least[node as usize];
+            let is_own = carrier.iter().any(|&own| least(own) == least(node));
+            let direction = self.curves[other].direction(end as f64);
+            if is_own || dot(direction, curve.direction(t)) > -ALONG {
+                continue;
+            }
+            self.carrying.insert(one);
+            if self.hung.insert((least(node), one)) {
+                let tag = |node: u32| self.mesh.node_tags[node as usize];
+                self.found.hanging.push(HangingNode {
+                    node: tag(node),
+                    place,
+                    corner_of: self.mesh.cells[of.cell].tag,
+                    side_of: self.mesh.cells[on.cell].tag,
+                    side: on.ends.map(tag),
+                    groups: self.groups.labels_of([of.cell, on.cell]),
+                });
+                self.found.hangs_on.push([of.cell, on.cell]);
+            }
+        }
+    }
+
+    fn share_nodes(&self, one: usize, other: usize) -> bool {
+        let [one, other] = [one, other].map(|side| self.boundary.sides[side].ends);
+        one.iter().any(|node| other.contains(node))
+    }
+
+    /// Gathers the gaps that no other finding tells of.
+    fn finish(mut self, doubled: &[SidePair]) -> Contacts {
+        let told: HashSet<SidePair> = doubled.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        let mut gaps: Vec<([usize; 2], NarrowGap, HashSet<usize>)> = Vec::new();
+        for &(pair, place, width) in &self.near {
+            let cells = pair.map(|side| self.boundary.sides[side].cell);
+            let ordered = [cells[0].min(cells[1]), cells[0].max(cells[1])];
+            let hangs = pair.iter().any(|side| self.carrying.contains(side));
+            if told.contains(&pair) || hangs || self.covered.contains(&ordered) {
+                continue;
+            }
+            let mut key = cells.map(|cell| self.groups.of_cell[cell]);
+            key.sort_unstable();
+            let at = gaps.iter().position(|(known, ..)| *known == key);
+            let at = at.unwrap_or_else(|| {
+                let empty = NarrowGap {
+                    groups: key.map(|group| self.groups.labels[group].clone()),
+                    sides: 0,
+                    narrowest: f64::INFINITY,
+                    widest: 0.0,
+                    places: Vec::new(),
+                };
+                gaps.push((key, empty, HashSet::new()));
+                gaps.len() - 1
+            });
+            let (_, gap, sides) = &mut gaps[at];
+            gap.narrowest = gap.narrowest.min(width);
+            gap.widest = gap.widest.max(width);
+            gap.places.push(place);
+            sides.insert(pair[0]);
+            gap.sides = sides.len();
+        }
+        self.found.gaps = gaps.into_iter().map(|(_, gap, _)| gap).collect();
+        self.found
+    }
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// The cells by their boxes; `None` without cells.
+fn index_of(boxes: &[[f64; 4]]) -> Option<StaticAABB2DIndex<f64>> {
+    let mut builder = StaticAABB2DIndexBuilder::new(boxes.len());
+    for &[low_y, low_z, high_y, high_z] in boxes {
+        builder.add(low_y, low_z, high_y, high_z);
+    }
+    // it fails for no boxes, or for fewer than announced
+    builder.build().ok()
+}
+
+/// A box that holds all of a cell: low y, low z, high y, high z.
+fn box_of(mesh: &PlaneMesh, cell: usize) -> [f64; 4] {
+    box_around(curves(mesh, &mesh.cells[cell]).flat_map(|curve| curve.hull()))
+}
+
+fn box_around(points: impl IntoIterator<Item = [f64; 2]>) -> [f64; 4] {
+    let empty = [
+        f64::INFINITY,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NEG_INFINITY,
+    ];
+    points.into_iter().fold(empty, |b, [y, z]| {
+        [b[0].min(y), b[1].min(z), b[2].max(y), b[3].max(z)]
+    })
+}
+
+fn is_beyond(one: &Curve, other: &Curve, reach: f64) -> bool {
+    let [a, b] = [one, other].map(|curve| box_around(curve.hull()));
+    a[0] > b[2] + reach || b[0] > a[2] + reach || a[1] > b[3] + reach || b[1] > a[3] + reach
+}
+
+/// Area of a cell over its longest side (of a triangle twice that), its sides taken
+/// as straight.
+fn height(mesh: &PlaneMesh, cell: usize) -> f64 {
+    let cell = &mesh.cells[cell];
+    let corners = cell.corners().iter().map(|&node| mesh.nodes[node as usize]);
+    let mut from_first = [[0.0; 2]; 4];
+    let mut count = 0;
+    let mut first = [0.0; 2];
+    for corner in corners {
+        if count == 0 {
+            first = corner;
+        }
+        from_first[count] = [corner[0] - first[0], corner[1] - first[1]];
+        count += 1;
+    }
+    let pairs = from_first[1..count].windows(2);
+    let doubled: f64 = pairs.map(|p| p[0][0] * p[1][1] - p[0][1] * p[1][0]).sum();
+    let share = if count == 3 { 1.0 } else { 0.5 };
+    share * doubled.abs() / mesh.longest_side(cell)
+}
