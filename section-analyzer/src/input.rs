@@ -236,11 +236,13 @@ fn length_unit(root: &Table<'_>) -> String {
         .unwrap_or_else(|| "m".to_owned())
 }
 
-/// Whether nodes may be doubled along the border of two regions.
+/// Whether nodes may be doubled along the border of two regions. A word that is not
+/// known has been told; whoever wrote it has slits in mind.
 fn doubled_nodes(root: &Table<'_>) -> DoubledNodes {
     match root.word("doubled_nodes", &["error", "allow"]) {
-        Some(1) => DoubledNodes::Allow,
-        _ => DoubledNodes::Error,
+        Some(0) => DoubledNodes::Error,
+        None if !root.has("doubled_nodes") => DoubledNodes::Error,
+        _ => DoubledNodes::Allow,
     }
 }
 

@@ -39,6 +39,19 @@ impl Curve {
         [self.first, self.control, self.second]
     }
 
+    pub(super) fn is_straight(&self) -> bool {
+        self.is_straight
+    }
+
+    pub(super) fn control(&self) -> [f64; 2] {
+        self.control
+    }
+
+    /// From the first to the second end.
+    pub(super) fn chord(&self) -> [f64; 2] {
+        [0, 1].map(|i| self.second[i] - self.first[i])
+    }
+
     /// Largest distance between the side and its chord.
     pub(super) fn sagitta(&self) -> f64 {
         let mean = [0, 1].map(|i| 0.5 * (self.first[i] + self.second[i]));
@@ -121,6 +134,8 @@ impl Curve {
 pub(super) struct BoundarySide {
     /// The cell.
     pub(super) cell: usize,
+    /// Number of the side in the cell.
+    pub(super) number: usize,
     /// Ends, counterclockwise in the cell.
     pub(super) ends: [u32; 2],
     /// The node in its middle.
@@ -149,6 +164,7 @@ impl Boundary {
                     let (first, second, middle) = cell.kind.side(side);
                     sides.push(BoundarySide {
                         cell: index,
+                        number: side,
                         ends: [first, second].map(|local| cell.nodes()[local]),
                         middle: middle.map(|local| cell.nodes()[local]),
                     });

@@ -7,11 +7,12 @@
 
 use std::collections::HashSet;
 
+use shared_geom::mesh::CellKind;
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 
-use super::boundary::{Boundary, Curve, curves};
+use super::boundary::{Boundary, BoundarySide, Curve, curves};
 use super::findings::{CellOverlap, HangingNode, NarrowGap};
-use super::overlap::place_inside;
+use super::overlap::{is_inside, place_inside};
 use super::plane::{PlaneMesh, distance};
 use super::seams::{Groups, SidePair};
 
@@ -24,6 +25,10 @@ const TOUCHING: f64 = 1e-3;
 const ALONG: f64 = 0.9;
 /// Where the distance between sides is measured.
 const SAMPLES: [f64; 2] = [0.25, 0.75];
+/// Places inside of a cell near one of its sides: along the side, and from there
+/// toward the opposite side or corner. They tell overlaps of cells whose sides lie
+/// on each other; no ordinary mesh has its lines there.
+const PROBES: [[f64; 2]; 2] = [[0.37, 0.21], [0.71, 0.13]];
 
 /// What was found.
 #[derive(Debug, Default)]
@@ -41,7 +46,9 @@ pub(super) struct Contacts {
 struct Search<'a> {
     mesh: &'a PlaneMesh,
     boundary: &'a Boundary,
+    boxes: Vec<[f64; 4]>,
     curves: Vec<Curve>,
+    side_boxes: Vec<[f64; 4]>,
     heights: Vec<f64>,
     /// For each node the least of those at its place.
     least: &'a [u32],
@@ -72,10 +79,16 @@ pub(super) fn contacts(
     let Some(index) = index_of(&boxes) else {
         return Contacts::default();
     };
+    let curves: Vec<_> = boundary.sides.iter().map(|side| side.curve(mesh)).collect();
     let mut search = Search {
         mesh,
         boundary,
-        curves: boundary.sides.iter().map(|side| side.curve(mesh)).collect(),
+        boxes,
+        side_boxes: curves
+            .iter()
+            .map(|curve| box_around(curve.hull()))
+            .collect(),
+        curves,
         heights: (0..mesh.cells.len())
             .map(|cell| height(mesh, cell))
             .collect(),
@@ -91,7 +104,7 @@ pub(super) fn contacts(
     for side in 0..boundary.sides.len() {
         let own = boundary.sides[side].cell;
         let reach = NARROW * search.heights[own];
-        let [low_y, low_z, high_y, high_z] = box_around(search.curves[side].hull());
+        let [low_y, low_z, high_y, high_z] = search.side_boxes[side];
         cells.clear();
         index.visit_query(
             low_y - reach,
@@ -100,9 +113,9 @@ pub(super) fn contacts(
             high_z + reach,
             &mut |cell: usize| cells.push(cell),
         );
-        cells.sort_unstable();
+        let probes = search.probes(side);
         for &cell in cells.iter().filter(|&&cell| cell != own) {
-            search.overlap(side, cell);
+            search.overlap(side, &probes, cell);
             for other in boundary.of_cell(cell) {
                 search.compare(side, other);
             }
@@ -112,12 +125,36 @@ pub(super) fn contacts(
 }
 
 impl Search<'_> {
-    /// Whether the side runs through the inside of `cell`.
-    fn overlap(&mut self, side: usize, cell: usize) {
+    /// Places in the cell of a side, near that side.
+    fn probes(&self, side: usize) -> [[f64; 2]; 2] {
+        let BoundarySide { cell, number, .. } = self.boundary.sides[side];
+        let cell = &self.mesh.cells[cell];
+        PROBES.map(|[along, inward]| {
+            let [r, s] = reference_place(cell.kind, number, along, inward);
+            let shape = cell.kind.shape(r, s);
+            let mut place = [0.0; 2];
+            for (n, &node) in shape.n.iter().zip(cell.nodes()) {
+                let node = self.mesh.nodes[node as usize];
+                place = [place[0] + n * node[0], place[1] + n * node[1]];
+            }
+            place
+        })
+    }
+
+    /// Whether the side, or its cell beside it, reaches into the inside of `cell`.
+    fn overlap(&mut self, side: usize, probes: &[[f64; 2]; 2], cell: usize) {
         let own = self.boundary.sides[side].cell;
         let tolerance = NARROW * self.heights[own].min(self.heights[cell]);
-        let (mesh, curve) = (self.mesh, &self.curves[side]);
-        if let Some(place) = place_inside(mesh, &mesh.cells[cell], curve, tolerance) {
+        let mesh = self.mesh;
+        let [low_y, low_z, high_y, high_z] = self.boxes[cell];
+        let is_held = |&[y, z]: &[f64; 2]| {
+            (low_y..=high_y).contains(&y)
+                && (low_z..=high_z).contains(&z)
+                && is_inside(mesh, &mesh.cells[cell], [y, z], tolerance)
+        };
+        let found = place_inside(mesh, &mesh.cells[cell], &self.curves[side], tolerance)
+            .or_else(|| probes.iter().copied().find(is_held));
+        if let Some(place) = found {
             self.cover([own, cell], place);
         }
     }
@@ -138,7 +175,9 @@ impl Search<'_> {
     fn compare(&mut self, one: usize, other: usize) {
         let cells = [one, other].map(|side| self.boundary.sides[side].cell);
         let height = self.heights[cells[0]].min(self.heights[cells[1]]);
-        if is_beyond(&self.curves[one], &self.curves[other], NARROW * height) {
+        let [a, b] = [one, other].map(|side| &self.side_boxes[side]);
+        if is_beyond(a, b, NARROW * height) || self.runs_on(one, other) || self.runs_on(other, one)
+        {
             return;
         }
         self.hang(one, other, TOUCHING * height);
@@ -198,6 +237,21 @@ impl Search<'_> {
         }
     }
 
+    /// Whether `next` goes on where `side` ends, and does not turn back along it.
+    fn runs_on(&self, side: usize, next: usize) -> bool {
+        let (end, start) = (
+            self.boundary.sides[side].ends[1],
+            self.boundary.sides[next].ends[0],
+        );
+        let cosine = || {
+            dot(
+                self.curves[side].direction(1.0),
+                self.curves[next].direction(0.0),
+            )
+        };
+        end == start && cosine() > -ALONG
+    }
+
     fn share_nodes(&self, one: usize, other: usize) -> bool {
         let [one, other] = [one, other].map(|side| self.boundary.sides[side].ends);
         one.iter().any(|node| other.contains(node))
@@ -240,6 +294,18 @@ impl Search<'_> {
     }
 }
 
+/// A place of the reference cell: on its side `side`, at `along` from the first to
+/// the second end, then `inward` toward the opposite side or corner.
+fn reference_place(kind: CellKind, side: usize, along: f64, inward: f64) -> [f64; 2] {
+    let corners = &kind.reference_nodes()[..kind.corner_count()];
+    let at = |i: usize| corners[i % corners.len()];
+    let mix = |a: [f64; 2], b: [f64; 2], t: f64| [0, 1].map(|i| a[i] + t * (b[i] - a[i]));
+    let place = mix(at(side), at(side + 1), along);
+    // of a triangle both lead to the corner
+    let opposite = mix(at(side + corners.len() - 1), at(side + 2), along);
+    mix(place, opposite, inward)
+}
+
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
@@ -271,8 +337,8 @@ fn box_around(points: impl IntoIterator<Item = [f64; 2]>) -> [f64; 4] {
     })
 }
 
-fn is_beyond(one: &Curve, other: &Curve, reach: f64) -> bool {
-    let [a, b] = [one, other].map(|curve| box_around(curve.hull()));
+/// Whether two boxes are farther apart than `reach`.
+fn is_beyond(a: &[f64; 4], b: &[f64; 4], reach: f64) -> bool {
     a[0] > b[2] + reach || b[0] > a[2] + reach || a[1] > b[3] + reach || b[1] > a[3] + reach
 }
 
@@ -296,3 +362,7 @@ fn height(mesh: &PlaneMesh, cell: usize) -> f64 {
     let share = if count == 3 { 1.0 } else { 0.5 };
     share * doubled.abs() / mesh.longest_side(cell)
 }
+
+#[cfg(test)]
+#[path = "contact_tests.rs"]
+mod tests;

@@ -19,42 +19,57 @@ pub(super) fn place_inside(
     if is_apart(mesh, cell, side, tolerance) {
         return None;
     }
-    let (mut polygon, mut line) = (Vec::new(), Vec::new());
-    let mut left = side.pieces(PIECES * tolerance, &mut line);
+    let (polygon, left) = polygon_of(mesh, cell, tolerance);
+    let mut line = Vec::new();
+    let left = left.max(side.pieces(PIECES * tolerance, &mut line));
     line.push(side.second);
-    for curve in curves(mesh, cell) {
-        left = left.max(curve.pieces(PIECES * tolerance, &mut polygon));
-    }
     let tolerance = tolerance + 2.0 * left;
     line.windows(2)
         .find_map(|piece| piece_inside(&polygon, [piece[0], piece[1]], tolerance))
 }
 
+/// Whether a place lies inside of `cell`, farther than `tolerance` from all of its
+/// sides.
+pub(super) fn is_inside(mesh: &PlaneMesh, cell: &Cell, place: [f64; 2], tolerance: f64) -> bool {
+    let (polygon, left) = polygon_of(mesh, cell, tolerance);
+    is_deep(&polygon, place, tolerance + left)
+}
+
+/// The polygon that stands for a cell, and how far it is from its sides.
+fn polygon_of(mesh: &PlaneMesh, cell: &Cell, tolerance: f64) -> (Vec<[f64; 2]>, f64) {
+    let mut polygon = Vec::new();
+    let pieces = curves(mesh, cell).map(|curve| curve.pieces(PIECES * tolerance, &mut polygon));
+    let left = pieces.fold(0.0, f64::max);
+    (polygon, left)
+}
+
 /// Whether some straight line parts the side from the cell, up to the tolerance:
 /// the normals of the cell's chords and of the side's are tried.
 fn is_apart(mesh: &PlaneMesh, cell: &Cell, side: &Curve, tolerance: f64) -> bool {
-    let mut hull = [[0.0; 2]; 12];
-    let mut count = 0;
+    let mut hull = [[0.0; 2]; 8];
+    let mut chords = [[0.0; 2]; 6];
+    let (mut points, mut count) = (0, 0);
     for curve in curves(mesh, cell) {
-        for point in curve.hull() {
-            hull[count] = point;
-            count += 1;
+        chords[count] = curve.chord();
+        count += 1;
+        hull[points] = curve.first;
+        points += 1;
+        if !curve.is_straight() {
+            hull[points] = curve.control();
+            points += 1;
         }
     }
-    let hull = &hull[..count];
-    let chord = |points: &[[f64; 2]]| {
-        let [a, b] = [points[0], points[2]];
-        let length = distance(a, b);
-        [(b[1] - a[1]) / length, (a[0] - b[0]) / length]
-    };
-    let parts = |normal: [f64; 2]| {
-        let height = |p: &[f64; 2]| p[0] * normal[0] + p[1] * normal[1];
+    let own = side.chord();
+    chords[count] = own;
+    chords[count + 1] = own.map(|x| -x);
+    let (hull, side) = (&hull[..points], side.hull());
+    chords[..count + 2].iter().any(|chord| {
+        // to the right of the chord, where the outside of the cell is
+        let height = |p: &[f64; 2]| p[0] * chord[1] - p[1] * chord[0];
         let highest = hull.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
-        let lowest = side.hull().iter().map(height).fold(f64::INFINITY, f64::min);
-        lowest >= highest - tolerance
-    };
-    let own = chord(&side.hull());
-    hull.chunks(3).map(chord).any(parts) || parts(own) || parts(own.map(|x| -x))
+        let lowest = side.iter().map(height).fold(f64::INFINITY, f64::min);
+        lowest >= highest - tolerance * chord[0].hypot(chord[1])
+    })
 }
 
 /// The middle of a part of the piece that lies inside of the polygon.
@@ -68,9 +83,12 @@ fn piece_inside(polygon: &[[f64; 2]], piece: [[f64; 2]; 2], tolerance: f64) -> O
     cuts.windows(2).find_map(|ends| {
         let t = 0.5 * (ends[0] + ends[1]);
         let middle = [0, 1].map(|i| p[i] + t * (q[i] - p[i]));
-        let is_deep = || edges(polygon).all(|(a, b)| from_edge(middle, a, b) > tolerance);
-        (is_within(polygon, middle) && is_deep()).then_some(middle)
+        is_deep(polygon, middle, tolerance).then_some(middle)
     })
+}
+
+fn is_deep(polygon: &[[f64; 2]], place: [f64; 2], tolerance: f64) -> bool {
+    is_within(polygon, place) && edges(polygon).all(|(a, b)| from_edge(place, a, b) > tolerance)
 }
 
 fn edges(polygon: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '_ {

@@ -30,11 +30,12 @@ const GOOD_JACOBIAN: f64 = 0.5;
 const POOR_ASPECT: f64 = 100.0;
 /// Up to this ratio a cell is good.
 const GOOD_ASPECT: f64 = 10.0;
-/// Corner angle below which a cell is poor \[rad\]: the condition of its stiffness
-/// grows as the cotangent. Sharp trailing edges have corners of 5 to 15 degrees.
-const POOR_SMALL_ANGLE: f64 = 5.0 * PI / 180.0;
+/// Corner angle below which a cell is poor \[rad\]: without a large angle it means a
+/// stretched triangle, and its cotangent does as much harm as an aspect ratio.
+/// Triangles in plies have 3 to 10 degrees, as sharp trailing edges do.
+const POOR_SMALL_ANGLE: f64 = PI / 180.0;
 /// From this angle on a cell is good \[rad\].
-const GOOD_SMALL_ANGLE: f64 = 30.0 * PI / 180.0;
+const GOOD_SMALL_ANGLE: f64 = 15.0 * PI / 180.0;
 /// Corner angle beyond which a cell is poor \[rad\]: the error of the strains grows
 /// as one over its sine, tenfold at 174 degrees.
 const POOR_LARGE_ANGLE: f64 = 170.0 * PI / 180.0;
@@ -131,6 +132,17 @@ impl ShapeMeasure {
             a.min(b)
         } else {
             a.max(b)
+        }
+    }
+
+    /// What it is called at the head of a column.
+    pub fn short_name(self) -> &'static str {
+        match self {
+            Self::Jacobian => "Jacobian",
+            Self::Aspect => "aspect",
+            Self::SmallestAngle => "corners from",
+            Self::LargestAngle => "corners to",
+            Self::Middle => "side middles",
         }
     }
 

@@ -8,6 +8,8 @@
 //!     o
 //! ```
 
+use std::collections::HashMap;
+
 use plotters::backend::DrawingBackend;
 use plotters::style::{RGBColor, WHITE};
 use shared_geom::figure::{
@@ -33,11 +35,17 @@ const BELOW: f64 = 135.0;
 /// Height of the legend, and of one of its lines [figure pixels].
 const LEGEND: f64 = 330.0;
 const LINE: f64 = 54.0;
-/// Feet of flags are at least this far apart [figure pixels].
+/// Feet of flags are at least this far apart [figure pixels]; less where their
+/// arrows point in other directions, as in a web and in the skins above and below.
 const SPACING: f64 = 105.0;
+const CLOSE: f64 = 48.0;
+/// Cosine of the angle from which arrows point in other directions.
+const OTHER: f64 = 0.87;
 /// Length of the pole and of the arrow of a flag [figure pixels].
 const POLE: f64 = 34.0;
 const ARROW: f64 = 62.0;
+/// Width of the rim of a flag [figure pixels].
+const RIM: f64 = 2.5;
 /// Room around the section, for flags [figure pixels].
 const MARGIN: f64 = 90.0;
 /// Ends of the scale of angles, of which the least that fits is taken [deg].
@@ -152,13 +160,21 @@ impl<'a> FiberPlot<'a> {
     fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let top = TOP + self.plane.frame[1] + BELOW;
         let label = Label::new(0.88 * TEXT).colored(INK);
-        draw_flag(canvas, [LEFT, top + 0.9 * LINE], 0.0, diverging(0.0))?;
+        let foot = [LEFT + 10.0, top + 1.1 * LINE];
+        draw_flag(canvas, foot, 0.0, diverging(0.0))?;
+        let beside = [foot[0] + ARROW + 16.0, foot[1] - POLE];
+        canvas.text("s", beside, label)?;
+        canvas.text(
+            "n",
+            [foot[0] - 20.0, foot[1] - 0.6 * POLE],
+            label.anchored(Anchor::End),
+        )?;
         let cells = 0..self.section.cells.len();
         let is_plain = |cell: usize| !has_directions(self.section, cell);
         let lines = [
             "arrow: wall direction s, at the plane angle from +y",
             "pole: wall normal n = x cross s, x toward the reader",
-            "color: fiber angle, from x toward s",
+            "color: fiber angle, from x toward s; at 0 the fiber runs along the beam",
             "white: isotropic cells",
         ];
         let count = if cells.into_iter().any(is_plain) {
@@ -168,9 +184,9 @@ impl<'a> FiberPlot<'a> {
         };
         for (row, line) in lines.into_iter().enumerate().take(count) {
             let y = top + LINE * (0.5 + row as f64);
-            canvas.text(line, [LEFT + 110.0, y], label)?;
+            canvas.text(line, [LEFT + 130.0, y], label)?;
         }
-        self.draw_bar(canvas, [LEFT + 110.0, top + LINE * (count as f64 + 0.25)])
+        self.draw_bar(canvas, [LEFT + 130.0, top + LINE * (count as f64 + 0.25)])
     }
 
     /// The scale of the fiber angle, its upper left corner at `[left, top]`.
@@ -241,15 +257,21 @@ impl Drawing for FiberPlot<'_> {
 /// Cells among `cells` that stand far enough from each other for a flag each.
 fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
     let mut chosen: Vec<usize> = Vec::new();
-    let mut feet = std::collections::HashMap::<[i64; 2], Vec<[f64; 2]>>::new();
+    let mut feet = HashMap::<[i64; 2], Vec<([f64; 2], f64)>>::new();
     for &cell in cells {
         let foot = plane.place(center(section, cell));
+        let angle = section.cells[cell].plane_angle;
         let [column, row] = foot.map(|x| (x / SPACING).floor() as i64);
         let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [column + i, row + j]));
         let mut near = around.filter_map(|key| feet.get(&key)).flatten();
-        if near.all(|other| (foot[0] - other[0]).hypot(foot[1] - other[1]) >= SPACING) {
+        let is_free = near.all(|(other, direction)| {
+            let is_other = (angle - direction).cos() < OTHER;
+            let room = if is_other { CLOSE } else { SPACING };
+            (foot[0] - other[0]).hypot(foot[1] - other[1]) >= room
+        });
+        if is_free {
             chosen.push(cell);
-            feet.entry([column, row]).or_default().push(foot);
+            feet.entry([column, row]).or_default().push((foot, angle));
         }
     }
     chosen
@@ -283,13 +305,20 @@ fn draw_flag<B: DrawingBackend>(
         let (y, z) = (along * cosine - out * sine, along * sine + out * cosine);
         [foot[0] + y, foot[1] - z]
     };
-    canvas.line(&[foot, at(0.0, POLE), at(ARROW - 14.0, POLE)], 3.5, INK)?;
-    let head = [
-        at(ARROW, POLE),
-        at(ARROW - 22.0, POLE + 10.0),
-        at(ARROW - 22.0, POLE - 10.0),
-    ];
-    canvas.polygon(&head, INK)?;
+    let line = [foot, at(0.0, POLE), at(ARROW - 14.0, POLE)];
+    let head = |rim: f64| {
+        [
+            at(ARROW + 1.8 * rim, POLE),
+            at(ARROW - 22.0 - rim, POLE + 10.0 + 1.4 * rim),
+            at(ARROW - 22.0 - rim, POLE - 10.0 - 1.4 * rim),
+        ]
+    };
+    // a white rim keeps it apart from dark colors
+    canvas.line(&line, 3.5 + 2.0 * RIM, WHITE)?;
+    canvas.polygon(&head(RIM), WHITE)?;
+    canvas.disc(foot, 9.5 + RIM, WHITE)?;
+    canvas.line(&line, 3.5, INK)?;
+    canvas.polygon(&head(0.0), INK)?;
     canvas.disc(foot, 9.5, INK)?;
     canvas.disc(foot, 6.5, color)
 }

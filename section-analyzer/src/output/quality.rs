@@ -35,42 +35,68 @@ pub(super) fn quality_in_short(summary: &InputSummary) -> String {
     )
 }
 
-/// The measures by region, and the worst cells.
+/// The measures by region and in the whole mesh, and the worst cells.
 pub(super) fn quality_by_region(summary: &InputSummary) -> String {
-    let heading = [
-        "region", "measure", "worst", "mean", "poor", "fair", "good", "poor", "good",
-    ];
-    let mut rows = vec![heading.map(str::to_owned).to_vec()];
-    for region in &summary.quality.regions {
-        for (i, measure) in ShapeMeasure::ALL.into_iter().enumerate() {
-            if measure == ShapeMeasure::Middle && !region.has_middles {
-                continue;
-            }
-            let [poor, good] = measure
-                .limits()
-                .map(|limit| tick_label(shown(measure, limit), 0.0));
-            let (below, above) = match measure.is_better_large() {
-                true => ("<", ">="),
-                false => (">", "<="),
-            };
-            let name = if i == 0 {
-                region.group.clone()
-            } else {
-                String::new()
-            };
-            let mut row = vec![name, measure.name().to_owned()];
-            row.extend([region.worst[i], region.mean[i]].map(|value| rounded(measure, value)));
-            row.extend(region.grades[i].map(|count| count.to_string()));
-            row.extend([format!("{below} {poor}"), format!("{above} {good}")]);
-            rows.push(row);
-        }
-    }
+    let regions = regions(&summary.quality);
+    let grades = grades(&summary.quality);
+    let cells = worst_cells(summary);
     format!(
-        "Cell quality by region: worst and mean, numbers of poor, fair and good cells, and the \
-         limits of poor and good\n{}\n{}",
-        table(&rows, "llrrrrrll"),
-        worst_cells(summary)
+        "Cell quality by region, the worst value (and the mean)\n{regions}\n\
+         Cell quality, numbers of cells\n{grades}\n{cells}"
     )
+}
+
+/// The measures that the mesh has values of.
+fn measures(quality: &MeshQuality) -> impl Iterator<Item = (usize, ShapeMeasure)> {
+    let has_middles = has_middles(quality);
+    let all = ShapeMeasure::ALL.into_iter().enumerate();
+    all.filter(move |(_, measure)| *measure != ShapeMeasure::Middle || has_middles)
+}
+
+fn regions(quality: &MeshQuality) -> String {
+    let mut heading = vec!["region".to_owned()];
+    heading.extend(measures(quality).map(|(_, measure)| measure.short_name().to_owned()));
+    heading.push("poor cells".to_owned());
+    let mut rows = vec![heading];
+    for region in &quality.regions {
+        let mut row = vec![region.group.clone()];
+        row.extend(measures(quality).map(|(i, measure)| {
+            let [worst, mean] = [region.worst[i], region.mean[i]].map(|x| rounded(measure, x));
+            format!("{worst} ({mean})")
+        }));
+        row.push(format!("{} of {}", region.poor, region.cells));
+        rows.push(row);
+    }
+    table(&rows, "lr")
+}
+
+fn grades(quality: &MeshQuality) -> String {
+    let heading = ["", "poor", "", "fair", "good", ""];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    for (i, measure) in measures(quality) {
+        let counts = [0, 1, 2].map(|grade| {
+            let counts = quality.regions.iter().map(|region| region.grades[i][grade]);
+            counts.sum::<usize>().to_string()
+        });
+        let [poor, good] = measure
+            .limits()
+            .map(|limit| tick_label(shown(measure, limit), 0.0));
+        let (below, above) = match measure.is_better_large() {
+            true => ("below", "from"),
+            false => ("above", "up to"),
+        };
+        let [few, some, most] = counts;
+        let (beyond, within) = (format!("{below} {poor}"), format!("{above} {good}"));
+        rows.push(vec![
+            measure.name().to_owned(),
+            few,
+            beyond,
+            some,
+            most,
+            within,
+        ]);
+    }
+    table(&rows, "lrlrrl")
 }
 
 fn worst_cells(summary: &InputSummary) -> String {

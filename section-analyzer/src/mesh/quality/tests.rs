@@ -129,15 +129,15 @@ fn limit_of_the_aspect_ratio() {
 
 #[test]
 fn limits_of_the_corner_angles() {
-    // a narrow isosceles triangle: its aspect ratio stays near 10
+    // a narrow isosceles triangle: its aspect ratio stays below 100
     let narrow = |degrees: f64| {
         let angle = degrees.to_radians();
         triangle([[0.0, 0.0], [1.0, 0.0], [angle.cos(), angle.sin()]])
     };
-    assert_eq!(complaint(&narrow(5.05)), None);
+    assert_eq!(complaint(&narrow(1.01)), None);
     assert_eq!(
-        complaint(&narrow(4.9)).unwrap(),
-        "corner of 4.9 deg, poor below 5"
+        complaint(&narrow(0.94)).unwrap(),
+        "corner of 0.9 deg, poor below 1"
     );
     // a kite with one blunt corner; its opposite corner has 90 degrees
     let kite = |degrees: f64| {
