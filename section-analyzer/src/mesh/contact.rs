@@ -345,22 +345,18 @@ fn is_beyond(a: &[f64; 4], b: &[f64; 4], reach: f64) -> bool {
 /// Area of a cell over its longest side (of a triangle twice that), its sides taken
 /// as straight.
 fn height(mesh: &PlaneMesh, cell: usize) -> f64 {
-    let cell = &mesh.cells[cell];
-    let corners = cell.corners().iter().map(|&node| mesh.nodes[node as usize]);
-    let mut from_first = [[0.0; 2]; 4];
-    let mut count = 0;
-    let mut first = [0.0; 2];
-    for corner in corners {
-        if count == 0 {
-            first = corner;
-        }
-        from_first[count] = [corner[0] - first[0], corner[1] - first[1]];
-        count += 1;
+    let corners = mesh.cells[cell].corners();
+    let place = |i: usize| mesh.nodes[corners[i % corners.len()] as usize];
+    let origin = place(0);
+    let (mut doubled, mut longest) = (0.0, 0.0_f64);
+    for i in 0..corners.len() {
+        let (p, q) = (place(i), place(i + 1));
+        let side = [q[0] - p[0], q[1] - p[1]];
+        doubled += (p[0] - origin[0]) * side[1] - (p[1] - origin[1]) * side[0];
+        longest = longest.max(dot(side, side));
     }
-    let pairs = from_first[1..count].windows(2);
-    let doubled: f64 = pairs.map(|p| p[0][0] * p[1][1] - p[0][1] * p[1][0]).sum();
-    let share = if count == 3 { 1.0 } else { 0.5 };
-    share * doubled.abs() / mesh.longest_side(cell)
+    let share = if corners.len() == 3 { 1.0 } else { 0.5 };
+    share * doubled.abs() / longest.sqrt()
 }
 
 #[cfg(test)]

@@ -68,7 +68,7 @@ fn is_apart(mesh: &PlaneMesh, cell: &Cell, side: &Curve, tolerance: f64) -> bool
         let height = |p: &[f64; 2]| p[0] * chord[1] - p[1] * chord[0];
         let highest = hull.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
         let lowest = side.iter().map(height).fold(f64::INFINITY, f64::min);
-        lowest >= highest - tolerance * chord[0].hypot(chord[1])
+        lowest >= highest - tolerance * (chord[0] * chord[0] + chord[1] * chord[1]).sqrt()
     })
 }
 
