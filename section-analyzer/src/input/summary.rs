@@ -248,37 +248,34 @@ impl fmt::Display for InputWarning {
             Self::Slit(seam) => write!(f, "slit: {seam}"),
             Self::HangingNodes { count: 1, first } => write!(f, "slit: {first}"),
             Self::HangingNodes { count, first } => {
-                write!(f, "slit: {first}; {} more like it", are(count - 1, "node"))
+                write!(f, "slit: {first}; and {} more like it", count - 1)
             }
             Self::Gap(gap) => write!(f, "narrow gap: {gap}"),
-            Self::PoorCells { count, worst } => {
-                let have = if *count == 1 { "has" } else { "have" };
-                write!(
-                    f,
-                    "{} {have} a poor shape: results near by are less accurate",
-                    counted(*count, "cell")
-                )?;
-                for NamedCell {
-                    cell,
-                    place,
-                    group,
-                    worst,
-                    ..
-                } in worst
-                {
-                    let [y, z] = place.map(|x| tick_label(x, 0.0));
-                    write!(
-                        f,
-                        "\n      cell {cell} at ({y}, {z}) in \"{group}\": {worst}"
-                    )?;
-                }
-                match count.saturating_sub(worst.len()) {
-                    0 => Ok(()),
-                    more => write!(f, "\n      and {more} more"),
-                }
-            }
+            Self::PoorCells { count, worst } => write_poor_cells(f, *count, worst),
             Self::More { count, what } => write!(f, "and {count} more {what}"),
         }
+    }
+}
+
+/// A line for each of the worst cells.
+fn write_poor_cells(f: &mut fmt::Formatter<'_>, count: usize, worst: &[NamedCell]) -> fmt::Result {
+    let have = if count == 1 { "has" } else { "have" };
+    let cells = counted(count, "cell");
+    write!(
+        f,
+        "{cells} {have} a poor shape: results near by are less accurate"
+    )?;
+    for cell in worst {
+        let [y, z] = cell.place.map(|x| tick_label(x, 0.0));
+        let (tag, group, worst) = (cell.cell, &cell.group, cell.worst);
+        write!(
+            f,
+            "\n      cell {tag} at ({y}, {z}) in \"{group}\": {worst}"
+        )?;
+    }
+    match count.saturating_sub(worst.len()) {
+        0 => Ok(()),
+        more => write!(f, "\n      and {more} more"),
     }
 }
 

@@ -34,7 +34,7 @@ const PROBES: [[f64; 2]; 2] = [[0.37, 0.21], [0.71, 0.13]];
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
     pub(super) overlaps: Vec<CellOverlap>,
-    /// Cells that overlap, parallel to `overlaps`.
+    /// Pairs of cells that overlap.
     pub(super) overlapping: Vec<[usize; 2]>,
     pub(super) hanging: Vec<HangingNode>,
     /// The cell with the corner and the cell with the side, parallel to `hanging`.
@@ -159,16 +159,27 @@ impl Search<'_> {
         }
     }
 
-    fn cover(&mut self, cells: [usize; 2], place: [f64; 2]) {
-        let cells = [cells[0].min(cells[1]), cells[0].max(cells[1])];
-        if self.covered.insert(cells) {
-            self.found.overlaps.push(CellOverlap {
-                cells: cells.map(|cell| self.mesh.cells[cell].tag),
-                groups: self.groups.labels_of(cells),
-                place,
-            });
-            self.found.overlapping.push(cells);
+    fn cover(&mut self, mut cells: [usize; 2], place: [f64; 2]) {
+        let group = |cell: usize| self.groups.of_cell[cell];
+        cells.sort_unstable_by_key(|&cell| (group(cell), cell));
+        if !self.covered.insert(cells) {
+            return;
         }
+        self.found.overlapping.push(cells);
+        let groups = self.groups.labels_of(cells);
+        let overlaps = &mut self.found.overlaps;
+        let at = overlaps.iter().position(|known| known.groups == groups);
+        let at = at.unwrap_or_else(|| {
+            overlaps.push(CellOverlap {
+                groups,
+                cells: Vec::new(),
+                places: Vec::new(),
+            });
+            overlaps.len() - 1
+        });
+        let tags = cells.map(|cell| self.mesh.cells[cell].tag);
+        overlaps[at].cells.push(tags);
+        overlaps[at].places.push(place);
     }
 
     /// How the side `one` runs along the side `other`.
@@ -263,7 +274,8 @@ impl Search<'_> {
         let mut gaps: Vec<([usize; 2], NarrowGap, HashSet<usize>)> = Vec::new();
         for &(pair, place, width) in &self.near {
             let cells = pair.map(|side| self.boundary.sides[side].cell);
-            let ordered = [cells[0].min(cells[1]), cells[0].max(cells[1])];
+            let mut ordered = cells;
+            ordered.sort_unstable_by_key(|&cell| (self.groups.of_cell[cell], cell));
             let hangs = pair.iter().any(|side| self.carrying.contains(side));
             if told.contains(&pair) || hangs || self.covered.contains(&ordered) {
                 continue;

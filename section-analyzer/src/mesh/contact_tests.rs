@@ -250,6 +250,13 @@ fn a_hanging_node_is_named_with_its_side() {
           node 3 of cell 1 in \"web\", which has no node there: the cells are not joined"
         ]
     );
+    let finer = Patches::default()
+        .square("web", [1, 1], [0.0, 0.0], [2.0, 1.0])
+        .square("skin", [4, 1], [0.0, 1.0], [2.0, 2.0]);
+    let messages = finer.messages();
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    let end = "the cells are not joined; likewise 2 nodes between these surfaces";
+    assert!(messages[0].ends_with(end), "{messages:?}");
     let help = patches.refused(DoubledNodes::Error)[0].help().unwrap();
     assert!(help.contains("both cells need the same nodes"), "{help}");
     // here nothing else joins the two, so that no slit can be meant
@@ -324,12 +331,12 @@ fn overlapping_cells_are_named_with_a_place() {
     assert_eq!(
         overlap(0.2).messages(),
         [
-            "cells 1 of \"web\" and 2 of \"skin\" overlap at (1, 0.65): the area there would count \
-          twice"
+            "cells of \"web\" overlap those of \"skin\": 1 and 2 at (1, 0.65); the area there \
+             would count twice"
         ]
     );
     // a fiftieth of the lesser height, 0.9, is the limit; below, the sides run close
-    assert!(overlap(0.019).messages()[0].contains("overlap at"));
+    assert!(overlap(0.019).messages()[0].contains("overlap"));
     let messages = overlap(0.017).messages();
     assert!(
         messages[0].contains("run within 0.017 of each other"),
@@ -346,18 +353,26 @@ fn a_surface_meshed_twice_overlaps_itself() {
             .square("web", cells, low, [3.0, 3.0])
     };
     let is_overlap = |patches: &Patches| {
-        let messages = patches.messages();
-        assert!(
-            messages.iter().all(|m| m.contains("overlap at")),
-            "{messages:?}"
-        );
-        messages.len()
+        let problems = patches.refused(DoubledNodes::Error);
+        let count = |problem: &MeshProblem| match problem {
+            MeshProblem::DoubleCover(overlap) => overlap.cells.len(),
+            other => panic!("{other}"),
+        };
+        problems.iter().map(count).sum::<usize>()
     };
     // the 8 cells of the rim, each with its copy
     assert_eq!(is_overlap(&twice([3, 3], [0.0, 0.0])), 8);
     // with cells of other sizes, and in part
     assert!(is_overlap(&twice([2, 2], [0.0, 0.0])) > 8);
     assert_eq!(is_overlap(&twice([2, 2], [1.0, 1.0])), 4);
+    assert_eq!(
+        twice([3, 3], [0.0, 0.0]).messages(),
+        [
+            "cells of \"web\" overlap: 1 and 10 at (0.37, 0.21), 2 and 11 at (1.37, 0.21), 3 and \
+             12 at (2.37, 0.21) and 5 pairs like these between (0.21, 0.21) and (2.79, 2.79); \
+             the area there would count twice"
+        ]
+    );
     // the cell in the middle alone, whose sides lie on those of its neighbors
     let copy = Patches::default()
         .square("web", [3, 3], [0.0, 0.0], [3.0, 3.0])
@@ -377,7 +392,7 @@ fn a_strip_wound_over_itself_overlaps() {
         let (sine, cosine) = (-3.0 * std::f64::consts::PI * a).sin_cos();
         [(2.0 + b) * cosine, (2.0 + b) * sine]
     });
-    assert!(wound.messages()[0].contains("overlap at"));
+    assert!(wound.messages()[0].contains("overlap"));
 }
 
 /// Sides of concentric tubes that touch along arcs with nodes of their own: chords

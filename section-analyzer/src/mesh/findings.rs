@@ -20,32 +20,35 @@ pub enum DoubledNodes {
     Allow,
 }
 
-/// Two cells that cover the same place.
+/// Cells that cover the same places.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CellOverlap {
-    /// Tags of the cells.
-    pub cells: [u64; 2],
-    /// Their physical surfaces.
+    /// Physical surfaces of the two cells of each pair; the same twice within one
+    /// surface.
     pub groups: [String; 2],
-    /// A place in both [file unit].
-    pub place: [f64; 2],
+    /// Tags of the pairs of cells that were found along the boundary of the mesh.
+    pub cells: Vec<[u64; 2]>,
+    /// A place in both cells of each pair [file unit].
+    pub places: Vec<[f64; 2]>,
 }
 
 impl fmt::Display for CellOverlap {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [a, b] = self.cells;
-        let at = place(self.place);
-        match &self.groups {
-            [one, other] if one == other => write!(
-                f,
-                "cells {a} and {b} of \"{one}\" overlap at {at}: the area there would count twice"
-            ),
-            [one, other] => write!(
-                f,
-                "cells {a} of \"{one}\" and {b} of \"{other}\" overlap at {at}: the area there \
-                 would count twice"
-            ),
+        let [one, other] = &self.groups;
+        match one == other {
+            true => write!(f, "cells of \"{one}\" overlap")?,
+            false => write!(f, "cells of \"{one}\" overlap those of \"{other}\"")?,
         }
+        let pairs = self.cells.iter().zip(&self.places).take(LISTED);
+        for (i, ([a, b], at)) in pairs.enumerate() {
+            let lead = if i == 0 { ":" } else { "," };
+            write!(f, "{lead} {a} and {b} at {}", place(*at))?;
+        }
+        if let Some(more) = self.cells.len().checked_sub(LISTED + 1) {
+            let places = between(&self.places);
+            write!(f, " and {} like these{places}", counted(more + 1, "pair"))?;
+        }
+        f.write_str("; the area there would count twice")
     }
 }
 

@@ -116,10 +116,12 @@ pub enum MeshProblem {
         allowed: bool,
     },
     /// A corner on the side of another cell.
-    #[error("{node}")]
+    #[error("{node}{}", likewise(*.more))]
     Hanging {
-        /// Where.
+        /// One of those between two surfaces.
         node: HangingNode,
+        /// How many more there are.
+        more: usize,
         /// Whether slits are allowed; the section falls apart all the same.
         allowed: bool,
     },
@@ -248,6 +250,16 @@ fn disconnected(
     text
 }
 
+fn likewise(more: usize) -> String {
+    match more {
+        0 => String::new(),
+        _ => format!(
+            "; likewise {} between these surfaces",
+            counted(more, "node")
+        ),
+    }
+}
+
 /// `node 3` or `nodes 3, 4, 5 and 7 more`.
 fn listed(what: &str, names: &[String]) -> String {
     let plural = if names.len() == 1 { "" } else { "s" };
@@ -321,22 +333,29 @@ impl Explain for MeshProblem {
                     *allowed,
                 ));
             }
-            Self::Disconnected { gaps, .. } if !gaps.is_empty() => {
-                "close the gap: move the points of one side onto the other, or in gmsh raise \
-                 Geometry.Tolerance before \"Coherence;\" or BooleanFragments"
-            }
-            Self::Disconnected { coincident, .. } if !coincident.is_empty() => {
-                "merge the nodes: in gmsh, \"Coherence;\" in the geometry before meshing, \
-                 or Mesh > Remove duplicate nodes"
-            }
-            Self::Disconnected { .. } => {
-                "parts must share whole sides of cells: join them, or analyze each by itself"
-            }
+            Self::Disconnected {
+                gaps, coincident, ..
+            } => connect(!gaps.is_empty(), !coincident.is_empty()),
             Self::MissingNode { .. } | Self::LengthFactor { .. } | Self::More { .. } => {
                 return None;
             }
         };
         Some(help.into())
+    }
+}
+
+/// How the parts of a section are brought together.
+fn connect(has_gaps: bool, has_coincident: bool) -> &'static str {
+    match (has_gaps, has_coincident) {
+        (true, _) => {
+            "close the gap: move the points of one side onto the other, or in gmsh raise \
+             Geometry.Tolerance before \"Coherence;\" or BooleanFragments"
+        }
+        (_, true) => {
+            "merge the nodes: in gmsh, \"Coherence;\" in the geometry before meshing, or \
+             Mesh > Remove duplicate nodes"
+        }
+        _ => "parts must share whole sides of cells: join them, or analyze each by itself",
     }
 }
 
@@ -360,11 +379,20 @@ fn join(lead: &str, allowed: bool) -> String {
 const LIMIT: usize = 20;
 
 /// The problems of one kind, the first of them told and the others counted.
-pub(super) fn limited(mut problems: Vec<MeshProblem>, what: &'static str) -> Vec<MeshProblem> {
-    if let Some(count) = problems.len().checked_sub(LIMIT)
+pub(super) fn limited(problems: Vec<MeshProblem>, what: &'static str) -> Vec<MeshProblem> {
+    limited_to(LIMIT, problems, what)
+}
+
+/// The problems of one kind, the first `limit` of them told and the others counted.
+pub(super) fn limited_to(
+    limit: usize,
+    mut problems: Vec<MeshProblem>,
+    what: &'static str,
+) -> Vec<MeshProblem> {
+    if let Some(count) = problems.len().checked_sub(limit)
         && count > 0
     {
-        problems.truncate(LIMIT);
+        problems.truncate(limit);
         problems.push(MeshProblem::More { count, what });
     }
     problems

@@ -86,7 +86,7 @@ impl ShapeMeasure {
         Self::Middle,
     ];
 
-    /// The limits of poor and of good values \[- or rad\].
+    /// The limits of poor and of good values \[-\], of angles \[rad\].
     pub fn limits(self) -> [f64; 2] {
         match self {
             Self::Jacobian => [POOR_JACOBIAN, GOOD_JACOBIAN],
@@ -163,7 +163,7 @@ impl ShapeMeasure {
 pub struct ShapeValue {
     /// What was measured.
     pub measure: ShapeMeasure,
-    /// The value \[- or rad\].
+    /// The value \[-\], of angles \[rad\].
     pub value: f64,
 }
 
@@ -206,9 +206,9 @@ pub struct RegionQuality {
     pub poor: usize,
     /// Whether cells have nodes in the middle of their sides.
     pub has_middles: bool,
-    /// Worst values, in the order of [`ShapeMeasure::ALL`] \[- or rad\].
+    /// Worst values, in the order of [`ShapeMeasure::ALL`] \[-\], of angles \[rad\].
     pub worst: [f64; 5],
-    /// Mean values \[- or rad\].
+    /// Mean values \[-\], of angles \[rad\].
     pub mean: [f64; 5],
     /// Numbers of poor, fair and good cells by each measure.
     pub grades: [[usize; 3]; 5],
@@ -290,7 +290,7 @@ impl MeshQuality {
         self.regions.iter().map(|region| region.poor).sum()
     }
 
-    /// The worst value of a measure in the whole mesh \[- or rad\]; `None` without
+    /// The worst value of a measure in the whole mesh \[-\], of angles \[rad\]; `None` without
     /// cells.
     pub fn worst_value(&self, measure: ShapeMeasure) -> Option<f64> {
         let values = self.regions.iter().filter(|region| region.cells > 0);

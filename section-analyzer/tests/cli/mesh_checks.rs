@@ -44,8 +44,8 @@ fn a_gap_that_takes_the_section_apart_is_told_with_its_width() {
 #[test]
 fn an_overlap_is_told_with_cells_and_place() {
     unjoined("0.9").is_refused(&[
-        "error: two.msh: cells 11 of \"skin\" and 12 of \"web\" overlap at (1, 0.5): the area \
-         there would count twice",
+        "error: two.msh: cells of \"skin\" overlap those of \"web\": 11 and 12 at (1, 0.5); the \
+         area there would count twice",
         "  help: a surface meshed twice, or surfaces that reach into each other: in gmsh, \
          \"Coherence;\" (built-in geometry) or BooleanFragments (OpenCASCADE) before meshing, \
          and delete copies",
