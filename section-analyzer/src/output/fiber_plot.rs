@@ -254,27 +254,77 @@ impl Drawing for FiberPlot<'_> {
     }
 }
 
-/// Cells among `cells` that stand far enough from each other for a flag each.
-fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
-    let mut chosen: Vec<usize> = Vec::new();
-    let mut feet = HashMap::<[i64; 2], Vec<([f64; 2], f64)>>::new();
-    for &cell in cells {
-        let foot = plane.place(center(section, cell));
-        let angle = section.cells[cell].plane_angle;
-        let [column, row] = foot.map(|x| (x / SPACING).floor() as i64);
-        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [column + i, row + j]));
-        let mut near = around.filter_map(|key| feet.get(&key)).flatten();
-        let is_free = near.all(|(other, direction)| {
-            let is_other = (angle - direction).cos() < OTHER;
-            let room = if is_other { CLOSE } else { SPACING };
-            (foot[0] - other[0]).hypot(foot[1] - other[1]) >= room
-        });
-        if is_free {
-            chosen.push(cell);
-            feet.entry([column, row]).or_default().push((foot, angle));
+/// A flag on the figure: its cell, its foot [figure pixels] and its angle [rad].
+#[derive(Debug, Clone, Copy)]
+struct Flag {
+    cell: usize,
+    foot: [f64; 2],
+    angle: f64,
+}
+
+impl Flag {
+    fn of(section: &Section, plane: &Plane, cell: usize) -> Self {
+        Self {
+            cell,
+            foot: plane.place(center(section, cell)),
+            angle: section.cells[cell].plane_angle,
         }
     }
-    chosen
+
+    fn distance(&self, other: &Self) -> f64 {
+        (self.foot[0] - other.foot[0]).hypot(self.foot[1] - other.foot[1])
+    }
+
+    fn points_elsewhere(&self, other: &Self) -> bool {
+        (self.angle - other.angle).cos() < OTHER
+    }
+
+    /// Whether the arrows of both can be told apart.
+    fn leaves_room(&self, other: &Self) -> bool {
+        let room = match self.points_elsewhere(other) {
+            true => CLOSE,
+            false => SPACING,
+        };
+        self.distance(other) >= room
+    }
+}
+
+/// Cells among `cells` that stand far enough from each other for a flag each, and
+/// one for each physical surface with directions that no flag near it shows.
+fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
+    let mut chosen: Vec<Flag> = Vec::new();
+    let mut near = HashMap::<[i64; 2], Vec<Flag>>::new();
+    for &cell in cells {
+        let flag = Flag::of(section, plane, cell);
+        let [column, row] = flag.foot.map(|x| (x / SPACING).floor() as i64);
+        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [column + i, row + j]));
+        let mut others = around.filter_map(|key| near.get(&key)).flatten();
+        if others.all(|other| flag.leaves_room(other)) {
+            chosen.push(flag);
+            near.entry([column, row]).or_default().push(flag);
+        }
+    }
+    let group = |cell: usize| section.mesh.cells[cell].group;
+    for number in 0..section.mesh.groups.len() {
+        if chosen.iter().any(|flag| group(flag.cell) == number) {
+            continue;
+        }
+        let of_group = cells.iter().filter(|&&cell| group(cell) == number);
+        let flags = of_group.map(|&cell| Flag::of(section, plane, cell));
+        let is_new = |flag: &Flag| {
+            let mut near = chosen.iter().filter(|other| flag.distance(other) < SPACING);
+            near.all(|other| flag.points_elsewhere(other))
+        };
+        let room = |flag: &Flag| {
+            let distances = chosen.iter().map(|other| flag.distance(other));
+            distances.fold(f64::INFINITY, f64::min)
+        };
+        let best = flags
+            .filter(is_new)
+            .max_by(|a, b| room(a).total_cmp(&room(b)));
+        chosen.extend(best);
+    }
+    chosen.into_iter().map(|flag| flag.cell).collect()
 }
 
 /// Mean of the corners of a cell, or the node in its middle.
@@ -326,6 +376,41 @@ fn draw_flag<B: DrawingBackend>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::section::samples::of_quadrilaterals;
+
+    /// A row of 40 squares with the arrow along it, and a square beside its middle
+    /// in a surface of its own: on the figure, 1560 pixels wide, the squares are 36
+    /// pixels wide, so that every third of the row bears a flag, and the one beside
+    /// it does only where its arrow points elsewhere.
+    #[test]
+    fn flags_leave_room_and_show_every_direction() {
+        let flags = |angle: f64| {
+            let corner = |i: u32, j: u32| [f64::from(i), f64::from(j)];
+            let nodes: Vec<[f64; 2]> = (0..=2)
+                .flat_map(|j| (0..=40).map(move |i| corner(i, j)))
+                .collect();
+            let square = |i: u32, j: u32| {
+                let low = 41 * j + i;
+                [low, low + 1, low + 42, low + 41]
+            };
+            let mut cells: Vec<[u32; 4]> = (0..40).map(|i| square(i, 0)).collect();
+            cells.push(square(21, 1));
+            let mut section = of_quadrilaterals(&nodes, &cells);
+            for made_of in &mut section.cells {
+                made_of.plane_angle = 0.0;
+            }
+            section.cells[40].plane_angle = angle;
+            section.mesh.groups.push("beside".into());
+            section.mesh.cells[40].group = 1;
+            let extent = Extent::of(nodes.iter().copied()).grown(1.5);
+            let plane = Plane::fitted(extent, [0.0, 0.0], [1560.0, HIGHEST]);
+            let all: Vec<usize> = (0..41).collect();
+            spread(&section, &plane, &all)
+        };
+        let row: Vec<usize> = (0..40).step_by(3).collect();
+        assert_eq!(flags(0.3), row);
+        assert_eq!(flags(1.5), [row.as_slice(), &[40]].concat());
+    }
 
     #[test]
     fn angles_of_fibers_are_those_of_lines() {
