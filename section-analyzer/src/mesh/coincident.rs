@@ -9,7 +9,8 @@ use super::plane::{PlaneMesh, distance};
 /// Distance, relative to the shortest side of a cell, within which nodes coincide.
 const NEARNESS: f64 = 1e-6;
 
-/// Pairs of nodes (indices, the smaller first) that lie on each other, sorted.
+/// Pairs of nodes (indices, the smaller first) that lie on each other, sorted; of
+/// more than two at a place, pairs that connect them.
 pub(super) fn coincident_nodes(mesh: &PlaneMesh, boundary: &Boundary) -> Vec<[u32; 2]> {
     let reach = reaches(mesh, boundary);
     let nodes: Vec<u32> = (0..mesh.nodes.len() as u32)
@@ -39,7 +40,9 @@ pub(super) fn coincident_nodes(mesh: &PlaneMesh, boundary: &Boundary) -> Vec<[u3
                 let [p, q] = [a, b].map(|node| mesh.nodes[node as usize]);
                 let reach = reach[a as usize].min(reach[b as usize]);
                 if distance(p, q) <= reach {
+                    // further nodes at the place follow from this one
                     pairs.push([a.min(b), a.max(b)]);
+                    break;
                 }
             }
         }

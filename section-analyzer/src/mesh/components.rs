@@ -56,7 +56,8 @@ pub(super) fn part_of_each_cell(cells: usize, neighbors: &[[usize; 2]]) -> Vec<u
     number
 }
 
-fn root(parent: &mut [usize], mut cell: usize) -> usize {
+/// What stands for the set of `cell` in a union-find.
+pub(super) fn root(parent: &mut [usize], mut cell: usize) -> usize {
     while parent[cell] != cell {
         parent[cell] = parent[parent[cell]];
         cell = parent[cell];

@@ -30,6 +30,10 @@ const SAMPLES: [f64; 2] = [0.25, 0.75];
 /// on each other; no ordinary mesh has its lines there.
 const PROBES: [[f64; 2]; 2] = [[0.37, 0.21], [0.71, 0.13]];
 
+/// Pairs of cells that overlap, from which on the search ends: many copies of a
+/// surface would make it long and tell nothing new.
+const ENOUGH: usize = 10_000;
+
 /// What was found.
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
@@ -113,6 +117,9 @@ pub(super) fn contacts(
             high_z + reach,
             &mut |cell: usize| cells.push(cell),
         );
+        if search.found.overlapping.len() >= ENOUGH {
+            break;
+        }
         let probes = search.probes(side);
         for &cell in cells.iter().filter(|&&cell| cell != own) {
             search.overlap(side, &probes, cell);

@@ -475,3 +475,52 @@ fn sound_meshes_of_many_shapes_have_no_findings() {
         assert_eq!(report, expected, "round {round}");
     }
 }
+
+/// Cells between random nodes of a coarse grid, repeated nodes and cells included:
+/// whatever they are, the checks end with an answer.
+#[test]
+fn any_soup_of_cells_has_an_answer() {
+    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut next = |count: u64| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state % count
+    };
+    let mut refused = 0;
+    for round in 0..400 {
+        let mut patches = Patches::default();
+        let group = patches.group("web");
+        let scale = [1.0, 1e-200, 1e200, f64::NAN][usize::from(round % 20 == 0) * (round % 4)];
+        for tag in 1..=12 {
+            let [x, y] = [next(4), next(4)].map(|x| scale * x as f64);
+            let position = Vector3::new(x, y, 0.0);
+            patches.mesh.nodes.push(Node { tag, position });
+        }
+        for tag in 1..=1 + next(9) {
+            let kind = CellKind::ALL[next(5) as usize];
+            let mut cell = Cell::new(tag, kind, 1, |_| next(12) as u32);
+            cell.group = Some(group);
+            patches.mesh.cells.push(cell);
+        }
+        let checked = SectionMesh::checked(&patches.mesh, 1.0, DoubledNodes::Allow);
+        refused += usize::from(checked.is_err());
+    }
+    assert!(refused > 300, "{refused}");
+}
+
+/// A square of two triangles, a thousand times: the search of all pairs of cells
+/// or nodes would take minutes and a gigabyte.
+#[test]
+fn a_stack_of_copies_is_told_in_a_short_time() {
+    let mut patches = Patches::default();
+    for _ in 0..1000 {
+        patches = patches.add("web", [1, 1], CellKind::Triangle3, |a, b| [a, b]);
+    }
+    let messages = patches.messages();
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    assert!(
+        messages[0].starts_with("cells of \"web\" overlap:"),
+        "{messages:?}"
+    );
+}

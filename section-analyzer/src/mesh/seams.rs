@@ -1,6 +1,7 @@
 //! Seams: sides of cells that lie on each other, each with nodes of its own.
 
 use super::boundary::Boundary;
+use super::components::root;
 use super::findings::Seam;
 use super::plane::PlaneMesh;
 
@@ -26,14 +27,14 @@ pub(super) type SidePair = [usize; 2];
 
 /// For each node the least of the nodes that lie at its place.
 pub(super) fn representatives(nodes: usize, coincident: &[[u32; 2]]) -> Vec<u32> {
-    let mut least: Vec<u32> = (0..nodes as u32).collect();
-    // the pairs are sorted, so that the least node of a place comes first
-    for &[a, b] in coincident {
-        let found = least[a as usize].min(least[b as usize]);
-        least[a as usize] = found;
-        least[b as usize] = found;
+    let mut parent: Vec<usize> = (0..nodes).collect();
+    for pair in coincident {
+        let [a, b] = pair.map(|node| root(&mut parent, node as usize));
+        parent[a.max(b)] = a.min(b);
     }
-    least
+    (0..nodes)
+        .map(|node| root(&mut parent, node) as u32)
+        .collect()
 }
 
 /// The pairs of sides with both ends on each other that run in opposite
