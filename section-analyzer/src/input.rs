@@ -110,8 +110,8 @@ impl WrittenSection {
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
         let of_region = materials_of_regions(document, &self.regions, &self.materials);
         let mesh_key = self.mesh.as_ref()?;
-        let mesh = read_mesh(document, files, mesh_key)?;
-        let region_of_cell = groups::region_of_cells(document, &mesh, mesh_key, &self.regions);
+        let mut mesh = read_mesh(document, files, mesh_key)?;
+        let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
         let place = Place::file(files.path(mesh_key).display().to_string());
         let unit = document.factor(Dimension::LENGTH);
         let checked = document.keep(SectionMesh::from_mesh(&mesh, unit, &place));
@@ -230,11 +230,7 @@ fn length_unit(root: &Table<'_>) -> String {
 fn read_mesh(document: &Document, files: &mut Files<'_>, key: &Written) -> Option<Mesh> {
     let path = files.path(key);
     let bytes = files.read("mesh", &path, key)?;
-    let mesh = match std::str::from_utf8(bytes) {
-        Ok(text) => gmsh::read(text, &path.display().to_string()),
-        Err(_) => gmsh::read_file(&path),
-    };
-    document.keep(mesh)
+    document.keep(gmsh::read(bytes, &path.display().to_string()))
 }
 
 fn text_of(written: &Option<Written>) -> String {
