@@ -37,7 +37,7 @@ fn path(file: &str) -> PathBuf {
     [FOLDER, file].iter().collect()
 }
 
-fn read_case(name: &str) -> Value {
+pub fn read_case(name: &str) -> Value {
     let text = std::fs::read_to_string(path(&format!("{name}.json"))).expect("case file");
     serde_json::from_str(&text).expect("case in JSON")
 }
@@ -53,7 +53,7 @@ fn number(value: &Value) -> f64 {
         .unwrap_or_else(|| panic!("expected a number, found {value}"))
 }
 
-fn matrix(value: &Value) -> Matrix6<f64> {
+pub fn matrix(value: &Value) -> Matrix6<f64> {
     let matrix = Matrix6::from_fn(|i, j| number(&value[ORDER[i]][ORDER[j]]));
     0.5 * (matrix + matrix.transpose())
 }
@@ -99,7 +99,7 @@ fn plane_angles(case: &Value) -> HashMap<u64, f64> {
         .collect()
 }
 
-fn section(name: &str, case: &Value, mesh: &Mesh) -> Section {
+pub fn section(name: &str, case: &Value, mesh: &Mesh) -> Section {
     let angles = plane_angles(case);
     let section_mesh = section_mesh(mesh);
     let tag_of_label: HashMap<String, i32> = mesh
