@@ -1,11 +1,12 @@
 //! Makes the mesh of what has been collected: tags become indices.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use super::build::{Element, Membership, MeshBuilder};
 use super::element::{ElementShape, other_type};
 use super::merge;
 use super::problem::{Problems, ReadProblem};
+use super::tags::TagTable;
 use crate::mesh::{Cell, GroupSet, Line, Mesh, PhysicalGroup, Point};
 
 /// The groups of the elements of an entity.
@@ -30,11 +31,12 @@ impl MeshBuilder {
     pub(super) fn finish(mut self, problems: &mut Problems) -> Mesh {
         self.tell_unsupported(problems);
         let elements = std::mem::take(&mut self.elements);
-        let mut tags = HashSet::with_capacity(elements.len());
+        let mut tags = TagTable::default();
+        tags.reserve(elements.len());
         let mut standings = Standings::default();
         let mut cell_places = Vec::new();
         for element in &elements {
-            if !tags.insert(element.tag) {
+            if !tags.insert(element.tag, 0) {
                 problems.push(element.at, ReadProblem::RepeatedElement(element.tag));
             }
             let Some(nodes) = self.resolve(element, problems) else {
@@ -78,8 +80,8 @@ impl MeshBuilder {
         let end = element.first + element.kind.shape.node_count();
         let tags = &self.references[element.first..end];
         for (node, tag) in nodes.iter_mut().zip(tags) {
-            match self.node_index.get(tag) {
-                Some(&index) => *node = index,
+            match self.node_index.get(*tag) {
+                Some(index) => *node = index,
                 None => {
                     known = false;
                     if !self.nodes_lost {

@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::element::ElementShape;
 use super::problem::ReadProblem;
+use super::tags::TagTable;
 use crate::mesh::{Mesh, Node, PhysicalGroup};
 
 /// How an element is given its physical groups.
@@ -50,7 +51,7 @@ pub(super) struct Unsupported {
 #[derive(Debug, Default)]
 pub(super) struct MeshBuilder {
     pub(super) mesh: Mesh,
-    pub(super) node_index: HashMap<u64, u32>,
+    pub(super) node_index: TagTable,
     /// Whether some node could not be read, so that references to it are no news.
     pub(super) nodes_lost: bool,
     pub(super) elements: Vec<Element>,
@@ -73,8 +74,10 @@ impl MeshBuilder {
 
     /// Adds a node.
     pub(super) fn node(&mut self, tag: u64, position: [f64; 3]) -> Result<(), ReadProblem> {
-        let index = u32::try_from(self.mesh.nodes.len()).map_err(|_| ReadProblem::TooManyNodes)?;
-        if self.node_index.insert(tag, index).is_some() {
+        let index = u32::try_from(self.mesh.nodes.len()).ok();
+        let index = index.filter(|&index| index < u32::MAX);
+        let index = index.ok_or(ReadProblem::TooManyNodes)?;
+        if !self.node_index.insert(tag, index) {
             return Err(ReadProblem::RepeatedNode(tag));
         }
         let position = position.into();

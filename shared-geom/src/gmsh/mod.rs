@@ -33,6 +33,7 @@ mod problem;
 mod read22;
 mod read41;
 mod sections;
+mod tags;
 mod write41;
 
 use std::path::Path;
