@@ -59,10 +59,18 @@ const ENDING: &str = ".section.toml";
 /// # Errors
 /// Everything that is wrong with any of them, with file and line.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
-    let text = read_text(path)?;
-    let document = Document::parse(&text, &path.display().to_string())?;
+    parse(&read_text(path)?, path)
+}
+
+/// Reads and checks the text of a section file, as if it stood at `path`: the mesh
+/// and the tables that it names are looked for from there.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path) -> Result<Input, Diagnostics> {
+    let document = Document::parse(text, &path.display().to_string())?;
     let written = WrittenSection::read(&document);
-    let mut files = Files::new(&document, &text);
+    let mut files = Files::new(&document, text);
     let input = written.checked(&document, &mut files);
     document.finish(input)
 }
