@@ -7,7 +7,7 @@ use shared_geom::gmsh;
 
 fuzz_target!(|bytes: &[u8]| {
     match gmsh::read(bytes, "a.msh") {
-        Ok(mesh) => drop(gmsh::read(gmsh::write(&mesh), "again.msh")),
+        Ok(mesh) => drop(gmsh::read(&gmsh::write(&mesh), "again.msh")),
         Err(problems) => assert!(!problems.to_string().is_empty()),
     }
 });

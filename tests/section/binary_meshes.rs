@@ -31,7 +31,7 @@ fn read(name: &str, file: &str) -> Mesh {
     let path: PathBuf = [FOLDER, &format!("{name}.{file}.msh")].iter().collect();
     let bytes = std::fs::read(path).expect("a mesh file");
     assert_eq!(&bytes[15..19], b" 1 8", "{name}.{file} is binary");
-    gmsh::read(bytes, file).unwrap_or_else(|problems| panic!("{problems}"))
+    gmsh::read(&bytes, file).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 fn check(name: &str) {

@@ -150,7 +150,7 @@ fn an_element_stands_in_several_groups() {
         assert_eq!(points, [vec!["p", "q"], vec!["p"]]);
         measures(mesh, 2.0, &[(CellKind::Quadrilateral8, 8)]);
     }
-    assert_eq!(gmsh::read(gmsh::write(&new), "again").unwrap(), new);
+    assert_eq!(gmsh::read(&gmsh::write(&new), "again").unwrap(), new);
 }
 
 #[test]

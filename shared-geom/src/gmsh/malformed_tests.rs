@@ -57,7 +57,7 @@ fn names_in_another_encoding_are_told() {
         .chars()
         .map(|letter| letter as u8)
         .collect();
-    let foreign = read(latin, "test.msh").unwrap_err().to_string();
+    let foreign = read(&latin, "test.msh").unwrap_err().to_string();
     assert_says(
         &foreign,
         "test.msh:6: the line holds bytes that are no UTF-8 text",

@@ -28,7 +28,9 @@ mod build;
 mod cursor;
 mod element;
 mod fields;
+mod format;
 mod merge;
+mod names;
 mod problem;
 mod read22;
 mod read41;
@@ -45,13 +47,16 @@ use problem::ReadProblem;
 
 pub use write41::write;
 
-/// Reads the mesh in `content`, the bytes of a gmsh file of version 2.2 or 4.1;
-/// `file` is the name for messages.
+/// Reads the mesh in `content`, the bytes (or text) of a gmsh file of version 2.2 or
+/// 4.1; `file` is the name for messages.
 ///
 /// # Errors
 /// Everything that is wrong with the file (about the first twenty problems),
 /// each with its line or byte.
-pub fn read(content: impl AsRef<[u8]>, file: &str) -> Result<Mesh, Diagnostics> {
+pub fn read<B>(content: &B, file: &str) -> Result<Mesh, Diagnostics>
+where
+    B: AsRef<[u8]> + ?Sized,
+{
     sections::read(content.as_ref(), file)
 }
 
@@ -62,7 +67,7 @@ pub fn read(content: impl AsRef<[u8]>, file: &str) -> Result<Mesh, Diagnostics> 
 pub fn read_file(path: &Path) -> Result<Mesh, Diagnostics> {
     let file = path.display().to_string();
     match std::fs::read(path) {
-        Ok(bytes) => read(bytes, &file),
+        Ok(bytes) => read(&bytes, &file),
         Err(error) => {
             let problem = ReadProblem::Unreadable(error.to_string());
             Err(Diagnostics::one(Place::file(&file), &problem))
@@ -70,6 +75,8 @@ pub fn read_file(path: &Path) -> Result<Mesh, Diagnostics> {
     }
 }
 
+#[cfg(test)]
+mod binary_tests;
 #[cfg(test)]
 mod malformed_tests;
 #[cfg(test)]

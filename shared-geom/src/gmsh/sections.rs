@@ -1,4 +1,4 @@
-//! The frame of a file: format, sections from `$Name` to `$EndName`.
+//! The frame of a file: its sections, from `$Name` to `$EndName`.
 //!
 //! In a binary file these names, the physical names and the counts of version 2.2
 //! are lines of text as well; the rest is numbers, whose records begin where the
@@ -6,19 +6,13 @@
 //! the end of its section, which is searched for.
 
 use super::build::MeshBuilder;
-use super::cursor::{Cursor, Encoding};
+use super::cursor::Cursor;
 use super::fields::{Fields, LineFields};
+use super::format::{Version, format, not_text};
 use super::problem::{END_OF_FILE, KNOWN_SECTIONS, Problems, ReadProblem, shortened};
-use super::{read22, read41};
+use super::{names, read22, read41};
 use crate::error::Diagnostics;
-use crate::mesh::{Mesh, PhysicalGroup};
-
-/// A version of the format that is read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Version {
-    V22,
-    V41,
-}
+use crate::mesh::Mesh;
 
 /// What the readers of the sections share.
 #[derive(Debug)]
@@ -141,71 +135,6 @@ pub(super) fn read(bytes: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
     diagnostics.into_result(mesh)
 }
 
-/// The line of a text whose bytes are no text: names in another encoding.
-fn not_text(bytes: &[u8], cursor: Cursor) -> Option<usize> {
-    if cursor.is_binary() {
-        return None;
-    }
-    let before = std::str::from_utf8(bytes).err()?.valid_up_to();
-    Some(1 + bytes[..before].iter().filter(|&&b| b == b'\n').count())
-}
-
-/// Reads the format of a file and goes back to its beginning; the encoding is
-/// then that of the cursor, unless there is a problem, at the cursor.
-fn format(cursor: &mut Cursor) -> Result<Version, ReadProblem> {
-    let start = *cursor;
-    if cursor.remaining() == 0 {
-        return Err(ReadProblem::Empty);
-    }
-    while let Some(line) = cursor.line() {
-        if line == "$MeshFormat" {
-            let (version, encoding) = read_format(cursor)?;
-            *cursor = start;
-            cursor.encoding = encoding;
-            return Ok(version);
-        }
-    }
-    Err(ReadProblem::NotGmsh)
-}
-
-/// Reads `4.1 0 8`: version, file type (0 ascii, 1 binary), bytes of a number; in
-/// binary files the integer one follows, which tells the order of its bytes.
-fn read_format(cursor: &mut Cursor) -> Result<(Version, Encoding), ReadProblem> {
-    let line = cursor.content().unwrap_or("");
-    let mut fields = LineFields::new(
-        line,
-        "version, file type and number size, as \"4.1 0 8\"",
-        0,
-    );
-    let version = fields.text()?;
-    let file_type = fields.text()?;
-    let size: u32 = fields.number("number size")?;
-    fields.end()?;
-    let encoding = match file_type {
-        "0" => Encoding::Text,
-        "1" => byte_order(cursor)?,
-        _ => return Err(ReadProblem::FileType(shortened(file_type))),
-    };
-    if size != 8 {
-        return Err(ReadProblem::NumberSize(size));
-    }
-    match version {
-        "2.2" => Ok((Version::V22, encoding)),
-        "4.1" => Ok((Version::V41, encoding)),
-        _ => Err(ReadProblem::Version(shortened(version))),
-    }
-}
-
-fn byte_order(cursor: &mut Cursor) -> Result<Encoding, ReadProblem> {
-    let mut one = [0; 4];
-    one.copy_from_slice(cursor.take(4, "the number that tells the order of bytes")?);
-    match (i32::from_le_bytes(one), i32::from_be_bytes(one)) {
-        (1, _) => Ok(Encoding::Little),
-        (_, 1) => Ok(Encoding::Big),
-        (other, _) => Err(ReadProblem::ByteOrder(other)),
-    }
-}
-
 fn read_sections(reader: &mut Reader, version: Version) {
     let mut nodes_found = false;
     let mut elements_found = false;
@@ -238,7 +167,7 @@ fn read_sections(reader: &mut Reader, version: Version) {
 fn read_section(reader: &mut Reader, version: Version, section: &str) -> bool {
     let opened = reader.cursor;
     let outcome = match (section, version) {
-        ("$PhysicalNames", _) => read_physical_names(reader),
+        ("$PhysicalNames", _) => names::read(reader),
         ("$Nodes", Version::V22) => read22::read_nodes(reader, false),
         ("$ParametricNodes", Version::V22) => read22::read_nodes(reader, true),
         ("$Elements", Version::V22) => read22::read_elements(reader),
@@ -376,46 +305,6 @@ fn close_section(reader: &mut Reader, section: &str, complete: bool) -> bool {
         reader.cursor = before;
     }
     exhausted
-}
-
-/// Reads the names: a count, then a line `dimension tag "name"` each.
-fn read_physical_names(reader: &mut Reader) -> Outcome {
-    const LEAST_BYTES: usize = 7;
-    let what = "physical names";
-    let mut fields = line_header(&mut reader.cursor, "the number of physical names")?;
-    let announced = fields.count(what, LEAST_BYTES)?;
-    fields.end()?;
-    for found in 0..announced {
-        let missing = ReadProblem::CountMismatch {
-            what,
-            announced: announced as u64,
-            found: found as u64,
-        };
-        let line = reader.cursor.content().ok_or(missing)?;
-        if reader.cursor.is_foreign() {
-            reader.keep(Err::<(), _>(ReadProblem::NotText));
-            continue;
-        }
-        let group = physical_name(line).and_then(|group| reader.mesh.named_group(group));
-        reader.keep(group);
-    }
-    Ok(())
-}
-
-/// Reads `2 1 "skin of the spar"`.
-fn physical_name(line: &str) -> Result<PhysicalGroup, ReadProblem> {
-    let (before, quoted) = line.split_once('"').ok_or(ReadProblem::NoName)?;
-    let name = quoted.strip_suffix('"').ok_or(ReadProblem::NoName)?;
-    let expected = "dimension, tag and the name in double quotes";
-    let mut fields = LineFields::new(before, expected, 0);
-    let dimension: u32 = fields.number("dimension")?;
-    let tag: i32 = fields.number("physical tag")?;
-    fields.end()?;
-    Ok(PhysicalGroup {
-        dimension: dimension_of(u64::from(dimension), 3)?,
-        tag: tag.saturating_abs(),
-        name: Some(name.to_string()),
-    })
 }
 
 /// A dimension, at most `largest`.

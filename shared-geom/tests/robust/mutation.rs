@@ -131,7 +131,7 @@ fn replace_word(bytes: &mut Vec<u8>, at: usize, random: &mut Random) {
 }
 
 /// Lets two pieces between lines that begin with `$`, `[` or `{` change places.
-fn swap_sections(bytes: &mut Vec<u8>, random: &mut Random) {
+fn swap_sections(bytes: &mut [u8], random: &mut Random) {
     let mut cuts: Vec<usize> = (1..bytes.len())
         .filter(|&i| bytes[i - 1] == b'\n' && b"$[{".contains(&bytes[i]))
         .collect();
