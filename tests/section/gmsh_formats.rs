@@ -5,6 +5,8 @@
 //! mesh, with coordinates that ascii files hold exactly, so that reading them must
 //! give equal meshes, to the last bit.
 
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
 use std::path::PathBuf;
 
 use section_analyzer::input;
@@ -17,6 +19,9 @@ const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/gmsh"
 
 const NEW: [&str; 3] = ["41a", "41le", "41be"];
 const OLD: [&str; 3] = ["22a", "22le", "22be"];
+
+/// Cells of each kind.
+type Counts = &'static [(CellKind, usize)];
 
 fn path(name: &str, format: &str) -> PathBuf {
     [FOLDER, &format!("{name}.{format}.msh")].iter().collect()
@@ -89,7 +94,7 @@ fn all_formats_give_the_same_mesh() {
     use CellKind::{Quadrilateral4, Quadrilateral8, Quadrilateral9, Triangle3, Triangle6};
     // two unit squares of 3 x 3 quadrilaterals or twice as many triangles; those of
     // the left square
-    let plates: [(&str, &[(CellKind, usize)], usize); 7] = [
+    let plates: [(&str, Counts, usize); 7] = [
         ("quads4", &[(Quadrilateral4, 18)], 9),
         ("quads8", &[(Quadrilateral8, 18)], 9),
         ("quads9", &[(Quadrilateral9, 18)], 9),
