@@ -212,6 +212,18 @@ fn sections_must_be_closed() {
 }
 
 #[test]
+fn a_section_that_stands_twice_is_told_and_read_once() {
+    let (_, nodes) = V22.split_once("$Nodes").unwrap();
+    let (nodes, _) = nodes.split_once("$Elements").unwrap();
+    let twice = refused(&format!("{V22}$Nodes{nodes}")).to_string();
+    assert_says(
+        &twice,
+        "test.msh:29: section \"$Nodes\" found again, expected it once",
+    );
+    assert_eq!(twice.matches("error").count(), 1, "{twice}");
+}
+
+#[test]
 fn all_unknown_nodes_are_told_up_to_a_limit() {
     let all = messages(
         V22,

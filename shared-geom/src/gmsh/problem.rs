@@ -30,6 +30,8 @@ pub(super) enum ReadProblem {
     MissingSection(&'static str),
     #[error("section \"{section}\" is not closed: expected \"$End{}\", found {found}", &section[1..])]
     NotClosed { section: String, found: String },
+    #[error("section \"{0}\" found again, expected it once")]
+    RepeatedSection(&'static str),
     #[error("\"{0}\" found, but no such section is open")]
     StrayEnd(String),
     #[error("text outside of any section: \"{0}\"")]

@@ -20,6 +20,8 @@ pub(super) struct Reader<'a> {
     pub(super) cursor: Cursor<'a>,
     pub(super) mesh: MeshBuilder,
     pub(super) problems: Problems,
+    /// Sections that have been read.
+    seen: Vec<&'static str>,
 }
 
 /// How the reader of a section ended: an error is one after which the rest of
@@ -78,6 +80,23 @@ fn record<'r, 'a>(cursor: &'r mut Cursor<'a>, expected: &'static str) -> Option<
 }
 
 impl Reader<'_> {
+    /// Whether a section that is read has been read before, which is told. Without
+    /// this a binary file could have the same bytes read in each of many sections.
+    fn is_repeated(&mut self, section: &str) -> bool {
+        let known = KNOWN_SECTIONS.into_iter().find(|known| *known == section);
+        let Some(known) = known else {
+            return false;
+        };
+        let repeated = self.seen.contains(&known);
+        if repeated {
+            let problem = ReadProblem::RepeatedSection(known);
+            self.problems.push(self.cursor.place(), problem);
+        } else {
+            self.seen.push(known);
+        }
+        repeated
+    }
+
     /// Keeps the problem of the current record, if there is one, and goes on.
     pub(super) fn keep<T>(&mut self, result: Result<T, ReadProblem>) -> Option<T> {
         match result {
@@ -111,6 +130,7 @@ pub(super) fn read(bytes: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
         cursor: Cursor::new(bytes),
         mesh: MeshBuilder::default(),
         problems: Problems::default(),
+        seen: Vec::new(),
     };
     match format(&mut reader.cursor) {
         Ok(version) => match not_text(bytes, reader.cursor) {
@@ -129,6 +149,7 @@ pub(super) fn read(bytes: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
         cursor,
         mesh,
         mut problems,
+        ..
     } = reader;
     let mesh = mesh.finish(&mut problems);
     let diagnostics = problems.into_diagnostics(file, cursor.is_binary());
@@ -166,6 +187,9 @@ fn read_sections(reader: &mut Reader, version: Version) {
 /// may follow.
 fn read_section(reader: &mut Reader, version: Version, section: &str) -> bool {
     let opened = reader.cursor;
+    if reader.is_repeated(section) {
+        return pass_section(reader, section, opened);
+    }
     let outcome = match (section, version) {
         ("$PhysicalNames", _) => names::read(reader),
         ("$Nodes", Version::V22) => read22::read_nodes(reader, false),
@@ -180,10 +204,7 @@ fn read_section(reader: &mut Reader, version: Version, section: &str) -> bool {
                 reader.problems.push(at, ReadProblem::Partitioned);
                 reader.mesh.lose_entities();
             }
-            return match reader.cursor.is_binary() {
-                true => pass_section(reader, section, opened),
-                false => skip_section(reader, section),
-            };
+            return pass_section(reader, section, opened);
         }
     };
     let complete = reader.keep(outcome).is_some();
@@ -208,8 +229,13 @@ fn not_a_section(line: &str) -> Option<ReadProblem> {
     (!line.starts_with('$')).then(|| ReadProblem::Outside(shortened(line)))
 }
 
-/// Goes behind the end of a section of a binary file; gives whether there is one.
+/// Goes behind the end of a section that is not read; gives whether another one may
+/// follow.
 fn pass_section<'a>(reader: &mut Reader<'a>, section: &str, opened: Cursor<'a>) -> bool {
+    if !reader.cursor.is_binary() {
+        skip_section(reader, section);
+        return true;
+    }
     reader.cursor = opened;
     let found = reader.cursor.pass_end(section);
     if !found {
@@ -246,14 +272,14 @@ fn close_binary<'a>(
 
 /// Passes over a section that is not read; its content may hold anything but
 /// the beginning of a section that is read or the end of another one.
-fn skip_section(reader: &mut Reader, section: &str) -> bool {
+fn skip_section(reader: &mut Reader, section: &str) {
     let opened = reader.cursor.place();
     let mut before = reader.cursor;
     let mut found = END_OF_FILE.to_string();
     while let Some(line) = reader.cursor.line() {
         let end = line.strip_prefix("$End");
         if end.is_some() && end == section.strip_prefix('$') {
-            return true;
+            return;
         }
         if end.is_some() || KNOWN_SECTIONS.contains(&line) {
             found = format!("\"{}\"", shortened(line));
@@ -267,7 +293,6 @@ fn skip_section(reader: &mut Reader, section: &str) -> bool {
     let section = shortened(section);
     let problem = ReadProblem::NotClosed { section, found };
     reader.problems.push(opened, problem);
-    true
 }
 
 /// Expects the end of a section of a text, whose reader has come to an end;
