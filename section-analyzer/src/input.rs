@@ -68,10 +68,18 @@ const ENDING: &str = ".section.toml";
 /// # Errors
 /// Everything that is wrong with any of them, with file and line.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
-    let text = read_text(path)?;
-    let document = Document::parse(&text, &path.display().to_string())?;
+    parse(&read_text(path)?, path)
+}
+
+/// Reads and checks the text of a section file, as if it stood at `path`: the mesh
+/// and the tables that it names are looked for from there.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path) -> Result<Input, Diagnostics> {
+    let document = Document::parse(text, &path.display().to_string())?;
     let written = WrittenSection::read(&document);
-    let mut files = Files::new(&document, &text);
+    let mut files = Files::new(&document, text);
     let input = written.checked(&document, &mut files);
     document.finish(input)
 }
@@ -123,8 +131,8 @@ impl WrittenSection {
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
         let of_region = materials_of_regions(document, &self.regions, &self.materials);
         let mesh_key = self.mesh.as_ref()?;
-        let mesh = read_mesh(document, files, mesh_key)?;
-        let region_of_cell = groups::region_of_cells(document, &mesh, mesh_key, &self.regions);
+        let mut mesh = read_mesh(document, files, mesh_key)?;
+        let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
         let place = Place::file(files.path(mesh_key).display().to_string());
         let unit = document.factor(Dimension::LENGTH);
         let checked = document.keep(SectionMesh::from_mesh_with(
@@ -261,11 +269,7 @@ fn doubled_nodes(root: &Table<'_>) -> DoubledNodes {
 fn read_mesh(document: &Document, files: &mut Files<'_>, key: &Written) -> Option<Mesh> {
     let path = files.path(key);
     let bytes = files.read("mesh", &path, key)?;
-    let mesh = match std::str::from_utf8(bytes) {
-        Ok(text) => gmsh::read(text, &path.display().to_string()),
-        Err(_) => gmsh::read_file(&path),
-    };
-    document.keep(mesh)
+    document.keep(gmsh::read(bytes, &path.display().to_string()))
 }
 
 fn text_of(written: &Option<Written>) -> String {

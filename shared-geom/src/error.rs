@@ -15,13 +15,15 @@ pub trait Explain: std::error::Error {
     }
 }
 
-/// Where a problem stands: a file, and a line of it where known.
+/// Where a problem stands: a file, and a line or a byte of it where known.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
     /// File name as the user gave it.
     pub file: String,
     /// Line, counted from one.
     pub line: Option<usize>,
+    /// Offset of a byte in a binary file, which has no lines.
+    pub byte: Option<usize>,
 }
 
 impl Place {
@@ -30,6 +32,7 @@ impl Place {
         Self {
             file: file.into(),
             line: None,
+            byte: None,
         }
     }
 
@@ -38,15 +41,26 @@ impl Place {
         Self {
             file: file.into(),
             line: Some(line),
+            byte: None,
+        }
+    }
+
+    /// Byte `byte` (from zero) of the binary file `file`.
+    pub fn byte(file: impl Into<String>, byte: usize) -> Self {
+        Self {
+            file: file.into(),
+            line: None,
+            byte: Some(byte),
         }
     }
 }
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            Some(line) => write!(f, "{}:{line}", self.file),
-            None => f.write_str(&self.file),
+        match (self.line, self.byte) {
+            (Some(line), _) => write!(f, "{}:{line}", self.file),
+            (None, Some(byte)) => write!(f, "{}: byte {byte}", self.file),
+            (None, None) => f.write_str(&self.file),
         }
     }
 }
@@ -235,8 +249,11 @@ mod tests {
             ("a", Some(9), "fifth"),
             ("a", None, "sixth"),
         ] {
-            let file = file.to_owned();
-            all.push(Place { file, line }, &Unknown(key.into()));
+            let place = Place {
+                line,
+                ..Place::file(file)
+            };
+            all.push(place, &Unknown(key.into()));
         }
         all.sort_by_line();
         let shown: Vec<_> = all

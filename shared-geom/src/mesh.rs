@@ -24,6 +24,10 @@ use nalgebra::Vector3;
 use crate::lagrange::{self, LineValues, ShapeValues};
 use crate::quadrature::{self, PlanePoint};
 
+mod groups;
+
+pub use groups::{GroupSet, PhysicalGroup};
+
 /// Shape of a plane cell, with its number of nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CellKind {
@@ -238,7 +242,7 @@ pub struct Node {
 }
 
 /// A plane cell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Cell {
     /// Number of the element in the file.
     pub tag: u64,
@@ -246,8 +250,8 @@ pub struct Cell {
     pub kind: CellKind,
     /// Surface entity of gmsh that the cell belongs to; 0 where the file tells none.
     pub entity: i32,
-    /// Physical surface: index in [`Mesh::groups`].
-    pub group: Option<usize>,
+    /// Physical surfaces that the cell belongs to.
+    pub groups: GroupSet,
     // entries behind the node count are zero, so that equality is that of the nodes
     nodes: [u32; 9],
 }
@@ -260,7 +264,7 @@ impl Cell {
             tag,
             kind,
             entity,
-            group: None,
+            groups: GroupSet::default(),
             nodes: first_nodes(kind.node_count(), node),
         }
     }
@@ -280,13 +284,13 @@ impl Cell {
         let order = self.kind.reversed_order();
         Self {
             nodes: first_nodes(order.len(), |i| self.nodes[order[i]]),
-            ..*self
+            ..self.clone()
         }
     }
 }
 
 /// A line, usually a part of a boundary between surfaces.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
     /// Number of the element in the file.
     pub tag: u64,
@@ -294,8 +298,9 @@ pub struct Line {
     pub kind: LineKind,
     /// Curve entity of gmsh that the line belongs to; 0 where the file tells none.
     pub entity: i32,
-    /// Physical curve: index in [`Mesh::groups`].
-    pub group: Option<usize>,
+    /// Physical curves that the line belongs to in this direction. One that
+    /// belongs to others against it is listed twice, with one tag.
+    pub groups: GroupSet,
     nodes: [u32; 3],
 }
 
@@ -307,7 +312,7 @@ impl Line {
             tag,
             kind,
             entity,
-            group: None,
+            groups: GroupSet::default(),
             nodes: first_nodes(kind.node_count(), node),
         }
     }
@@ -322,13 +327,13 @@ impl Line {
         let [first, second, middle] = self.nodes;
         Self {
             nodes: [second, first, middle],
-            ..*self
+            ..self.clone()
         }
     }
 }
 
 /// A marked node.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Point {
     /// Number of the element in the file.
     pub tag: u64,
@@ -336,29 +341,8 @@ pub struct Point {
     pub node: u32,
     /// Point entity of gmsh; 0 where the file tells none.
     pub entity: i32,
-    /// Physical point: index in [`Mesh::groups`].
-    pub group: Option<usize>,
-}
-
-/// A physical group of gmsh: what the user calls a part of the mesh.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct PhysicalGroup {
-    /// Dimension: 0 points, 1 curves, 2 surfaces, 3 volumes.
-    pub dimension: u8,
-    /// Number of the group; counted apart for each dimension.
-    pub tag: i32,
-    /// Name, where the file gives one.
-    pub name: Option<String>,
-}
-
-impl PhysicalGroup {
-    /// The name, or the tag where there is no name.
-    pub fn label(&self) -> String {
-        match &self.name {
-            Some(name) => name.clone(),
-            None => self.tag.to_string(),
-        }
-    }
+    /// Physical points that the node belongs to.
+    pub groups: GroupSet,
 }
 
 /// A mesh as a file holds it, in the unit of the file.

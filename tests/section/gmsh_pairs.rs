@@ -62,7 +62,8 @@ fn every_cell_is_a_quadratic_triangle_in_a_named_group() {
         assert!(!mesh.cells.is_empty(), "{name}");
         for cell in &mesh.cells {
             assert_eq!(cell.kind, CellKind::Triangle6, "{name}");
-            let group = cell.group.map(|group| &mesh.groups[group]);
+            assert_eq!(cell.groups.as_slice().len(), 1, "{name}");
+            let group = cell.groups.first().map(|group| &mesh.groups[group]);
             assert!(
                 group.is_some_and(|group| group.dimension == 2 && group.name.is_some()),
                 "{name}: cell {}",

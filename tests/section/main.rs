@@ -1,7 +1,9 @@
 //! The section solver against published and independent results.
 
+mod binary_meshes;
 mod closed_forms;
 mod converged;
+mod gmsh_formats;
 mod gmsh_pairs;
 mod invariances;
 mod quads;

@@ -184,7 +184,7 @@ impl Quads {
                 }
                 let tag = cells.len() as u64 + 1;
                 let mut cell = Cell::new(tag, kind, 1, |i| all[i] as u32);
-                cell.group = Some(*group);
+                cell.groups = (*group).into();
                 cells.push(cell);
             };
             let [a, b, c, d] = *quad;

@@ -134,7 +134,7 @@ fn with_corners_only(mesh: &Mesh) -> Mesh {
     let corners = |cell: &Cell| {
         let nodes = cell.corners();
         let mut linear = Cell::new(cell.tag, CellKind::Triangle3, cell.entity, |i| nodes[i]);
-        linear.group = cell.group;
+        linear.groups = cell.groups.clone();
         linear
     };
     Mesh {

@@ -24,7 +24,7 @@ pub fn refined(mesh: &Mesh, r: usize) -> Mesh {
             let found = places.map(|place| nodes.at(cell.corners(), place));
             let tag = cells.len() as u64 + 1;
             let mut small = Cell::new(tag, CellKind::Triangle6, cell.entity, |i| found[i]);
-            small.group = cell.group;
+            small.groups = cell.groups.clone();
             cells.push(small);
         }
     }

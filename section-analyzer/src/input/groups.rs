@@ -1,7 +1,9 @@
 //! Which region each cell belongs to.
 
+use std::collections::BTreeMap;
+
 use shared_geom::document::Document;
-use shared_geom::mesh::{Mesh, PhysicalGroup};
+use shared_geom::mesh::{GroupSet, Mesh, PhysicalGroup};
 
 use super::problem::InputProblem;
 use super::regions::{Written, WrittenRegion};
@@ -45,7 +47,7 @@ fn word(dimension: u8) -> &'static str {
 /// of the mesh.
 pub(super) fn curve(document: &Document, mesh: &Mesh, written: &Written) -> Option<usize> {
     let group = find(document, mesh, CURVE, written)?;
-    let has_lines = mesh.lines.iter().any(|line| line.group == Some(group));
+    let has_lines = mesh.lines.iter().any(|line| line.groups.contains(group));
     if !has_lines {
         note_empty(document, written, CURVE, "lines");
     }
@@ -61,21 +63,77 @@ fn note_empty(document: &Document, written: &Written, dimension: u8, content: &'
     document.note(written.line, &problem);
 }
 
-/// For each cell of the mesh the index of its region. Cells have none when their
-/// group has none, which has been noted.
+/// For each cell of the mesh the index of its region: the one that names a group of
+/// the cell. Cells have none when no region does, or two, which has been noted. The
+/// others are left in the group of their region alone.
 pub(super) fn region_of_cells(
     document: &Document,
-    mesh: &Mesh,
+    mesh: &mut Mesh,
     mesh_key: &Written,
     regions: &[WrittenRegion],
 ) -> Vec<Option<usize>> {
     let region_of_group = region_of_groups(document, mesh, regions);
     note_groups_without_region(document, mesh, mesh_key, &region_of_group);
     note_cells_without_group(document, mesh, mesh_key);
-    let groups = mesh.cells.iter().map(|cell| cell.group);
+    let mut claims = Claims::default();
+    let alone: Vec<GroupSet> = (0..mesh.groups.len()).map(GroupSet::from).collect();
+    let mut region_of_cell = Vec::with_capacity(mesh.cells.len());
+    for cell in &mut mesh.cells {
+        let mut claiming = claiming(&cell.groups, &region_of_group);
+        let first = claiming.next();
+        let second = claiming.find(|(_, region)| first.is_some_and(|(_, one)| one != *region));
+        drop(claiming);
+        region_of_cell.push(match (first, second) {
+            (Some((_, region)), Some((_, other))) => {
+                claims.add([region.min(other), region.max(other)], cell.tag);
+                None
+            }
+            (Some((group, region)), None) => {
+                cell.groups = alone[group].clone();
+                Some(region)
+            }
+            (None, _) => None,
+        });
+    }
+    claims.note(document, regions);
+    region_of_cell
+}
+
+/// The groups of a cell that have a region, each with that region.
+fn claiming(
+    groups: &GroupSet,
+    region_of_group: &[Option<usize>],
+) -> impl Iterator<Item = (usize, usize)> {
     groups
-        .map(|group| group.and_then(|group| region_of_group[group]))
-        .collect()
+        .iter()
+        .filter_map(|group| Some((group, region_of_group[group]?)))
+}
+
+/// Cells that two regions claim: for each such pair their number and the tag of one.
+#[derive(Debug, Default)]
+struct Claims(BTreeMap<[usize; 2], (usize, u64)>);
+
+impl Claims {
+    fn add(&mut self, pair: [usize; 2], cell: u64) {
+        self.0.entry(pair).or_insert((0, cell)).0 += 1;
+    }
+
+    fn note(self, document: &Document, regions: &[WrittenRegion]) {
+        let name = |region: usize| {
+            let group = regions[region].group.as_ref();
+            group.map_or_else(String::new, |group| group.text.clone())
+        };
+        for ([first, second], (cells, example)) in self.0 {
+            let problem = InputProblem::CellInTwoRegions {
+                first: name(first),
+                line: regions[first].line,
+                second: name(second),
+                cells,
+                example,
+            };
+            document.note(regions[second].line, &problem);
+        }
+    }
 }
 
 /// For each group of the mesh the index of its region. Notes regions without a
@@ -92,7 +150,7 @@ fn region_of_groups(
         let Some((written, group)) = found else {
             continue;
         };
-        if !mesh.cells.iter().any(|cell| cell.group == Some(group)) {
+        if !mesh.cells.iter().any(|cell| cell.groups.contains(group)) {
             note_empty(document, written, SURFACE, "cells");
         }
         match region_of_group[group] {
@@ -115,13 +173,17 @@ fn note_groups_without_region(
     mesh_key: &Written,
     region_of_group: &[Option<usize>],
 ) {
-    for (index, group) in mesh.groups.iter().enumerate() {
-        let cells = mesh
-            .cells
-            .iter()
-            .filter(|cell| cell.group == Some(index))
-            .count();
-        if cells > 0 && region_of_group[index].is_none() {
+    // cells without region, counted in the first of their groups
+    let mut lonely = vec![0; mesh.groups.len()];
+    for cell in &mesh.cells {
+        if claiming(&cell.groups, region_of_group).next().is_none()
+            && let Some(group) = cell.groups.first()
+        {
+            lonely[group] += 1;
+        }
+    }
+    for (group, cells) in mesh.groups.iter().zip(lonely) {
+        if cells > 0 {
             let group = group.label();
             let problem = InputProblem::GroupWithoutRegion { group, cells };
             document.note(mesh_key.line, &problem);
@@ -130,7 +192,7 @@ fn note_groups_without_region(
 }
 
 fn note_cells_without_group(document: &Document, mesh: &Mesh, mesh_key: &Written) {
-    let mut lonely = mesh.cells.iter().filter(|cell| cell.group.is_none());
+    let mut lonely = mesh.cells.iter().filter(|cell| cell.groups.is_empty());
     if let Some(example) = lonely.next() {
         let problem = InputProblem::CellsWithoutGroup {
             mesh: mesh_key.text.clone(),

@@ -150,6 +150,24 @@ pub enum InputProblem {
         /// Line of its first region.
         line: usize,
     },
+    /// Cells that stand in the groups of two regions.
+    #[error(
+        "regions \"{first}\" (line {line}) and \"{second}\" both claim {} (cell {example} for \
+         example), expected every cell in one region",
+        counted(*.cells, "cell")
+    )]
+    CellInTwoRegions {
+        /// Group of the region that comes first in the file.
+        first: String,
+        /// Its line.
+        line: usize,
+        /// Group of the other region.
+        second: String,
+        /// Number of such cells.
+        cells: usize,
+        /// Tag of one of them.
+        example: u64,
+    },
     /// Cells without material.
     #[error("physical surface \"{group}\" ({}) has no region", counted(*.cells, "cell"))]
     GroupWithoutRegion {
@@ -256,7 +274,13 @@ impl Explain for InputProblem {
                 "add [[region]] with group = \"{group}\" and its material"
             )),
             Self::CellsWithoutGroup { .. } => Some(
-                "in gmsh, put every meshed surface in a physical surface, or set Mesh.SaveAll = 0"
+                "in gmsh, put every surface of the section in a physical surface, and set \
+                 Mesh.SaveAll = 0 (with 1, files of version 2.2 name no groups at all)"
+                    .to_owned(),
+            ),
+            Self::CellInTwoRegions { .. } => Some(
+                "a cell has one material: name groups that share no cell, or take the surface \
+                 out of one of them"
                     .to_owned(),
             ),
             Self::Inadmissible { problem, .. } => problem.help(),

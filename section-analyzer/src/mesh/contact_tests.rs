@@ -45,7 +45,7 @@ impl Patches {
         for (i, cell) in (1..).zip(&patch.cells) {
             let entity = group as i32 + 1;
             let mut cell = Cell::new(cells + i, cell.kind, entity, |n| nodes + cell.nodes()[n]);
-            cell.group = Some(group);
+            cell.groups = group.into();
             self.mesh.cells.push(cell);
         }
         self
@@ -88,7 +88,7 @@ impl Patches {
                     let node = cell.nodes()[n];
                     if node == doubled { first } else { node }
                 });
-                moved.group = cell.group;
+                moved.groups = cell.groups.clone();
                 *cell = moved;
             }
         }
@@ -299,7 +299,7 @@ fn merged(mut mesh: Mesh, place: [f64; 2]) -> Mesh {
                 node(n)
             }
         });
-        moved.group = cell.group;
+        moved.groups = cell.groups.clone();
         *cell = moved;
     }
     mesh
@@ -500,7 +500,7 @@ fn any_soup_of_cells_has_an_answer() {
         for tag in 1..=1 + next(9) {
             let kind = CellKind::ALL[next(5) as usize];
             let mut cell = Cell::new(tag, kind, 1, |_| next(12) as u32);
-            cell.group = Some(group);
+            cell.groups = group.into();
             patches.mesh.cells.push(cell);
         }
         let checked = SectionMesh::checked(&patches.mesh, 1.0, DoubledNodes::Allow);

@@ -2,7 +2,7 @@
 //! plane, and the nodes that cells use.
 
 use nalgebra::Vector3;
-use shared_geom::mesh::{Cell, Mesh};
+use shared_geom::mesh::{Cell, Mesh, Node};
 
 use super::problem::MeshProblem;
 
@@ -38,7 +38,7 @@ impl PlaneMesh {
         let cells = mesh.cells.iter().map(|cell| {
             let node = |i: usize| place[cell.nodes()[i] as usize];
             let mut moved = Cell::new(cell.tag, cell.kind, cell.entity, node);
-            moved.group = cell.group;
+            moved.groups = cell.groups.clone();
             moved
         });
         let cells = cells.collect();
@@ -95,17 +95,13 @@ pub(super) fn check_references(mesh: &Mesh) -> Result<(), MeshProblem> {
 pub(super) fn check_plane(mesh: &Mesh) -> Result<(), MeshProblem> {
     let mut used = vec![false; mesh.nodes.len()];
     let of_cells = mesh.cells.iter().flat_map(|cell| cell.nodes());
-    let lines = mesh.lines.iter().filter(|line| line.group.is_some());
+    let lines = mesh.lines.iter().filter(|line| !line.groups.is_empty());
     for &node in of_cells.chain(lines.flat_map(|line| line.nodes())) {
         used[node as usize] = true;
     }
-    let nodes: Vec<_> = mesh
-        .nodes
-        .iter()
-        .zip(used)
-        .filter(|(_, used)| *used)
-        .collect();
-    let positions = || nodes.iter().map(|(node, _)| node.position);
+    let nodes = mesh.nodes.iter().zip(used).filter(|(_, used)| *used);
+    let nodes: Vec<&Node> = nodes.map(|(node, _)| node).collect();
+    let positions = || nodes.iter().map(|node| node.position);
     let low = positions().fold(Vector3::repeat(f64::INFINITY), |low, p| low.inf(&p));
     let high = positions().fold(Vector3::repeat(f64::NEG_INFINITY), |high, p| high.sup(&p));
     let extent = high - low;
@@ -113,26 +109,51 @@ pub(super) fn check_plane(mesh: &Mesh) -> Result<(), MeshProblem> {
     if nodes.is_empty() || extent.z <= tolerance {
         return Ok(());
     }
+    Err(match normal(&nodes, tolerance) {
+        Some((normal, offset)) => MeshProblem::OtherPlane {
+            normal: normal.into(),
+            offset,
+        },
+        None => farthest(&nodes, tolerance),
+    })
+}
 
-    let mut heights: Vec<f64> = positions().map(|p| p.z).collect();
+/// Unit normal and offset of the plane in which all nodes lie, if there is one.
+fn normal(nodes: &[&Node], tolerance: f64) -> Option<(Vector3<f64>, f64)> {
+    let positions = || nodes.iter().map(|node| node.position);
+    let origin = positions().next()?;
+    let by = |size: fn(&Vector3<f64>) -> f64| {
+        move |a: &Vector3<f64>, b: &Vector3<f64>| size(a).total_cmp(&size(b))
+    };
+    // the plane of the two directions that span the largest area with the first node
+    let along = positions()
+        .map(|p| p - origin)
+        .max_by(by(Vector3::norm_squared))?;
+    let across = positions()
+        .map(|p| along.cross(&(p - origin)))
+        .max_by(by(Vector3::norm_squared))?;
+    let mut normal = across.try_normalize(tolerance * along.norm())?;
+    // what is only rounding of a coordinate plane
+    normal.apply(|x| *x = if x.abs() <= FLATNESS { 0.0 } else { *x });
+    normal.normalize_mut();
+    if normal.iter().find(|x| **x != 0.0).is_some_and(|x| *x < 0.0) {
+        normal = -normal;
+    }
+    let in_plane = positions().all(|p| normal.dot(&(p - origin)).abs() <= tolerance);
+    in_plane.then(|| (normal, normal.dot(&origin)))
+}
+
+/// The node farthest from the height of most.
+fn farthest(nodes: &[&Node], tolerance: f64) -> MeshProblem {
+    let mut heights: Vec<f64> = nodes.iter().map(|node| node.position.z).collect();
     let middle = heights.len() / 2;
     let (_, &mut expected, _) = heights.select_nth_unstable_by(middle, f64::total_cmp);
-    let off = |z: f64| (z - expected).abs();
-    let worst = nodes
-        .iter()
-        .max_by(|(a, _), (b, _)| off(a.position.z).total_cmp(&off(b.position.z)));
-    let Some((worst, _)) = worst else {
-        return Ok(());
-    };
-    let other = [('x', 0), ('y', 1)]
-        .into_iter()
-        .find(|&(_, axis)| extent[axis] <= tolerance)
-        .map(|(name, axis)| (name, low[axis]));
-    Err(MeshProblem::NotPlane {
-        node: worst.tag,
-        found: worst.position.z,
+    let off = |node: &Node| (node.position.z - expected).abs();
+    let worst = nodes.iter().max_by(|a, b| off(a).total_cmp(&off(b)));
+    MeshProblem::NotPlane {
+        node: worst.map_or(0, |node| node.tag),
+        found: worst.map_or(expected, |node| node.position.z),
         expected,
         tolerance,
-        other,
-    })
+    }
 }

@@ -6,6 +6,7 @@
 use std::fmt;
 
 use shared_geom::error::Explain;
+use shared_geom::mesh::CellKind;
 
 use super::findings::{CellOverlap, HangingNode, NarrowGap, Seam};
 
@@ -27,6 +28,16 @@ pub enum MeshProblem {
         /// Meters in a unit of the mesh.
         found: f64,
     },
+    /// A mesh in another plane.
+    #[error(
+        "the mesh lies in the plane {}, expected a plane z = constant", plane(*.normal, *.offset)
+    )]
+    OtherPlane {
+        /// Unit normal of the plane \[-\].
+        normal: [f64; 3],
+        /// Distance from the origin along the normal [file unit].
+        offset: f64,
+    },
     /// A mesh out of the plane z = constant.
     #[error(
         "the mesh is not plane: node {node} has z = {}, expected {} as for most nodes, \
@@ -41,9 +52,6 @@ pub enum MeshProblem {
         expected: f64,
         /// Deviation that is allowed [file unit].
         tolerance: f64,
-        /// The coordinate plane in which the mesh lies instead: `x` or `y`, and
-        /// its coordinate [file unit].
-        other: Option<(char, f64)>,
     },
     /// A cell whose mapping folds.
     #[error("cell {cell} at {} {reason}", place(*.center))]
@@ -81,16 +89,33 @@ pub enum MeshProblem {
         /// Tags of the ends of their common side.
         nodes: [u64; 2],
     },
-    /// Cells that meet at a side, but not at its middle.
+    /// A node in the middle of a side that only one of the cells there has, or the
+    /// other as a corner.
+    #[error("{}", hanging(*.node, *.at, .side, .cells, *.corner))]
+    HangingNode {
+        /// Tag of the node.
+        node: u64,
+        /// Where it is [file unit].
+        at: [f64; 2],
+        /// Tags of the ends of the side.
+        side: [u64; 2],
+        /// Tag and shape of the cell that has the node in its side, and of the other.
+        cells: [(u64, CellKind); 2],
+        /// Whether the node is a corner of the other cell.
+        corner: bool,
+    },
+    /// Quadratic cells that meet at a side, each with a middle node of its own.
     #[error(
-        "cells {} and {} share the side from node {} to node {}, but no node in its middle",
-        .cells[0], .cells[1], .nodes[0], .nodes[1]
+        "cells {} and {} share the side from node {} to node {} at {}, but not the node in its \
+         middle", .cells[0], .cells[1], .nodes[0], .nodes[1], place(*.at)
     )]
     SideMiddle {
         /// Tags of the cells.
         cells: [u64; 2],
         /// Tags of the ends of the side.
         nodes: [u64; 2],
+        /// Halfway between them [file unit].
+        at: [f64; 2],
     },
     /// A section in several parts.
     #[error("{}", disconnected(.parts, .touching, .coincident, .gaps))]
@@ -209,6 +234,30 @@ impl fmt::Display for Part {
     }
 }
 
+fn hanging(
+    node: u64,
+    at: [f64; 2],
+    side: &[u64; 2],
+    cells: &[(u64, CellKind); 2],
+    corner: bool,
+) -> String {
+    let [(with, with_kind), (other, other_kind)] = *cells;
+    format!(
+        "node {node} at {} hangs in the middle of the side from node {} to node {}: cell {with} \
+         ({}) has it there, cell {other} ({}) {}",
+        place(at),
+        side[0],
+        side[1],
+        with_kind.name(),
+        other_kind.name(),
+        if corner {
+            "has a corner there"
+        } else {
+            "does not"
+        }
+    )
+}
+
 /// Parts, nodes and pairs that a message lists at most.
 const LISTED: usize = 8;
 
@@ -282,6 +331,27 @@ pub(super) fn short(value: f64) -> String {
     text.strip_suffix(".0").unwrap_or(&text).to_string()
 }
 
+/// `y = 3`, or `0.6 x + 0.8 z = 2` for a tilted plane.
+fn plane(normal: [f64; 3], offset: f64) -> String {
+    let mut text = String::new();
+    for (factor, axis) in normal.into_iter().zip(['x', 'y', 'z']) {
+        let sign = match (text.is_empty(), factor < 0.0) {
+            _ if factor == 0.0 => continue,
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        let factor = short(factor.abs());
+        text.push_str(sign);
+        if factor != "1" {
+            text.push_str(&format!("{factor} "));
+        }
+        text.push(axis);
+    }
+    format!("{text} = {}", short(offset))
+}
+
 pub(super) fn place([x, y]: [f64; 2]) -> String {
     format!("({}, {})", short(x), short(y))
 }
@@ -293,17 +363,18 @@ impl Explain for MeshProblem {
                 "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only \
                  what is in them, so put the surfaces in a physical surface"
             }
-            Self::NotPlane {
-                other: Some((axis, value)),
-                ..
-            } => {
+            Self::OtherPlane { normal, .. } => {
+                let turn = match normal {
+                    [1.0, 0.0, 0.0] => "turn it by -120 degrees about the direction (1, 1, 1)",
+                    [0.0, 1.0, 0.0] => "turn it by -90 degrees about the mesh axis x",
+                    _ => "turn it",
+                };
                 return Some(format!(
-                    "the mesh lies in the plane {axis} = {}: turn it into the x-y plane, \
-                     where x is the section axis y and y is the section axis z",
-                    short(*value)
+                    "{turn} into the x-y plane (in gmsh, Rotate), where x is the section axis y \
+                     and y is the section axis z"
                 ));
             }
-            Self::NotPlane { other: None, .. } => {
+            Self::NotPlane { .. } => {
                 "the section must lie in one plane z = constant of the mesh file"
             }
             Self::InvertedCell {
@@ -317,10 +388,14 @@ impl Explain for MeshProblem {
                 "mesh this place again; in a structured mesh, check the order of the points \
                  and the numbers of cells on facing curves"
             }
-            Self::SideMiddle { .. } => {
-                "use cells of one order throughout (in gmsh, Mesh.ElementOrder), and \
-                 Mesh > Remove duplicate nodes if nodes are doubled"
+            Self::HangingNode { corner: false, .. } => {
+                "use cells of one order throughout: in gmsh, Mesh.ElementOrder for the whole mesh"
             }
+            Self::HangingNode { corner: true, .. } => {
+                "neighboring cells must share whole sides: mesh this place again, or use cells of \
+                 one order throughout (in gmsh, Mesh.ElementOrder)"
+            }
+            Self::SideMiddle { .. } => "in gmsh, Mesh > Remove duplicate nodes",
             Self::DoubleCover(_) => {
                 "a surface meshed twice, or surfaces that reach into each other: in gmsh, \
                  \"Coherence;\" (built-in geometry) or BooleanFragments (OpenCASCADE) before \

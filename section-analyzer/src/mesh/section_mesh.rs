@@ -42,7 +42,8 @@ pub struct SectionCell {
     pub tag: u64,
     /// Shape.
     pub kind: CellKind,
-    /// Physical surface: index in [`SectionMesh::groups`].
+    /// Physical surface: index in [`SectionMesh::groups`]. Of several it is the
+    /// first of the mesh, and in a section input that of the cell's region.
     pub group: usize,
     nodes: [u32; 9],
 }
@@ -219,7 +220,10 @@ fn check_whole(mesh: &Mesh, meters_per_unit: f64) -> Result<(), Vec<MeshProblem>
 fn surface_groups(mesh: &Mesh) -> (Vec<String>, Vec<usize>) {
     let groups = mesh.groups.len();
     // the last entry stands for cells in no group
-    let entry = |cell: &Cell| cell.group.filter(|&group| group < groups).unwrap_or(groups);
+    let entry = |cell: &Cell| {
+        let first = cell.groups.first();
+        first.filter(|&group| group < groups).unwrap_or(groups)
+    };
     let mut used = vec![false; groups + 1];
     for cell in &mesh.cells {
         used[entry(cell)] = true;
@@ -258,16 +262,19 @@ fn curves(mesh: &Mesh, meters_per_unit: f64) -> Vec<Curve> {
     };
     let mut curves: Vec<Curve> = Vec::new();
     for line in &mesh.lines {
-        let Some(group) = line.group.and_then(|group| mesh.groups.get(group)) else {
-            continue;
-        };
-        let label = group.label();
-        match curves.iter_mut().find(|curve| curve.label == label) {
-            Some(curve) => curve.lines.push(placed(line)),
-            None => curves.push(Curve {
-                label,
-                lines: vec![placed(line)],
-            }),
+        for group in line
+            .groups
+            .iter()
+            .filter_map(|group| mesh.groups.get(group))
+        {
+            let label = group.label();
+            match curves.iter_mut().find(|curve| curve.label == label) {
+                Some(curve) => curve.lines.push(placed(line)),
+                None => curves.push(Curve {
+                    label,
+                    lines: vec![placed(line)],
+                }),
+            }
         }
     }
     curves

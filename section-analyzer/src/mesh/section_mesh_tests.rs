@@ -2,7 +2,7 @@
 
 use nalgebra::{Rotation3, Vector3};
 use shared_geom::error::Explain;
-use shared_geom::mesh::{LineKind, Node, PhysicalGroup};
+use shared_geom::mesh::{GroupSet, LineKind, Node, PhysicalGroup};
 
 use super::super::generate::{Ellipse, Rectangle, Tube};
 use super::super::problem::Inversion;
@@ -23,7 +23,7 @@ fn mesh(nodes: &[[f64; 2]], cells: &[&[u32]]) -> Mesh {
     };
     let cell = |(i, nodes): (usize, &&[u32])| {
         let mut cell = Cell::new(i as u64 + 1, kind(nodes.len()), 5, |n| nodes[n]);
-        cell.group = Some(0);
+        cell.groups = 0.into();
         cell
     };
     Mesh {
@@ -81,7 +81,7 @@ fn a_sound_mesh_comes_out_in_meters_without_unused_nodes() {
     let mut nodes = LADDER.to_vec();
     nodes.insert(0, [9.0, 9.0]);
     let mut mesh = mesh(&nodes, &[&[1, 2, 5, 4], &[2, 3, 6, 5]]);
-    mesh.cells[0].group = Some(1);
+    mesh.cells[0].groups = 1.into();
     let place = Place::file("test.msh");
     let (section, report) = SectionMesh::from_mesh(&mesh, 0.5, &place).unwrap();
     assert_eq!(section.nodes, LADDER.map(|p| p.map(|x| 0.5 * x)));
@@ -101,9 +101,9 @@ fn a_sound_mesh_comes_out_in_meters_without_unused_nodes() {
 fn groups_are_those_with_cells() {
     let mut mesh = mesh(&LADDER, &[LEFT, RIGHT]);
     mesh.groups[1].name = None;
-    mesh.cells[1].group = Some(1);
+    mesh.cells[1].groups = 1.into();
     assert_eq!(accepted(&mesh).0.groups, ["a", "2"]);
-    mesh.cells[0].group = None;
+    mesh.cells[0].groups = GroupSet::default();
     let (section, _) = accepted(&mesh);
     assert_eq!(section.groups, ["2", "no physical surface"]);
     assert_eq!([section.cells[0].group, section.cells[1].group], [1, 0]);
@@ -127,7 +127,7 @@ fn physical_curves_keep_their_lines_and_directions() {
             LineKind::Line3
         };
         let mut line = Line::new(tag, kind, 1, |i| nodes[i]);
-        line.group = group;
+        line.groups = group.into_iter().collect();
         mesh.lines.push(line);
     }
     let (section, _) = accepted(&mesh);
@@ -261,9 +261,13 @@ fn a_mesh_in_another_coordinate_plane_is_recognized() {
         node.position = Vector3::new(0.25, x, y);
     }
     let problems = refused(&mesh);
+    assert_eq!(
+        problems[0].to_string(),
+        "the mesh lies in the plane x = 0.25, expected a plane z = constant"
+    );
     let help = problems[0].help().unwrap();
     assert!(
-        help.contains("lies in the plane x = 0.25: turn it into the x-y plane"),
+        help.contains("by -120 degrees about the direction (1, 1, 1)"),
         "{help}"
     );
     // in no coordinate plane
@@ -271,10 +275,15 @@ fn a_mesh_in_another_coordinate_plane_is_recognized() {
     for node in &mut mesh.nodes {
         node.position = tilt * node.position;
     }
-    assert!(matches!(
-        refused(&mesh)[..],
-        [MeshProblem::NotPlane { other: None, .. }]
-    ));
+    let [MeshProblem::OtherPlane { normal, offset }] = refused(&mesh)[..] else {
+        panic!("a tilted plane");
+    };
+    let expected = tilt * Vector3::x();
+    assert!((Vector3::from(normal) - expected).norm() < 1e-14);
+    assert!((offset - 0.25).abs() < 1e-14, "{offset}");
+    // in no plane
+    mesh.nodes[4].position.z += 0.1;
+    assert!(matches!(refused(&mesh)[..], [MeshProblem::NotPlane { .. }]));
 }
 
 #[test]
@@ -411,7 +420,8 @@ fn sides_must_have_a_common_middle() {
     .concat();
     assert_eq!(
         message(&mesh(&nodes, &[LEFT, &[1, 2, 5, 4, 6, 7, 8, 9]])),
-        "cells 1 and 2 share the side from node 102 to node 105, but no node in its middle"
+        "node 110 at (1, 0.5) hangs in the middle of the side from node 102 to node 105: cell 2 \
+         (quadrilateral with 8 nodes) has it there, cell 1 (quadrilateral with 4 nodes) does not"
     );
 }
 
@@ -419,7 +429,7 @@ fn sides_must_have_a_common_middle() {
 fn parts_are_described() {
     let nodes = [LADDER.as_slice(), &[[4.0, 0.0], [5.0, 0.0], [4.0, 3.0]]].concat();
     let mut mesh = mesh(&nodes, &[&[6, 7, 8], LEFT, RIGHT]);
-    mesh.cells[0].group = Some(1);
+    mesh.cells[0].groups = 1.into();
     assert_eq!(
         message(&mesh),
         "the section falls into 2 parts that share no side, expected one\

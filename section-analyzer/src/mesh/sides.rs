@@ -1,4 +1,9 @@
 //! The sides of the cells: which cells meet at them, and whether they fit.
+//!
+//! Two cells fit at a side if they have its nodes in common, the middle one too.
+//! Where only one of them has a middle node, or a middle node is a corner of
+//! another cell, displacements to either side differ between the nodes: the node
+//! hangs.
 
 use std::collections::HashMap;
 
@@ -50,21 +55,193 @@ pub(super) fn sides(mesh: &PlaneMesh, oriented: bool) -> Sides {
             if new || side.cell == number {
                 continue;
             }
-            let cells = [side.cell, number].map(|cell| mesh.cells[cell].tag);
-            let nodes = key.map(|node| mesh.node_tags[node as usize]);
             if side.met || (oriented && side.first == first) {
-                overlaps.push(MeshProblem::Overlap { cells, nodes });
+                overlaps.push(MeshProblem::Overlap {
+                    cells: [side.cell, number].map(|cell| mesh.cells[cell].tag),
+                    nodes: key.map(|node| mesh.node_tags[node as usize]),
+                });
             } else if side.middle != middle {
-                gaps.push(MeshProblem::SideMiddle { cells, nodes });
+                let middles = [(side.cell, side.middle), (number, middle)];
+                gaps.push(no_common_middle(mesh, key, middles));
             }
             side.met = true;
             neighbors.push([side.cell, number]);
         }
+    }
+    for (with, without, problem) in middles_at_corners(mesh) {
+        gaps.push(problem);
+        neighbors.push([with, without]);
     }
     let mut problems = limited(overlaps, "overlapping cells");
     problems.extend(limited(gaps, "sides without a common middle"));
     Sides {
         neighbors,
         problems,
+    }
+}
+
+/// What is wrong at a side whose cells have different nodes in its middle.
+fn no_common_middle(
+    mesh: &PlaneMesh,
+    side: [u32; 2],
+    middles: [(usize, Option<u32>); 2],
+) -> MeshProblem {
+    match middles {
+        [(with, Some(middle)), (without, None)] | [(without, None), (with, Some(middle))] => {
+            hanging(mesh, side, middle, [with, without], false)
+        }
+        [(first, _), (second, _)] => {
+            let ends = side.map(|node| mesh.nodes[node as usize]);
+            MeshProblem::SideMiddle {
+                cells: [first, second].map(|cell| mesh.cells[cell].tag),
+                nodes: side.map(|node| mesh.node_tags[node as usize]),
+                at: [0, 1].map(|axis| 0.5 * (ends[0][axis] + ends[1][axis])),
+            }
+        }
+    }
+}
+
+/// The node `middle` of `side` that the first cell has in its side, the second not,
+/// or as a corner.
+fn hanging(
+    mesh: &PlaneMesh,
+    side: [u32; 2],
+    middle: u32,
+    cells: [usize; 2],
+    corner: bool,
+) -> MeshProblem {
+    MeshProblem::HangingNode {
+        node: mesh.node_tags[middle as usize],
+        at: mesh.nodes[middle as usize],
+        side: side.map(|node| mesh.node_tags[node as usize]),
+        cells: cells.map(|cell| (mesh.cells[cell].tag, mesh.cells[cell].kind)),
+        corner,
+    }
+}
+
+/// The middle nodes of sides that are corners of other cells: the cell of the side,
+/// the other one, and the problem.
+fn middles_at_corners(mesh: &PlaneMesh) -> Vec<(usize, usize, MeshProblem)> {
+    let mut cell_at_corner = vec![None; mesh.nodes.len()];
+    for (number, cell) in mesh.cells.iter().enumerate() {
+        for &corner in cell.corners() {
+            cell_at_corner[corner as usize] = Some(number);
+        }
+    }
+    let mut found = Vec::new();
+    for (number, cell) in mesh.cells.iter().enumerate() {
+        for side in 0..cell.kind.corner_count() {
+            let (a, b, middle) = cell.kind.side(side);
+            let Some(middle) = middle.map(|local| cell.nodes()[local]) else {
+                continue;
+            };
+            let ends = [a, b].map(|local| cell.nodes()[local]);
+            match cell_at_corner[middle as usize] {
+                // a cell that lists a node twice is told by itself
+                Some(other) if other != number => {
+                    let problem = hanging(mesh, ends, middle, [number, other], true);
+                    found.push((number, other, problem));
+                }
+                _ => {}
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use shared_geom::mesh::{Cell, CellKind, Mesh, Node};
+
+    use super::*;
+
+    /// The messages for cells on these places, all tags from one.
+    fn messages(places: &[[f64; 2]], cells: &[(CellKind, &[u32])]) -> Vec<String> {
+        let node = |(&[x, y], tag): (&[f64; 2], u64)| Node {
+            tag,
+            position: [x, y, 0.0].into(),
+        };
+        let cell = |(&(kind, nodes), tag): (&(CellKind, &[u32]), u64)| {
+            Cell::new(tag, kind, 1, |i| nodes[i] - 1)
+        };
+        let mesh = Mesh {
+            nodes: places.iter().zip(1..).map(node).collect(),
+            cells: cells.iter().zip(1..).map(cell).collect(),
+            ..Mesh::default()
+        };
+        let found = sides(&PlaneMesh::new(&mesh), true);
+        found.problems.iter().map(MeshProblem::to_string).collect()
+    }
+
+    /// ```text
+    ///   4---7---3--10---9        tags; 8 is in the middle of 4 1, 6 of 2 3
+    ///   |       |       |
+    ///   8       6      11
+    ///   |       |       |
+    ///   1---5---2--12--13
+    /// ```
+    const PLACES: [[f64; 2]; 13] = [
+        [0.0, 0.0],
+        [2.0, 0.0],
+        [2.0, 2.0],
+        [0.0, 2.0],
+        [1.0, 0.0],
+        [2.0, 1.0],
+        [1.0, 2.0],
+        [0.0, 1.0],
+        [4.0, 2.0],
+        [3.0, 2.0],
+        [4.0, 1.0],
+        [3.0, 0.0],
+        [4.0, 0.0],
+    ];
+    const LEFT: (CellKind, &[u32]) = (CellKind::Quadrilateral8, &[1, 2, 3, 4, 5, 6, 7, 8]);
+
+    #[test]
+    fn a_linear_cell_beside_a_quadratic_one_lets_the_middle_hang() {
+        let quadratic: &[u32] = &[2, 13, 9, 3, 12, 11, 10, 6];
+        let fits = [LEFT, (CellKind::Quadrilateral8, quadratic)];
+        assert!(messages(&PLACES, &fits).is_empty());
+        for cells in [
+            [LEFT, (CellKind::Quadrilateral4, &quadratic[..4])],
+            [(CellKind::Quadrilateral4, &LEFT.1[..4]), fits[1]],
+        ] {
+            let [with, without] = match cells[0].0 {
+                CellKind::Quadrilateral8 => [1, 2],
+                _ => [2, 1],
+            };
+            let expected = format!(
+                "node 6 at (2, 1) hangs in the middle of the side from node 2 to node 3: cell \
+                 {with} (quadrilateral with 8 nodes) has it there, cell {without} \
+                 (quadrilateral with 4 nodes) does not"
+            );
+            assert_eq!(messages(&PLACES, &cells), [expected]);
+        }
+    }
+
+    #[test]
+    fn a_middle_at_a_corner_hangs() {
+        let right: &[u32] = &[6, 9, 3];
+        assert_eq!(
+            messages(&PLACES, &[LEFT, (CellKind::Triangle3, right)]),
+            [
+                "node 6 at (2, 1) hangs in the middle of the side from node 2 to node 3: cell 1 \
+                 (quadrilateral with 8 nodes) has it there, cell 2 (triangle with 3 nodes) has \
+                 a corner there"
+            ]
+        );
+    }
+
+    #[test]
+    fn doubled_middles_are_told() {
+        let places = [PLACES.as_slice(), &[[2.0, 1.0]]].concat();
+        let right: &[u32] = &[2, 13, 9, 3, 12, 11, 10, 14];
+        assert_eq!(
+            messages(&places, &[LEFT, (CellKind::Quadrilateral8, right)]),
+            [
+                "cells 1 and 2 share the side from node 2 to node 3 at (2, 1), but not the node \
+                 in its middle"
+            ]
+        );
     }
 }

@@ -45,10 +45,6 @@ const SLOW: f64 = 0.5;
 /// price: the next would be smaller by as much again, which is below round-off.
 const SMALL_CORRECTION: f64 = 1e-8;
 
-/// Size of the correction of the linear step that vouches for the first solution of
-/// the constant step, which comes from the same factor: no more than this is off.
-const SMALL_ERROR: f64 = 1e-11;
-
 /// Warping and generalized strain per unit internal force, of some choice of
 /// rigid motions, with the forces of their stresses.
 #[derive(Debug, Clone)]
@@ -82,7 +78,7 @@ impl CentralSolution {
         }
         iteration.measure(domain);
         Some(Self {
-            correction: iteration.error(),
+            correction: largest(iteration.last[0], iteration.last[1]),
             x: iteration.x,
             y: iteration.y,
             face: iteration.forces.face,
@@ -199,16 +195,7 @@ impl Iteration {
         let is_open = |step: usize| {
             self.last[step] > SMALL_CORRECTION && self.last[step] < SLOW * self.before[step]
         };
-        let first_is_good = round == 0 && self.last[0] <= SMALL_ERROR;
-        !is_open(0) && (first_is_good || (round > 0 && !is_open(1)))
-    }
-
-    /// Size of the last correction: of the linear step alone where it vouched for
-    /// the other.
-    fn error(&self) -> f64 {
-        match self.before[1].is_finite() {
-            true => largest(self.last[0], self.last[1]),
-            false => self.last[0],
-        }
+        // the first round is the first solution of the constant step
+        round > 0 && !is_open(0) && !is_open(1)
     }
 }

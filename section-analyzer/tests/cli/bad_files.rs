@@ -39,8 +39,8 @@ fn cells_without_surface_are_counted() {
     place.is_refused(&[
         "error: a.section.toml:1: mesh \"two.msh\" has 1 cell in no physical surface (cell 12 \
          for example), expected every cell in one",
-        "  help: in gmsh, put every meshed surface in a physical surface, or set \
-         Mesh.SaveAll = 0",
+        "  help: in gmsh, put every surface of the section in a physical surface, and set \
+         Mesh.SaveAll = 0 (with 1, files of version 2.2 name no groups at all)",
         "error: a.section.toml:17: physical surface \"web\" has no cells in the mesh, expected \
          at least one",
     ]);

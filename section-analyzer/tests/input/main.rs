@@ -1,6 +1,10 @@
-//! Sections from files against sections whose cells are known in closed form.
+//! Sections from files: against sections whose cells are known in closed form, and
+//! files of any content.
 
 // A failed unwrap fails the test, with its line.
 #![allow(clippy::unwrap_used)]
 
 mod follow;
+#[path = "../../../shared-geom/tests/robust/mutation.rs"]
+mod mutation;
+mod robust;

@@ -1,44 +1,95 @@
-//! The lines of a file and the fields of a line, with line numbers for messages.
-
-use std::str::{FromStr, SplitAsciiWhitespace};
+//! Walks through the bytes of a file: its lines, and the numbers between them in
+//! binary files.
 
 use super::problem::ReadProblem;
 
-/// Walks over the lines that are not blank.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LineCursor<'a> {
-    rest: &'a str,
-    number: usize,
+/// How the numbers of a file are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Encoding {
+    /// As text, a line for each record.
+    Text,
+    /// As bytes, the least significant one first.
+    Little,
+    /// As bytes, the most significant one first.
+    Big,
 }
 
-impl<'a> LineCursor<'a> {
-    /// Stands before the first line of `text`.
-    pub(super) fn new(text: &'a str) -> Self {
+/// Walks over the lines that are not blank, and over bytes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cursor<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: usize,
+    begin: usize,
+    foreign: bool,
+    pub(super) encoding: Encoding,
+}
+
+impl<'a> Cursor<'a> {
+    /// Stands before the first line of a text.
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
+        let mark = "\u{feff}".as_bytes();
         Self {
-            rest: text.strip_prefix('\u{feff}').unwrap_or(text),
-            number: 0,
+            bytes,
+            at: if bytes.starts_with(mark) {
+                mark.len()
+            } else {
+                0
+            },
+            line: 0,
+            begin: 0,
+            foreign: false,
+            encoding: Encoding::Text,
         }
     }
 
-    /// Number of the line that was taken last, from one.
-    pub(super) fn number(&self) -> usize {
-        self.number
+    /// Whether numbers are written as bytes.
+    pub(super) fn is_binary(&self) -> bool {
+        self.encoding != Encoding::Text
     }
 
-    /// Bytes behind the line that was taken last.
+    /// Where that began which was taken last: in a text the line, from one; in a
+    /// binary file the byte, from zero.
+    pub(super) fn place(&self) -> usize {
+        if self.is_binary() {
+            self.begin
+        } else {
+            self.line
+        }
+    }
+
+    /// Whether the line that was taken last holds bytes that are no text.
+    pub(super) fn is_foreign(&self) -> bool {
+        self.foreign
+    }
+
+    /// Bytes behind what was taken last.
     pub(super) fn remaining(&self) -> usize {
-        self.rest.len()
+        self.rest().len()
     }
 
-    /// Takes the next line that is not blank, without the blanks around it.
+    fn rest(&self) -> &'a [u8] {
+        self.bytes.get(self.at..).unwrap_or_default()
+    }
+
+    /// Takes the next line that is not blank, without the blanks around it; of one
+    /// that is no text, the beginning that is.
     pub(super) fn line(&mut self) -> Option<&'a str> {
-        while !self.rest.is_empty() {
-            let (line, rest) = self.rest.split_once('\n').unwrap_or((self.rest, ""));
-            self.rest = rest;
-            self.number += 1;
-            let line = line.trim();
-            if !line.is_empty() {
-                return Some(line);
+        while self.at < self.bytes.len() {
+            self.begin = self.at;
+            let rest = self.rest();
+            let length = rest.iter().position(|&byte| byte == b'\n');
+            let line = &rest[..length.unwrap_or(rest.len())];
+            self.at += length.map_or(rest.len(), |length| length + 1);
+            self.line += 1;
+            let text = std::str::from_utf8(line);
+            self.foreign = text.is_err();
+            let text = text.unwrap_or_else(|error| {
+                std::str::from_utf8(&line[..error.valid_up_to()]).unwrap_or_default()
+            });
+            let text = text.trim();
+            if self.foreign || !text.is_empty() {
+                return Some(text);
             }
         }
         None
@@ -52,73 +103,66 @@ impl<'a> LineCursor<'a> {
         *self = ahead;
         Some(line)
     }
+
+    /// Begins a record of numbers as bytes.
+    pub(super) fn begin(&mut self) {
+        self.begin = self.at;
+    }
+
+    /// Takes as many bytes; `what` they belong to, for messages.
+    pub(super) fn take(
+        &mut self,
+        count: usize,
+        what: &'static str,
+    ) -> Result<&'a [u8], ReadProblem> {
+        let end = self.at.checked_add(count);
+        let taken = end.and_then(|end| self.bytes.get(self.at..end));
+        let taken = taken.ok_or(ReadProblem::CutOff(what))?;
+        self.at += count;
+        Ok(taken)
+    }
+
+    /// Takes the bytes of one number, turned to have the least significant one first.
+    pub(super) fn number<const N: usize>(
+        &mut self,
+        what: &'static str,
+    ) -> Result<[u8; N], ReadProblem> {
+        let mut bytes = [0; N];
+        bytes.copy_from_slice(self.take(N, what)?);
+        if self.encoding == Encoding::Big {
+            bytes.reverse();
+        }
+        Ok(bytes)
+    }
+
+    /// Goes behind the next line, or rest of a line, that is `$End` and then the
+    /// name of `section`; gives whether there is one.
+    pub(super) fn pass_end(&mut self, section: &str) -> bool {
+        let name = section.strip_prefix('$').unwrap_or(section);
+        let end = format!("$End{name}");
+        let mut from = self.at;
+        while let Some(found) = position(&self.bytes[from..], end.as_bytes()) {
+            from += found + end.len();
+            if self.bytes.get(from).is_none_or(u8::is_ascii_whitespace) {
+                self.at = from;
+                return true;
+            }
+        }
+        false
+    }
 }
 
-/// Takes the fields of a line one after the other.
-#[derive(Debug, Clone)]
-pub(super) struct Fields<'a> {
-    line: &'a str,
-    rest: SplitAsciiWhitespace<'a>,
-    /// What the line should hold, for messages.
-    expected: &'static str,
-}
-
-impl<'a> Fields<'a> {
-    pub(super) fn new(line: &'a str, expected: &'static str) -> Self {
-        Self {
-            line,
-            rest: line.split_ascii_whitespace(),
-            expected,
+/// Where `part`, which begins with `$`, stands first in `bytes`.
+fn position(bytes: &[u8], part: &[u8]) -> Option<usize> {
+    let mut from = 0;
+    while let Some(found) = bytes[from..].iter().position(|&byte| byte == b'$') {
+        from += found;
+        if bytes[from..].starts_with(part) {
+            return Some(from);
         }
+        from += 1;
     }
-
-    /// The next field.
-    pub(super) fn text(&mut self) -> Result<&'a str, ReadProblem> {
-        let found = self.rest.next();
-        found.ok_or_else(|| self.wrong_count())
-    }
-
-    /// The next field as a number; `what` is its name for messages.
-    pub(super) fn number<T: FromStr>(&mut self, what: &'static str) -> Result<T, ReadProblem> {
-        let found = self.text()?;
-        found.parse().map_err(|_| ReadProblem::NotANumber {
-            what,
-            found: found.to_string(),
-        })
-    }
-
-    /// The next field as a coordinate: a finite number.
-    pub(super) fn coordinate(&mut self) -> Result<f64, ReadProblem> {
-        let found = self.text()?;
-        found
-            .parse()
-            .ok()
-            .filter(|value: &f64| value.is_finite())
-            .ok_or_else(|| ReadProblem::NotACoordinate(found.to_string()))
-    }
-
-    /// Passes over `count` fields.
-    pub(super) fn skip(&mut self, count: usize) -> Result<(), ReadProblem> {
-        for _ in 0..count {
-            self.text()?;
-        }
-        Ok(())
-    }
-
-    /// States that no field is left.
-    pub(super) fn end(mut self) -> Result<(), ReadProblem> {
-        match self.rest.next() {
-            None => Ok(()),
-            Some(_) => Err(self.wrong_count()),
-        }
-    }
-
-    fn wrong_count(&self) -> ReadProblem {
-        ReadProblem::FieldCount {
-            expected: self.expected,
-            found: self.line.split_ascii_whitespace().count(),
-        }
-    }
+    None
 }
 
 #[cfg(test)]
@@ -127,29 +171,39 @@ mod tests {
 
     #[test]
     fn lines_are_trimmed_numbered_and_blank_ones_passed_over() {
-        let mut cursor = LineCursor::new("\u{feff}$A\r\n\r\n  1 2 \r\n$EndA");
+        let mut cursor = Cursor::new("\u{feff}$A\r\n\r\n  1 2 \r\n$EndA".as_bytes());
         assert_eq!(cursor.content(), None);
-        assert_eq!((cursor.line(), cursor.number()), (Some("$A"), 1));
-        assert_eq!((cursor.content(), cursor.number()), (Some("1 2"), 3));
-        assert_eq!((cursor.content(), cursor.number()), (None, 3));
-        assert_eq!((cursor.line(), cursor.number()), (Some("$EndA"), 4));
+        assert_eq!((cursor.line(), cursor.place()), (Some("$A"), 1));
+        assert_eq!((cursor.content(), cursor.place()), (Some("1 2"), 3));
+        assert_eq!((cursor.content(), cursor.place()), (None, 3));
+        assert_eq!((cursor.line(), cursor.place()), (Some("$EndA"), 4));
         assert_eq!((cursor.line(), cursor.remaining()), (None, 0));
     }
 
     #[test]
-    fn fields_state_what_is_missing_or_too_much() {
-        let mut fields = Fields::new("3 x", "two numbers");
-        assert_eq!(fields.number::<u64>("tag"), Ok(3));
-        assert_eq!(
-            fields.number::<u64>("tag").unwrap_err().to_string(),
-            "tag: expected a whole number, found \"x\""
-        );
-        assert_eq!(
-            fields.text().unwrap_err().to_string(),
-            "expected two numbers, found 2 fields"
-        );
-        assert!(Fields::new("1", "nothing").end().is_err());
-        assert!(Fields::new("nan", "x").coordinate().is_err());
-        assert!(Fields::new("1e999", "x").coordinate().is_err());
+    fn numbers_stand_between_lines_in_either_order() {
+        let mut cursor = Cursor::new(b"$A\n\x01\x02\x03\x04\n$EndAB\n$EndA\nx");
+        for (encoding, expected) in [
+            (Encoding::Little, 0x0403_0201),
+            (Encoding::Big, 0x0102_0304),
+        ] {
+            cursor.encoding = encoding;
+            let mut cursor = cursor;
+            assert_eq!(cursor.line(), Some("$A"));
+            cursor.begin();
+            let found = cursor.number("number").map(i32::from_le_bytes);
+            assert_eq!((found, cursor.place()), (Ok(expected), 3));
+            // the end of another section is none of this one
+            assert!(cursor.pass_end("$A"));
+            assert_eq!((cursor.line(), cursor.place()), (Some("x"), 21));
+            assert!(cursor.take(1, "number").is_err() && !cursor.pass_end("$A"));
+        }
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_end_their_line() {
+        let mut cursor = Cursor::new(b"1 \xff 2\n3");
+        assert_eq!((cursor.line(), cursor.is_foreign()), (Some("1"), true));
+        assert_eq!((cursor.line(), cursor.is_foreign()), (Some("3"), false));
     }
 }

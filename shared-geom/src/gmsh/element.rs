@@ -12,16 +12,16 @@ pub(super) enum ElementShape {
 
 impl ElementShape {
     /// The shape with this number in gmsh files; `None` for types that are not read.
-    pub(super) fn from_gmsh(number: u32) -> Option<Self> {
+    pub(super) fn from_gmsh(number: u64) -> Option<Self> {
         let line = [LineKind::Line2, LineKind::Line3]
             .into_iter()
-            .find(|kind| kind.gmsh_type() == number)
+            .find(|kind| u64::from(kind.gmsh_type()) == number)
             .map(Self::Line);
         let cell = CellKind::ALL
             .into_iter()
-            .find(|kind| kind.gmsh_type() == number)
+            .find(|kind| u64::from(kind.gmsh_type()) == number)
             .map(Self::Cell);
-        let point = (number == POINT_TYPE).then_some(Self::Point);
+        let point = (number == u64::from(POINT_TYPE)).then_some(Self::Point);
         line.or(cell).or(point)
     }
 
@@ -55,7 +55,7 @@ impl ElementShape {
 pub(super) const POINT_TYPE: u32 = 15;
 
 /// Element types that are not read: number, shape, number of nodes.
-const OTHERS: [(u32, &str, usize); 27] = [
+const OTHERS: [(u64, &str, usize); 27] = [
     (4, "tetrahedron", 4),
     (5, "hexahedron", 8),
     (6, "prism", 6),
@@ -86,7 +86,7 @@ const OTHERS: [(u32, &str, usize); 27] = [
 ];
 
 /// Name of a type that is not read, and whether it is a volume element.
-pub(super) fn other_type(number: u32) -> (String, bool) {
+pub(super) fn other_type(number: u64) -> (String, bool) {
     match OTHERS.iter().find(|(other, ..)| *other == number) {
         Some((_, shape, nodes)) => (
             format!("\"{shape} with {nodes} nodes\" (gmsh type {number})"),
@@ -94,6 +94,12 @@ pub(super) fn other_type(number: u32) -> (String, bool) {
         ),
         None => (format!("\"gmsh type {number}\""), false),
     }
+}
+
+/// Number of nodes of a type that is not read, where it is known.
+pub(super) fn other_node_count(number: u64) -> Option<usize> {
+    let found = OTHERS.iter().find(|(other, ..)| *other == number);
+    found.map(|&(.., nodes)| nodes)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What the readers say about files with problems, and that none makes them panic.
 
-use super::read_tests::{V22, V41, parsed, refused};
+use super::read_tests::{V22, V41, refused};
 use super::*;
 
 /// The messages for `text` with `from` replaced by `to`.
@@ -19,11 +19,20 @@ fn assert_says(messages: &str, expected: &str) {
 #[test]
 fn other_formats_are_refused_with_the_way_out() {
     assert_says(
-        &messages(V41, "4.1 0 8", "4.1 1 8"),
-        "test.msh:2: binary mesh found",
+        &messages(V41, "4.1 0 8", "4.1 2 8"),
+        "test.msh:2: file type \"2\" found, expected 0 (ascii) or 1 (binary)",
     );
     assert_says(
+        &messages(V22, "2.2 0 8", "2.2 0 4"),
+        "test.msh:2: numbers of 4 bytes announced, expected 8",
+    );
+    // the text that follows is no integer one
+    assert_says(
         &messages(V22, "2.2 0 8", "2.2 1 8"),
+        "the binary file should begin with the integer 1, found 1684948260",
+    );
+    assert_says(
+        &messages(V22, "2.2 0 8", "2 1 8"),
         "gmsh FILE -save -format msh41 -o NEW.msh",
     );
     assert_says(
@@ -42,23 +51,16 @@ fn other_formats_are_refused_with_the_way_out() {
 }
 
 #[test]
-fn binary_and_foreign_bytes_are_told_apart() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("mesh.msh");
-    std::fs::write(&path, b"$MeshFormat\n4.1 1 8\n\x01\x00\x00\x00\n\xff\xfe").unwrap();
-    let binary = read_file(&path).unwrap_err().to_string();
-    assert_says(&binary, "mesh.msh:2: binary mesh found, expected ascii");
-
+fn names_in_another_encoding_are_told() {
     let latin: Vec<u8> = V41
         .replace("p q", "\u{fc}")
         .chars()
         .map(|letter| letter as u8)
         .collect();
-    std::fs::write(&path, latin).unwrap();
-    let foreign = read_file(&path).unwrap_err().to_string();
+    let foreign = read(&latin, "test.msh").unwrap_err().to_string();
     assert_says(
         &foreign,
-        "mesh.msh:6: the line holds bytes that are no UTF-8 text",
+        "test.msh:6: the line holds bytes that are no UTF-8 text",
     );
 }
 
@@ -210,6 +212,18 @@ fn sections_must_be_closed() {
 }
 
 #[test]
+fn a_section_that_stands_twice_is_told_and_read_once() {
+    let (_, nodes) = V22.split_once("$Nodes").unwrap();
+    let (nodes, _) = nodes.split_once("$Elements").unwrap();
+    let twice = refused(&format!("{V22}$Nodes{nodes}")).to_string();
+    assert_says(
+        &twice,
+        "test.msh:29: section \"$Nodes\" found again, expected it once",
+    );
+    assert_eq!(twice.matches("error").count(), 1, "{twice}");
+}
+
+#[test]
 fn all_unknown_nodes_are_told_up_to_a_limit() {
     let all = messages(
         V22,
@@ -261,27 +275,22 @@ fn doubled_tags_are_told() {
 }
 
 #[test]
-fn a_cell_stands_in_one_physical_surface() {
-    let expected = "cell 4 stands in two physical surfaces, \"a\" and \"2\", expected one";
-    let all = messages(V41, "2 1 0 1 1 4 1 2 3 4", "2 1 0 2 1 -2 4 1 2 3 4");
-    assert_says(&all, &format!("test.msh:57: {expected}"));
-    // gmsh writes the cell once for each group in 2.2
+fn two_cells_on_the_same_corners_are_told() {
+    // not so if gmsh has written one cell for each of its groups (2.2)
     let text = V22.replace("$Elements\n4", "$Elements\n5").replace(
         "$EndElements",
-        "5 10 2 2 1 10 4 3 2 8 7 6 5 900000000000\n$EndElements",
+        "5 10 2 1 1 10 4 3 2 8 7 6 5 900000000000\n$EndElements",
     );
-    assert_says(
-        &refused(&text).to_string(),
-        "cell 5 stands in two physical surfaces, \"a\" and \"2\", expected one",
-    );
-    let same = text.replace("5 10 2 2 1", "5 10 2 1 1");
-    assert_says(
-        &refused(&same).to_string(),
-        "cells 4 and 5 have the same corners",
-    );
-    // points and lines may: the first group is taken
-    let mesh = parsed(&V41.replace("2 0 0 1 -7 2", "2 0 0 2 -7 8 2"));
-    assert_eq!(mesh.lines[0].group, Some(1));
+    let expected = "test.msh:28: cells 4 and 5 have the same corners";
+    assert_says(&refused(&text).to_string(), expected);
+    let no_group = text.replace("5 10 2 1 1", "5 10 2 0 1");
+    assert_says(&refused(&no_group).to_string(), expected);
+    let other_entity = text.replace("5 10 2 1 1", "5 10 2 2 2");
+    assert_says(&refused(&other_entity).to_string(), expected);
+    let other_kind = text
+        .replace("5 10 2 1 1", "5 3 2 2 1")
+        .replace("8 7 6 5 900000000000\n$End", "\n$End");
+    assert_says(&refused(&other_kind).to_string(), expected);
 }
 
 #[test]

@@ -1,26 +1,41 @@
-//! Mesh files of gmsh: MSH 2.2 and 4.1, ascii.
+//! Mesh files of gmsh: MSH 2.2 and 4.1, ascii and binary of either byte order.
 //!
-//! [`read`] goes once through the lines of a file, keeps what a plane section
+//! [`read`] goes once through the bytes of a file, keeps what a plane section
 //! mesh is made of (physical groups, nodes, points, lines, triangles,
 //! quadrilaterals) and skips the sections that it does not know. References
 //! between the parts are resolved at the end, so that all problems of a file are
-//! told together. [`write()`] gives MSH 4.1.
+//! told together, each with its line, or in binary files its byte. [`write()`]
+//! gives MSH 4.1, ascii.
 //!
 //! An element of an entity that stands reversed in its physical group (negative
 //! tag) is reversed on reading, as gmsh does itself when it writes MSH 2.2:
 //! `Physical Curve("skin") = {-1, 2}` gives lines that run on through both curves.
 //!
+//! An element may stand in several physical groups. MSH 4.1 tells them by entity;
+//! MSH 2.2 lists the element once for each of them, with a tag of its own each
+//! time, and these become one element with the first tag. A line that runs along
+//! in one group and against it in another is two lines in the mesh.
+//!
+//! With `Mesh.SaveAll = 1` MSH 4.1 has elements with and without groups, while
+//! gmsh writes no group at all into MSH 2.2.
+//!
 //! # References
 //! - Gmsh reference manual, sections "MSH file format" (4.1) and
 //!   "MSH file format version 2 (Legacy)" (2.2).
 
+mod assemble;
 mod build;
 mod cursor;
 mod element;
+mod fields;
+mod format;
+mod merge;
+mod names;
 mod problem;
 mod read22;
 mod read41;
 mod sections;
+mod tags;
 mod write41;
 
 use std::path::Path;
@@ -32,49 +47,36 @@ use problem::ReadProblem;
 
 pub use write41::write;
 
-/// Reads the mesh in `text`, the content of a gmsh file of version 2.2 or 4.1
-/// in ascii; `file` is the name for messages.
+/// Reads the mesh in `content`, the bytes (or text) of a gmsh file of version 2.2 or
+/// 4.1; `file` is the name for messages.
 ///
 /// # Errors
 /// Everything that is wrong with the file (about the first twenty problems),
-/// each with its line.
-pub fn read(text: &str, file: &str) -> Result<Mesh, Diagnostics> {
-    sections::read(text, file)
+/// each with its line or byte.
+pub fn read<B>(content: &B, file: &str) -> Result<Mesh, Diagnostics>
+where
+    B: AsRef<[u8]> + ?Sized,
+{
+    sections::read(content.as_ref(), file)
 }
 
 /// Reads the mesh in the file at `path`; see [`read`].
 ///
 /// # Errors
-/// As [`read`]; also a file that cannot be read or is not text.
+/// As [`read`]; also a file that cannot be read.
 pub fn read_file(path: &Path) -> Result<Mesh, Diagnostics> {
     let file = path.display().to_string();
-    let whole = |problem| Diagnostics::one(Place::file(&file), &problem);
-    let bytes =
-        std::fs::read(path).map_err(|error| whole(ReadProblem::Unreadable(error.to_string())))?;
-    match std::str::from_utf8(&bytes) {
-        Ok(text) => read(text, &file),
+    match std::fs::read(path) {
+        Ok(bytes) => read(&bytes, &file),
         Err(error) => {
-            let (before, _) = bytes.split_at(error.valid_up_to());
-            let text = String::from_utf8_lossy(before);
-            Err(not_text(&text, &file))
+            let problem = ReadProblem::Unreadable(error.to_string());
+            Err(Diagnostics::one(Place::file(&file), &problem))
         }
     }
 }
 
-/// The problem of a file whose text ends, after `before`, in bytes that are no
-/// text: a binary mesh, or names in another encoding.
-fn not_text(before: &str, file: &str) -> Diagnostics {
-    match sections::format(before) {
-        Err((line, problem @ ReadProblem::Binary)) => {
-            Diagnostics::one(Place::line(file, line), &problem)
-        }
-        _ => Diagnostics::one(
-            Place::line(file, before.lines().count().max(1)),
-            &ReadProblem::NotText,
-        ),
-    }
-}
-
+#[cfg(test)]
+mod binary_tests;
 #[cfg(test)]
 mod malformed_tests;
 #[cfg(test)]

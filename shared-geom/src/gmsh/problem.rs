@@ -16,16 +16,22 @@ pub(super) enum ReadProblem {
     Empty,
     #[error("no section \"$MeshFormat\" found: this is no gmsh mesh of version 2 or later")]
     NotGmsh,
-    #[error("binary mesh found, expected ascii")]
-    Binary,
-    #[error("file type \"{0}\" found, expected 0 (ascii)")]
+    #[error("file type \"{0}\" found, expected 0 (ascii) or 1 (binary)")]
     FileType(String),
+    #[error("numbers of {0} bytes announced, expected 8")]
+    NumberSize(u32),
+    #[error("the binary file should begin with the integer 1, found {0} or its bytes reversed")]
+    ByteOrder(i32),
+    #[error("the file ends within {0}")]
+    CutOff(&'static str),
     #[error("mesh format version \"{0}\" found, expected 2.2 or 4.1")]
     Version(String),
     #[error("section \"{0}\" is missing")]
     MissingSection(&'static str),
     #[error("section \"{section}\" is not closed: expected \"$End{}\", found {found}", &section[1..])]
     NotClosed { section: String, found: String },
+    #[error("section \"{0}\" found again, expected it once")]
+    RepeatedSection(&'static str),
     #[error("\"{0}\" found, but no such section is open")]
     StrayEnd(String),
     #[error("text outside of any section: \"{0}\"")]
@@ -53,10 +59,19 @@ pub(super) enum ReadProblem {
         "expected the end of section \"{section}\", since all that it announces has been read, found \"{found}\""
     )]
     ContentLeft { section: String, found: String },
+    #[error(
+        "expected the end of section \"{section}\", \"$End{}\", since all that it announces has \
+         been read", &section[1..]
+    )]
+    EndNotFound { section: String },
+    #[error("a block of {count} elements, expected 1 to {most}, as the section announces")]
+    BlockSize { count: u64, most: usize },
+    #[error("the size of elements of gmsh type {0} is not known: those behind them cannot be read")]
+    UnknownType(u64),
     #[error("expected the group's name in double quotes")]
     NoName,
     #[error("dimension {0} found, expected 0, 1, 2 or 3")]
-    Dimension(u32),
+    Dimension(u64),
     #[error("physical group {tag} of dimension {dimension} is named twice")]
     GroupNamedTwice { dimension: u8, tag: i32 },
     #[error("entity {tag} of dimension {dimension} is listed twice")]
@@ -74,20 +89,12 @@ pub(super) enum ReadProblem {
     )]
     UnknownEntity { dimension: u8, tag: i32 },
     #[error("{name} in a block of dimension {found}")]
-    BlockDimension { name: &'static str, found: u32 },
+    BlockDimension { name: &'static str, found: u64 },
     #[error("{count} {} of type {name} found, expected {SUPPORTED}", if *count == 1 { "element" } else { "elements" })]
     UnsupportedElements {
         name: String,
         count: u64,
         volume: bool,
-    },
-    #[error(
-        "cell {cell} stands in two physical surfaces, \"{first}\" and \"{second}\", expected one"
-    )]
-    CellInTwoGroups {
-        cell: u64,
-        first: String,
-        second: String,
     },
     #[error("cells {first} and {cell} have the same corners")]
     RepeatedCell { cell: u64, first: u64 },
@@ -113,8 +120,8 @@ impl Explain for ReadProblem {
             Self::NotGmsh => {
                 "in gmsh, save it as \"Version 4 ASCII\": gmsh FILE -save -format msh41 -o NEW.msh"
             }
-            Self::Binary | Self::FileType(_) => {
-                "save it as text, with Mesh.Binary = 0: gmsh FILE -save -format msh41 -o NEW.msh"
+            Self::FileType(_) | Self::NumberSize(_) | Self::ByteOrder(_) => {
+                "save it again with gmsh: gmsh FILE -save -format msh41 -o NEW.msh"
             }
             Self::Version(_) => "save it in version 4.1: gmsh FILE -save -format msh41 -o NEW.msh",
             Self::Partitioned => "in gmsh, Mesh > Unpartition, then save the mesh again",
@@ -125,11 +132,10 @@ impl Explain for ReadProblem {
             Self::NotClosed { found, .. } if found == END_OF_FILE => {
                 "the file may have been cut off while it was written or copied"
             }
-            Self::CountTooLarge { .. } => "the file may have been cut off, or the count is wrong",
-            Self::GroupNamedTwice { .. } => "give each physical group one name",
-            Self::CellInTwoGroups { .. } => {
-                "a cell has one material: take its surface out of one of the physical surfaces"
+            Self::CountTooLarge { .. } | Self::CutOff(_) | Self::EndNotFound { .. } => {
+                "the file may have been cut off, or the count is wrong"
             }
+            Self::GroupNamedTwice { .. } => "give each physical group one name",
             Self::RepeatedCell { .. } => {
                 "remove one of them: in gmsh, Mesh > Remove duplicate elements"
             }
@@ -156,7 +162,7 @@ pub(super) const KNOWN_SECTIONS: [&str; 6] = [
 /// What stands in [`ReadProblem::NotClosed`] for the end of the file.
 pub(super) const END_OF_FILE: &str = "the end of the file";
 
-/// The problems found so far, each with its line where it has one.
+/// The problems found so far, each with its line or byte where it has one.
 #[derive(Debug, Default)]
 pub(super) struct Problems {
     found: Vec<(Option<usize>, ReadProblem)>,
@@ -164,9 +170,9 @@ pub(super) struct Problems {
 }
 
 impl Problems {
-    /// Adds the problem of a line.
-    pub(super) fn push(&mut self, line: usize, problem: ReadProblem) {
-        self.add(Some(line), problem);
+    /// Adds the problem of a line, or of what begins at a byte of a binary file.
+    pub(super) fn push(&mut self, at: usize, problem: ReadProblem) {
+        self.add(Some(at), problem);
     }
 
     /// Adds a problem of the whole file.
@@ -174,29 +180,39 @@ impl Problems {
         self.add(None, problem);
     }
 
-    fn add(&mut self, line: Option<usize>, problem: ReadProblem) {
+    fn add(&mut self, at: Option<usize>, problem: ReadProblem) {
         if self.found.len() < LIMIT {
-            self.found.push((line, problem));
+            self.found.push((at, problem));
         } else {
             self.hidden += 1;
         }
     }
 
-    /// The problems in the order of their lines, those of the whole file last.
-    pub(super) fn into_diagnostics(mut self, file: &str) -> Diagnostics {
-        self.found
-            .sort_by_key(|(line, _)| line.unwrap_or(usize::MAX));
+    /// The problems in the order of their places, those of the whole file last;
+    /// places are bytes of a binary file, lines of another.
+    pub(super) fn into_diagnostics(mut self, file: &str, binary: bool) -> Diagnostics {
+        self.found.sort_by_key(|(at, _)| at.unwrap_or(usize::MAX));
         if self.hidden > 0 {
             self.found.push((None, ReadProblem::More(self.hidden)));
         }
         let mut diagnostics = Diagnostics::new();
-        for (line, problem) in &self.found {
-            let place = match line {
+        for (at, problem) in &self.found {
+            let place = match at {
+                Some(byte) if binary => Place::byte(file, *byte),
                 Some(line) => Place::line(file, *line),
                 None => Place::file(file),
             };
             diagnostics.push(place, problem);
         }
         diagnostics
+    }
+}
+
+/// The beginning of a text, for messages.
+pub(super) fn shortened(text: &str) -> String {
+    const LETTERS: usize = 40;
+    match text.char_indices().nth(LETTERS) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_string(),
     }
 }

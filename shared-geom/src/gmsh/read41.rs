@@ -1,5 +1,5 @@
-//! Entities, nodes and elements of MSH 4.1, ascii: nodes and elements come in
-//! blocks, one for each entity.
+//! Entities, nodes and elements of MSH 4.1: nodes and elements come in blocks, one
+//! for each entity.
 //!
 //! ```text
 //! $Entities
@@ -16,16 +16,19 @@
 //! ...
 //! $EndNodes                                   $EndElements
 //! ```
+//!
+//! In binary files counts and the tags of nodes and elements are integers of eight
+//! bytes, all others of four; nothing stands between the numbers.
 
-use nalgebra::Vector3;
-
-use super::build::Membership;
-use super::cursor::Fields;
-use super::element::ElementShape;
+use super::build::{ElementKind, Membership};
+use super::cursor::Cursor;
+use super::element::{ElementShape, other_node_count};
+use super::fields::Fields;
 use super::problem::ReadProblem;
-use super::sections::{Outcome, Reader, dimension_of};
+use super::sections::{Outcome, Progress, Reader, dimension_of, header, item};
 
-/// Bytes of the shortest node: a line `1` and a line `0 0 0`.
+/// Bytes of the shortest node: a line `1` and a line `0 0 0`. Here and below,
+/// binary ones are longer.
 const LEAST_NODE_BYTES: usize = 8;
 /// Bytes of the shortest element, `1 1`.
 const LEAST_ELEMENT_BYTES: usize = 4;
@@ -34,20 +37,31 @@ const LEAST_BLOCK_BYTES: usize = 8;
 /// Bytes of the shortest entity, `1 0 0 0 0`.
 const LEAST_ENTITY_BYTES: usize = 10;
 
+const INT: usize = 4;
+const FLOAT: usize = 8;
+const TAG: usize = 8;
+
 /// Reads the entities: which physical groups each of them stands in.
 pub(super) fn read_entities(reader: &mut Reader) -> Outcome {
-    let mut fields = reader.header("the numbers of points, curves, surfaces and volumes")?;
+    let expected = "the numbers of points, curves, surfaces and volumes";
+    let mut fields = header(&mut reader.cursor, expected)?;
     let mut counts = [0; 4];
     for count in &mut counts {
-        *count = reader.count(&mut fields, "entities", LEAST_ENTITY_BYTES)?;
+        *count = fields.count("entities", LEAST_ENTITY_BYTES)?;
     }
     fields.end()?;
     reader.mesh.begin_entities();
-    for (dimension, count) in (0..).zip(counts) {
-        for found in 0..count {
-            let line = reader.item("entities", count, found)?;
-            let entity = read_entity(reader, line, dimension);
-            if reader.keep(entity).is_none() {
+    for (dimension, announced) in (0..).zip(counts) {
+        for found in 0..announced {
+            let progress = Progress {
+                what: "entities",
+                announced,
+                found,
+            };
+            let entity = read_entity(&mut reader.cursor, progress, dimension)?;
+            let entity =
+                entity.and_then(|(tag, physical)| reader.mesh.entity(dimension, tag, physical));
+            if reader.keep_unless(entity, |_| false)?.is_none() {
                 reader.mesh.lose_entities();
             }
         }
@@ -55,7 +69,15 @@ pub(super) fn read_entities(reader: &mut Reader) -> Outcome {
     Ok(())
 }
 
-fn read_entity(reader: &mut Reader, line: &str, dimension: u8) -> Outcome {
+/// Tag of an entity and the signed tags of its physical groups.
+type Entity = (i32, Vec<i32>);
+
+/// Reads an entity; an outer problem is that there is none.
+fn read_entity(
+    cursor: &mut Cursor,
+    progress: Progress,
+    dimension: u8,
+) -> Result<Result<Entity, ReadProblem>, ReadProblem> {
     let (place, expected) = match dimension {
         0 => (
             3,
@@ -67,33 +89,38 @@ fn read_entity(reader: &mut Reader, line: &str, dimension: u8) -> Outcome {
              number of bounding entities, their tags",
         ),
     };
-    let mut fields = Fields::new(line, expected);
-    let tag = fields.number("entity tag")?;
-    fields.skip(place)?;
-    let count: usize = fields.number("number of physical tags")?;
-    let mut physical = Vec::new();
-    for _ in 0..count {
-        physical.push(fields.number("physical tag")?);
-    }
-    if dimension > 0 {
-        let bounds: usize = fields.number("number of bounding entities")?;
-        fields.skip(bounds)?;
-    }
-    fields.end()?;
-    reader.mesh.entity(dimension, tag, physical)
+    let fields = item(cursor, progress, expected)?;
+    Ok(entity_of(fields, dimension, place))
 }
 
-/// The line that opens the nodes and the elements: numbers of blocks and of items.
+fn entity_of(mut fields: Fields, dimension: u8, place: usize) -> Result<Entity, ReadProblem> {
+    let tag = fields.int("entity tag")?;
+    fields.skip(place, FLOAT)?;
+    let count = fields.size("number of physical tags")?;
+    let mut physical = Vec::new();
+    for _ in 0..count {
+        physical.push(fields.int("physical tag")?);
+    }
+    if dimension > 0 {
+        let bounds = fields.size("number of bounding entities")?;
+        fields.skip(usize::try_from(bounds).unwrap_or(usize::MAX), INT)?;
+    }
+    fields.end()?;
+    Ok((tag, physical))
+}
+
+/// The record that opens the nodes and the elements: numbers of blocks and of items.
 fn read_totals(
     reader: &mut Reader,
     what: &'static str,
     least_bytes: usize,
 ) -> Result<(usize, usize), ReadProblem> {
-    let mut fields = reader.header("4 numbers: blocks, count, smallest tag, largest tag")?;
-    let blocks = reader.count(&mut fields, "blocks", LEAST_BLOCK_BYTES)?;
-    let count = reader.count(&mut fields, what, least_bytes)?;
-    fields.number::<u64>("smallest tag")?;
-    fields.number::<u64>("largest tag")?;
+    let expected = "4 numbers: blocks, count, smallest tag, largest tag";
+    let mut fields = header(&mut reader.cursor, expected)?;
+    let blocks = fields.count("blocks", LEAST_BLOCK_BYTES)?;
+    let count = fields.count(what, least_bytes)?;
+    fields.size("smallest tag")?;
+    fields.size("largest tag")?;
     fields.end()?;
     Ok((blocks, count))
 }
@@ -112,22 +139,26 @@ fn check_total(what: &'static str, announced: usize, found: usize) -> Outcome {
 
 /// Reads the nodes.
 pub(super) fn read_nodes(reader: &mut Reader) -> Outcome {
-    let (blocks, count) = read_totals(reader, "nodes", LEAST_NODE_BYTES)?;
+    let (announced, count) = read_totals(reader, "nodes", LEAST_NODE_BYTES)?;
     reader.mesh.reserve_nodes(count);
     let mut total = 0;
     let mut tags = Vec::new();
-    for found in 0..blocks {
-        let line = reader.item("node blocks", blocks, found)?;
-        let mut fields = Fields::new(line, "a node block: dimension, entity, parametric, count");
-        let dimension = dimension_of(fields.number("dimension")?, 3)?;
-        fields.number::<i32>("entity tag")?;
-        let parametric: u32 = fields.number("parametric")?;
-        let size = reader.count(&mut fields, "nodes", LEAST_NODE_BYTES)?;
+    for found in 0..announced {
+        let progress = Progress {
+            what: "node blocks",
+            announced,
+            found,
+        };
+        let expected = "a node block: dimension, entity, parametric, count";
+        let mut fields = item(&mut reader.cursor, progress, expected)?;
+        let dimension = dimension_of(fields.natural("dimension")?, 3)?;
+        fields.int("entity tag")?;
+        let parametric = fields.natural("parametric")?;
+        let size = fields.count("nodes", LEAST_NODE_BYTES)?;
         fields.end()?;
-        let parameters = if parametric == 0 {
-            0
-        } else {
-            usize::from(dimension)
+        let parameters = match parametric {
+            0 => 0,
+            _ => usize::from(dimension),
         };
         read_node_tags(reader, size, &mut tags)?;
         read_coordinates(reader, &tags, parameters)?;
@@ -140,12 +171,16 @@ pub(super) fn read_nodes(reader: &mut Reader) -> Outcome {
 fn read_node_tags(reader: &mut Reader, size: usize, tags: &mut Vec<Option<u64>>) -> Outcome {
     tags.clear();
     for found in 0..size {
-        let line = reader.item("nodes", size, found)?;
-        let mut fields = Fields::new(line, "a node tag");
-        let tag = fields.number("node tag");
+        let progress = Progress {
+            what: "nodes",
+            announced: size,
+            found,
+        };
+        let mut fields = item(&mut reader.cursor, progress, "a node tag")?;
+        let tag = fields.size("node tag");
         // several fields on the line mean that the block is shorter than announced
         fields.end()?;
-        tags.push(reader.keep(tag));
+        tags.push(reader.keep_unless(tag, |_| false)?);
     }
     Ok(())
 }
@@ -153,12 +188,15 @@ fn read_node_tags(reader: &mut Reader, size: usize, tags: &mut Vec<Option<u64>>)
 /// Reads the coordinates of the nodes of a block.
 fn read_coordinates(reader: &mut Reader, tags: &[Option<u64>], parameters: usize) -> Outcome {
     for (found, &tag) in tags.iter().enumerate() {
-        let line = reader.item("node coordinates", tags.len(), found)?;
-        let position = read_position(line, parameters);
-        if let Err(problem @ ReadProblem::FieldCount { .. }) = position {
-            return Err(problem);
-        }
-        let node = match (tag, reader.keep(position)) {
+        let progress = Progress {
+            what: "node coordinates",
+            announced: tags.len(),
+            found,
+        };
+        let expected = "coordinates x, y, z and the parameters of the block";
+        let fields = item(&mut reader.cursor, progress, expected)?;
+        let position = read_position(fields, parameters);
+        let node = match (tag, reader.keep_unless(position, is_misplaced)?) {
             (Some(tag), Some(position)) => {
                 let added = reader.mesh.node(tag, position);
                 reader.keep(added)
@@ -172,33 +210,49 @@ fn read_coordinates(reader: &mut Reader, tags: &[Option<u64>], parameters: usize
     Ok(())
 }
 
-fn read_position(line: &str, parameters: usize) -> Result<Vector3<f64>, ReadProblem> {
-    let mut fields = Fields::new(line, "coordinates x, y, z and the parameters of the block");
-    let x = fields.coordinate()?;
-    let y = fields.coordinate()?;
-    let z = fields.coordinate()?;
-    fields.skip(parameters)?;
-    fields.end()?;
-    Ok(Vector3::new(x, y, z))
+/// Whether a line is not of the block in which it is read.
+fn is_misplaced(problem: &ReadProblem) -> bool {
+    matches!(problem, ReadProblem::FieldCount { .. })
+}
+
+fn read_position(mut fields: Fields, parameters: usize) -> Result<[f64; 3], ReadProblem> {
+    let position = fields.position();
+    if matches!(position, Ok(_) | Err(ReadProblem::NotACoordinate(_))) {
+        fields.skip(parameters, FLOAT)?;
+    }
+    if position.is_ok() {
+        fields.end()?;
+    }
+    position
 }
 
 /// Reads the elements.
 pub(super) fn read_elements(reader: &mut Reader) -> Outcome {
-    let (blocks, count) = read_totals(reader, "elements", LEAST_ELEMENT_BYTES)?;
+    let (announced, count) = read_totals(reader, "elements", LEAST_ELEMENT_BYTES)?;
     let mut total = 0;
-    for found in 0..blocks {
-        let line = reader.item("element blocks", blocks, found)?;
-        let mut fields = Fields::new(line, "an element block: dimension, entity, type, count");
-        let dimension: u32 = fields.number("dimension")?;
-        let entity = fields.number("entity tag")?;
-        let number = fields.number("element type")?;
-        let size = reader.count(&mut fields, "elements", LEAST_ELEMENT_BYTES)?;
+    for found in 0..announced {
+        let progress = Progress {
+            what: "element blocks",
+            announced,
+            found,
+        };
+        let expected = "an element block: dimension, entity, type, count";
+        let mut fields = item(&mut reader.cursor, progress, expected)?;
+        let dimension = fields.natural("dimension")?;
+        let entity = fields.int("entity tag")?;
+        let number = fields.natural("element type")?;
+        let size = fields.count("elements", LEAST_ELEMENT_BYTES)?;
         fields.end()?;
         match ElementShape::from_gmsh(number) {
             Some(shape) => {
                 let checked = check_dimension(shape, dimension);
                 reader.keep(checked);
-                read_element_block(reader, shape, entity, size)?;
+                let kind = ElementKind {
+                    shape,
+                    entity,
+                    membership: Membership::Entity,
+                };
+                read_element_block(reader, kind, size)?;
             }
             None => skip_element_block(reader, number, size)?,
         }
@@ -207,8 +261,8 @@ pub(super) fn read_elements(reader: &mut Reader) -> Outcome {
     check_total("elements", count, total)
 }
 
-fn check_dimension(shape: ElementShape, found: u32) -> Outcome {
-    if found == u32::from(shape.dimension()) {
+fn check_dimension(shape: ElementShape, found: u64) -> Outcome {
+    if found == u64::from(shape.dimension()) {
         return Ok(());
     }
     Err(ReadProblem::BlockDimension {
@@ -217,48 +271,54 @@ fn check_dimension(shape: ElementShape, found: u32) -> Outcome {
     })
 }
 
-fn read_element_block(
-    reader: &mut Reader,
-    shape: ElementShape,
-    entity: i32,
-    size: usize,
-) -> Outcome {
+fn read_element_block(reader: &mut Reader, kind: ElementKind, size: usize) -> Outcome {
     for found in 0..size {
-        let line = reader.item("elements", size, found)?;
-        let at = reader.cursor.number();
+        let progress = Progress {
+            what: "elements",
+            announced: size,
+            found,
+        };
+        let expected = "an element: tag and as many nodes as its type has";
+        let fields = item(&mut reader.cursor, progress, expected)?;
         let mut nodes = [0; 9];
-        let nodes = &mut nodes[..shape.node_count()];
-        match read_element(line, nodes) {
-            Ok(tag) => {
-                let kind = (shape, entity, Membership::Entity);
-                reader.mesh.element(at, tag, kind, nodes);
-            }
-            Err(problem @ ReadProblem::FieldCount { .. }) => return Err(problem),
-            Err(problem) => reader.problems.push(at, problem),
+        let nodes = &mut nodes[..kind.shape.node_count()];
+        let tag = read_element(fields, nodes);
+        let at = reader.cursor.place();
+        if let Some(tag) = reader.keep_unless(tag, is_misplaced)? {
+            reader.mesh.element(at, tag, kind, nodes);
         }
     }
     Ok(())
 }
 
 /// Reads an element into `nodes`; gives its tag.
-fn read_element(line: &str, nodes: &mut [u64]) -> Result<u64, ReadProblem> {
-    let mut fields = Fields::new(line, "an element: tag and as many nodes as its type has");
-    let tag = fields.number("element tag")?;
+fn read_element(mut fields: Fields, nodes: &mut [u64]) -> Result<u64, ReadProblem> {
+    let tag = fields.size("element tag")?;
     for node in nodes {
-        *node = fields.number("node tag")?;
+        *node = fields.size("node tag")?;
     }
     fields.end()?;
     Ok(tag)
 }
 
 /// Passes over a block of elements that are not read.
-fn skip_element_block(reader: &mut Reader, number: u32, size: usize) -> Outcome {
+fn skip_element_block(reader: &mut Reader, number: u64, size: usize) -> Outcome {
     if size > 0 {
-        let at = reader.cursor.number();
+        let at = reader.cursor.place();
         reader.mesh.unsupported(at, number, size as u64);
     }
+    if reader.cursor.is_binary() {
+        let nodes = other_node_count(number).ok_or(ReadProblem::UnknownType(number))?;
+        let fields = header(&mut reader.cursor, "elements of a block");
+        return fields?.skip((1 + nodes).saturating_mul(size), TAG);
+    }
     for found in 0..size {
-        reader.item("elements", size, found)?;
+        let progress = Progress {
+            what: "elements",
+            announced: size,
+            found,
+        };
+        item(&mut reader.cursor, progress, "an element")?;
     }
     Ok(())
 }

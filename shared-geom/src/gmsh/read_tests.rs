@@ -117,13 +117,14 @@ fn both_versions_give_the_same_mesh() {
     assert_eq!(mesh.nodes[6].position.x, 1.000000000002661);
     assert_eq!(mesh.nodes[7].position.y, 0.5);
 
-    let cell = mesh.cells[0];
+    let cell = &mesh.cells[0];
     assert_eq!(
-        (cell.tag, cell.kind, cell.entity, cell.group),
-        (4, CellKind::Quadrilateral9, 1, Some(2))
+        (cell.tag, cell.kind, cell.entity, cell.groups.as_slice()),
+        (4, CellKind::Quadrilateral9, 1, &[2][..])
     );
     assert_eq!(cell.nodes(), [0, 1, 2, 3, 4, 5, 6, 7, 8]);
-    assert_eq!((mesh.points[0].node, mesh.points[0].group), (0, Some(0)));
+    assert_eq!(mesh.points[0].node, 0);
+    assert_eq!(mesh.points[0].groups.as_slice(), [0]);
 }
 
 #[test]
@@ -133,7 +134,7 @@ fn a_reversed_curve_runs_on_into_the_next_one() {
         let mesh = parsed(text);
         assert_eq!(mesh.lines[0].kind, LineKind::Line3);
         assert_eq!(mesh.lines[0].nodes(), [1, 0, 4]);
-        assert_eq!(mesh.lines[0].group, Some(1));
+        assert_eq!(mesh.lines[0].groups.as_slice(), [1]);
     }
 }
 
@@ -141,7 +142,7 @@ fn a_reversed_curve_runs_on_into_the_next_one() {
 fn a_group_without_a_name_has_its_tag_as_label() {
     for text in [V22, V41] {
         let mesh = parsed(text);
-        let group = mesh.lines[1].group.unwrap();
+        let group = mesh.lines[1].groups.first().unwrap();
         assert_eq!((group, mesh.groups[group].name.as_ref()), (3, None));
         assert_eq!(mesh.groups[group].label(), "8");
         assert_eq!(mesh.groups[1].label(), "the skin");
@@ -180,7 +181,7 @@ fn each_element_type_is_read() {
     assert_eq!(counts, [2, 3]);
     assert_eq!(mesh.points.len(), 1);
     // physical tag 0 is no group
-    assert!(mesh.groups.is_empty() && mesh.cells.iter().all(|cell| cell.group.is_none()));
+    assert!(mesh.groups.is_empty() && mesh.cells.iter().all(|cell| cell.groups.is_empty()));
 }
 
 #[test]
@@ -216,7 +217,7 @@ fn a_4_1_file_without_entities_has_no_groups_but_is_read() {
     let (_, after) = rest.split_once("$EndEntities\n").unwrap();
     let mesh = parsed(&format!("{before}{after}"));
     assert_eq!(mesh.cells.len(), 1);
-    assert_eq!(mesh.cells[0].group, None);
+    assert!(mesh.cells[0].groups.is_empty());
     // not reversed, since nothing tells it
     assert_eq!(mesh.lines[0].nodes(), [0, 1, 4]);
 }

@@ -5,7 +5,7 @@
 //! used ones without a name in the order of their first use by points, lines,
 //! cells. Two things cannot be kept:
 //! an entity whose elements stand in different groups is split (in MSH 4.1 the
-//! group belongs to the entity), the further parts getting new entity tags; and
+//! groups belong to the entity), the further parts getting new entity tags; and
 //! control characters in names become blanks.
 
 use std::collections::{HashMap, HashSet};
@@ -14,26 +14,34 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 
 use super::element::POINT_TYPE;
-use crate::mesh::{Mesh, PhysicalGroup};
+use crate::mesh::{GroupSet, Mesh, PhysicalGroup};
 
 /// An element as it is written.
 struct Element<'a> {
     tag: u64,
     /// Number of its type in gmsh files.
     number: u32,
-    /// Dimension, entity in the mesh, group.
-    owner: Owner,
+    owner: Owner<'a>,
     nodes: &'a [u32],
 }
 
-/// What makes an entity of its own in the file: dimension, entity, group.
-type Owner = (u8, i32, Option<usize>);
+/// What makes an entity of its own in the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+struct Owner<'a> {
+    dimension: u8,
+    /// Entity in the mesh.
+    entity: i32,
+    groups: &'a [usize],
+    /// Groups in which its lines run the other way.
+    against: &'a [usize],
+}
 
 /// An entity as it is written.
 struct Entity {
     dimension: u8,
     tag: i32,
-    physical: Option<i32>,
+    /// Signed tags of its groups.
+    physical: Vec<i32>,
     low: Vector3<f64>,
     high: Vector3<f64>,
 }
@@ -58,44 +66,69 @@ fn elements(mesh: &Mesh) -> Vec<Element<'_>> {
     let points = mesh.points.iter().map(|point| Element {
         tag: point.tag,
         number: POINT_TYPE,
-        owner: (0, point.entity, point.group),
+        owner: owner(0, point.entity, &point.groups),
         nodes: std::slice::from_ref(&point.node),
-    });
-    let lines = mesh.lines.iter().map(|line| Element {
-        tag: line.tag,
-        number: line.kind.gmsh_type(),
-        owner: (1, line.entity, line.group),
-        nodes: line.nodes(),
     });
     let cells = mesh.cells.iter().map(|cell| Element {
         tag: cell.tag,
         number: cell.kind.gmsh_type(),
-        owner: (2, cell.entity, cell.group),
+        owner: owner(2, cell.entity, &cell.groups),
         nodes: cell.nodes(),
     });
-    points.chain(lines).chain(cells).collect()
+    points.chain(lines(mesh)).chain(cells).collect()
+}
+
+fn owner(dimension: u8, entity: i32, groups: &GroupSet) -> Owner<'_> {
+    Owner {
+        dimension,
+        entity,
+        groups: groups.as_slice(),
+        against: &[],
+    }
+}
+
+/// The lines; one that is listed in both directions is written once.
+fn lines(mesh: &Mesh) -> impl Iterator<Item = Element<'_>> {
+    let mut rest = mesh.lines.iter().peekable();
+    std::iter::from_fn(move || {
+        let line = rest.next()?;
+        let back = rest.next_if(|next| {
+            let mut back = next.reversed();
+            back.groups = line.groups.clone();
+            back == *line && !line.groups.is_empty() && !next.groups.is_empty()
+        });
+        Some(Element {
+            tag: line.tag,
+            number: line.kind.gmsh_type(),
+            owner: Owner {
+                against: back.map_or(&[], |back| back.groups.as_slice()),
+                ..owner(1, line.entity, &line.groups)
+            },
+            nodes: line.nodes(),
+        })
+    })
 }
 
 /// The entities, sorted by dimension and tag, and the tag of each owner's.
-fn entities(mesh: &Mesh, elements: &[Element]) -> (Vec<Entity>, HashMap<Owner, i32>) {
+fn entities<'a>(mesh: &Mesh, elements: &[Element<'a>]) -> (Vec<Entity>, HashMap<Owner<'a>, i32>) {
     let mut used: HashSet<(u8, i32)> = elements
         .iter()
-        .map(|element| (element.owner.0, element.owner.1))
+        .map(|element| (element.owner.dimension, element.owner.entity))
         .collect();
     let mut taken = HashSet::new();
     let mut entities: Vec<Entity> = Vec::new();
     let mut place = HashMap::new();
     for element in elements {
-        let (dimension, wanted, group) = element.owner;
+        let dimension = element.owner.dimension;
         let index = *place.entry(element.owner).or_insert_with(|| {
-            let mut tag = wanted;
+            let mut tag = element.owner.entity;
             while !taken.insert((dimension, tag)) {
                 tag = free_tag(dimension, &mut used);
             }
             entities.push(Entity {
                 dimension,
                 tag,
-                physical: group.and_then(|g| mesh.groups.get(g)).map(|g| g.tag),
+                physical: physical_tags(mesh, element.owner),
                 low: Vector3::repeat(f64::INFINITY),
                 high: Vector3::repeat(f64::NEG_INFINITY),
             });
@@ -117,6 +150,14 @@ fn entities(mesh: &Mesh, elements: &[Element]) -> (Vec<Entity>, HashMap<Owner, i
         .collect();
     entities.sort_by_key(|entity| (entity.dimension, entity.tag));
     (entities, tags)
+}
+
+/// The signed tags of the groups of an owner.
+fn physical_tags(mesh: &Mesh, owner: Owner) -> Vec<i32> {
+    let tag = |&group: &usize| mesh.groups.get(group).map(|group| group.tag);
+    let with = owner.groups.iter().filter_map(tag);
+    let against = owner.against.iter().filter_map(tag);
+    with.chain(against.map(|tag| -tag)).collect()
 }
 
 /// The smallest positive tag that no entity of the mesh has.
@@ -153,9 +194,9 @@ fn write_entities(text: &mut String, entities: &[Entity]) -> std::fmt::Result {
         if entity.dimension > 0 {
             write_position(text, &entity.high)?;
         }
-        match entity.physical {
-            Some(tag) => write!(text, " 1 {tag}")?,
-            None => write!(text, " 0")?,
+        write!(text, " {}", entity.physical.len())?;
+        for tag in &entity.physical {
+            write!(text, " {tag}")?;
         }
         // number of bounding entities: they are not known
         writeln!(text, "{}", if entity.dimension > 0 { " 0" } else { "" })?;
@@ -193,7 +234,7 @@ fn write_elements(
     text: &mut String,
     mesh: &Mesh,
     elements: &[Element],
-    tags: &HashMap<Owner, i32>,
+    tags: &HashMap<Owner<'_>, i32>,
 ) -> std::fmt::Result {
     let all = || elements.iter().map(|element| element.tag);
     let (low, high) = (all().min().unwrap_or(0), all().max().unwrap_or(0));
@@ -202,11 +243,14 @@ fn write_elements(
     writeln!(text, "$Elements\n{blocks} {} {low} {high}", elements.len())?;
     for block in elements.chunk_by(alike) {
         let Some(first) = block.first() else { continue };
-        let tag = tags.get(&first.owner).copied().unwrap_or(first.owner.1);
+        let tag = tags
+            .get(&first.owner)
+            .copied()
+            .unwrap_or(first.owner.entity);
         writeln!(
             text,
             "{} {tag} {} {}",
-            first.owner.0,
+            first.owner.dimension,
             first.number,
             block.len()
         )?;

@@ -34,7 +34,7 @@ fn coordinates_of_any_size_come_back() {
         })
         .collect();
     let mut cell = Cell::new(5, CellKind::Triangle3, 1, |i| 2 * i as u32);
-    cell.group = Some(0);
+    cell.groups = 0.into();
     let mesh = Mesh {
         nodes,
         cells: vec![cell],
@@ -56,9 +56,9 @@ fn an_entity_with_two_groups_is_split() {
         tag,
         name: Some(format!("g{tag}")),
     };
-    let cell = |tag, kind, group| {
+    let cell = |tag, kind, group: Option<usize>| {
         let mut cell = Cell::new(tag, kind, 1, |i| (i + tag as usize) as u32);
-        cell.group = group;
+        cell.groups = group.into_iter().collect();
         cell
     };
     let mesh = Mesh {
@@ -72,7 +72,8 @@ fn an_entity_with_two_groups_is_split() {
         ..Mesh::default()
     };
     let again = parsed(&write(&mesh));
-    let found: Vec<_> = again.cells.iter().map(|c| (c.entity, c.group)).collect();
+    let entity_and_group = |c: &Cell| (c.entity, c.groups.first());
+    let found: Vec<_> = again.cells.iter().map(entity_and_group).collect();
     assert_eq!(found, [(1, Some(0)), (2, Some(1)), (3, None)]);
     assert!(
         again

@@ -14,7 +14,7 @@
 //! ```
 
 use nalgebra::Vector3;
-use shared_geom::mesh::{Cell, CellKind, Line, Mesh, Node, PhysicalGroup};
+use shared_geom::mesh::{Cell, CellKind, GroupSet, Line, Mesh, Node, PhysicalGroup};
 
 /// A quadrilateral of the lattice.
 #[derive(Debug, Clone, Copy)]
@@ -126,16 +126,16 @@ pub(super) fn build(shape: Shape, kind: CellKind, curved: bool) -> Mesh {
         for points in &border.lines {
             let tag = tags.next().unwrap_or(0);
             let mut line = Line::new(tag, kind.side_kind(), entity, |i| node(points[i]));
-            line.group = Some(groups.len());
+            line.groups = groups.len().into();
             lines.push(line);
         }
         groups.push(named(1, entity, border.name.into()));
     }
-    let surface = Some(groups.len());
+    let surface = GroupSet::from(groups.len());
     groups.push(named(2, 1, shape.surface));
     let cells = cells.iter().zip(tags).map(|(points, tag)| {
         let mut cell = Cell::new(tag, kind, 1, |i| node(points[i]));
-        cell.group = surface;
+        cell.groups = surface.clone();
         cell
     });
     Mesh {

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::f64::consts::PI;
 
 use shared_geom::gmsh;
-use shared_geom::mesh::{Cell, CellKind, LineKind, Mesh};
+use shared_geom::mesh::{Cell, CellKind, GroupSet, LineKind, Mesh};
 
 use super::*;
 
@@ -238,9 +238,9 @@ fn cells_close_the_surface() {
 /// Twice the area that the lines of a curve group enclose, seen from the origin:
 /// negative when they run clockwise; and the number of lines.
 fn swept(mesh: &Mesh, name: &str) -> (f64, usize) {
-    let group = mesh.group(1, name);
-    assert!(group.is_some(), "{name}");
-    let lines: Vec<_> = mesh.lines.iter().filter(|l| l.group == group).collect();
+    let group = mesh.group(1, name).unwrap_or_else(|| panic!("{name}"));
+    let lines = mesh.lines.iter().filter(|line| line.groups.contains(group));
+    let lines: Vec<_> = lines.collect();
     let sum = lines
         .iter()
         .map(|line| {
@@ -256,8 +256,8 @@ fn swept(mesh: &Mesh, name: &str) -> (f64, usize) {
 fn boundaries_run_clockwise_with_a_line_for_each_cell() {
     for kind in CellKind::ALL {
         let mesh = rectangle(kind);
-        let surface = mesh.group(2, "plate 1");
-        assert!(surface.is_some() && mesh.cells.iter().all(|c| c.group == surface));
+        let surface = GroupSet::from(mesh.group(2, "plate 1").unwrap());
+        assert!(mesh.cells.iter().all(|cell| cell.groups == surface));
         // each side of the 3 x 0.5 rectangle encloses a quarter of it
         for (name, count) in [("bottom", 5), ("right", 2), ("top", 5), ("left", 2)] {
             let (area, lines) = swept(&mesh, name);
@@ -283,8 +283,8 @@ fn boundaries_run_clockwise_with_a_line_for_each_cell() {
 fn side_middles_lie_on_the_circle_or_on_the_chord() {
     for (curved, expected) in [(true, 2.0), (false, 2.0 * (PI / 7.0).cos())] {
         let mesh = tube(CellKind::Quadrilateral8, curved, [7, 2]);
-        let outer = mesh.group(1, "outer");
-        for line in mesh.lines.iter().filter(|line| line.group == outer) {
+        let outer = GroupSet::from(mesh.group(1, "outer").unwrap());
+        for line in mesh.lines.iter().filter(|line| line.groups == outer) {
             assert_eq!(line.kind, LineKind::Line3);
             let radius = mesh.nodes[line.nodes()[2] as usize].position.norm();
             assert!((radius - expected).abs() < 1e-14, "{radius} {expected}");

@@ -1,0 +1,76 @@
+//! Looks tags up: quickly where they are nearly consecutive, as gmsh numbers, but
+//! any others too.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+/// An index for each tag.
+#[derive(Debug, Default)]
+pub(super) struct TagTable {
+    /// By tag: the index, or [`NONE`].
+    dense: Vec<u32>,
+    /// Those of larger tags.
+    sparse: HashMap<u64, u32>,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl TagTable {
+    /// Makes room for as many tags; a table that is empty keeps those up to twice
+    /// their number side by side.
+    pub(super) fn reserve(&mut self, count: usize) {
+        if self.dense.is_empty() && self.sparse.is_empty() {
+            self.dense.resize(2 * count + 1, NONE);
+        }
+    }
+
+    /// Adds a tag; gives whether it is new.
+    pub(super) fn insert(&mut self, tag: u64, index: u32) -> bool {
+        let place = usize::try_from(tag).ok();
+        match place.and_then(|place| self.dense.get_mut(place)) {
+            Some(entry) if *entry == NONE => {
+                *entry = index;
+                true
+            }
+            Some(_) => false,
+            None => match self.sparse.entry(tag) {
+                Entry::Vacant(entry) => {
+                    entry.insert(index);
+                    true
+                }
+                Entry::Occupied(_) => false,
+            },
+        }
+    }
+
+    /// The index of a tag.
+    pub(super) fn get(&self, tag: u64) -> Option<u32> {
+        let place = usize::try_from(tag).ok();
+        match place.and_then(|place| self.dense.get(place)) {
+            Some(&NONE) => None,
+            Some(&index) => Some(index),
+            None => self.sparse.get(&tag).copied(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_and_far_tags_are_found_once() {
+        let mut table = TagTable::default();
+        table.reserve(3);
+        let tags = [0, 6, 7, 900_000_000_000, u64::MAX];
+        for (tag, index) in tags.into_iter().zip(0..) {
+            assert_eq!(table.get(tag), None);
+            assert!(table.insert(tag, index));
+            assert!(!table.insert(tag, 99));
+            assert_eq!(table.get(tag), Some(index));
+        }
+        // no room is made anew where tags are
+        table.reserve(100);
+        assert_eq!((table.get(7), table.get(8)), (Some(2), None));
+    }
+}

@@ -1,0 +1,70 @@
+//! Files of any content: readers give a value or say what is wrong, never panic, and
+//! never take memory beyond a small multiple of the file.
+//!
+//! The seeds are those of the fuzz targets, `fuzz/corpus`; mutations come from a
+//! fixed seed, so that every run is the same.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "tests of this suite read their own seeds"
+)]
+
+mod mesh_files;
+mod mutation;
+mod property_files;
+
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use peak_alloc::PeakAlloc;
+
+#[global_allocator]
+static MEMORY: PeakAlloc = PeakAlloc;
+
+/// Bytes at once for each byte of a file. The worst text known, twenty thousand
+/// points on lines of 19 bytes with a group of its own each, takes 17: what is kept of
+/// an element, a point, a group and the entries in the tables of tags, and lists that
+/// are there twice while they grow.
+const FACTOR: usize = 32;
+
+/// Bytes for messages and names, however short the file: twenty problems of a few
+/// hundred bytes, and as much again while they are put together.
+const SLACK: usize = 16 << 10;
+
+/// Tests that measure memory do so one at a time: the count is that of the process.
+static ALONE: Mutex<()> = Mutex::new(());
+
+fn alone() -> MutexGuard<'static, ()> {
+    ALONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Runs `read` on `bytes` and checks the memory that it has taken at most; gives what
+/// it gave.
+fn within_memory<T>(what: &str, bytes: &[u8], read: impl FnOnce(&[u8]) -> T) -> T {
+    let before = MEMORY.current_usage();
+    MEMORY.reset_peak_usage();
+    let value = read(bytes);
+    let taken = MEMORY.peak_usage().saturating_sub(before);
+    let most = FACTOR * bytes.len() + SLACK;
+    assert!(
+        taken <= most,
+        "{what}: {taken} bytes taken for {} of the file, at most {most} expected",
+        bytes.len()
+    );
+    value
+}
+
+/// The seeds of a fuzz target, by name.
+fn seeds(target: &str) -> Vec<(String, Vec<u8>)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../fuzz/corpus");
+    let folder: PathBuf = [folder, target].iter().collect();
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        (name, std::fs::read(path).unwrap())
+    });
+    let mut seeds: Vec<_> = entries.collect();
+    seeds.sort();
+    assert!(!seeds.is_empty(), "{target}");
+    seeds
+}
