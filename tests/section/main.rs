@@ -3,5 +3,7 @@
 mod closed_forms;
 mod gmsh_pairs;
 mod invariances;
+#[path = "../common/record.rs"]
+mod record;
 mod reference_cases;
 mod sections;
