@@ -14,6 +14,8 @@ mod analyze;
 mod arguments;
 mod check;
 mod generate;
+mod help;
+mod schema;
 
 use arguments::{Arguments, Command};
 
@@ -86,6 +88,9 @@ fn dispatch(
         Command::Analyze { file, out } => analyze::analyze_file(&file, out, terminal),
         Command::Check { file } => check::check_file(&file, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
+        Command::Schema { format, out } => schema::write_schema(format, out.as_deref(), terminal),
+        Command::Completions { shell } => help::write_completions(shell, terminal),
+        Command::Manual { out } => help::write_manual(out.as_deref(), terminal),
     }
 }
 

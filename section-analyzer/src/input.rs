@@ -30,6 +30,7 @@ mod materials;
 mod measure;
 mod problem;
 mod regions;
+pub mod schema;
 mod summary;
 mod tables;
 

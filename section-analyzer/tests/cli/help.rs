@@ -29,6 +29,12 @@ fn help_teaches_with_an_example() {
             &["mesh", "tube", "--help"],
             "plane_angle = { follow = \"outer\" }",
         ),
+        (&["schema", "--help"], "#:schema ./section.schema.json"),
+        (
+            &["completions", "--help"],
+            "section-analyzer completions bash >",
+        ),
+        (&["manual", "--help"], "section-analyzer manual | man -l -"),
         (
             &["mesh", "ellipse", "--help"],
             "section-analyzer mesh ellipse --semi-y 10",
@@ -178,4 +184,71 @@ fn a_mesh_that_cannot_be_written_is_wrong_usage() {
         "error: file \"no/such.msh\" cannot be written: its folder does not exist\n"
     );
     assert_eq!(run.code, 2);
+}
+
+/// A page for each command, named as `man` looks for it, with the words of the help.
+#[test]
+fn manual_has_a_page_for_each_command() {
+    let place = Workplace::new();
+    let run = place.run(&["manual", "--out", "man1"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    for (page, word) in [
+        ("section-analyzer", "section\\-analyzer\\-analyze(1)"),
+        ("section-analyzer-analyze", "properties.json"),
+        ("section-analyzer-mesh-tube", "outer\\-radius"),
+        ("section-analyzer-manual", "one for each command"),
+    ] {
+        let text = place.read(&format!("man1/{page}.1"));
+        let heading = format!(
+            ".TH {page} 1  \"section-analyzer {}\"",
+            env!("CARGO_PKG_VERSION")
+        );
+        assert!(text.contains(&heading), "{text}");
+        assert!(text.contains(word), "{page}: {text}");
+    }
+    let pages = std::fs::read_dir(place.path("man1")).unwrap().count();
+    let printed = place.run(&["manual"]).out;
+    assert_eq!(printed.matches("\n.TH ").count(), pages);
+    assert_eq!(
+        run.out.lines().filter(|line| line.ends_with(".1")).count(),
+        pages
+    );
+    place.write("file", "");
+    let run = place.run(&["manual", "--out", "file/man1"]);
+    assert!(
+        run.err
+            .starts_with("error: folder \"file/man1\" cannot be made"),
+        "{}",
+        run.err
+    );
+    assert_eq!(run.code, 2);
+}
+
+#[test]
+fn completions_know_commands_and_options() {
+    let place = Workplace::new();
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let run = place.run(&["completions", shell]);
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{shell}");
+        for word in ["analyze", "rectangle", "cells-through"] {
+            assert!(run.out.contains(word), "{shell}: {word}");
+        }
+    }
+    assert_eq!(place.run(&["completions", "cmd"]).code, 2);
+}
+
+#[test]
+fn schema_is_printed_or_written() {
+    let place = Workplace::new();
+    let printed = place.run(&["schema"]);
+    assert_eq!((printed.code, printed.err.as_str()), (0, ""));
+    assert!(printed.out.contains("\"$schema\""), "{}", printed.out);
+    let run = place.run(&["schema", "--out", "section.schema.json"]);
+    assert_eq!((run.code, run.out.as_str()), (0, "section.schema.json\n"));
+    assert_eq!(place.read("section.schema.json"), printed.out);
+    let page = place.run(&["schema", "--format", "markdown"]).out;
+    assert!(page.starts_with("# Section input reference"), "{page}");
+    let run = place.run(&["schema", "--out", "no/such.json"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("its folder does not exist"), "{}", run.err);
 }
