@@ -1,7 +1,7 @@
 //! Makes the validation pages of the book from the numbers that the tests recorded.
 //!
 //! ```sh
-//! cargo test --test section --test dynamics
+//! cargo test --test section --test cases --test dynamics
 //! cargo run --example validation
 //! ```
 //!
@@ -18,11 +18,16 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 /// A suite, the title of its page, and what the page says first.
-const PAGES: [(&str, &str, &str); 2] = [
+const PAGES: [(&str, &str, &str); 3] = [
     (
         "section",
         "Sections in numbers",
         "What the suite of the sections compares, by source.",
+    ),
+    (
+        "cases",
+        "Cases in numbers",
+        "What the cases of `cases/section` give, by source.",
     ),
     (
         "dynamics",
@@ -76,7 +81,7 @@ impl Row {
             found,
             self.error.map_or_else(String::new, magnitude),
             self.tolerance
-                .map_or_else(String::new, |bound| format!("{bound:.0e}")),
+                .map_or_else(String::new, |bound| format!("{bound:e}")),
         ]
     }
 }
