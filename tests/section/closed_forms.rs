@@ -165,7 +165,8 @@ fn tube(inner: f64, outer: f64, cells: usize, kind: CellKind) -> Mesh {
 }
 
 /// Saint-Venant torsion constant of a rectangle [m^4]:
-/// `J = a b^3 (1/3 - 64/pi^5 b/a sum_{n odd} tanh(n pi a / 2b) / n^5)`, [saint-venant].
+/// `J = a b^3 (1/3 - 64/pi^5 b/a sum_{n odd} tanh(n pi a / 2b) / n^5)`, [saint-venant],
+/// (S-35).
 ///
 /// Terms fall with n^-5: 200 of them leave less than 1e-12.
 fn torsion_constant(a: f64, b: f64) -> f64 {
@@ -325,7 +326,7 @@ fn rectangles_have_their_shear_factors_and_torsion() {
     }
 }
 
-/// Ellipse 2:1: `GJ = G pi a^3 b^3 / (a^2 + b^2)`, [saint-venant], and EA, EI of the
+/// Ellipse 2:1: `GJ = G pi a^3 b^3 / (a^2 + b^2)`, [saint-venant], (S-36), and EA, EI of the
 /// area. Curved sides: the boundary is met to fourth order.
 #[test]
 fn ellipse_torsion_and_bending_converge() {
@@ -436,7 +437,7 @@ fn off_axis_compliance(theta: f64) -> (f64, f64) {
 
 /// Rectangle 2 x 1 with fibers off the axis, [lekhnitskii]: the fields of extension
 /// and bending are quadratic, so that quadratic cells give the compliance exactly:
-/// C11 = S11/A, C12 = S16/A, C55 = S11/Iy, C66 = S11/Iz, C45 = -S16/(2 Iy).
+/// C11 = S11/A, C12 = S16/A, C55 = S11/Iy, C66 = S11/Iz, C45 = -S16/(2 Iy) (S-37).
 #[test]
 fn off_axis_rectangle_is_exact() {
     let (width, height) = (2.0_f64, 1.0_f64);
