@@ -1,7 +1,7 @@
 //! The description of the section file against its reader, the files of the
 //! repository, and its page in the book.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use jsonschema::Validator;
@@ -83,25 +83,60 @@ fn embedded(kind: &ValueKind, table: Table) -> Value {
 }
 
 type Embed<'a> = &'a dyn Fn(Table) -> Table;
-type Look<'a> = &'a mut dyn FnMut(&'static TableSchema, Option<&'static Family>, Table, Embed<'_>);
+type Look<'a> = &'a mut dyn FnMut(&Sample, Embed<'_>);
 
-/// Shows `look` every table in every form, complete, and how to make a whole file of it.
-fn visit(table: &'static TableSchema, embed: Embed<'_>, look: Look<'_>) {
+/// A table in one of its forms.
+struct Sample {
+    /// The keys that lead to it.
+    path: Vec<&'static str>,
+    table: &'static TableSchema,
+    form: Option<&'static Family>,
+    /// With all its keys.
+    whole: Table,
+}
+
+impl Sample {
+    fn keys(&self) -> Vec<&'static KeySchema> {
+        keys(self.table, self.form)
+    }
+
+    fn names(&self) -> BTreeSet<String> {
+        self.keys().iter().map(|key| key.name.to_owned()).collect()
+    }
+
+    fn place(&self) -> String {
+        let form = self.form.map_or("", |family| family.name);
+        format!("{} {form}", self.table.title)
+    }
+}
+
+/// Shows `look` every table in every form, and how to make a whole file of it.
+fn visit(path: &[&'static str], table: &'static TableSchema, embed: Embed<'_>, look: Look<'_>) {
     for form in forms(table) {
-        let whole = complete(table, form);
-        look(table, form, whole.clone(), embed);
-        for key in keys(table, form) {
+        let sample = Sample {
+            path: path.to_vec(),
+            table,
+            form,
+            whole: complete(table, form),
+        };
+        look(&sample, embed);
+        for key in sample.keys() {
             for kind in key.kinds {
                 let Some(inner) = kind.table() else { continue };
                 let embed_inner = |inner: Table| {
-                    let mut outer = whole.clone();
+                    let mut outer = sample.whole.clone();
                     outer.insert(key.name.to_owned(), embedded(kind, inner));
                     embed(outer)
                 };
-                visit(inner, &embed_inner, look);
+                visit(&[path, &[key.name]].concat(), inner, &embed_inner, look);
             }
         }
     }
+}
+
+/// Shows `look` every table of the section file.
+fn visit_all(look: Look<'_>) {
+    visit(&[], &SECTION_FILE, &|file| file, look);
 }
 
 /// The messages of the reader, each with its help, but for that of the mesh, which is
@@ -138,44 +173,37 @@ fn known_to_the_reader(text: &str) -> BTreeSet<String> {
 /// an unknown key makes the reader list the keys that it asks for.
 #[test]
 fn reader_and_description_know_the_same_keys() {
+    // The reader asks for the keys of all forms, to tell them apart.
+    let mut all_forms: BTreeMap<Vec<&str>, BTreeSet<String>> = BTreeMap::new();
+    visit_all(&mut |sample, _| {
+        let names = all_forms.entry(sample.path.clone()).or_default();
+        names.extend(sample.names());
+    });
     let validator = validator();
     let mut seen = 0;
-    visit(
-        &SECTION_FILE,
-        &|file| file,
-        &mut |table, form, whole, embed| {
-            let place = format!("{} {}", table.title, form.map_or("", |family| family.name));
-            let described: BTreeSet<String> = keys(table, form)
-                .iter()
-                .map(|key| key.name.to_owned())
-                .collect();
-            let all_forms: BTreeSet<String> = forms(table)
-                .into_iter()
-                .flat_map(|form| keys(table, form))
-                .map(|key| key.name.to_owned())
-                .collect();
+    visit_all(&mut |sample, embed| {
+        let place = sample.place();
+        let text = toml::to_string(&embed(sample.whole.clone())).expect("a table");
+        assert_eq!(fits(&validator, &text), Ok(()), "{place}:\n{text}");
 
-            let text = toml::to_string(&embed(whole.clone())).expect("a table");
-            assert_eq!(fits(&validator, &text), Ok(()), "{place}:\n{text}");
-
-            let mut strange = whole;
-            strange.insert(STRANGE.to_owned(), Value::Integer(1));
-            let text = toml::to_string(&embed(strange)).expect("a table");
-            assert!(fits(&validator, &text).is_err(), "{place}:\n{text}");
-            let known = known_to_the_reader(&text);
-            let unknown: Vec<_> = described.difference(&known).collect();
-            assert!(
-                unknown.is_empty(),
-                "{place}: the reader does not know {unknown:?}"
-            );
-            let missing: Vec<_> = known.difference(&all_forms).collect();
-            assert!(
-                missing.is_empty(),
-                "{place}: the description lacks {missing:?}"
-            );
-            seen += 1;
-        },
-    );
+        let mut strange = sample.whole.clone();
+        strange.insert(STRANGE.to_owned(), Value::Integer(1));
+        let text = toml::to_string(&embed(strange)).expect("a table");
+        assert!(fits(&validator, &text).is_err(), "{place}:\n{text}");
+        let known = known_to_the_reader(&text);
+        let described = sample.names();
+        let unknown: Vec<_> = described.difference(&known).collect();
+        assert!(
+            unknown.is_empty(),
+            "{place}: the reader does not know {unknown:?}"
+        );
+        let missing: Vec<_> = known.difference(&all_forms[&sample.path]).collect();
+        assert!(
+            missing.is_empty(),
+            "{place}: the description lacks {missing:?}"
+        );
+        seen += 1;
+    });
     // the file, units, three laws, region, both angles, of which one in two forms
     assert!(seen >= 9, "{seen}");
 }
@@ -185,24 +213,20 @@ fn reader_and_description_know_the_same_keys() {
 #[test]
 fn required_keys_are_required_by_both() {
     let validator = validator();
-    visit(
-        &SECTION_FILE,
-        &|file| file,
-        &mut |table, form, whole, embed| {
-            for key in keys(table, form) {
-                let mut without = whole.clone();
-                without.remove(key.name);
-                let is_required = key.need == input::schema::Need::Required;
-                let text = toml::to_string(&embed(without)).expect("a table");
-                let place = format!("{} without {}", table.title, key.name);
-                assert_eq!(fits(&validator, &text).is_err(), is_required, "{place}");
-                let problems = problems(&text);
-                if key.name != "region" {
-                    assert_eq!(!problems.is_empty(), is_required, "{place}: {problems:?}");
-                }
+    visit_all(&mut |sample, embed| {
+        for key in sample.keys() {
+            let mut without = sample.whole.clone();
+            without.remove(key.name);
+            let is_required = key.need == input::schema::Need::Required;
+            let text = toml::to_string(&embed(without)).expect("a table");
+            let place = format!("{} without {}", sample.place(), key.name);
+            assert_eq!(fits(&validator, &text).is_err(), is_required, "{place}");
+            let problems = problems(&text);
+            if key.name != "region" {
+                assert_eq!(!problems.is_empty(), is_required, "{place}: {problems:?}");
             }
-        },
-    );
+        }
+    });
 }
 
 #[test]
