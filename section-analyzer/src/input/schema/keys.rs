@@ -2,12 +2,13 @@
 
 use shared_geom::units::Dimension;
 
+use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
 use super::{Family, KeySchema, Need, TableSchema, ValueKind};
 
-use Need::{Default, Required};
+use Need::{Default, Optional, Required};
 
 /// A key; a value that is a table has no example of its own.
-const fn key(
+pub(super) const fn key(
     name: &'static str,
     kinds: &'static [ValueKind],
     need: Need,
@@ -68,6 +69,13 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             Required,
             "",
             "What each physical surface of the mesh is made of; every surface needs one.",
+        ),
+        key(
+            "load",
+            &[ValueKind::NamedTables(&LOAD)],
+            Optional,
+            "",
+            "Internal forces for which stresses are recovered, by name.",
         ),
     ],
     families: &[],
@@ -146,6 +154,11 @@ const UNITS: TableSchema = TableSchema {
     families: &[],
 };
 
+/// A table of limits of a material.
+const fn limit(name: &'static str, kinds: &'static [ValueKind]) -> KeySchema {
+    key(name, kinds, Optional, "", "Limits for the failure indices.")
+}
+
 const MATERIAL: TableSchema = TableSchema {
     title: "[material.NAME]",
     meaning: "A material: its elastic law, told from the keys, and its density.",
@@ -175,6 +188,8 @@ const MATERIAL: TableSchema = TableSchema {
                     "0.325",
                     "Poisson's ratio, between -1 and 0.5.",
                 ),
+                limit("strength", &[ValueKind::Table(&STRENGTH)]),
+                limit("strain_limit", &[ValueKind::Table(&STRAIN_LIMIT)]),
             ],
         },
         Family {
@@ -245,20 +260,26 @@ const MATERIAL: TableSchema = TableSchema {
                     "0.42",
                     "Contraction along 3 under tension along 2.",
                 ),
+                limit("strength", &[ValueKind::Table(&PLY_STRENGTH)]),
+                limit("strain_limit", &[ValueKind::Table(&PLY_STRAIN_LIMIT)]),
             ],
         },
         Family {
             name: "full",
             meaning: "Any anisotropic law.",
-            keys: &[key(
-                "stiffness",
-                &[ValueKind::Rows(6, 6)],
-                Required,
-                "[[4, 2, 2, 0, 0, 0], [2, 4, 2, 0, 0, 0], [2, 2, 4, 0, 0, 0], \
+            keys: &[
+                key(
+                    "stiffness",
+                    &[ValueKind::Rows(6, 6)],
+                    Required,
+                    "[[4, 2, 2, 0, 0, 0], [2, 4, 2, 0, 0, 0], [2, 2, 4, 0, 0, 0], \
                  [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]",
-                "Stiffness in the declared unit of stress, symmetric and positive definite, \
+                    "Stiffness in the declared unit of stress, symmetric and positive definite, \
                  order 11, 22, 33, 23, 13, 12 with engineering shear strains.",
-            )],
+                ),
+                limit("strength", &[ValueKind::Table(&PLY_STRENGTH)]),
+                limit("strain_limit", &[ValueKind::Table(&PLY_STRAIN_LIMIT)]),
+            ],
         },
     ],
 };
@@ -353,4 +374,59 @@ const PLANE_ANGLE: TableSchema = TableSchema {
             ],
         },
     ],
+};
+
+const FORCE: &[ValueKind] = &[ValueKind::Quantity(Dimension::FORCE)];
+const MOMENT: &[ValueKind] = &[ValueKind::Quantity(Dimension::MOMENT)];
+
+const LOAD: TableSchema = TableSchema {
+    title: "[load.NAME]",
+    meaning: "An internal force, of which at least one component is not zero. NAME is made of \
+              letters, digits, - and _.",
+    keys: &[
+        key("axial", FORCE, Default("0"), "\"10 kN\"", "Axial force."),
+        key(
+            "shear_y",
+            FORCE,
+            Default("0"),
+            "\"1 kN\"",
+            "Shear force along y.",
+        ),
+        key(
+            "shear_z",
+            FORCE,
+            Default("0"),
+            "\"2 kN\"",
+            "Shear force along z.",
+        ),
+        key(
+            "torsion",
+            MOMENT,
+            Default("0"),
+            "\"120 N m\"",
+            "Torque about x.",
+        ),
+        key(
+            "bending_y",
+            MOMENT,
+            Default("0"),
+            "\"-3 kN m\"",
+            "Bending moment about y.",
+        ),
+        key(
+            "bending_z",
+            MOMENT,
+            Default("0"),
+            "\"500 N m\"",
+            "Bending moment about z.",
+        ),
+        key(
+            "point",
+            &[ValueKind::Vector(2, Dimension::LENGTH)],
+            Default("the origin of the mesh"),
+            "[12.5, 0]",
+            "Where the force acts, y and z.",
+        ),
+    ],
+    families: &[],
 };
