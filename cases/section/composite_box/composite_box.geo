@@ -17,7 +17,7 @@ Transfinite Curve{1, 3, 11, 13} = 24 + 1;
 Transfinite Curve{2, 4, 12, 14} = 14 + 1;
 For i In {1:4}
   j = (i % 4) + 1;
-  Curve Loop(i) = {i, 20 + j, -(10 + i), -(20 + i)};
+  Curve Loop(i) = {20 + i, 10 + i, -(20 + j), -i};
   Plane Surface(i) = {i};
 EndFor
 Transfinite Surface{1:4};
