@@ -2,8 +2,8 @@
 //! its output is what the programs print.
 //!
 //! A block marked `sh` holds commands, run in `cases/section` one after the other. The
-//! block marked `text` behind it holds lines of what they print, in their order; a line
-//! `...` stands for any number of others. A block marked `toml` is part of a file of
+//! block marked `text` behind it holds lines of what they print, in their order, compared
+//! word by word; a line `...` stands for any number of others. A block marked `toml` is part of a file of
 //! the cases.
 
 use crate::workplace::{Workplace, root};
@@ -42,7 +42,12 @@ fn missing<'a>(block: &'a str, output: &str) -> Option<&'a str> {
     let mut lines = block
         .lines()
         .filter(|line| !line.is_empty() && line.trim() != "...");
-    lines.find(|line| !rest.any(|found| found.trim_end() == line.trim_end()))
+    let words = |line: &str| {
+        line.split_whitespace()
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    lines.find(|line| !rest.any(|found| words(found) == words(line)))
 }
 
 fn section_files(folder: &std::path::Path, texts: &mut Vec<String>) {
@@ -99,5 +104,5 @@ fn blocks_and_lines_are_found() {
     assert_eq!(commands(&found[0].2), ["b    c", "d"]);
     assert_eq!(missing(&found[1].2, "x\n  e\ny\nf\n"), None);
     assert_eq!(missing(&found[1].2, "f\n  e\n"), Some("f"));
-    assert_eq!(missing(&found[1].2, "e\nf\n"), Some("  e"));
+    assert_eq!(missing(&found[1].2, "e e\nf\n"), Some("  e"));
 }
