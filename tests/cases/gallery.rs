@@ -2,9 +2,9 @@
 //! its output is what the programs print.
 //!
 //! A block marked `sh` holds commands, run in `cases/section` one after the other. The
-//! block marked `text` behind it holds lines of what they print, in their order, compared
-//! word by word; a line `...` stands for any number of others. A block marked `toml` is part of a file of
-//! the cases.
+//! block marked `text` behind it holds lines of what they print, in their order and
+//! compared word by word; a line `...` stands for any number of others. A block marked
+//! `toml` is part of a file of the cases.
 
 use crate::workplace::{Workplace, root};
 
