@@ -50,6 +50,14 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             "Mesh file of gmsh; a relative path counts from the folder of this file.",
         ),
         key(
+            "doubled_nodes",
+            &[ValueKind::Word(&["error", "allow"])],
+            Default("\"error\""),
+            "\"allow\"",
+            "What doubled nodes along the border of two regions are: an error, or allowed \
+             where slits are meant.",
+        ),
+        key(
             "units",
             &[ValueKind::Word(&["SI"]), ValueKind::Table(&UNITS)],
             Required,
