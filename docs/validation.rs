@@ -1,9 +1,13 @@
 //! Makes the validation pages of the book from the numbers that the tests recorded.
 //!
 //! ```sh
-//! cargo test --test section --test cases --test dynamics
+//! cargo test
 //! cargo run --example validation
 //! ```
+//!
+//! With `-- --check` it writes nothing, and fails when a page lacks a comparison that
+//! was recorded, shows one that was not, or shows another expected value or tolerance.
+//! What was found may differ in the last digits between machines.
 //!
 //! `tests/common/record.rs` writes the rows: `validation/<suite>/<test>.csv` in the
 //! build folder. A suite becomes the page `docs/src/validation-<suite>.md`, a source
@@ -18,7 +22,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 /// A suite, the title of its page, and what the page says first.
-const PAGES: [(&str, &str, &str); 3] = [
+const PAGES: [(&str, &str, &str); 4] = [
     (
         "section",
         "Sections in numbers",
@@ -33,6 +37,11 @@ const PAGES: [(&str, &str, &str); 3] = [
         "dynamics",
         "Beams in numbers",
         "What the suite of the beams compares, by source.",
+    ),
+    (
+        "chain",
+        "Blades in numbers",
+        "What the chain of both programs is compared with.",
     ),
 ];
 
@@ -80,8 +89,9 @@ impl Row {
             plain(self.expected),
             found,
             self.error.map_or_else(String::new, magnitude),
-            self.tolerance
-                .map_or_else(String::new, |bound| format!("{bound:e}")),
+            self.tolerance.map_or_else(String::new, |bound| {
+                format!("{bound:.1e}").replace(".0e", "e")
+            }),
         ]
     }
 }
@@ -112,14 +122,38 @@ fn magnitude(error: f64) -> String {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
+    let only_check = std::env::args()
+        .skip(1)
+        .any(|argument| argument == "--check");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     for (suite, title, opening) in PAGES {
         let rows = read(&records()?.join(suite))?;
         let page = root.join(format!("docs/src/validation-{suite}.md"));
-        std::fs::write(&page, text(suite, title, opening, &rows))?;
+        let text = text(suite, title, opening, &rows);
+        if !only_check {
+            std::fs::write(&page, &text)?;
+        } else if lasting(&std::fs::read_to_string(&page)?) != lasting(&text) {
+            let advice = "is not that of the tests: run cargo run --example validation";
+            return Err(format!("{} {advice}", page.display()).into());
+        }
         println!("{}: {} rows", page.display(), rows.len());
     }
     Ok(())
+}
+
+/// What a page must say on every machine: all but the columns of what was found and
+/// how far it was off.
+fn lasting(page: &str) -> Vec<Vec<&str>> {
+    let columns = |line| {
+        let cells: Vec<&str> = str::split(line, " | ").collect();
+        match cells[..] {
+            [case, quantity, expected, _, _, tolerance] => {
+                vec![case, quantity, expected, tolerance]
+            }
+            _ => cells,
+        }
+    };
+    page.lines().map(columns).collect()
 }
 
 /// Where the tests leave their rows: in the build folder, which this program lies in.
