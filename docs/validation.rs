@@ -5,6 +5,9 @@
 //! cargo run --example validation
 //! ```
 //!
+//! The records of a test that was renamed or removed stay until `validation` in the
+//! build folder is removed.
+//!
 //! With `-- --check` it writes nothing, and fails when a page lacks a comparison that
 //! was recorded, shows one that was not, or shows another expected value or tolerance.
 //! What was found may differ in the last digits between machines.
