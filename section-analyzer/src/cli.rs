@@ -16,8 +16,10 @@ mod check;
 mod compare;
 mod figures;
 mod generate;
+mod help;
 mod load_arguments;
 mod report;
+mod schema;
 mod stress;
 
 use arguments::{Arguments, Command};
@@ -96,6 +98,9 @@ fn dispatch(
         Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
         Command::Shift(arguments) => change::shift_file(&arguments, terminal),
         Command::Rotate(arguments) => change::rotate_file(&arguments, terminal),
+        Command::Schema { format, out } => schema::write_schema(format, out.as_deref(), terminal),
+        Command::Completions { shell } => help::write_completions(shell, terminal),
+        Command::Manual { out } => help::write_manual(out.as_deref(), terminal),
     }
 }
 

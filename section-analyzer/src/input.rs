@@ -34,6 +34,7 @@ mod loads;
 mod materials;
 mod problem;
 mod regions;
+pub mod schema;
 mod strengths;
 mod summary;
 mod tables;

@@ -10,9 +10,9 @@ use nalgebra::{DMatrix, Matrix6};
 /// axes; the order of components is that of [`shared_geom::wrench::COMPONENTS`].
 #[derive(Debug, Clone)]
 pub struct SectionSolution {
-    /// Internal force per unit generalized strain, 6x6 \[N, N m, N m^2\].
+    /// Internal force per unit generalized strain (S-24), 6x6 \[N, N m, N m^2\].
     pub stiffness: Matrix6<f64>,
-    /// Generalized strain per unit internal force, 6x6 \[1/N, 1/(N m), 1/(N m^2)\].
+    /// Generalized strain per unit internal force (S-23), 6x6 \[1/N, 1/(N m), 1/(N m^2)\].
     pub compliance: Matrix6<f64>,
     /// Momentum per unit velocity, per length, 6x6 \[kg/m, kg, kg m\].
     pub mass: Matrix6<f64>,

@@ -20,6 +20,7 @@
 //! | point to `O + d` | `t' = U t` | `p = U^T p'` | `K' = U K U^T` |
 //! | axes, `v' = Q^T v` | `t' = S^T t` | `p' = S^T p` | `K' = S^T K S`, `S = diag(Q, Q)` |
 //!
+//! The change of point is (S-31), that of the axes (S-32).
 //! Both leave the energy `1/2 p^T K p` and the power `t^T p` as they are.
 //!
 //! # References

@@ -4,5 +4,7 @@
 
 mod beam_statics;
 mod equal_blades;
+#[path = "../common/record.rs"]
+mod record;
 mod rotating_beam;
 mod uniform_beam;

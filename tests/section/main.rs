@@ -8,6 +8,8 @@ mod gmsh_pairs;
 mod invariances;
 mod quads;
 mod random_sections;
+#[path = "../common/record.rs"]
+mod record;
 mod reference_cases;
 mod restrained_warping;
 mod sections;

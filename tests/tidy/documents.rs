@@ -203,6 +203,37 @@ pub fn equations(tree: &Tree) -> Vec<String> {
     breaches
 }
 
+/// Equations of the section theory that no source evaluates or tests: a formula in the
+/// code says which one it is.
+///
+/// The numbers of the dynamics are checked in the other direction only, by
+/// [`equations`].
+pub fn equations_without_source(tree: &Tree) -> Vec<String> {
+    let sources = tree.files.iter().filter(|file| file.is_rust());
+    // the examples of these rules are no formulas
+    let sources = sources.filter(|file| !file.path.starts_with("tests/tidy/"));
+    let mut cited = BTreeSet::new();
+    for file in sources {
+        for (_, text) in written_lines(file) {
+            let numbers = text.split('(').skip(1).filter_map(equation_number);
+            cited.extend(numbers.map(str::to_owned));
+        }
+    }
+    let mut breaches = Vec::new();
+    for page in tree.files.iter().filter(|file| file.path.starts_with(BOOK)) {
+        for (line, text) in page.text.lines().enumerate() {
+            if let Some(number) = ending_number(text)
+                && number.starts_with("S-")
+                && !cited.contains(number)
+            {
+                let message = format!("no source cites equation ({number})");
+                breaches.push(page.breach(line, &message));
+            }
+        }
+    }
+    breaches
+}
+
 /// The number that a displayed equation carries: at the end of its line, behind two spaces.
 fn ending_number(line: &str) -> Option<&str> {
     let (_, number) = line.trim_end().rsplit_once("  (")?;
@@ -335,6 +366,17 @@ mod tests {
         let book = "```text\na = b    (S-1)\nc = d    (S-1)\n```\n";
         let tree = Tree::of(&[("docs/src/a.md", book), ("a/src/b.rs", "// (S-1), (D-2)\n")]);
         assert_eq!(equations(&tree).len(), 2);
+    }
+
+    #[test]
+    fn equations_of_the_sections_need_a_source() {
+        let book = "```text\na = b    (S-1)\nc = d    (S-2)\ne = f    (D-1)\n```\n(S-2)\n";
+        let code = "//! a = b (S-1)\nlet two = \"(S-2)\";\n";
+        let files = [("docs/src/a.md", book), ("a/src/b.rs", code)];
+        assert_eq!(
+            equations_without_source(&Tree::of(&files)),
+            ["docs/src/a.md:3: no source cites equation (S-2)"]
+        );
     }
 
     #[test]

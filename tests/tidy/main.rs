@@ -86,6 +86,12 @@ fn cited_equations_are_in_the_book() {
 }
 
 #[test]
+fn equations_of_the_sections_are_cited_by_a_source() {
+    let breaches = documents::equations_without_source(&Tree::read());
+    expect_none("equations without source", breaches);
+}
+
+#[test]
 fn links_lead_somewhere() {
     expect_none("links", documents::links(&Tree::read()));
 }

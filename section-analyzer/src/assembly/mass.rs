@@ -1,7 +1,7 @@
 //! Mass per length of the section.
 //!
 //! ```text
-//! Mm = int rho [I, -t x]' [I, -t x] dA          rows: momentum, angular momentum
+//! Mm = int rho [I, -t x]' [I, -t x] dA     (S-28); its entries are (S-29)
 //! ```
 
 use super::domain::Domain;

@@ -1,7 +1,7 @@
 //! The matrices of a section over its warping unknowns.
 //!
 //! ```text
-//! dLi' = [du'; du; dpsi]' [ M  C  L ; C' E  R ; L' R' A ] [u'; u; psi]
+//! dLi' = [du'; du; dpsi]' [ M  C  L ; C' E  R ; L' R' A ] [u'; u; psi]     (S-10)
 //! ```
 //!
 //! | symbol | shape | symmetric | joins |

@@ -2,9 +2,9 @@
 //! section matrices meets.
 //!
 //! ```text
-//! H = [I, -t x] at each node (n x 6)          T = [0, e1 x; 0, 0]
-//! M H = L     C' H = R     C H = L T     E H = R T     L' H = A     R' H = A T
-//! theta' = T' theta:  M2' = F3,  M3' = -F2
+//! H = [I, -t x] at each node (n x 6)          T = [0, e1 x; 0, 0]               (S-14)
+//! M H = L     C' H = R     C H = L T     E H = R T     L' H = A     R' H = A T  (S-15)
+//! theta' = T' theta:  M2' = F3,  M3' = -F2                                      (S-13)
 //! ```
 //!
 //! They hold to round-off because the shape functions contain the rigid motions

@@ -8,7 +8,7 @@
 //! W     = int eps' D eps dA                              work
 //! ```
 //!
-//! The same as products with the six matrices, but with the round-off of the
+//! The same as products with the six matrices (S-11), but with the round-off of the
 //! strain instead of that of the displacement. It matters: in a thin wall that
 //! bends, the terms of the product E u are (size/thickness)^3 times their sum.
 

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use shared_geom::mesh::CellKind;
 
 mod analyze;
@@ -87,6 +88,39 @@ const ELLIPSE_EXAMPLE: &str = "\
 Example, a full disk of 12 x 6 x 6 cells in the physical surface \"section\":
   section-analyzer mesh ellipse --semi-y 10 --semi-z 10 --cells 6 --out disk.msh";
 
+const SCHEMA: &str = "\
+Prints the description of the section file, for editors or as a page
+
+As a JSON schema (draft 2020-12), editors complete the keys of a section file and mark
+what is wrong while you type. As Markdown it is the reference of the documentation.";
+
+const SCHEMA_EXAMPLE: &str = "\
+Example, for the editors that use Taplo (Even Better TOML): write the schema
+  section-analyzer schema --out section.schema.json
+and name it in the first line of the section file:
+  #:schema ./section.schema.json";
+
+const COMPLETIONS: &str = "\
+Prints the script by which a shell completes commands and options
+
+Where the script belongs depends on the shell.";
+
+const COMPLETIONS_EXAMPLE: &str = "\
+Examples:
+  section-analyzer completions bash > ~/.local/share/bash-completion/completions/section-analyzer
+  section-analyzer completions zsh > ~/.zfunc/_section-analyzer
+  section-analyzer completions fish > ~/.config/fish/completions/section-analyzer.fish";
+
+const MANUAL: &str = "\
+Writes the manual pages, one for each command
+
+Without DIR all pages are printed one after the other.";
+
+const MANUAL_EXAMPLE: &str = "\
+Examples:
+  section-analyzer manual | man -l -
+  section-analyzer manual --out ~/.local/share/man/man1";
+
 /// A name that a mesh file can hold.
 fn group_name(text: &str) -> Result<String, &'static str> {
     let fits = |letter: char| letter != '"' && !letter.is_control();
@@ -141,6 +175,36 @@ pub(super) enum Command {
     Shift(ShiftArguments),
     #[command(about = first_line(ROTATE), long_about = ROTATE, after_help = ROTATE_EXAMPLE)]
     Rotate(RotateArguments),
+    #[command(about = first_line(SCHEMA), long_about = SCHEMA, after_help = SCHEMA_EXAMPLE)]
+    Schema {
+        /// What to write
+        #[arg(long, value_enum, default_value_t = SchemaFormat::Json)]
+        format: SchemaFormat,
+        /// File to write instead of printing
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
+    },
+    #[command(about = first_line(COMPLETIONS), long_about = COMPLETIONS, after_help = COMPLETIONS_EXAMPLE)]
+    Completions {
+        /// The shell
+        #[arg(value_enum)]
+        shell: Shell,
+    },
+    #[command(about = first_line(MANUAL), long_about = MANUAL, after_help = MANUAL_EXAMPLE)]
+    Manual {
+        /// Folder for the pages
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
+}
+
+/// Forms of the description of the section file.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(super) enum SchemaFormat {
+    /// A JSON schema
+    Json,
+    /// The reference page
+    Markdown,
 }
 
 /// The shapes that can be meshed.

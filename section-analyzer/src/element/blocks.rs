@@ -1,4 +1,4 @@
-//! What one cell adds to the matrices E, R, A of the section.
+//! What one cell adds to the matrices E, R, A of the section (S-10).
 //!
 //! The law is constant over a cell, so every matrix is a few integrals of
 //! products of shape functions (numbers) times constant 3x3 parts of the law:

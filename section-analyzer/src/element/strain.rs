@@ -1,6 +1,9 @@
 //! The strain of a section point: from the generalized strain, from the
 //! warping, and from its rate along the beam.
 //!
+//! A point moves with the rigid section and warps on top of it (S-1); the generalized
+//! strain is (S-3), the order of the strains (S-2).
+//!
 //! # Symbols
 //!
 //! | symbol | meaning | unit | shape |
@@ -11,9 +14,9 @@
 //! | `eps` | strain, order yz yy zz xx xy xz, engineering shears | - | 6 |
 //!
 //! ```text
-//! eps = Bpsi psi + B1 u' + B0 u        w = N u
-//! Bpsi = S [I, -t x]      B1 = S N      B0 = Dop N      S = [0; I3]
-//! Dop w = (uy,z + uz,y, uy,y, uz,z, 0, ux,y, ux,z)
+//! eps = Bpsi psi + B1 u' + B0 u        w = N u                         (S-4)
+//! Bpsi = S [I, -t x]      B1 = S N      B0 = Dop N      S = [0; I3]     (S-5)
+//! Dop w = (uy,z + uz,y, uy,y, uz,z, 0, ux,y, ux,z)                      (S-6)
 //! ```
 //!
 //! S and Dop only place components, so the operators are kept as the three

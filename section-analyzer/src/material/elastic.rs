@@ -88,7 +88,8 @@ impl EngineeringConstants {
         ]
     }
 
-    /// Stiffness in material axes, order 11 22 33 23 13 12 \[Pa\].
+    /// Stiffness in material axes, order 11 22 33 23 13 12 \[Pa\]: the inverse of the
+    /// compliance (S-7), written out.
     ///
     /// ```text
     /// C11 = E1 (1 - nu23 nu32) / D      C12 = E1 (nu21 + nu31 nu23) / D

@@ -16,7 +16,7 @@
 //! | `c` | stiffness in material axes, order 11 22 33 23 13 12 | Pa | 6x6 |
 //! | `d` | stiffness in section axes, order yz yy zz xx xy xz | Pa | 6x6 |
 //!
-//! The rotation is that of the fourth-order tensor,
+//! The axes are (S-8). The rotation is that of the fourth-order tensor (S-9),
 //! `d_abcd = q_ai q_bj q_ck q_dl c_ijkl`: no transformation matrix of the six
 //! components is written by hand.
 

@@ -23,9 +23,9 @@ impl Centers {
     /// force there the torque `y F3 - z F2`:
     ///
     /// ```text
-    /// tension   [z; -y] = -Cbb^-1 Cb1       Cbb, Cb1: bending by bending, by axial force
-    /// shear     y = -C43 / C44     z = C42 / C44
-    /// mass      y = M34 / m        z = -M24 / m
+    /// tension   [z; -y] = -Cbb^-1 Cb1       (S-26), Cbb, Cb1: bending by bending, by axial force
+    /// shear     y = -C43 / C44     z = C42 / C44      (S-27)
+    /// mass      y = M34 / m        z = -M24 / m       (S-30)
     /// ```
     ///
     /// Both matrices are to be about a point near the section, so that the

@@ -1,8 +1,9 @@
 //! The two nested central solutions (de Saint-Venant).
 //!
 //! An unloaded beam carries `theta' = T' theta`: shears constant, bendings
-//! linear. With `u = X theta`, `psi = Y theta` and T' nilpotent (its square is
-//! zero) the equilibrium of the section splits in two steps:
+//! linear. With `u = X theta`, `psi = Y theta` (S-17) and T' nilpotent (its square is
+//! zero) the equilibrium of the section (S-12), which is then (S-18), splits in two
+//! steps, (S-19) and (S-20):
 //!
 //! ```text
 //! linear    (F1, M1, M2, M3)   E x + R y = 0,                        R' x + A y = e_j

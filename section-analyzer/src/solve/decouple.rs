@@ -1,9 +1,9 @@
 //! Central solutions with the rigid part of the warping removed.
 //!
-//! `(u, psi) -> (u + H r, psi - r' - T r)` leaves all strains as they are, so the
+//! `(u, psi) -> (u + H r, psi - r' - T r)` leaves all strains as they are (S-16), so the
 //! split between warping and generalized strain is a choice. The choice that
 //! makes the generalized strain work with the internal force alone is the
-//! warping on which the nodal forces of the section do no work:
+//! warping on which the nodal forces of the section do no work (S-25):
 //!
 //! ```text
 //! Ph = M X T' + C X + L Y        nodal forces of the face, H' Ph = I

@@ -1,4 +1,4 @@
-//! The six unknowns that are held to take the rigid motions out.
+//! The six unknowns that are held to take the rigid motions out (S-21).
 //!
 //! ```text
 //!      c (ux)

@@ -1,4 +1,4 @@
-//! The equilibrium of a section, factored once.
+//! The equilibrium of a section, factored once (S-22).
 //!
 //! Sought are warping x and generalized strain y that balance given forces P'
 //! and theta when the warping has the given rate u' along the beam:

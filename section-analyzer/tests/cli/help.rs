@@ -5,55 +5,61 @@ use std::process::Stdio;
 
 use crate::workplace::Workplace;
 
+/// Command lines that ask for help, and an example that the help gives.
+const EXAMPLES: &[(&[&str], &str)] = &[
+    (&["--help"], "section-analyzer analyze strip.section.toml"),
+    (
+        &["analyze", "--help"],
+        "section-analyzer analyze blade/root.section.toml --out",
+    ),
+    (
+        &["check", "--help"],
+        "section-analyzer check blade/root.section.toml",
+    ),
+    (
+        &["stress", "--help"],
+        "section-analyzer stress blade/root.section.toml --axial 1e3",
+    ),
+    (
+        &["report", "--help"],
+        "section-analyzer report blade/results/root.properties.json",
+    ),
+    (
+        &["compare", "--help"],
+        "section-analyzer compare fine.properties.json coarse",
+    ),
+    (
+        &["shift", "--help"],
+        "section-analyzer shift a.properties.json --to \"25 mm, 0\" --out",
+    ),
+    (
+        &["rotate", "--help"],
+        "section-analyzer rotate a.properties.json --angle \"3.5 deg\" --out",
+    ),
+    (
+        &["mesh", "rectangle", "--help"],
+        "section-analyzer mesh rectangle --width 1",
+    ),
+    (
+        &["mesh", "tube", "--help"],
+        "plane_angle = { follow = \"outer\" }",
+    ),
+    (&["schema", "--help"], "#:schema ./section.schema.json"),
+    (
+        &["completions", "--help"],
+        "section-analyzer completions bash >",
+    ),
+    (&["manual", "--help"], "section-analyzer manual | man -l -"),
+    (
+        &["mesh", "ellipse", "--help"],
+        "section-analyzer mesh ellipse --semi-y 10",
+    ),
+];
+
 #[test]
 fn help_teaches_with_an_example() {
     let place = Workplace::new();
-    for (arguments, example) in [
-        (
-            &["--help"][..],
-            "section-analyzer analyze strip.section.toml",
-        ),
-        (
-            &["analyze", "--help"],
-            "section-analyzer analyze blade/root.section.toml --out",
-        ),
-        (
-            &["check", "--help"],
-            "section-analyzer check blade/root.section.toml",
-        ),
-        (
-            &["stress", "--help"],
-            "section-analyzer stress blade/root.section.toml --axial 1e3",
-        ),
-        (
-            &["report", "--help"],
-            "section-analyzer report blade/results/root.properties.json",
-        ),
-        (
-            &["compare", "--help"],
-            "section-analyzer compare fine.properties.json coarse",
-        ),
-        (
-            &["shift", "--help"],
-            "section-analyzer shift a.properties.json --to \"25 mm, 0\" --out",
-        ),
-        (
-            &["rotate", "--help"],
-            "section-analyzer rotate a.properties.json --angle \"3.5 deg\" --out",
-        ),
-        (
-            &["mesh", "rectangle", "--help"],
-            "section-analyzer mesh rectangle --width 1",
-        ),
-        (
-            &["mesh", "tube", "--help"],
-            "plane_angle = { follow = \"outer\" }",
-        ),
-        (
-            &["mesh", "ellipse", "--help"],
-            "section-analyzer mesh ellipse --semi-y 10",
-        ),
-    ] {
+    for (arguments, example) in EXAMPLES {
         let run = place.run(arguments);
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{arguments:?}");
         assert!(run.out.contains(example), "{arguments:?}: {}", run.out);
@@ -198,4 +204,71 @@ fn a_mesh_that_cannot_be_written_is_wrong_usage() {
         "error: file \"no/such.msh\" cannot be written: its folder does not exist\n"
     );
     assert_eq!(run.code, 2);
+}
+
+/// A page for each command, named as `man` looks for it, with the words of the help.
+#[test]
+fn manual_has_a_page_for_each_command() {
+    let place = Workplace::new();
+    let run = place.run(&["manual", "--out", "man1"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    for (page, word) in [
+        ("section-analyzer", "section\\-analyzer\\-analyze(1)"),
+        ("section-analyzer-analyze", "properties.json"),
+        ("section-analyzer-mesh-tube", "outer\\-radius"),
+        ("section-analyzer-manual", "one for each command"),
+    ] {
+        let text = place.read(&format!("man1/{page}.1"));
+        let heading = format!(
+            ".TH {page} 1  \"section-analyzer {}\"",
+            env!("CARGO_PKG_VERSION")
+        );
+        assert!(text.contains(&heading), "{text}");
+        assert!(text.contains(word), "{page}: {text}");
+    }
+    let pages = std::fs::read_dir(place.path("man1")).unwrap().count();
+    let printed = place.run(&["manual"]).out;
+    assert_eq!(printed.matches("\n.TH ").count(), pages);
+    assert_eq!(
+        run.out.lines().filter(|line| line.ends_with(".1")).count(),
+        pages
+    );
+    place.write("file", "");
+    let run = place.run(&["manual", "--out", "file/man1"]);
+    assert!(
+        run.err
+            .starts_with("error: folder \"file/man1\" cannot be made"),
+        "{}",
+        run.err
+    );
+    assert_eq!(run.code, 2);
+}
+
+#[test]
+fn completions_know_commands_and_options() {
+    let place = Workplace::new();
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let run = place.run(&["completions", shell]);
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{shell}");
+        for word in ["analyze", "rectangle", "cells-through"] {
+            assert!(run.out.contains(word), "{shell}: {word}");
+        }
+    }
+    assert_eq!(place.run(&["completions", "cmd"]).code, 2);
+}
+
+#[test]
+fn schema_is_printed_or_written() {
+    let place = Workplace::new();
+    let printed = place.run(&["schema"]);
+    assert_eq!((printed.code, printed.err.as_str()), (0, ""));
+    assert!(printed.out.contains("\"$schema\""), "{}", printed.out);
+    let run = place.run(&["schema", "--out", "section.schema.json"]);
+    assert_eq!((run.code, run.out.as_str()), (0, "section.schema.json\n"));
+    assert_eq!(place.read("section.schema.json"), printed.out);
+    let page = place.run(&["schema", "--format", "markdown"]).out;
+    assert!(page.starts_with("# Section input reference"), "{page}");
+    let run = place.run(&["schema", "--out", "no/such.json"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("its folder does not exist"), "{}", run.err);
 }

@@ -8,3 +8,4 @@ mod follow;
 #[path = "../../../shared-geom/tests/robust/mutation.rs"]
 mod mutation;
 mod robust;
+mod schema;

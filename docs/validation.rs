@@ -1,0 +1,223 @@
+//! Makes the validation pages of the book from the numbers that the tests recorded.
+//!
+//! ```sh
+//! cargo test
+//! cargo run --example validation
+//! ```
+//!
+//! The records of a test that was renamed or removed stay until `validation` in the
+//! build folder is removed.
+//!
+//! With `-- --check` it writes nothing, and fails when a page lacks a comparison that
+//! was recorded, shows one that was not, or shows another expected value or tolerance.
+//! What was found may differ in the last digits between machines.
+//!
+//! `tests/common/record.rs` writes the rows: `validation/<suite>/<test>.csv` in the
+//! build folder. A suite becomes the page `docs/src/validation-<suite>.md`, a source
+//! a table in it. The text depends on the numbers alone: errors have two digits, and
+//! those of round-off are rounded up to a power of ten, which other machines share.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+/// A suite, the title of its page, and what the page says first.
+const PAGES: [(&str, &str, &str); 4] = [
+    (
+        "section",
+        "Sections in numbers",
+        "What the suite of the sections compares, by source.",
+    ),
+    (
+        "cases",
+        "Cases in numbers",
+        "What the cases of `cases/section` give, by source.",
+    ),
+    (
+        "dynamics",
+        "Beams in numbers",
+        "What the suite of the beams compares, by source.",
+    ),
+    (
+        "chain",
+        "Blades in numbers",
+        "What the chain of both programs is compared with.",
+    ),
+];
+
+/// Errors below this are round-off, of which only the order of magnitude is shown.
+const ROUND_OFF: f64 = 1e-9;
+
+/// Round-off is not told apart below this: it differs between machines.
+const LEAST: f64 = 1e-14;
+
+/// A row as the tests record it; an observed order has no error, a largest error over
+/// many numbers no single number.
+#[derive(Debug, Clone, Deserialize)]
+struct Row {
+    source: String,
+    case: String,
+    quantity: String,
+    expected: Option<f64>,
+    found: Option<f64>,
+    error: Option<f64>,
+    tolerance: Option<f64>,
+}
+
+impl Row {
+    /// How near the row is to failing; the largest of equal rows is shown.
+    fn strain(&self) -> f64 {
+        match (self.error, self.tolerance) {
+            (Some(error), Some(tolerance)) => error / tolerance,
+            _ => -self.found.unwrap_or_default(),
+        }
+    }
+
+    fn cells(&self) -> [String; 4] {
+        let round_off = self.error.is_some_and(|error| error < ROUND_OFF);
+        if self.error.is_none() {
+            let least = format!("at least {}", plain(self.expected));
+            let found = format!("{:.1}", self.found.unwrap_or_default());
+            return [least, found, "-".into(), "-".into()];
+        }
+        // round-off beside zero has no digits to show
+        let found = match (self.expected, round_off) {
+            (Some(0.0), true) => plain(self.expected),
+            _ => plain(self.found),
+        };
+        [
+            plain(self.expected),
+            found,
+            self.error.map_or_else(String::new, magnitude),
+            self.tolerance.map_or_else(String::new, |bound| {
+                format!("{bound:.1e}").replace(".0e", "e")
+            }),
+        ]
+    }
+}
+
+/// A number with six digits, without zeros at its end; a dash for none.
+fn plain(number: Option<f64>) -> String {
+    let Some(number) = number else {
+        return "-".into();
+    };
+    let text = format!("{number:.5e}");
+    let rounded: f64 = text.parse().unwrap_or(number);
+    if rounded == 0.0 {
+        "0".into()
+    } else if (1e-3..1e6).contains(&rounded.abs()) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+/// An error with two digits; the power of ten above it when it is round-off.
+fn magnitude(error: f64) -> String {
+    if error >= ROUND_OFF {
+        return format!("{error:.1e}");
+    }
+    let exponent = error.max(LEAST).log10().ceil();
+    format!("< 1e{exponent:.0}")
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let only_check = std::env::args()
+        .skip(1)
+        .any(|argument| argument == "--check");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (suite, title, opening) in PAGES {
+        let rows = read(&records()?.join(suite))?;
+        let page = root.join(format!("docs/src/validation-{suite}.md"));
+        let text = text(suite, title, opening, &rows);
+        if !only_check {
+            std::fs::write(&page, &text)?;
+        } else if lasting(&std::fs::read_to_string(&page)?) != lasting(&text) {
+            let advice = "is not that of the tests: run cargo run --example validation";
+            return Err(format!("{} {advice}", page.display()).into());
+        }
+        println!("{}: {} rows", page.display(), rows.len());
+    }
+    Ok(())
+}
+
+/// What a page must say on every machine: all but the columns of what was found and
+/// how far it was off.
+fn lasting(page: &str) -> Vec<Vec<&str>> {
+    let columns = |line| {
+        let cells: Vec<&str> = str::split(line, " | ").collect();
+        match cells[..] {
+            [case, quantity, expected, _, _, tolerance] => {
+                vec![case, quantity, expected, tolerance]
+            }
+            _ => cells,
+        }
+    };
+    page.lines().map(columns).collect()
+}
+
+/// Where the tests leave their rows: in the build folder, which this program lies in.
+fn records() -> Result<PathBuf, Box<dyn Error>> {
+    let program = std::env::current_exe()?;
+    // <build folder>/debug/examples/validation
+    let build = program.ancestors().nth(3).ok_or("not in a build folder")?;
+    Ok(build.join("validation"))
+}
+
+/// All rows of a suite: tests in the order of their names, rows as recorded.
+fn read(folder: &Path) -> Result<Vec<Row>, Box<dyn Error>> {
+    let entries = std::fs::read_dir(folder)
+        .map_err(|error| format!("{}: {error}; run the tests first", folder.display()))?;
+    let files: Result<Vec<_>, _> = entries.map(|entry| entry.map(|e| e.path())).collect();
+    let mut files = files?;
+    files.sort();
+    let mut rows = Vec::new();
+    for file in files {
+        for row in csv::Reader::from_path(file)?.deserialize() {
+            merge(&mut rows, row?);
+        }
+    }
+    Ok(rows)
+}
+
+/// Adds a row, or lets it replace its like when it is nearer to failing.
+fn merge(rows: &mut Vec<Row>, row: Row) {
+    let key = |row: &Row| (row.source.clone(), row.case.clone(), row.quantity.clone());
+    match rows.iter_mut().find(|known| key(known) == key(&row)) {
+        Some(known) if known.strain() < row.strain() => *known = row,
+        Some(_) => {}
+        None => rows.push(row),
+    }
+}
+
+fn text(suite: &str, title: &str, opening: &str, rows: &[Row]) -> String {
+    let mut by_source: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();
+    for row in rows {
+        by_source.entry(&row.source).or_default().push(row);
+    }
+    let mut page = format!(
+        "# {title}\n\n{opening}\n\
+         Made by `cargo run --example validation` from the numbers that `cargo test --test {suite}` recorded; \
+         do not edit.\n\n\
+         The error is measured as in the test, the tolerance is the test's, with its reason there.\n\
+         Where a comparison runs on several meshes or cells, the row shows the one nearest to its tolerance.\n\
+         An error of round-off is shown by the power of ten above it.\n\
+         The overview is in [Validation](validation.md).\n"
+    );
+    for (source, rows) in by_source {
+        // Writing into a text cannot fail.
+        let _ = write!(
+            page,
+            "\n## {source}\n\n| case | quantity | expected | found | error | tolerance |\n\
+             | --- | --- | --- | --- | --- | --- |\n"
+        );
+        for row in rows {
+            let cells = row.cells().join(" | ");
+            let _ = writeln!(page, "| {} | {} | {cells} |", row.case, row.quantity);
+        }
+    }
+    page
+}

@@ -1,0 +1,440 @@
+//! The keys of the section file.
+
+use shared_geom::units::Dimension;
+
+use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
+use super::{Family, KeySchema, Need, TableSchema, ValueKind};
+
+use Need::{Default, Optional, Required};
+
+/// A key; a value that is a table has no example of its own.
+pub(super) const fn key(
+    name: &'static str,
+    kinds: &'static [ValueKind],
+    need: Need,
+    example: &'static str,
+    meaning: &'static str,
+) -> KeySchema {
+    KeySchema {
+        name,
+        kinds,
+        need,
+        meaning,
+        example,
+    }
+}
+
+const TEXT: &[ValueKind] = &[ValueKind::Text];
+const GROUP: &[ValueKind] = &[ValueKind::Name];
+const NUMBER: &[ValueKind] = &[ValueKind::Quantity(Dimension::NUMBER)];
+const STRESS: &[ValueKind] = &[ValueKind::Quantity(Dimension::STRESS)];
+const DENSITY: &[ValueKind] = &[ValueKind::Quantity(Dimension::DENSITY)];
+
+/// The whole file.
+pub const SECTION_FILE: TableSchema = TableSchema {
+    title: "NAME.section.toml",
+    meaning: "A section: its mesh, its materials, and what each region of the mesh is made of.",
+    keys: &[
+        key(
+            "name",
+            TEXT,
+            Default("NAME of the file"),
+            "\"spar\"",
+            "Name of the section in reports and property files.",
+        ),
+        key(
+            "mesh",
+            TEXT,
+            Required,
+            "\"spar.msh\"",
+            "Mesh file of gmsh; a relative path counts from the folder of this file.",
+        ),
+        key(
+            "doubled_nodes",
+            &[ValueKind::Word(&["error", "allow"])],
+            Default("\"error\""),
+            "\"allow\"",
+            "What doubled nodes along the border of two regions are: an error, or allowed \
+             where slits are meant.",
+        ),
+        key(
+            "units",
+            &[ValueKind::Word(&["SI"]), ValueKind::Table(&UNITS)],
+            Required,
+            "\"SI\"",
+            "What a number without a unit counts in: SI, or the units of the table.",
+        ),
+        key(
+            "material",
+            &[ValueKind::NamedTables(&MATERIAL)],
+            Required,
+            "",
+            "The materials, by name.",
+        ),
+        key(
+            "region",
+            &[ValueKind::Tables(&REGION)],
+            Required,
+            "",
+            "What each physical surface of the mesh is made of; every surface needs one.",
+        ),
+        key(
+            "load",
+            &[ValueKind::NamedTables(&LOAD)],
+            Optional,
+            "",
+            "Internal forces for which stresses are recovered, by name.",
+        ),
+    ],
+    families: &[],
+};
+
+const UNITS: TableSchema = TableSchema {
+    title: "[units]",
+    meaning: "Units of plain numbers. What is not declared follows from the rest: \
+              quantities with a force in them use the unit of force, others that of mass; \
+              of force and mass, the missing one is consistent with the other.",
+    keys: &[
+        key(
+            "length",
+            &[ValueKind::Unit(Dimension::LENGTH)],
+            Default("\"m\""),
+            "\"in\"",
+            "Unit of length, also of the coordinates of the mesh.",
+        ),
+        key(
+            "mass",
+            &[ValueKind::Unit(Dimension::MASS)],
+            Default("from the rest"),
+            "\"kg\"",
+            "Unit of mass.",
+        ),
+        key(
+            "force",
+            &[ValueKind::Unit(Dimension::FORCE)],
+            Default("from the rest"),
+            "\"lbf\"",
+            "Unit of force.",
+        ),
+        key(
+            "time",
+            &[ValueKind::Unit(Dimension::TIME)],
+            Default("\"s\""),
+            "\"s\"",
+            "Unit of time.",
+        ),
+        key(
+            "angle",
+            &[ValueKind::Unit(Dimension::ANGLE)],
+            Default("\"deg\""),
+            "\"deg\"",
+            "Unit of angles.",
+        ),
+        key(
+            "stress",
+            &[ValueKind::Unit(Dimension::STRESS)],
+            Default("from the rest"),
+            "\"GPa\"",
+            "Unit of stress and of moduli.",
+        ),
+        key(
+            "density",
+            &[ValueKind::Unit(Dimension::DENSITY)],
+            Default("from the rest"),
+            "\"kg/m^3\"",
+            "Unit of density.",
+        ),
+        key(
+            "mass_per_length",
+            &[ValueKind::Unit(Dimension::MASS_PER_LENGTH)],
+            Default("from the rest"),
+            "\"kg/m\"",
+            "Unit of mass per length.",
+        ),
+        key(
+            "rotation_speed",
+            &[ValueKind::Unit(Dimension::ROTATION_SPEED)],
+            Default("\"rpm\""),
+            "\"rpm\"",
+            "Unit of speeds of rotation.",
+        ),
+    ],
+    families: &[],
+};
+
+/// A table of limits of a material.
+const fn limit(name: &'static str, kinds: &'static [ValueKind]) -> KeySchema {
+    key(name, kinds, Optional, "", "Limits for the failure indices.")
+}
+
+const MATERIAL: TableSchema = TableSchema {
+    title: "[material.NAME]",
+    meaning: "A material: its elastic law, told from the keys, and its density.",
+    keys: &[key(
+        "density",
+        DENSITY,
+        Required,
+        "\"1600 kg/m^3\"",
+        "Mass per volume; 0 leaves the material without mass.",
+    )],
+    families: &[
+        Family {
+            name: "isotropic",
+            meaning: "The same in all directions.",
+            keys: &[
+                key(
+                    "young",
+                    STRESS,
+                    Required,
+                    "\"73.1 GPa\"",
+                    "Young's modulus.",
+                ),
+                key(
+                    "poisson",
+                    NUMBER,
+                    Required,
+                    "0.325",
+                    "Poisson's ratio, between -1 and 0.5.",
+                ),
+                limit("strength", &[ValueKind::Table(&STRENGTH)]),
+                limit("strain_limit", &[ValueKind::Table(&STRAIN_LIMIT)]),
+            ],
+        },
+        Family {
+            name: "orthotropic",
+            meaning: "Three planes of symmetry: axis 1 along the fiber, 2 across it in the ply, \
+                      3 through the thickness.",
+            keys: &[
+                key(
+                    "e1",
+                    STRESS,
+                    Required,
+                    "\"142 GPa\"",
+                    "Modulus along the fiber.",
+                ),
+                key(
+                    "e2",
+                    STRESS,
+                    Required,
+                    "\"9.8 GPa\"",
+                    "Modulus across the fiber in the ply.",
+                ),
+                key(
+                    "e3",
+                    STRESS,
+                    Required,
+                    "\"9.8 GPa\"",
+                    "Modulus through the thickness.",
+                ),
+                key(
+                    "g12",
+                    STRESS,
+                    Required,
+                    "\"6 GPa\"",
+                    "Shear modulus in the ply.",
+                ),
+                key(
+                    "g13",
+                    STRESS,
+                    Required,
+                    "\"6 GPa\"",
+                    "Shear modulus of fiber and thickness.",
+                ),
+                key(
+                    "g23",
+                    STRESS,
+                    Required,
+                    "\"4.8 GPa\"",
+                    "Shear modulus across the fiber.",
+                ),
+                key(
+                    "nu12",
+                    NUMBER,
+                    Required,
+                    "0.3",
+                    "Contraction along 2 under tension along 1.",
+                ),
+                key(
+                    "nu13",
+                    NUMBER,
+                    Required,
+                    "0.34",
+                    "Contraction along 3 under tension along 1.",
+                ),
+                key(
+                    "nu23",
+                    NUMBER,
+                    Required,
+                    "0.42",
+                    "Contraction along 3 under tension along 2.",
+                ),
+                limit("strength", &[ValueKind::Table(&PLY_STRENGTH)]),
+                limit("strain_limit", &[ValueKind::Table(&PLY_STRAIN_LIMIT)]),
+            ],
+        },
+        Family {
+            name: "full",
+            meaning: "Any anisotropic law.",
+            keys: &[
+                key(
+                    "stiffness",
+                    &[ValueKind::Rows(6, 6)],
+                    Required,
+                    "[[4, 2, 2, 0, 0, 0], [2, 4, 2, 0, 0, 0], [2, 2, 4, 0, 0, 0], \
+                 [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]",
+                    "Stiffness in the declared unit of stress, symmetric and positive definite, \
+                 order 11, 22, 33, 23, 13, 12 with engineering shear strains.",
+                ),
+                limit("strength", &[ValueKind::Table(&PLY_STRENGTH)]),
+                limit("strain_limit", &[ValueKind::Table(&PLY_STRAIN_LIMIT)]),
+            ],
+        },
+    ],
+};
+
+const REGION: TableSchema = TableSchema {
+    title: "[[region]]",
+    meaning: "A physical surface of the mesh and its material.",
+    keys: &[
+        key(
+            "group",
+            GROUP,
+            Required,
+            "\"skin\"",
+            "The physical surface, by its name or its tag.",
+        ),
+        key(
+            "material",
+            GROUP,
+            Required,
+            "\"glass\"",
+            "The material, by its name.",
+        ),
+        key(
+            "fiber_angle",
+            &[
+                ValueKind::Quantity(Dimension::ANGLE),
+                ValueKind::Table(&FIBER_ANGLE),
+            ],
+            Default("0"),
+            "45",
+            "Angle of the fiber from x toward the wall direction, in the wall.",
+        ),
+        key(
+            "plane_angle",
+            &[
+                ValueKind::Quantity(Dimension::ANGLE),
+                ValueKind::Table(&PLANE_ANGLE),
+            ],
+            Default("0"),
+            "\"90 deg\"",
+            "Angle of the wall direction from +y.",
+        ),
+    ],
+    families: &[],
+};
+
+const ANGLES: KeySchema = key(
+    "table",
+    TEXT,
+    Required,
+    "\"angles.csv\"",
+    "CSV file with the header cell,angle and a row for each cell of the region, \
+     by its tag in the mesh; angles in the declared unit.",
+);
+
+const FIBER_ANGLE: TableSchema = TableSchema {
+    title: "fiber_angle = { ... }",
+    meaning: "The fiber angle cell by cell.",
+    keys: &[ANGLES],
+    families: &[],
+};
+
+const PLANE_ANGLE: TableSchema = TableSchema {
+    title: "plane_angle = { ... }",
+    meaning: "The plane angle cell by cell, or along a curve.",
+    keys: &[],
+    families: &[
+        Family {
+            name: "table",
+            meaning: "Cell by cell.",
+            keys: &[ANGLES],
+        },
+        Family {
+            name: "follow",
+            meaning: "The direction of a curve of the mesh, at its point nearest to the \
+                      centroid of each cell.",
+            keys: &[
+                key(
+                    "follow",
+                    GROUP,
+                    Required,
+                    "\"outer\"",
+                    "The physical curve, by its name or its tag.",
+                ),
+                key(
+                    "reverse",
+                    &[ValueKind::Boolean],
+                    Default("false"),
+                    "true",
+                    "Whether to take the opposite direction.",
+                ),
+            ],
+        },
+    ],
+};
+
+const FORCE: &[ValueKind] = &[ValueKind::Quantity(Dimension::FORCE)];
+const MOMENT: &[ValueKind] = &[ValueKind::Quantity(Dimension::MOMENT)];
+
+const LOAD: TableSchema = TableSchema {
+    title: "[load.NAME]",
+    meaning: "An internal force, of which at least one component is not zero. NAME is made of \
+              letters, digits, - and _.",
+    keys: &[
+        key("axial", FORCE, Default("0"), "\"10 kN\"", "Axial force."),
+        key(
+            "shear_y",
+            FORCE,
+            Default("0"),
+            "\"1 kN\"",
+            "Shear force along y.",
+        ),
+        key(
+            "shear_z",
+            FORCE,
+            Default("0"),
+            "\"2 kN\"",
+            "Shear force along z.",
+        ),
+        key(
+            "torsion",
+            MOMENT,
+            Default("0"),
+            "\"120 N m\"",
+            "Torque about x.",
+        ),
+        key(
+            "bending_y",
+            MOMENT,
+            Default("0"),
+            "\"-3 kN m\"",
+            "Bending moment about y.",
+        ),
+        key(
+            "bending_z",
+            MOMENT,
+            Default("0"),
+            "\"500 N m\"",
+            "Bending moment about z.",
+        ),
+        key(
+            "point",
+            &[ValueKind::Vector(2, Dimension::LENGTH)],
+            Default("the origin of the mesh"),
+            "[12.5, 0]",
+            "Where the force acts, y and z.",
+        ),
+    ],
+    families: &[],
+};

@@ -1,0 +1,335 @@
+//! The description of the section file against its reader, the files of the
+//! repository, and its page in the book.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use jsonschema::Validator;
+use section_analyzer::input;
+use section_analyzer::input::schema::{
+    Family, KeySchema, SECTION_FILE, TableSchema, ValueKind, json_schema, reference,
+};
+use shared_geom::units::DECLARABLE;
+use toml::{Table, Value};
+
+/// A key that is like no other.
+const STRANGE: &str = "qqqqqqqqqqqq";
+
+/// The top folder of the repository.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn validator() -> Validator {
+    jsonschema::draft202012::new(&json_schema()).expect("a valid schema")
+}
+
+/// Whether the text of a section file fits the schema, and why not.
+fn fits(validator: &Validator, text: &str) -> Result<(), String> {
+    let table: Table = toml::from_str(text).expect("a file in TOML");
+    let value = serde_json::to_value(table).expect("TOML without dates");
+    let errors: Vec<_> = validator
+        .iter_errors(&value)
+        .map(|e| e.to_string())
+        .collect();
+    if errors.is_empty() {
+        Ok(())
+    } else {
+        Err(errors.join("\n"))
+    }
+}
+
+/// Every form of a table: none, or one of its families.
+fn forms(table: &TableSchema) -> Vec<Option<&'static Family>> {
+    match table.families {
+        [] => vec![None],
+        families => families.iter().map(Some).collect(),
+    }
+}
+
+fn keys(table: &'static TableSchema, form: Option<&'static Family>) -> Vec<&'static KeySchema> {
+    let own = form.map_or(&[][..], |family| family.keys);
+    table.keys.iter().chain(own).collect()
+}
+
+/// A table with all its keys, by their examples; the tables in it in their first form.
+fn complete(table: &'static TableSchema, form: Option<&'static Family>) -> Table {
+    let value = |key: &KeySchema| {
+        if key.example.is_empty() {
+            let kind = &key.kinds[0];
+            let inner = kind.table().expect("a value without example is a table");
+            return embedded(kind, complete(inner, forms(inner)[0]));
+        }
+        let written: Table = toml::from_str(&format!("key = {}", key.example))
+            .unwrap_or_else(|error| panic!("example of {}: {error}", key.name));
+        written["key"].clone()
+    };
+    keys(table, form)
+        .into_iter()
+        .map(|key| (key.name.to_owned(), value(key)))
+        .collect()
+}
+
+/// A table as the value of a key of this kind.
+fn embedded(kind: &ValueKind, table: Table) -> Value {
+    match kind {
+        ValueKind::NamedTables(_) => Value::Table(Table::from_iter([(
+            "glass".to_owned(),
+            Value::Table(table),
+        )])),
+        ValueKind::Tables(_) => Value::Array(vec![Value::Table(table)]),
+        _ => Value::Table(table),
+    }
+}
+
+type Embed<'a> = &'a dyn Fn(Table) -> Table;
+type Look<'a> = &'a mut dyn FnMut(&Sample, Embed<'_>);
+
+/// A table in one of its forms.
+struct Sample {
+    /// The keys that lead to it.
+    path: Vec<&'static str>,
+    table: &'static TableSchema,
+    form: Option<&'static Family>,
+    /// With all its keys.
+    whole: Table,
+}
+
+impl Sample {
+    fn keys(&self) -> Vec<&'static KeySchema> {
+        keys(self.table, self.form)
+    }
+
+    fn names(&self) -> BTreeSet<String> {
+        self.keys().iter().map(|key| key.name.to_owned()).collect()
+    }
+
+    fn place(&self) -> String {
+        let form = self.form.map_or("", |family| family.name);
+        format!("{} {form}", self.table.title)
+    }
+}
+
+/// Shows `look` every table in every form, and how to make a whole file of it.
+fn visit(path: &[&'static str], table: &'static TableSchema, embed: Embed<'_>, look: Look<'_>) {
+    for form in forms(table) {
+        let sample = Sample {
+            path: path.to_vec(),
+            table,
+            form,
+            whole: complete(table, form),
+        };
+        look(&sample, embed);
+        for key in sample.keys() {
+            for kind in key.kinds {
+                let Some(inner) = kind.table() else { continue };
+                let embed_inner = |inner: Table| {
+                    let mut outer = sample.whole.clone();
+                    outer.insert(key.name.to_owned(), embedded(kind, inner));
+                    embed(outer)
+                };
+                visit(&[path, &[key.name]].concat(), inner, &embed_inner, look);
+            }
+        }
+    }
+}
+
+/// Shows `look` every table of the section file.
+fn visit_all(look: Look<'_>) {
+    visit(&[], &SECTION_FILE, &|file| file, look);
+}
+
+/// The messages of the reader, each with its help, but for that of the mesh, which is
+/// not there.
+fn problems(text: &str) -> Vec<String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.section.toml");
+    std::fs::write(&file, text).expect("a file");
+    let told = input::read(&file).expect_err("no mesh").to_string();
+    let mut problems: Vec<String> = Vec::new();
+    for line in told.lines() {
+        match problems.last_mut() {
+            Some(last) if line.starts_with("  help: ") => last.push_str(line),
+            _ => problems.push(line.to_owned()),
+        }
+    }
+    problems.retain(|problem| !problem.contains("spar.msh"));
+    problems
+}
+
+/// The keys that the reader knows in the table with the strange key, which is the only
+/// thing wrong.
+fn known_to_the_reader(text: &str) -> BTreeSet<String> {
+    let problems = problems(text);
+    let list = match &problems[..] {
+        [problem] if problem.contains(STRANGE) => problem.split_once("  help: known keys: "),
+        _ => None,
+    };
+    let (_, list) = list.unwrap_or_else(|| panic!("{problems:#?}\n{text}"));
+    list.split(", ").map(str::to_owned).collect()
+}
+
+/// What the reader knows in each table, the description has, and the other way round:
+/// an unknown key makes the reader list the keys that it asks for.
+#[test]
+fn reader_and_description_know_the_same_keys() {
+    // The reader asks for the keys of all forms, to tell them apart.
+    let mut all_forms: BTreeMap<Vec<&str>, BTreeSet<String>> = BTreeMap::new();
+    visit_all(&mut |sample, _| {
+        let names = all_forms.entry(sample.path.clone()).or_default();
+        names.extend(sample.names());
+    });
+    let validator = validator();
+    let mut seen = 0;
+    visit_all(&mut |sample, embed| {
+        let place = sample.place();
+        let text = toml::to_string(&embed(sample.whole.clone())).expect("a table");
+        assert_eq!(fits(&validator, &text), Ok(()), "{place}:\n{text}");
+
+        let mut strange = sample.whole.clone();
+        strange.insert(STRANGE.to_owned(), Value::Integer(1));
+        let text = toml::to_string(&embed(strange)).expect("a table");
+        assert!(fits(&validator, &text).is_err(), "{place}:\n{text}");
+        let known = known_to_the_reader(&text);
+        let described = sample.names();
+        let unknown: Vec<_> = described.difference(&known).collect();
+        assert!(
+            unknown.is_empty(),
+            "{place}: the reader does not know {unknown:?}"
+        );
+        let missing: Vec<_> = known.difference(&all_forms[&sample.path]).collect();
+        assert!(
+            missing.is_empty(),
+            "{place}: the description lacks {missing:?}"
+        );
+        seen += 1;
+    });
+    // the file, units, three laws, region, both angles, of which one in two forms
+    assert!(seen >= 9, "{seen}");
+}
+
+/// A key that is described as required is one whose absence both refuse. (That a file
+/// without regions is wrong shows the reader only when it has read the mesh.)
+#[test]
+fn required_keys_are_required_by_both() {
+    let validator = validator();
+    visit_all(&mut |sample, embed| {
+        for key in sample.keys() {
+            let mut without = sample.whole.clone();
+            without.remove(key.name);
+            let is_required = key.need == input::schema::Need::Required;
+            let text = toml::to_string(&embed(without)).expect("a table");
+            let place = format!("{} without {}", sample.place(), key.name);
+            assert_eq!(fits(&validator, &text).is_err(), is_required, "{place}");
+            let problems = problems(&text);
+            if key.name != "region" {
+                assert_eq!(!problems.is_empty(), is_required, "{place}: {problems:?}");
+            }
+        }
+    });
+}
+
+#[test]
+fn the_units_are_those_that_can_be_declared() {
+    let units = SECTION_FILE.keys.iter().find(|key| key.name == "units");
+    let units = units.and_then(|key| key.kinds.iter().find_map(ValueKind::table));
+    let units = units.expect("the table of units");
+    let described: Vec<_> = units
+        .keys
+        .iter()
+        .map(|key| match key.kinds {
+            [ValueKind::Unit(dimension)] => (key.name, *dimension),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    assert_eq!(described, DECLARABLE);
+}
+
+/// All section files below `folder`.
+fn section_files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if path.is_dir()
+            && !["target", "out", "results"].contains(&&*name)
+            && !name.starts_with('.')
+        {
+            section_files(&path, found);
+        } else if name.ends_with(".section.toml") {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn every_section_file_of_the_repository_fits() {
+    let mut files = Vec::new();
+    section_files(&root(), &mut files);
+    assert!(!files.is_empty());
+    let validator = validator();
+    for file in files {
+        let text = std::fs::read_to_string(&file).expect("a text file");
+        assert_eq!(fits(&validator, &text), Ok(()), "{}", file.display());
+    }
+}
+
+const SOUND: &str = "\
+mesh = \"two.msh\"
+units = \"SI\"
+[material.steel]
+young = \"210 GPa\"
+poisson = 0.3
+density = 7850
+[[region]]
+group = 1
+material = \"steel\"
+plane_angle = { follow = \"outer\", reverse = true }
+";
+
+#[test]
+fn wrong_files_do_not_fit() {
+    let validator = validator();
+    assert_eq!(fits(&validator, SOUND), Ok(()));
+    for (from, to) in [
+        ("mesh = \"two.msh\"", ""),
+        ("mesh = \"two.msh\"", "mesh = 2"),
+        ("mesh =", "mash ="),
+        ("\"SI\"", "\"si\""),
+        ("units = \"SI\"", ""),
+        ("poisson = 0.3", ""),
+        ("poisson = 0.3", "poisson = 0.3\ne1 = 2"),
+        ("poisson = 0.3", "nu = 0.3"),
+        ("\"210 GPa\"", "\"GPa\""),
+        ("\"210 GPa\"", "\"210GPa\""),
+        ("\"210 GPa\"", "true"),
+        ("density = 7850", ""),
+        ("density = 7850", "stiffness = [[1]]"),
+        ("[[region]]", "[region]"),
+        ("group = 1", "group = 0"),
+        ("group = 1", "group = 1.5"),
+        ("material = \"steel\"", ""),
+        ("follow = \"outer\"", "table = \"a.csv\""),
+        (
+            "follow = \"outer\"",
+            "follow = \"outer\", table = \"a.csv\"",
+        ),
+        ("reverse = true", "reverse = 1"),
+    ] {
+        let text = SOUND.replacen(from, to, 1);
+        assert_ne!(text, SOUND, "{from}");
+        assert!(fits(&validator, &text).is_err(), "{from} -> {to}");
+    }
+}
+
+/// The page of the book is what the program prints.
+#[test]
+fn the_reference_page_is_that_of_the_description() {
+    let page = root().join("docs/src/section-input-reference.md");
+    let found = std::fs::read_to_string(page).unwrap_or_default();
+    assert!(
+        found == reference(),
+        "docs/src/section-input-reference.md is not that of the description: run\n  \
+         cargo run -p section-analyzer -- schema --format markdown \
+         --out docs/src/section-input-reference.md"
+    );
+}

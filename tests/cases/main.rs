@@ -1,0 +1,10 @@
+//! The cases of the sections, run as their pages say: `cases/section/<name>` and the
+//! gallery of the book.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod expected;
+mod gallery;
+#[path = "../common/record.rs"]
+mod record;
+mod workplace;
