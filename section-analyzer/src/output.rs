@@ -3,17 +3,24 @@
 
 mod engineering;
 mod files;
+mod measures;
 mod mesh_plot;
 mod outline;
 mod plane;
 mod properties;
 mod report;
 mod text;
+mod vtu;
 mod warping_plot;
+
+#[cfg(test)]
+mod samples;
 
 pub use engineering::{EngineeringValue, engineering_values};
 pub use files::OutputFiles;
+pub use measures::{shear_resultant, von_mises};
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
 pub use report::{failure_report, input_report, report};
+pub use vtu::{FieldFile, stress_vtu, warping_vtu};
 pub use warping_plot::WarpingPlot;

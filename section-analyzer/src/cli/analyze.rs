@@ -8,7 +8,9 @@ use shared_geom::files::{write_figure, write_text};
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
 use crate::analysis::analyze;
 use crate::input::{self, Input};
-use crate::output::{MeshPlot, OutputFiles, WarpingPlot, failure_report, properties, report};
+use crate::output::{
+    MeshPlot, OutputFiles, WarpingPlot, failure_report, properties, report, warping_vtu,
+};
 
 /// Analyzes one section and writes its results.
 pub(super) fn analyze_file(
@@ -37,7 +39,8 @@ pub(super) fn analyze_file(
                     )
                 })
                 .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh))
-                .and_then(|()| write_figure(&files.warping(), warping.size(), &warping));
+                .and_then(|()| write_figure(&files.warping(), warping.size(), &warping))
+                .and_then(|()| warping_vtu(section, &solution).write(&files.warping_field()));
             write!(terminal.out, "{text}")?;
             list(
                 &[
@@ -45,6 +48,7 @@ pub(super) fn analyze_file(
                     files.report(),
                     files.mesh(),
                     files.warping(),
+                    files.warping_field(),
                 ],
                 written,
                 terminal,

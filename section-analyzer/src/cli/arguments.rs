@@ -45,8 +45,9 @@ once, solves, prints the report, and writes into the folder DIR:
   NAME.report.txt        the report: what went in, what came out, run-time checks
   NAME.mesh.png          the mesh in the colors of its materials, with the centers
   NAME.warping.png       the warping under each unit internal force
+  NAME.warping.vtu       the same as fields on the mesh, for ParaView
 where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
-and removes the other two files of an earlier run.";
+and removes the other files of an earlier run.";
 
 const ANALYZE_EXAMPLE: &str = "\
 Example:

@@ -45,14 +45,19 @@ impl OutputFiles {
         self.path("warping.png")
     }
 
+    /// The warping as a field file.
+    pub fn warping_field(&self) -> PathBuf {
+        self.path("warping.vtu")
+    }
+
     fn path(&self, ending: &str) -> PathBuf {
         self.folder.join(format!("{}.{ending}", self.name))
     }
 
-    /// Removes the property file and the figure of the warping of an earlier run,
+    /// Removes the property file and the files of the warping of an earlier run,
     /// which an analysis that failed does not replace.
     pub fn remove_results(&self) {
-        for file in [self.properties(), self.warping()] {
+        for file in [self.properties(), self.warping(), self.warping_field()] {
             // One that does not exist is no problem.
             let _ = std::fs::remove_file(file);
         }
