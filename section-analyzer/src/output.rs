@@ -2,6 +2,7 @@
 //! user could call a result.
 
 mod engineering;
+mod field_plot;
 mod files;
 mod measures;
 mod mesh_plot;
@@ -9,6 +10,7 @@ mod outline;
 mod plane;
 mod properties;
 mod report;
+mod stress_plots;
 mod text;
 mod vtu;
 mod warping_plot;
@@ -17,10 +19,12 @@ mod warping_plot;
 mod samples;
 
 pub use engineering::{EngineeringValue, engineering_values};
+pub use field_plot::FieldPlot;
 pub use files::OutputFiles;
 pub use measures::{shear_resultant, von_mises};
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
 pub use report::{failure_report, input_report, report};
+pub use stress_plots::stress_plots;
 pub use vtu::{FieldFile, stress_vtu, warping_vtu};
 pub use warping_plot::WarpingPlot;
