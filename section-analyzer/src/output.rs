@@ -21,7 +21,6 @@ mod samples;
 pub use engineering::{EngineeringValue, engineering_values};
 pub use field_plot::FieldPlot;
 pub use files::OutputFiles;
-pub use measures::{shear_resultant, von_mises};
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
 pub use report::{failure_report, input_report, report};

@@ -113,13 +113,26 @@ impl<'a> FieldPlot<'a> {
 
     /// Width and height \[figure pixels\].
     pub fn size(&self) -> (u32, u32) {
-        let height = self.bottom() + BELOW + BAR + 2.5 * LINE;
+        let height = self.legend() + self.rows() * LINE;
         (WIDTH, height.ceil() as u32)
     }
 
     /// Lower edge of the frame \[figure pixels\].
     fn bottom(&self) -> f64 {
         self.plane.corner[1] + self.plane.frame[1]
+    }
+
+    /// Height of the first line of the legend \[figure pixels\].
+    fn legend(&self) -> f64 {
+        match self.scale.is_zero() {
+            true => self.bottom() + BELOW,
+            false => self.bottom() + BELOW + BAR + 0.5 * LINE,
+        }
+    }
+
+    /// Lines of the legend.
+    fn rows(&self) -> f64 {
+        if self.extremes.is_some() { 2.0 } else { 1.0 }
     }
 
     /// How far the rim of the section is drawn outside of where it is.
@@ -161,7 +174,12 @@ impl<'a> FieldPlot<'a> {
         }
         match self.scale.is_zero() {
             true => Ok(()),
-            false => arrows::draw(canvas, &surface.samples, self.scale.highest()),
+            false => arrows::draw(
+                canvas,
+                &surface.samples,
+                &rim.outlines,
+                self.scale.highest(),
+            ),
         }
     }
 
@@ -194,7 +212,7 @@ impl<'a> FieldPlot<'a> {
 
     /// Lowest and highest value with their places, below the color bar.
     fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let top = self.bottom() + BELOW + BAR + 0.5 * LINE;
+        let top = self.legend();
         let label = Label::new(0.94 * TEXT).colored(INK);
         let room = f64::from(WIDTH) - LEFT - RIGHT - 50.0;
         // the highest first

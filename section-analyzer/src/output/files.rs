@@ -50,6 +50,16 @@ impl OutputFiles {
         self.path("warping.vtu")
     }
 
+    /// Strain and stress under `load` as a field file.
+    pub fn stress_field(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.vtu"))
+    }
+
+    /// The figure called `plot` of the stresses under `load`.
+    pub fn stress_figure(&self, load: &str, plot: &str) -> PathBuf {
+        self.path(&format!("{load}.{plot}.png"))
+    }
+
     fn path(&self, ending: &str) -> PathBuf {
         self.folder.join(format!("{}.{ending}", self.name))
     }

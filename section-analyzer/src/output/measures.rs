@@ -2,12 +2,12 @@
 
 use nalgebra::Vector6;
 
-/// Von Mises stress of `stress`, order xx yy zz yz xz xy \[Pa\].
+/// Von Mises stress of `stress`, order xx yy zz yz xz xy [Pa].
 ///
 /// ```text
 /// s^2 = 1/2 ((sxx - syy)^2 + (syy - szz)^2 + (szz - sxx)^2) + 3 (syz^2 + sxz^2 + sxy^2)
 /// ```
-pub fn von_mises(stress: &Vector6<f64>) -> f64 {
+pub(super) fn von_mises(stress: &Vector6<f64>) -> f64 {
     let [xx, yy, zz, yz, xz, xy] = (*stress).into();
     let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
     let shear = yz * yz + xz * xz + xy * xy;
@@ -15,8 +15,8 @@ pub fn von_mises(stress: &Vector6<f64>) -> f64 {
 }
 
 /// Magnitude of the shear stress on the section, of which `stress` is the whole,
-/// order xx yy zz yz xz xy \[Pa\].
-pub fn shear_resultant(stress: &Vector6<f64>) -> f64 {
+/// order xx yy zz yz xz xy [Pa].
+pub(super) fn shear_resultant(stress: &Vector6<f64>) -> f64 {
     stress[4].hypot(stress[5])
 }
 

@@ -16,7 +16,8 @@ pub(super) const YOUNG: f64 = 70e9;
 /// A section of isotropic material on `mesh`, in meters; cells whose first node has
 /// z > 0 are a region of their own where `halves`.
 pub(super) fn section(mesh: &Mesh, name: &str, halves: bool) -> Section {
-    let (mut mesh, _) = SectionMesh::from_mesh(mesh, 1.0, &Place::file("test")).unwrap();
+    let (mut mesh, _) =
+        SectionMesh::from_mesh(mesh, 1.0, &Place::file("test")).expect("a sound mesh");
     if halves {
         mesh.groups = vec!["lower".into(), "upper".into()];
         let corners = |cell: &SectionCell| cell.kind.corner_count();
@@ -56,7 +57,7 @@ pub(super) fn rectangle(kind: CellKind) -> Section {
         kind,
         name: "bar".into(),
     };
-    section(&rectangle.generate().unwrap(), "bar", true)
+    section(&rectangle.generate().expect("sound measures"), "bar", true)
 }
 
 /// The stress of a section in bending about y, `stress xx = z M / I`.

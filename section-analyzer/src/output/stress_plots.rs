@@ -8,7 +8,7 @@ use shared_geom::wrench::COMPONENTS;
 use super::field_plot::{Field, FieldPlot, Quantity};
 use super::measures::{shear_resultant, von_mises};
 use crate::input::InputSummary;
-use crate::recovery::{Recovery, Tensors};
+use crate::recovery::{NodalState, Recovery, Tensors};
 use crate::section::Section;
 
 /// A stress below this part of the largest of the load case is round-off.
@@ -49,7 +49,7 @@ fn shear(recovery: &Recovery) -> Field {
     });
     let vectors = at_nodes(recovery, |t| [t.stress[5], t.stress[4]]);
     field.vectors = Some(vectors);
-    field.note = "resultant of xy and xz, arrows in its direction on the face +x".to_owned();
+    field.note = "resultant of xy and xz, arrows: its mean nearby, on the face +x".to_owned();
     field
 }
 
@@ -78,7 +78,7 @@ fn of_nodes(
     title: &str,
     take: impl Fn(&Tensors) -> f64,
 ) -> Field {
-    let stress = |state: &crate::recovery::NodalState| state.tensors.stress.amax();
+    let stress = |state: &NodalState| state.tensors.stress.amax();
     let largest = recovery.nodes.iter().map(stress).fold(0.0_f64, f64::max);
     Field {
         title: title.to_owned(),

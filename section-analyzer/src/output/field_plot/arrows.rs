@@ -6,14 +6,23 @@ use plotters::backend::DrawingBackend;
 use plotters::style::{BLACK, WHITE};
 use shared_geom::figure::{Canvas, FigureProblem};
 
-use super::surface::{PIECE, Sample};
+use super::surface::Sample;
 
 /// Distance of the arrows [figure pixels].
 const SPACING: f64 = 64.0;
-/// Least distance of two arrows, relative to that.
-const NEAREST: f64 = 0.7;
-/// Size of the squares in which depth is counted: samples lie closer [figure pixels].
-const DEPTH: f64 = 1.2 * PIECE;
+/// Least distance of two arrows, relative to that: less than one, so that all points of
+/// the grid can have one, and more than half a diagonal, so that none stands between.
+const NEAREST: f64 = 0.95;
+/// The same for arrows that lie less deep in the section than this part of the
+/// distance: in thin walls, and on the rim of wide ones, where few are enough.
+const NEAREST_SHALLOW: f64 = 1.3;
+const SHALLOW: f64 = 0.2;
+/// Radius of the means that arrows show [figure pixels].
+const MEAN: f64 = 0.25 * SPACING;
+/// What a pixel of depth is worth in pixels of distance from the grid.
+const DEEP: f64 = 4.0;
+/// Distance of the points of the rim [figure pixels].
+const CLOSE: f64 = 4.0;
 /// Length of the longest arrow, relative to the distance.
 const LONGEST: f64 = 0.92;
 /// Arrows shorter than this part of the longest are left out.
@@ -21,24 +30,38 @@ const SHORTEST: f64 = 0.06;
 /// Length of the head of an arrow at most [figure pixels].
 const HEAD: f64 = 17.0;
 
-/// Draws arrows at some of the samples; the longest is that of a vector of the
-/// length `largest`.
+/// Draws arrows at some of the samples, `rim` the lines around the section; the longest
+/// is that of a vector of the length `largest`.
 pub(super) fn draw<B: DrawingBackend>(
     canvas: &Canvas<B>,
     samples: &[Sample],
+    rim: &[Vec<[f64; 2]>],
     largest: f64,
 ) -> Result<(), FigureProblem> {
-    for sample in spread(samples) {
-        let [y, z] = sample.vector;
+    let near = BySquare::new(samples.iter().map(|sample| (sample.place, *sample)), MEAN);
+    for place in spread(samples, rim) {
+        let [y, z] = mean_vector(&near, place);
         let size = y.hypot(z) / largest;
         if size >= SHORTEST {
             let length = (LONGEST * SPACING * size).max(0.25 * SPACING);
             // z is up on the figure, where y counts down
             let direction = [y / y.hypot(z), -z / y.hypot(z)];
-            draw_arrow(canvas, sample.place, direction, length)?;
+            draw_arrow(canvas, place, direction, length)?;
         }
     }
     Ok(())
+}
+
+/// Mean vector around a place: in a wall that of its thickness, which is its flow.
+fn mean_vector(near: &BySquare<Sample>, place: [f64; 2]) -> [f64; 2] {
+    let (mut sum, mut area) = ([0.0; 2], 0.0);
+    for sample in near.around(place) {
+        if distance(sample.place, place) <= MEAN {
+            sum = [0, 1].map(|axis| sum[axis] + sample.area * sample.vector[axis]);
+            area += sample.area;
+        }
+    }
+    sum.map(|part| if area > 0.0 { part / area } else { 0.0 })
 }
 
 /// The point of the grid of arrows in whose square a place lies.
@@ -46,79 +69,94 @@ pub(super) fn grid_point(place: [f64; 2]) -> [f64; 2] {
     place.map(|value| ((value / SPACING).floor() + 0.5) * SPACING)
 }
 
-/// The sample of each square of a grid that lies nearest to its middle and deepest in
-/// the section, none too near to another.
-fn spread(samples: &[Sample]) -> Vec<Sample> {
-    let depths = Depths::new(samples);
-    let mut best: HashMap<[i64; 2], (f64, Sample)> = HashMap::new();
-    for sample in samples {
-        let square = sample.place.map(|value| (value / SPACING).floor() as i64);
-        let off = distance(sample.place, grid_point(sample.place));
-        let cost = off - 4.0 * depths.of(sample.place).min(0.5 * SPACING);
-        let so_far = best.entry(square).or_insert((cost, *sample));
-        if cost < so_far.0 {
-            *so_far = (cost, *sample);
+/// Places at the points of a grid where these lie deep in the section, in its walls
+/// those farthest from the rim; none too near to another.
+fn spread(samples: &[Sample], rim: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
+    let farthest = 0.5 * SPACING;
+    let rim = BySquare::new(points_along(rim).map(|point| (point, point)), farthest);
+    let depth = |place: [f64; 2]| {
+        let points = rim.around(place).map(|point| distance(*point, place));
+        points.fold(farthest, f64::min)
+    };
+    let mut best_first: Vec<_> = samples
+        .iter()
+        .map(|sample| {
+            let off = distance(sample.place, grid_point(sample.place));
+            let depth = depth(sample.place);
+            (off - DEEP * depth, depth, sample.place)
+        })
+        .collect();
+    best_first.sort_by(|(one, ..), (other, ..)| one.total_cmp(other));
+
+    let mut kept = BySquare::new(std::iter::empty(), NEAREST_SHALLOW * SPACING);
+    for (_, depth, place) in best_first {
+        let is_shallow = depth < SHALLOW * SPACING;
+        let least = if is_shallow { NEAREST_SHALLOW } else { NEAREST } * SPACING;
+        if kept
+            .around(place)
+            .all(|other| distance(*other, place) >= least)
+        {
+            kept.insert(place, place);
         }
     }
-    // the best first: regular where there is room for it
-    let mut found: Vec<_> = best.into_iter().collect();
-    found.sort_by(|(a, (one, _)), (b, (other, _))| one.total_cmp(other).then(a.cmp(b)));
-    let mut kept: HashMap<[i64; 2], Sample> = HashMap::new();
-    for (square, (_, sample)) in found {
-        let is_near = (0..9).any(|k| {
-            let neighbor = [square[0] + k / 3 - 1, square[1] + k % 3 - 1];
-            let other = kept.get(&neighbor);
-            other.is_some_and(|other| distance(other.place, sample.place) < NEAREST * SPACING)
-        });
-        if !is_near {
-            kept.insert(square, sample);
-        }
-    }
-    let mut kept: Vec<_> = kept.into_iter().collect();
-    kept.sort_by_key(|(square, _)| *square);
-    kept.into_iter().map(|(_, sample)| sample).collect()
+    kept.into_values()
 }
 
-/// How deep in the section places lie, on a grid of squares.
-struct Depths {
-    /// Steps to the nearest square without a sample.
-    steps: HashMap<[i64; 2], u32>,
+/// Points along lines, close together.
+fn points_along(lines: &[Vec<[f64; 2]>]) -> impl Iterator<Item = [f64; 2]> + '_ {
+    let pieces = lines.iter().flat_map(|line| line.windows(2));
+    pieces.flat_map(|piece| {
+        let (a, b) = (piece[0], piece[1]);
+        let count = (distance(a, b) / CLOSE).ceil().max(1.0) as usize;
+        (0..count).map(move |k| {
+            let t = k as f64 / count as f64;
+            [0, 1].map(|axis| (1.0 - t) * a[axis] + t * b[axis])
+        })
+    })
 }
 
-impl Depths {
-    fn new(samples: &[Sample]) -> Self {
-        let mut steps: HashMap<_, _> = samples
-            .iter()
-            .map(|sample| (Self::square(sample.place), 0))
-            .collect();
-        let most = (0.5 * SPACING / DEPTH).ceil() as u32;
-        // A square is one step deeper than the least deep of its neighbors.
-        for step in 1..=most {
-            let deeper: Vec<_> = steps
-                .keys()
-                .filter(|[i, j]| {
-                    let around = [[i - 1, *j], [i + 1, *j], [*i, j - 1], [*i, j + 1]];
-                    around
-                        .iter()
-                        .all(|square| steps.get(square).is_some_and(|found| found + 1 >= step))
-                })
-                .copied()
-                .collect();
-            for square in deeper {
-                steps.insert(square, step);
-            }
+/// Values by the square that they lie in.
+struct BySquare<T> {
+    values: HashMap<[i64; 2], Vec<T>>,
+    /// Size of a square [figure pixels].
+    size: f64,
+}
+
+impl<T> BySquare<T> {
+    fn new(values: impl Iterator<Item = ([f64; 2], T)>, size: f64) -> Self {
+        let mut sorted = Self {
+            values: HashMap::new(),
+            size,
+        };
+        for (place, value) in values {
+            sorted.insert(place, value);
         }
-        Self { steps }
+        sorted
     }
 
-    /// Depth of a place \[figure pixels\].
-    fn of(&self, place: [f64; 2]) -> f64 {
-        let steps = self.steps.get(&Self::square(place));
-        DEPTH * f64::from(steps.copied().unwrap_or(0))
+    fn insert(&mut self, place: [f64; 2], value: T) {
+        let square = self.square(place);
+        self.values.entry(square).or_default().push(value);
     }
 
-    fn square(place: [f64; 2]) -> [i64; 2] {
-        place.map(|value| (value / DEPTH).floor() as i64)
+    fn square(&self, place: [f64; 2]) -> [i64; 2] {
+        place.map(|value| (value / self.size).floor() as i64)
+    }
+
+    /// The values in the square of `place` and those around it: all that are within
+    /// the size of a square, and some more.
+    fn around(&self, place: [f64; 2]) -> impl Iterator<Item = &T> {
+        let [i, j] = self.square(place);
+        (0..9)
+            .filter_map(move |k| self.values.get(&[i + k / 3 - 1, j + k % 3 - 1]))
+            .flatten()
+    }
+
+    /// All values, in the order of their squares.
+    fn into_values(self) -> Vec<T> {
+        let mut squares: Vec<_> = self.values.into_iter().collect();
+        squares.sort_by_key(|(square, _)| *square);
+        squares.into_iter().flat_map(|(_, values)| values).collect()
     }
 }
 
@@ -156,25 +194,59 @@ fn draw_arrow<B: DrawingBackend>(
 mod tests {
     use super::*;
 
-    /// Along a wall of 1000 pixels: arrows no nearer than their least
-    /// distance, and none missing where there is room for another.
-    #[test]
-    fn arrows_keep_their_distance() {
-        let sample = |k: u32| Sample {
-            place: [0.5 * f64::from(k), 63.0 + 0.001 * f64::from(k)],
-            vector: [1.0, 0.0],
+    /// Samples on every pixel of a rectangle.
+    fn samples(width: u32, height: u32) -> Vec<Sample> {
+        let places = (0..=width).flat_map(|x| (0..=height).map(move |y| [x, y]));
+        let sample = |place: [u32; 2]| Sample {
+            place: place.map(f64::from),
+            vector: [f64::from(place[1]), 1.0],
+            area: 1.0,
         };
-        let samples: Vec<_> = (0..2000).map(sample).collect();
-        let kept = spread(&samples);
+        places.map(sample).collect()
+    }
+
+    fn frame(width: f64, height: f64) -> Vec<Vec<[f64; 2]>> {
+        let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
+        vec![corners.iter().cycle().take(5).copied().collect()]
+    }
+
+    /// Along a wall of 1000 by 40 pixels: all arrows in its middle, no nearer than
+    /// allowed, and none missing where there is room for another.
+    #[test]
+    fn arrows_stand_in_the_middle_of_a_wall_and_keep_their_distance() {
+        let samples = samples(1000, 40);
+        let kept = spread(&samples, &frame(1000.0, 40.0));
+        let least = NEAREST * SPACING;
         for (k, a) in kept.iter().enumerate() {
+            let is_at_an_end = a[0] < 20.0 || a[0] > 980.0;
+            assert!(a[1] == 20.0 || is_at_an_end, "{a:?}");
             for b in &kept[k + 1..] {
-                assert!(distance(a.place, b.place) >= NEAREST * SPACING);
+                assert!(distance(*a, *b) >= least);
             }
         }
         for sample in &samples {
-            let is_near = |kept: &Sample| distance(kept.place, sample.place) < 2.0 * SPACING;
-            assert!(kept.iter().any(is_near));
+            let nearest = kept.iter().map(|k| distance(*k, sample.place));
+            let nearest = nearest.fold(f64::INFINITY, f64::min);
+            assert!(nearest < NEAREST_SHALLOW * SPACING);
         }
-        assert!(spread(&[]).is_empty());
+        assert!(spread(&[], &[]).is_empty());
+    }
+
+    /// In a wide section they stand on the grid.
+    #[test]
+    fn arrows_in_the_open_stand_on_the_grid() {
+        let kept = spread(&samples(320, 256), &frame(320.0, 256.0));
+        assert_eq!(kept.len(), 5 * 4);
+        assert!(kept.iter().all(|place| *place == grid_point(*place)));
+    }
+
+    /// The mean of a linear field over a disc is its value in the middle.
+    #[test]
+    fn arrows_show_the_mean_around_them() {
+        let samples = samples(100, 100);
+        let near = BySquare::new(samples.iter().map(|s| (s.place, *s)), MEAN);
+        let [along, across] = mean_vector(&near, [40.0, 30.0]);
+        assert!((along - 30.0).abs() < 1e-12 && (across - 1.0).abs() < 1e-12);
+        assert_eq!(mean_vector(&near, [500.0, 500.0]), [0.0; 2]);
     }
 }

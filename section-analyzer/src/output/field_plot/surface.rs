@@ -14,8 +14,8 @@ use crate::section::Section;
 
 /// Size of the triangles [figure pixels].
 pub(super) const PIECE: f64 = 9.0;
-/// Triangles along the side of a cell at most.
-const PIECES: usize = 24;
+/// Triangles along the side of a cell at most: those of one as wide as the figure.
+const PIECES: usize = 200;
 
 /// What is drawn of the cells.
 #[derive(Debug, Default)]
@@ -32,6 +32,8 @@ pub(super) struct Sample {
     pub place: [f64; 2],
     /// Vector (y, z) [SI].
     pub vector: [f64; 2],
+    /// Area that it stands for [square figure pixels].
+    pub area: f64,
 }
 
 impl Sample {
@@ -55,6 +57,7 @@ impl Sample {
         Self {
             place,
             vector: [0, 1].map(sum),
+            area: 0.5 * whole.abs(),
         }
     }
 }
