@@ -52,7 +52,7 @@ impl OutputFiles {
 
     /// Strain and stress under `load` as a field file.
     pub fn stress_field(&self, load: &str) -> PathBuf {
-        self.path(&format!("{load}.vtu"))
+        self.path(&format!("{load}.stress.vtu"))
     }
 
     /// The figure called `plot` of the stresses under `load`.

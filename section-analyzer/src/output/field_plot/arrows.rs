@@ -18,7 +18,9 @@ const NEAREST: f64 = 0.95;
 const NEAREST_SHALLOW: f64 = 1.3;
 const SHALLOW: f64 = 0.2;
 /// Radius of the means that arrows show [figure pixels].
-const MEAN: f64 = 0.25 * SPACING;
+const MEAN: f64 = 0.4 * SPACING;
+/// A mean below this part of the mean length has no direction worth showing.
+const COHERENT: f64 = 0.4;
 /// What a pixel of depth is worth in pixels of distance from the grid.
 const DEEP: f64 = 4.0;
 /// Distance of the points of the rim [figure pixels].
@@ -52,16 +54,21 @@ pub(super) fn draw<B: DrawingBackend>(
     Ok(())
 }
 
-/// Mean vector around a place: in a wall that of its thickness, which is its flow.
+/// Mean vector around a place: in a wall that of its thickness, which is its flow. Zero
+/// where vectors of all directions meet, as in the wall of an open section in torsion.
 fn mean_vector(near: &BySquare<Sample>, place: [f64; 2]) -> [f64; 2] {
-    let (mut sum, mut area) = ([0.0; 2], 0.0);
+    let (mut sum, mut length, mut area) = ([0.0; 2], 0.0, 0.0);
     for sample in near.around(place) {
         if distance(sample.place, place) <= MEAN {
             sum = [0, 1].map(|axis| sum[axis] + sample.area * sample.vector[axis]);
+            length += sample.area * sample.vector[0].hypot(sample.vector[1]);
             area += sample.area;
         }
     }
-    sum.map(|part| if area > 0.0 { part / area } else { 0.0 })
+    match sum[0].hypot(sum[1]) > COHERENT * length {
+        true => sum.map(|part| part / area),
+        false => [0.0; 2],
+    }
 }
 
 /// The point of the grid of arrows in whose square a place lies.
@@ -248,5 +255,14 @@ mod tests {
         let [along, across] = mean_vector(&near, [40.0, 30.0]);
         assert!((along - 30.0).abs() < 1e-12 && (across - 1.0).abs() < 1e-12);
         assert_eq!(mean_vector(&near, [500.0, 500.0]), [0.0; 2]);
+
+        // a wall of 40 pixels in which the vectors of the two sides are opposite
+        let opposed = |sample: &Sample| Sample {
+            vector: [sample.place[1] - 20.0, 0.0],
+            ..*sample
+        };
+        let wall = samples.iter().filter(|sample| sample.place[1] <= 40.0);
+        let near = BySquare::new(wall.map(|s| (s.place, opposed(s))), MEAN);
+        assert_eq!(mean_vector(&near, [50.0, 22.0]), [0.0; 2]);
     }
 }

@@ -14,6 +14,8 @@ use crate::output::plane::INK;
 const NOTHING: RGBColor = RGBColor(225, 225, 225);
 /// Spread below this part of the largest value is none.
 const UNIFORM: f64 = 1e-6;
+/// Values below this part of the largest are round-off.
+const NOISE: f64 = 1e-9;
 /// Height of the bar and length of a tick [figure pixels].
 const HEIGHT: f64 = 44.0;
 const TICK: f64 = 10.0;
@@ -93,8 +95,12 @@ impl Scale {
         }
     }
 
-    /// The value in four digits with its unit.
+    /// The value in four digits with its unit; round-off of the largest is zero.
     pub fn shown(&self, value: f64) -> String {
+        let value = match value.abs() > NOISE * self.largest() {
+            true => value,
+            false => 0.0,
+        };
         let value: f64 = format!("{:.3e}", value / self.factor)
             .parse()
             .unwrap_or(value);
