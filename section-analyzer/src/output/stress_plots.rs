@@ -69,6 +69,9 @@ fn largest_index(section: &Section, failure: &[(String, Vec<f64>)]) -> Field {
     let names: Vec<_> = failure.iter().map(|(name, _)| name.as_str()).collect();
     let mut field = Field::of_cells(Quantity::Index, "largest failure index".to_owned(), &values);
     field.note = format!("of each cell, by {}", names.join(", "));
+    if values.iter().any(|value| value.is_nan()) {
+        field.note += "; white: without strengths";
+    }
     field
 }
 

@@ -20,7 +20,7 @@ const SHALLOW: f64 = 0.2;
 /// Radius of the means that arrows show [figure pixels].
 const MEAN: f64 = 0.4 * SPACING;
 /// A mean below this part of the mean length has no direction worth showing.
-const COHERENT: f64 = 0.4;
+const COHERENT: f64 = 0.25;
 /// What a pixel of depth is worth in pixels of distance from the grid.
 const DEEP: f64 = 4.0;
 /// Distance of the points of the rim [figure pixels].
