@@ -1,6 +1,6 @@
 //! Arrows along a vector field, about evenly spaced.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use plotters::backend::DrawingBackend;
 use plotters::style::{BLACK, WHITE};
@@ -80,7 +80,7 @@ pub(super) fn grid_point(place: [f64; 2]) -> [f64; 2] {
 /// those farthest from the rim; none too near to another.
 fn spread(samples: &[Sample], rim: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
     let farthest = 0.5 * SPACING;
-    let rim = BySquare::new(points_along(rim).map(|point| (point, point)), farthest);
+    let rim = BySquare::new(points_along(rim).into_iter().map(|p| (p, p)), farthest);
     let depth = |place: [f64; 2]| {
         let points = rim.around(place).map(|point| distance(*point, place));
         points.fold(farthest, f64::min)
@@ -109,17 +109,20 @@ fn spread(samples: &[Sample], rim: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
     kept.into_values()
 }
 
-/// Points along lines, close together.
-fn points_along(lines: &[Vec<[f64; 2]>]) -> impl Iterator<Item = [f64; 2]> + '_ {
+/// Points along lines, close together but not more than needed.
+fn points_along(lines: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
     let pieces = lines.iter().flat_map(|line| line.windows(2));
-    pieces.flat_map(|piece| {
+    let points = pieces.flat_map(|piece| {
         let (a, b) = (piece[0], piece[1]);
         let count = (distance(a, b) / CLOSE).ceil().max(1.0) as usize;
         (0..count).map(move |k| {
             let t = k as f64 / count as f64;
             [0, 1].map(|axis| (1.0 - t) * a[axis] + t * b[axis])
         })
-    })
+    });
+    let mut taken = HashSet::new();
+    let is_first = |point: &[f64; 2]| taken.insert(point.map(|value| (value / CLOSE) as i64));
+    points.filter(is_first).collect()
 }
 
 /// Values by the square that they lie in.

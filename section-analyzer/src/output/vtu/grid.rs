@@ -14,10 +14,6 @@ use vtkio::xml::{Compressor, VTKFile};
 use crate::material::material_axes;
 use crate::section::{CellMaterial, Section};
 
-/// Level of the compression of arrays, 1 (fast) to 9 (small): higher levels take
-/// longer than the analysis and save some percent.
-const COMPRESSION: u32 = 1;
-
 /// Values on the mesh of a section, ready to be written as a file of VTK.
 #[derive(Debug)]
 pub struct FieldFile {
@@ -90,12 +86,22 @@ impl FieldFile {
         self.data.cell.push(array(name, 1, values.into()));
     }
 
+    /// As [`FieldFile::point_values`], in single precision.
+    pub(super) fn point_values_short(&mut self, name: &str, components: u32, values: Vec<f32>) {
+        self.data.point.push(array(name, components, values.into()));
+    }
+
+    /// As [`FieldFile::cell_values`], in single precision.
+    pub(super) fn cell_values_short(&mut self, name: &str, components: u32, values: Vec<f32>) {
+        self.data.cell.push(array(name, components, values.into()));
+    }
+
     /// Adds whole numbers, one a point.
     pub(super) fn point_numbers(&mut self, name: &str, values: Vec<i64>) {
         self.data.point.push(array(name, 1, values.into()));
     }
 
-    /// Writes the grid as XML, arrays in binary and compressed.
+    /// Writes the grid as XML, arrays in binary.
     ///
     /// # Errors
     /// [`OutputProblem::File`].
@@ -128,7 +134,9 @@ impl FieldFile {
             file_path: None,
             data: DataSet::inline(piece),
         };
-        grid.try_into_xml_format(Compressor::ZLib, COMPRESSION)
+        // Not compressed: that takes longer than writing, and the crate ends arrays of
+        // whole blocks with an empty one, which the format does not have.
+        grid.try_into_xml_format(Compressor::None, 0)
     }
 }
 

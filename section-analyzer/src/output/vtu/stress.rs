@@ -42,10 +42,10 @@ pub fn stress_vtu(
     file.point_values("displacement", 3, vectors);
 
     let tensors: Vec<_> = states().map(|state| state.tensors).collect();
-    let add = |name: &str, components, values| file.point_values(name, components, values);
+    let add = |name: &str, components, values| file.point_values_short(name, components, values);
     add_tensors(&tensors, "", add);
     let means: Vec<_> = recovery.cells.iter().map(|cell| cell.tensors).collect();
-    let add = |name: &str, components, values| file.cell_values(name, components, values);
+    let add = |name: &str, components, values| file.cell_values_short(name, components, values);
     add_tensors(&means, "mean_", add);
     for (name, values) in extra {
         file.cell_values(name, 1, values.clone());
@@ -54,8 +54,9 @@ pub fn stress_vtu(
 }
 
 /// Adds each component of stress and strain in both systems of axes, the tensors in
-/// section axes, and the von Mises stress.
-fn add_tensors(tensors: &[Tensors], prefix: &str, mut add: impl FnMut(&str, u32, Vec<f64>)) {
+/// section axes, and the von Mises stress: some sixty numbers a point, in single
+/// precision, which is more than the mesh gives.
+fn add_tensors(tensors: &[Tensors], prefix: &str, mut add: impl FnMut(&str, u32, Vec<f32>)) {
     type Take = fn(&Tensors) -> Vector6<f64>;
     let kinds: [(&str, Take, [&str; 6]); 4] = [
         ("stress", |t| t.stress, SECTION_AXES),
@@ -63,15 +64,15 @@ fn add_tensors(tensors: &[Tensors], prefix: &str, mut add: impl FnMut(&str, u32,
         ("strain", |t| t.strain, SECTION_AXES),
         ("strain", |t| t.material_strain, MATERIAL_AXES),
     ];
-    let equivalent = tensors.iter().map(|t| von_mises(&t.stress));
+    let equivalent = tensors.iter().map(|t| von_mises(&t.stress) as f32);
     add(&format!("{prefix}von_mises"), 1, equivalent.collect());
     for (kind, take, names) in kinds {
         for (component, name) in names.iter().enumerate() {
-            let values = tensors.iter().map(|t| take(t)[component]);
+            let values = tensors.iter().map(|t| take(t)[component] as f32);
             add(&format!("{prefix}{kind}_{name}"), 1, values.collect());
         }
     }
-    let tensor = |stress: Vector6<f64>| SYMMETRIC.map(|component| stress[component]);
+    let tensor = |stress: Vector6<f64>| SYMMETRIC.map(|component| stress[component] as f32);
     let stresses = tensors.iter().flat_map(|t| tensor(t.stress));
     add(&format!("{prefix}stress"), 6, stresses.collect());
     // a tensor has halves of the engineering shears
