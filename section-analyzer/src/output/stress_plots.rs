@@ -66,7 +66,8 @@ fn largest_index(section: &Section, failure: &[(String, Vec<f64>)]) -> Field {
         indices.copied().fold(f64::NAN, f64::max)
     };
     let values: Vec<_> = (0..section.mesh.cells.len()).map(largest).collect();
-    let names: Vec<_> = failure.iter().map(|(name, _)| name.as_str()).collect();
+    let names = failure.iter().map(|(name, _)| name.replace('_', " "));
+    let names: Vec<_> = names.collect();
     let mut field = Field::of_cells(Quantity::Index, "largest failure index".to_owned(), &values);
     field.note = format!("of each cell, by {}", names.join(", "));
     if values.iter().any(|value| value.is_nan()) {

@@ -18,7 +18,8 @@ const SYMMETRIC: [usize; 6] = [0, 1, 2, 5, 3, 4];
 
 /// Strain and stress of `recovery` on the mesh of `section`, whose points are doubled
 /// on the borders of regions, where stresses jump; its displacement; the means of
-/// the cells; and `extra`, named values with one number a cell.
+/// the cells; and `failure`, for each criterion its name and the index of each cell,
+/// not a number in cells without strengths.
 ///
 /// The displacement is the warping under the internal force, `u = X theta`: the
 /// rigid motion of the section is that of the beam.
@@ -26,7 +27,7 @@ pub fn stress_vtu(
     section: &Section,
     solution: &SectionSolution,
     recovery: &Recovery,
-    extra: &[(String, Vec<f64>)],
+    failure: &[(String, Vec<f64>)],
 ) -> FieldFile {
     let mesh = &section.mesh;
     let places = recovery.nodes.iter().map(|state| mesh.nodes[state.node]);
@@ -47,8 +48,8 @@ pub fn stress_vtu(
     let means: Vec<_> = recovery.cells.iter().map(|cell| cell.tensors).collect();
     let add = |name: &str, components, values| file.cell_values_short(name, components, values);
     add_tensors(&means, "mean_", add);
-    for (name, values) in extra {
-        file.cell_values(name, 1, values.clone());
+    for (criterion, indices) in failure {
+        file.cell_values(&format!("failure_{criterion}"), 1, indices.clone());
     }
     file
 }

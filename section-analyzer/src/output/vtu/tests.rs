@@ -98,7 +98,7 @@ fn stress_has_a_point_for_each_state_and_its_values() {
     // cells without strengths have no index
     let mut indices = vec![0.25; section.mesh.cells.len()];
     indices[3] = f64::NAN;
-    let index = ("index".to_owned(), indices);
+    let index = ("hashin".to_owned(), indices);
     let grid = read_back(stress_vtu(&section, &solution, &recovery, &[index]));
 
     // two halves meet in 4 cells of 8 nodes: 9 nodes stand twice
@@ -121,7 +121,7 @@ fn stress_has_a_point_for_each_state_and_its_values() {
         assert!((equivalent[k] - stress.abs()).abs() <= SHORT * stress.abs());
         assert_eq!(tensor[6 * k..6 * k + 2], [*stress, 0.0]);
     }
-    let indices = values(&data.cell, "index").1;
+    let indices = values(&data.cell, "failure_hashin").1;
     assert_eq!(indices.iter().filter(|index| **index == 0.25).count(), 7);
     assert!(indices[3].is_nan());
     let means = values(&data.cell, "mean_stress_xx").1;
