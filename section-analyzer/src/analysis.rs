@@ -6,16 +6,14 @@
 //!   (1983) 403-413.
 
 use crate::assembly::{
-    Domain, IDENTITIES, Pattern, SectionMatrices, State, check_identities, energy, mass_per_length,
-    rigid_modes,
+    ASSEMBLED_IDENTITIES, Domain, Pattern, SectionMatrices, check_assembled_identities, largest,
+    mass_per_length,
 };
 use crate::failure::Failure;
 use crate::properties::{Centers, PrincipalAxes, invert_symmetric, scaled_difference};
 use crate::section::Section;
 use crate::solution::{Checks, SectionSolution};
-use crate::solve::{
-    CentralSolution, CentralSystem, Decoupled, FactorError, Pins, Pivot, warping_rate,
-};
+use crate::solve::{CentralSolution, CentralSystem, Decoupled, FactorError, Pins, Pivot};
 use nalgebra::{DMatrix, Matrix6, Vector3};
 use shared_geom::wrench;
 
@@ -42,56 +40,47 @@ pub fn analyze(section: &Section) -> Result<SectionSolution, Failure> {
     check_connected(section, &domain, &pattern)?;
 
     let matrices = SectionMatrices::assemble(&domain, &pattern)?;
-    let modes = rigid_modes(&domain);
-    let identities = check_identities(&domain, &matrices, &modes);
+    let identities = check_assembled_identities(&domain, &matrices);
     require_identities(&identities)?;
 
     let pins = Pins::choose(&domain.nodes)?;
-    let system = CentralSystem::new(&domain, &pattern, &matrices, pins)
+    let system = CentralSystem::new(&pattern, matrices, pins)
         .map_err(|error| factor_failure(section, &domain, error))?;
     let weakest = system.factor().smallest_pivot();
     require_pivot(section, &domain, weakest)?;
     let central = CentralSolution::solve(&domain, &system)
         .ok_or_else(|| factor_failure(section, &domain, FactorError::OutOfMemory))?;
-    let decoupled = Decoupled::new(&domain, &modes, &central);
+    let condition = system.condition();
+    drop(system);
 
-    let compliance = energy_compliance(&domain, &decoupled);
-    let checks = check_solution(&decoupled, &compliance, &central, identities, weakest);
+    let (compliance, resultant, correction) = (central.work, central.resultant, central.correction);
+    let decoupled = Decoupled::new(&domain, central);
+    let checks = Checks {
+        identities,
+        correction,
+        condition,
+        smallest_pivot: weakest.ratio,
+        ..check_solution(&decoupled, &compliance, &resultant)
+    };
     require_checks(section, &domain, &checks, weakest)?;
     in_si(section, &domain, &decoupled, &compliance, checks)
 }
 
-/// Compliance from the strain energy of the solutions, in the domain's units.
-///
-/// ```text
-/// Cs = W' [M C L; C' E R; L' R' A] W,    W = [X T'; X; Y]
-/// ```
-fn energy_compliance(domain: &Domain, solution: &Decoupled) -> Matrix6<f64> {
-    let state = State {
-        rate: Some(&warping_rate(&solution.x)),
-        warping: Some(&solution.x),
-        strain: &solution.y,
-    };
-    energy(domain, state)
-}
-
+/// The checks that compare the solution with itself; the others are left at zero.
 fn check_solution(
     decoupled: &Decoupled,
     compliance: &Matrix6<f64>,
-    central: &CentralSolution,
-    identities: [f64; 6],
-    weakest: Pivot,
+    resultant: &Matrix6<f64>,
 ) -> Checks {
     let y = &decoupled.y;
     let up = compliance.diagonal().map(f64::sqrt);
     let down = up.map(|value| 1.0 / value);
+    let off_unit = |forces| scaled_difference(forces, &Matrix6::identity(), &up, &down);
     Checks {
-        identities,
-        correction: central.correction,
-        equilibrium: scaled_difference(&decoupled.internal_force, &Matrix6::identity(), &up, &down),
+        equilibrium: largest(off_unit(&decoupled.internal_force), off_unit(resultant)),
         asymmetry: scaled_difference(y, &y.transpose(), &down, &down),
         decoupling: scaled_difference(y, compliance, &down, &down),
-        smallest_pivot: weakest.ratio,
+        ..Checks::default()
     }
 }
 
@@ -108,8 +97,8 @@ fn check_connected(section: &Section, domain: &Domain, pattern: &Pattern) -> Res
     }
 }
 
-fn require_identities(errors: &[f64; 6]) -> Result<(), Failure> {
-    for (&error, identity) in errors.iter().zip(IDENTITIES) {
+fn require_identities(errors: &[f64; 2]) -> Result<(), Failure> {
+    for (&error, identity) in errors.iter().zip(ASSEMBLED_IDENTITIES) {
         if error.is_nan() || error > IDENTITY_LIMIT {
             return Err(Failure::Identity {
                 identity,

@@ -3,8 +3,8 @@
 //! [`Domain`] is the section as the solver sees it (attached nodes, centered and
 //! scaled), [`Pattern`] which unknowns meet in a cell, [`SectionMatrices`] the
 //! matrices E, R, A of the system to factor, [`State`] with its forces and energy
-//! the products with all six matrices by integration of stresses, and
-//! [`rigid_modes`] the six rigid motions that their identities are checked with.
+//! the products with all six matrices by integration of stresses; the rigid motions are
+//! what their identities are checked with.
 
 mod domain;
 mod mass;
@@ -18,8 +18,11 @@ pub use domain::{Domain, DomainCell, Scaling};
 pub use mass::mass_per_length;
 pub use matrices::SectionMatrices;
 pub use pattern::Pattern;
-pub use rigid::{IDENTITIES, check_identities, equilibrium, rigid_modes};
-pub use stress::{InternalForces, State, energy, face_forces, internal_forces};
+pub use rigid::{
+    ASSEMBLED_IDENTITIES, IDENTITIES, add_rigid_motions, check_assembled_identities,
+    check_identities, equilibrium, resultant,
+};
+pub use stress::{Rate, SectionForces, State, section_forces};
 
 #[cfg(test)]
 mod tests;

@@ -14,6 +14,8 @@ mod analyze;
 mod arguments;
 mod check;
 mod generate;
+mod load_arguments;
+mod stress;
 
 use arguments::{Arguments, Command};
 
@@ -85,6 +87,7 @@ fn dispatch(
     match arguments.command {
         Command::Analyze { file, out } => analyze::analyze_file(&file, out, terminal),
         Command::Check { file } => check::check_file(&file, terminal),
+        Command::Stress { file, load, out } => stress::recover_file(&file, &load, out, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
     }
 }

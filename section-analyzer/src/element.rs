@@ -2,11 +2,13 @@
 //! and the blocks that a cell adds to the matrices of the section.
 
 mod blocks;
+mod forces;
 mod point;
 mod strain;
 
-pub use blocks::{CellBlocks, CellIntegrals, LawBlocks};
-pub use point::{CellPoint, cell_points};
+pub use blocks::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
+pub use forces::{CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, rows_of};
+pub use point::{CellPoint, RulePoint, cell_points, rule_points};
 pub use strain::{
     FACE_STRAINS, NO_COLUMNS, NodalColumns, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS,
     rigid_displacement, strain_at,

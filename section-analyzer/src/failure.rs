@@ -101,6 +101,18 @@ pub enum Failure {
     /// The generalized strains have no unique solution.
     #[error("the compliance of the section is not positive definite")]
     ComplianceNotPositive,
+    /// The recovered stress does not add up to the internal force.
+    #[error(
+        "load \"{load}\": the resultants of the recovered stress are off by {error:.1e}, expected less than {limit:.0e}"
+    )]
+    Resultant {
+        /// Name of the load case.
+        load: String,
+        /// Its relative error \[-\].
+        error: f64,
+        /// The limit \[-\].
+        limit: f64,
+    },
     /// The factorization does not fit in memory.
     #[error("a factorization for {unknowns} unknowns does not fit in memory")]
     OutOfMemory {
@@ -125,7 +137,7 @@ impl Explain for Failure {
             Self::Identity { .. } => {
                 "look for mid-side nodes that do not belong to their cell and for cells of extreme aspect ratio"
             }
-            Self::Inaccurate { .. } => {
+            Self::Inaccurate { .. } | Self::Resultant { .. } => {
                 "look for nearly detached parts, cells of extreme aspect ratio, moduli many orders of magnitude apart, and a Poisson's ratio next to 0.5"
             }
             Self::NodesOnOneLine => "a section needs an area: give the wall a thickness",

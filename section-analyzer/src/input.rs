@@ -18,7 +18,10 @@ use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::units::Dimension;
 
+use crate::material::MaterialLimits;
 use crate::mesh::SectionMesh;
+use crate::properties::{AreaMoments, AreaTable};
+use crate::recovery::LoadCase;
 use crate::section::Section;
 
 mod angles;
@@ -26,20 +29,21 @@ mod assign;
 mod files;
 mod follow;
 mod groups;
+mod loads;
 mod materials;
-mod measure;
 mod problem;
 mod regions;
+mod strengths;
 mod summary;
 mod tables;
 
+pub use loads::{LOAD_KEYS, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
 use files::Files;
 use materials::WrittenMaterial;
-use measure::CellMeasure;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
 /// A section ready for analysis, and what it was made from.
@@ -47,6 +51,10 @@ use regions::{Written, WrittenAngle, WrittenRegion};
 pub struct Input {
     /// The section, checked and in SI units.
     pub section: Section,
+    /// Strengths of its materials, parallel to them.
+    pub limits: Vec<MaterialLimits>,
+    /// The load cases to recover stresses for.
+    pub loads: Vec<LoadCase>,
     /// What went into it.
     pub summary: InputSummary,
 }
@@ -80,6 +88,7 @@ struct WrittenSection {
     length_unit: String,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
+    loads: Vec<LoadCase>,
 }
 
 impl WrittenSection {
@@ -100,6 +109,7 @@ impl WrittenSection {
             length_unit: length_unit(&root),
             materials: materials::read(&root),
             regions: regions::read(&root),
+            loads: loads::read(&root),
         };
         root.finish();
         written
@@ -116,12 +126,12 @@ impl WrittenSection {
         let unit = document.factor(Dimension::LENGTH);
         let checked = document.keep(SectionMesh::from_mesh(&mesh, unit, &place));
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
-        let measures = section_mesh.map_or_else(Vec::new, measures);
+        let centroids = section_mesh.map_or_else(Vec::new, centroids);
         let assignment = Assignment {
             document,
             mesh: &mesh,
             section_mesh,
-            measures: &measures,
+            centroids: &centroids,
             regions: &self.regions,
             region_of_cell: &region_of_cell,
         };
@@ -134,31 +144,33 @@ impl WrittenSection {
         let (materials, of_region) = (materials?, of_region?);
         let (section_mesh, report) = checked?;
 
-        let mut summary = self.summary(document, &section_mesh, &of_region);
-        summary.warnings.extend(InputWarning::of_mesh(&report));
-        summary.input_hash = files.hash();
-        for (measure, region) in measures.iter().zip(&region_of_cell) {
-            let region = (*region)?;
-            let density = materials[of_region[region]].density;
-            summary.regions[region].add(measure.area, density);
-        }
+        let region_of_cell: Option<Vec<_>> = region_of_cell.into_iter().collect();
         let section = Section {
             name: self.name.clone(),
             mesh: section_mesh,
             materials,
             cells: cells?,
         };
-        Some(Input { section, summary })
+        let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
+        summary.warnings.extend(InputWarning::of_mesh(&report));
+        summary.input_hash = files.hash();
+        Some(Input {
+            section,
+            limits: self.materials.iter().map(|known| known.limits).collect(),
+            loads: self.loads.clone(),
+            summary,
+        })
     }
 }
 
 impl WrittenSection {
-    /// What went in, with the areas of the regions still at zero.
+    /// What went in; regions have the materials `of_region`.
     fn summary(
         &self,
         document: &Document,
-        mesh: &SectionMesh,
+        section: &Section,
         of_region: &[usize],
+        region_of_cell: &[usize],
     ) -> InputSummary {
         let regions = self
             .regions
@@ -167,14 +179,14 @@ impl WrittenSection {
             .map(|(region, &material)| RegionSummary {
                 group: text_of(&region.group),
                 material: self.materials[material].name.clone(),
-                cells: 0,
-                area: 0.0,
-                mass: 0.0,
                 fiber_angle: source_of(&region.fiber_angle),
                 plane_angle: source_of(&region.plane_angle),
             });
-        let count = |kind: CellKind| mesh.cells.iter().filter(|cell| cell.kind == kind).count();
+        let cells = &section.mesh.cells;
+        let count = |kind: CellKind| cells.iter().filter(|cell| cell.kind == kind).count();
         let kinds = CellKind::ALL.map(|kind| (kind, count(kind)));
+        let names = self.regions.iter().map(|region| text_of(&region.group));
+        let names: Vec<_> = names.collect();
         InputSummary {
             file: document.file().to_owned(),
             mesh_file: text_of(&self.mesh),
@@ -182,6 +194,7 @@ impl WrittenSection {
             length_unit: self.length_unit.clone(),
             length_factor: document.factor(Dimension::LENGTH),
             kinds: kinds.into_iter().filter(|(_, count)| *count > 0).collect(),
+            areas: AreaTable::by_region(section, &names, region_of_cell),
             regions: regions.collect(),
             warnings: self.warnings(of_region),
         }
@@ -206,11 +219,9 @@ impl WrittenSection {
     }
 }
 
-fn measures(mesh: &SectionMesh) -> Vec<CellMeasure> {
-    mesh.cells
-        .iter()
-        .map(|cell| CellMeasure::of(mesh, cell))
-        .collect()
+fn centroids(mesh: &SectionMesh) -> Vec<[f64; 2]> {
+    let centroid = |cell| AreaMoments::of_cell(mesh, cell, [0.0; 2]).centroid();
+    mesh.cells.iter().map(centroid).collect()
 }
 
 /// The name of the declared unit of length.

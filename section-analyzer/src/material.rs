@@ -1,10 +1,15 @@
-//! Materials: elastic laws, what makes them admissible, and their stiffness
-//! in section axes.
+//! Materials: elastic laws, what makes them admissible, their stiffness in section
+//! axes, and their strengths.
 
 mod admissibility;
 mod elastic;
 mod orientation;
+mod strength;
 
 pub use admissibility::MaterialProblem;
 pub use elastic::{ElasticLaw, EngineeringConstants, Material};
 pub use orientation::{material_axes, section_stiffness};
+pub use strength::{
+    DEFAULT_INTERACTION, DirectionalLimits, MaterialLimits, StrainLimit, Strength, StrengthProblem,
+    UniformLimits,
+};

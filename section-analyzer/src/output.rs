@@ -1,16 +1,20 @@
 //! Reports, property files and figures. Output reads; it never computes what a
 //! user could call a result.
 
+mod areas;
 mod engineering;
 mod field_plot;
 mod files;
-mod measures;
 mod mesh_plot;
 mod outline;
 mod plane;
 mod properties;
 mod report;
+mod restrained;
+mod strengths;
 mod stress_plots;
+mod stress_report;
+mod stress_tables;
 mod text;
 mod vtu;
 mod warping_plot;
@@ -18,12 +22,16 @@ mod warping_plot;
 #[cfg(test)]
 mod samples;
 
+pub use areas::areas_csv;
 pub use engineering::{EngineeringValue, engineering_values};
 pub use field_plot::FieldPlot;
 pub use files::OutputFiles;
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
 pub use report::{failure_report, input_report, report};
-pub use stress_plots::stress_plots;
+pub use restrained::constants_csv;
+pub use stress_plots::{failure_indices_of_cells, stress_plots};
+pub use stress_report::stress_report;
+pub use stress_tables::{stress_cells_csv, stress_nodes_csv, stress_points_csv};
 pub use vtu::{FieldFile, stress_vtu, warping_vtu};
 pub use warping_plot::WarpingPlot;

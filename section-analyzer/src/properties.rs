@@ -1,10 +1,19 @@
 //! What a beam model needs of a section, from its compliance and mass: stiffness,
-//! centers and principal axes.
+//! centers and principal axes; beside it the geometry of its regions and the
+//! constants of restrained warping.
 
+mod areas;
+mod boundary;
 mod centers;
+mod moments;
 mod principal;
+mod restrained;
 mod scaled;
 
+pub use areas::{AreaProperties, AreaTable};
+pub use boundary::Perimeter;
 pub use centers::Centers;
+pub use moments::{AreaMoments, SecondMoments};
 pub use principal::PrincipalAxes;
+pub use restrained::{Anisotropic, RestrainedWarping};
 pub use scaled::{invert_symmetric, scaled_difference};

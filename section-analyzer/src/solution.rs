@@ -38,15 +38,16 @@ pub struct SectionSolution {
 
 /// Errors that the analysis measures on itself; all relative, all at round-off
 /// when all is well.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Checks {
-    /// Error of each rigid-body identity, order of
-    /// [`crate::assembly::IDENTITIES`] \[-\].
-    pub identities: [f64; 6],
+    /// Error of the rigid-body identities of the assembled matrices, order of
+    /// [`crate::assembly::ASSEMBLED_IDENTITIES`] \[-\].
+    pub identities: [f64; 2],
     /// Last correction of the linear systems, relative to their solution \[-\]:
     /// the error that iterative refinement has removed.
     pub correction: f64,
-    /// Difference of the internal force of the six solutions from a unit force,
+    /// Difference of the internal force of the six solutions from a unit force, as
+    /// resultant of their stresses and of their nodal forces on the face,
     /// entry (i, j) times `sqrt(C_ii / C_jj)` \[-\].
     pub equilibrium: f64,
     /// Asymmetry of the generalized strains per unit internal force, relative to
@@ -55,6 +56,9 @@ pub struct Checks {
     /// Difference of those strains from the energy compliance, relative to
     /// `sqrt(C_ii C_jj)` \[-\].
     pub decoupling: f64,
+    /// Estimate, from below, of the condition number of the factored matrix in the
+    /// 1-norm \[-\].
+    pub condition: f64,
     /// Smallest pivot of the factorization, relative to its diagonal entry \[-\]:
     /// about 1e-16 for a section that falls apart.
     pub smallest_pivot: f64,

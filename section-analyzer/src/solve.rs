@@ -12,11 +12,11 @@ mod factor;
 mod pins;
 mod system;
 
-pub use central::{CentralSolution, warping_rate};
+pub use central::CentralSolution;
 pub use decouple::Decoupled;
 pub use factor::{Factor, FactorError, Pivot};
 pub use pins::Pins;
-pub use system::{BalancedState, CentralSystem};
+pub use system::CentralSystem;
 
 #[cfg(test)]
 mod tests;

@@ -37,30 +37,30 @@ fn path(file: &str) -> PathBuf {
     [FOLDER, file].iter().collect()
 }
 
-fn read_case(name: &str) -> Value {
+pub fn read_case(name: &str) -> Value {
     let text = std::fs::read_to_string(path(&format!("{name}.json"))).expect("case file");
     serde_json::from_str(&text).expect("case in JSON")
 }
 
-fn read_mesh(name: &str, version: &str) -> Mesh {
+pub fn read_mesh(name: &str, version: &str) -> Mesh {
     gmsh::read_file(&path(&format!("{name}.{version}.msh")))
         .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
-fn number(value: &Value) -> f64 {
+pub fn number(value: &Value) -> f64 {
     value
         .as_f64()
         .unwrap_or_else(|| panic!("expected a number, found {value}"))
 }
 
-fn matrix(value: &Value) -> Matrix6<f64> {
+pub fn matrix(value: &Value) -> Matrix6<f64> {
     let matrix = Matrix6::from_fn(|i, j| number(&value[ORDER[i]][ORDER[j]]));
     0.5 * (matrix + matrix.transpose())
 }
 
 /// f is the fiber, g in-plane transverse, n through the thickness; the files call
 /// them z, x, y.
-fn material(value: &Value) -> Material {
+pub fn material(value: &Value) -> Material {
     let constant = |key: &str| number(&value[key]);
     let law = match value["type"].as_str() {
         Some("iso") => ElasticLaw::Isotropic {
@@ -99,7 +99,7 @@ fn plane_angles(case: &Value) -> HashMap<u64, f64> {
         .collect()
 }
 
-fn section(name: &str, case: &Value, mesh: &Mesh) -> Section {
+pub fn section(name: &str, case: &Value, mesh: &Mesh) -> Section {
     let angles = plane_angles(case);
     let section_mesh = section_mesh(mesh);
     let tag_of_label: HashMap<String, i32> = mesh

@@ -7,11 +7,10 @@
 //! from the origin and one of 10 m around it are solved with the same digits.
 //! Units of length and modulus are powers of two, so that scaling rounds nothing.
 
-use crate::element::{NO_COLUMNS, NodalColumns};
 use crate::failure::Failure;
 use crate::material::section_stiffness;
 use crate::section::{CellMaterial, Section};
-use nalgebra::{DMatrix, Matrix6, Vector6};
+use nalgebra::{Matrix6, Vector6};
 use shared_geom::mesh::CellKind;
 
 /// Units and origin of a [`Domain`], in section axes.
@@ -131,38 +130,6 @@ impl Domain {
     /// Number of warping unknowns: ux, uy, uz of each node, in this order.
     pub fn unknowns(&self) -> usize {
         3 * self.nodes.len()
-    }
-
-    /// The first six columns of `field` (n x k) at the nodes of `cell`; missing
-    /// columns are zero.
-    pub fn columns_at(&self, cell: &DomainCell, field: &DMatrix<f64>) -> NodalColumns {
-        let mut columns = NO_COLUMNS;
-        for (k, column) in field
-            .as_slice()
-            .chunks_exact(field.nrows())
-            .take(6)
-            .enumerate()
-        {
-            for (target, &node) in columns.iter_mut().zip(cell.nodes()) {
-                let first = 3 * node as usize;
-                target
-                    .column_mut(k)
-                    .copy_from_slice(&column[first..first + 3]);
-            }
-        }
-        columns
-    }
-
-    /// Adds `columns` at the nodes of `cell` to the columns of `field` (n x k).
-    pub fn add_columns(&self, cell: &DomainCell, columns: &NodalColumns, field: &mut DMatrix<f64>) {
-        let rows = field.nrows();
-        for (k, column) in field.as_mut_slice().chunks_exact_mut(rows).enumerate() {
-            for (part, &node) in columns.iter().zip(cell.nodes()) {
-                for axis in 0..3 {
-                    column[3 * node as usize + axis] += part[(axis, k)];
-                }
-            }
-        }
     }
 
     /// Places of the nodes of `cell`; the first `cell.kind.node_count()` count.

@@ -5,7 +5,7 @@
 //! ```
 
 use super::domain::Domain;
-use crate::element::{cell_points, rigid_displacement};
+use crate::element::rule_points;
 use nalgebra::{Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
@@ -13,14 +13,28 @@ use shared_geom::wrench;
 /// momentum and angular momentum per length from velocity and angular velocity,
 /// order of [`wrench::COMPONENTS`].
 pub fn mass_per_length(domain: &Domain) -> Matrix6<f64> {
-    let mut mass = Matrix6::zeros();
+    // sums of rho (1, y, z, y y, y z, z z) dA
+    let mut sums = [0.0; 6];
     for cell in &domain.cells {
         let places = domain.places(cell);
-        for point in cell_points(cell.kind, &places[..cell.kind.node_count()]) {
-            let g = rigid_displacement(1.0, point.y, point.z);
-            mass += cell.density * point.area * (g.transpose() * g);
+        for point in rule_points(cell.kind) {
+            let point = point.of_cell(&places[..cell.kind.node_count()]);
+            let (y, z, rho) = (point.y, point.z, cell.density * point.area);
+            for (sum, term) in sums.iter_mut().zip([1.0, y, z, y * y, y * z, z * z]) {
+                *sum += rho * term;
+            }
         }
     }
+    let [m, my, mz, myy, myz, mzz] = sums;
+    #[rustfmt::skip]
+    let mass = Matrix6::new(
+        m,   0.0, 0.0, 0.0,       mz,   -my,
+        0.0, m,   0.0, -mz,       0.0,  0.0,
+        0.0, 0.0, m,   my,        0.0,  0.0,
+        0.0, -mz, my,  myy + mzz, 0.0,  0.0,
+        mz,  0.0, 0.0, 0.0,       mzz,  -myz,
+        -my, 0.0, 0.0, 0.0,       -myz, myy,
+    );
 
     // from the domain's units to SI, from the centroid to the origin
     let length = domain.scaling.length;

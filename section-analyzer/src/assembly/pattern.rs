@@ -18,7 +18,7 @@ use super::domain::Domain;
 #[derive(Debug, Clone)]
 pub struct Pattern {
     /// Neighbors of node j: `neighbors[starts[j]..starts[j + 1]]`.
-    starts: Vec<usize>,
+    starts: Vec<u32>,
     neighbors: Vec<u32>,
     /// For each node the place of itself among its neighbors.
     own: Vec<usize>,
@@ -47,18 +47,18 @@ impl Pattern {
                 }
             }
             neighbors[first..].sort_unstable();
-            starts.push(neighbors.len());
+            starts.push(neighbors.len() as u32);
         }
         Self::from_adjacency(starts, neighbors)
     }
 
-    fn from_adjacency(starts: Vec<usize>, neighbors: Vec<u32>) -> Self {
+    fn from_adjacency(starts: Vec<u32>, neighbors: Vec<u32>) -> Self {
         let count = starts.len() - 1;
         let mut own = Vec::with_capacity(count);
         let mut columns = Vec::with_capacity(count + 1);
         let mut next = 0;
         for node in 0..count {
-            let list = &neighbors[starts[node]..starts[node + 1]];
+            let list = &neighbors[starts[node] as usize..starts[node + 1] as usize];
             let before = list.partition_point(|&other| (other as usize) < node);
             own.push(before);
             columns.push(next);
@@ -81,11 +81,11 @@ impl Pattern {
 
     /// Neighbors of `node` in rising order, itself included.
     pub fn neighbors(&self, node: usize) -> &[u32] {
-        &self.neighbors[self.starts[node]..self.starts[node + 1]]
+        &self.neighbors[self.starts[node] as usize..self.starts[node + 1] as usize]
     }
 
     /// First neighbor of each node in the list of all, and that list.
-    pub fn adjacency(&self) -> (&[usize], &[u32]) {
+    pub fn adjacency(&self) -> (&[u32], &[u32]) {
         (&self.starts, &self.neighbors)
     }
 
@@ -94,39 +94,44 @@ impl Pattern {
         self.columns[self.node_count()]
     }
 
-    /// Where the entries of row node `row` in column `b` of node `column` start:
-    /// three in a row, of which those above the diagonal are left out when the
-    /// nodes are the same. The nodes share a cell, and `row >= column`.
-    pub fn entries(&self, row: u32, column: u32, b: usize) -> usize {
+    /// Where the entries of row node `row` start in each column of node `column`:
+    /// three in a row, of which those above the diagonal are left out when the nodes
+    /// are the same. The nodes share a cell, and `row >= column`.
+    pub fn block(&self, row: u32, column: u32) -> [usize; 3] {
         let node = column as usize;
-        let own = self.own[node];
-        let below = &self.neighbors(node)[own..];
-        // columns before b in this node: 3, then 2 entries of the own block each
-        let before = [0, 3, 5][b] + 3 * b * (below.len() - 1);
-        let first = self.columns[node] + before;
+        let below = &self.neighbors(node)[self.own[node]..];
+        // the own block takes 3, 2 and 1 entries of the columns
+        let others = 3 * (below.len() - 1);
+        let first = self.columns[node];
+        let own = [first, first + 3 + others, first + 5 + 2 * others];
         if row == column {
-            first
-        } else {
-            first + 3 * below.partition_point(|&other| other < row) - b
+            return own;
         }
+        let place = 3 * below.partition_point(|&other| other < row);
+        [own[0] + place, own[1] + place - 1, own[2] + place - 2]
     }
 
-    /// Column starts and row indices of the lower triangle, by unknown.
-    pub fn structure(&self) -> (Vec<usize>, Vec<usize>) {
+    /// Column starts and row indices of the lower triangle, by unknown; `None` when
+    /// 32 bits do not count them.
+    pub fn structure(&self) -> Option<(Vec<u32>, Vec<u32>)> {
+        // faer takes signed indices of this width
+        if i32::try_from(self.entry_count()).is_err() {
+            return None;
+        }
         let mut starts = Vec::with_capacity(3 * self.node_count() + 1);
         let mut rows = Vec::with_capacity(self.entry_count());
         starts.push(0);
         for node in 0..self.node_count() {
             for b in 0..3 {
-                rows.extend(3 * node + b..3 * node + 3);
+                let own = 3 * node as u32;
+                rows.extend(own + b..own + 3);
                 for &other in &self.neighbors(node)[self.own[node] + 1..] {
-                    let row = 3 * other as usize;
-                    rows.extend([row, row + 1, row + 2]);
+                    rows.extend([3 * other, 3 * other + 1, 3 * other + 2]);
                 }
-                starts.push(rows.len());
+                starts.push(rows.len() as u32);
             }
         }
-        (starts, rows)
+        Some((starts, rows))
     }
 
     /// First node of each part that shares no node with the others.

@@ -13,10 +13,10 @@
 
 use super::domain::Domain;
 use super::matrices::SectionMatrices;
-use super::stress::{State, face_forces, internal_forces};
+use super::stress::{Rate, State, section_forces};
 use crate::element::rigid_displacement;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
-use sprs::CsMat;
+use sprs::CsMatI;
 
 /// The identities, as [`check_identities`] orders them.
 pub const IDENTITIES: [&str; 6] = [
@@ -28,15 +28,26 @@ pub const IDENTITIES: [&str; 6] = [
     "R' H = A T",
 ];
 
-/// H: displacement of the unknowns in the rigid motions, columns translations
-/// and rotations along x, y, z about the origin of the domain, n x 6.
-pub fn rigid_modes(domain: &Domain) -> DMatrix<f64> {
-    let mut h = DMatrix::zeros(domain.unknowns(), 6);
-    for (node, &[y, z]) in domain.nodes.iter().enumerate() {
-        h.fixed_view_mut::<3, 6>(3 * node, 0)
-            .copy_from(&rigid_displacement(1.0, y, z));
+/// The identities that join assembled matrices only, as
+/// [`check_assembled_identities`] orders them.
+pub const ASSEMBLED_IDENTITIES: [&str; 2] = ["E H = R T", "R' H = A T"];
+
+/// `H z`: adds rigid motions, a column of `z` each, to the columns of `x` (n x 6).
+pub fn add_rigid_motions(domain: &Domain, z: &Matrix6<f64>, x: &mut DMatrix<f64>) {
+    for (node, &[y, z_place]) in domain.nodes.iter().enumerate() {
+        let mut rows = x.fixed_view_mut::<3, 6>(3 * node, 0);
+        rows += rigid_displacement(1.0, y, z_place) * z;
     }
-    h
+}
+
+/// `H' P`: resultant of forces at the unknowns (n x 6), a column for each case.
+pub fn resultant(domain: &Domain, forces: &DMatrix<f64>) -> Matrix6<f64> {
+    let mut resultant = Matrix6::zeros();
+    for (node, &[y, z]) in domain.nodes.iter().enumerate() {
+        let at_node = forces.fixed_view::<3, 6>(3 * node, 0);
+        resultant += rigid_displacement(1.0, y, z).transpose() * at_node;
+    }
+    resultant
 }
 
 /// T' of `theta' = T' theta`: how internal forces change along an unloaded beam.
@@ -57,46 +68,69 @@ const GENERIC_MOTION: [f64; 6] = [1.0, -0.71, 0.43, 0.89, -0.61, 0.53];
 /// parts, relative to the largest entry of its right-hand side before T; that of
 /// E to the terms of its product.
 ///
-/// `h` are the [`rigid_modes`]. E, R and A are the assembled ones, M, C and L act
-/// by integration.
-pub fn check_identities(domain: &Domain, matrices: &SectionMatrices, h: &DMatrix<f64>) -> [f64; 6] {
-    let SectionMatrices { e, r, a, .. } = matrices;
+/// E, R and A are the assembled ones, M, C and L act by integration.
+pub fn check_identities(domain: &Domain, matrices: &SectionMatrices) -> [f64; 6] {
+    let SectionMatrices { r, a, .. } = matrices;
     let motion = Vector6::from(GENERIC_MOTION);
     let turned = equilibrium().transpose() * motion;
-    let displacement: DVector<f64> = h * motion;
+    let displacement = rigid_displacements(domain, &motion);
 
     // cases: u' = H m, u = H m, psi = m, psi = T m
-    let mut rate = DMatrix::zeros(h.nrows(), 4);
-    let mut warping = DMatrix::zeros(h.nrows(), 4);
+    let mut rate = DMatrix::zeros(displacement.len(), 4);
+    let mut warping = DMatrix::zeros(displacement.len(), 4);
     let mut strain = Matrix6::zeros();
     rate.set_column(0, &displacement);
     warping.set_column(1, &displacement);
     strain.set_column(2, &motion);
     strain.set_column(3, &turned);
     let state = State {
-        rate: Some(&rate),
+        rate: Rate::Given(&rate),
         warping: Some(&warping),
         strain: &strain,
     };
-    let face = face_forces(domain, state, 4);
-    let internal = internal_forces(domain, state, 1);
-
+    let forces = section_forces(domain, state);
+    let (face, within) = (forces.face, forces.within);
     let (r_motion, l_motion) = (r * motion, face.column(2));
-    let (e_motion, e_scale) = symmetric_product(e, &displacement);
-    let a_scale = (a * motion).amax();
+    let (a_motion, theta) = (a * motion, forces.resultant.column(0));
+    let [of_e, of_r] = check_assembled_identities(domain, matrices);
     [
         (face.column(0) - l_motion).amax() / l_motion.amax(),
-        (internal.within.column(0) - &r_motion).amax() / r_motion.amax(),
+        (within.column(0) - &r_motion).amax() / r_motion.amax(),
         (face.column(1) - face.column(3)).amax() / l_motion.amax(),
-        (e_motion - r * turned).amax() / e_scale,
-        (internal.resultant.column(0) - a * motion).amax() / a_scale,
-        (r.tr_mul(&displacement) - a * turned).amax() / a_scale,
+        of_e,
+        (theta - a_motion).amax() / a_motion.amax(),
+        of_r,
     ]
+}
+
+/// Error of each of the [`ASSEMBLED_IDENTITIES`], as [`check_identities`] measures
+/// them: no integration.
+pub fn check_assembled_identities(domain: &Domain, matrices: &SectionMatrices) -> [f64; 2] {
+    let SectionMatrices { e, r, a } = matrices;
+    let motion = Vector6::from(GENERIC_MOTION);
+    let turned = equilibrium().transpose() * motion;
+    let displacement = rigid_displacements(domain, &motion);
+    let (e_motion, e_scale) = symmetric_product(e, &displacement);
+    [
+        (e_motion - r * turned).amax() / e_scale,
+        (r.tr_mul(&displacement) - a * turned).amax() / (a * motion).amax(),
+    ]
+}
+
+/// `H m`: displacement of the unknowns in one rigid motion.
+fn rigid_displacements(domain: &Domain, motion: &Vector6<f64>) -> DVector<f64> {
+    let mut displacement = DVector::zeros(domain.unknowns());
+    for (node, &[y, z]) in domain.nodes.iter().enumerate() {
+        displacement
+            .fixed_rows_mut::<3>(3 * node)
+            .copy_from(&(rigid_displacement(1.0, y, z) * motion));
+    }
+    displacement
 }
 
 /// Product of a symmetric matrix, given by its lower triangle in compressed
 /// columns, with `x`, and the largest sum of absolute terms in it.
-fn symmetric_product(lower: &CsMat<f64>, x: &DVector<f64>) -> (DVector<f64>, f64) {
+fn symmetric_product(lower: &CsMatI<f64, u32>, x: &DVector<f64>) -> (DVector<f64>, f64) {
     let mut product = DVector::zeros(x.len());
     let mut terms = DVector::<f64>::zeros(x.len());
     for (j, column) in lower.outer_iterator().enumerate() {

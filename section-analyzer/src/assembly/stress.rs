@@ -5,6 +5,7 @@
 //! P     = int B1' D eps dA   = M u' + C u + L psi        forces on the face
 //! Q     = int B0' D eps dA   = C' u' + E u + R psi       forces within the section
 //! theta = int Bpsi' D eps dA = L' u' + R' u + A psi      internal force
+//! W     = int eps' D eps dA                              work
 //! ```
 //!
 //! The same as products with the six matrices, but with the round-off of the
@@ -13,99 +14,171 @@
 
 use super::domain::{Domain, DomainCell};
 use crate::element::{
-    CellPoint, FACE_STRAINS, NO_COLUMNS, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS, cell_points,
-    rigid_displacement, strain_at,
+    CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, rows_of, rule_points,
 };
-use nalgebra::{DMatrix, Matrix3x6, Matrix6};
+use nalgebra::{DMatrix, Matrix6};
+use pulp::{Arch, Simd, WithSimd};
 
 /// A state of the section in the units of the domain, up to six cases side by
 /// side.
 #[derive(Debug, Clone, Copy)]
 pub struct State<'a> {
-    /// u': derivative of the warping along the beam, n x k; zero where `None` \[-\].
-    pub rate: Option<&'a DMatrix<f64>>,
+    /// u': derivative of the warping along the beam.
+    pub rate: Rate<'a>,
     /// u: warping, n x k; zero where `None` \[-\].
     pub warping: Option<&'a DMatrix<f64>>,
-    /// psi: generalized strain; the first k columns count, the others are zero \[-\].
+    /// psi: generalized strain \[-\].
     pub strain: &'a Matrix6<f64>,
 }
 
-/// Forces that hold a state within the section, in the units of the domain.
+/// u': derivative of the warping along the beam.
+#[derive(Debug, Clone, Copy)]
+pub enum Rate<'a> {
+    /// None: the state is constant along the beam.
+    Zero,
+    /// Of six cases per unit internal force, in their order: `u' = X T'`, which is
+    /// minus the warping of M3 for F2, that of M2 for F3, and zero for the others.
+    Central,
+    /// Any, n x k.
+    Given(&'a DMatrix<f64>),
+}
+
+/// Forces and work of a state of six cases, in the units of the domain.
 #[derive(Debug, Clone)]
-pub struct InternalForces {
-    /// Q: at the unknowns, n x k \[-\].
+pub struct SectionForces {
+    /// Q: at the unknowns within the section, n x 6 \[-\].
     pub within: DMatrix<f64>,
-    /// theta: internal force; the first k columns count \[-\].
+    /// P: at the unknowns on the face, n x 6 \[-\].
+    pub face: DMatrix<f64>,
+    /// theta: internal force, a column for each case \[-\].
     pub resultant: Matrix6<f64>,
+    /// W: work of the stresses of each case on the strains of each, symmetric \[-\].
+    pub work: Matrix6<f64>,
 }
 
-/// Q and theta of `state`, k cases.
-pub fn internal_forces(domain: &Domain, state: State<'_>, k: usize) -> InternalForces {
-    let mut within = DMatrix::zeros(domain.unknowns(), k);
-    let mut resultant = Matrix6::zeros();
+/// The forces of `state`; cases that it does not have are zero.
+pub fn section_forces(domain: &Domain, state: State<'_>) -> SectionForces {
+    let mut forces = SectionForces::none(domain);
+    forces.measure(domain, state);
+    forces
+}
+
+impl SectionForces {
+    /// No forces.
+    pub fn none(domain: &Domain) -> Self {
+        let n = domain.unknowns();
+        Self {
+            within: DMatrix::zeros(n, 6),
+            face: DMatrix::zeros(n, 6),
+            resultant: Matrix6::zeros(),
+            work: Matrix6::zeros(),
+        }
+    }
+
+    /// Replaces the forces by those of `state`.
+    pub fn measure(&mut self, domain: &Domain, state: State<'_>) {
+        let target = self;
+        Arch::new().dispatch(Summation {
+            domain,
+            state,
+            target,
+        });
+    }
+}
+
+/// The sum over the cells, compiled for each width of registers.
+struct Summation<'a> {
+    domain: &'a Domain,
+    state: State<'a>,
+    target: &'a mut SectionForces,
+}
+
+impl WithSimd for Summation<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        // registers of four numbers and more come with fused products, and so does ARM
+        match size_of::<S::f64s>() >= 32 || cfg!(target_arch = "aarch64") {
+            true => sum::<Fused>(self.domain, self.state, self.target),
+            false => sum::<Plain>(self.domain, self.state, self.target),
+        }
+    }
+}
+
+#[inline(always)]
+fn sum<P: Product>(domain: &Domain, state: State<'_>, target: &mut SectionForces) {
+    target.within.fill(0.0);
+    target.face.fill(0.0);
+    let laws: Vec<[[f64; 6]; 6]> = domain
+        .laws
+        .iter()
+        .map(|law| law.transpose().into())
+        .collect();
+    let strain = rows_of(state.strain);
+    let mut of_cell = CellState {
+        rate: NO_FIELD,
+        warping: NO_FIELD,
+    };
+    let mut forces = CellForces::NONE;
     for cell in &domain.cells {
-        let mut forces = NO_COLUMNS;
-        visit_stresses(domain, cell, state, |point, _, stress| {
-            let along_y = rows(stress, Y_GRADIENT_STRAINS);
-            let along_z = rows(stress, Z_GRADIENT_STRAINS);
-            for i in 0..point.count {
-                forces[i] += point.dy[i] * along_y + point.dz[i] * along_z;
+        gather(cell, state, &mut of_cell);
+        let places = domain.places(cell);
+        let geometry = (rule_points(cell.kind), &places[..cell.kind.node_count()]);
+        forces.clear_nodes();
+        forces.add::<P>(geometry, &laws[cell.law as usize], &of_cell, &strain);
+        scatter(cell, &forces.within, &mut target.within);
+        scatter(cell, &forces.face, &mut target.face);
+    }
+    let work = forces.work();
+    target.work = 0.5 * (work + work.transpose());
+    target.resultant = forces.resultant();
+}
+
+/// The state at the nodes of `cell`.
+#[inline(always)]
+fn gather(cell: &DomainCell, state: State<'_>, of_cell: &mut CellState) {
+    if let Some(warping) = state.warping {
+        take(cell, warping, &mut of_cell.warping);
+    }
+    match state.rate {
+        Rate::Zero => {}
+        Rate::Given(rate) => take(cell, rate, &mut of_cell.rate),
+        Rate::Central => {
+            for (rate, warping) in of_cell.rate.iter_mut().zip(&of_cell.warping) {
+                for (rate, warping) in rate.iter_mut().zip(warping) {
+                    rate[1] = -warping[5];
+                    rate[2] = warping[4];
+                }
             }
-            let face = rows(stress, FACE_STRAINS);
-            resultant += rigid_displacement(1.0, point.y, point.z).tr_mul(&face);
-        });
-        domain.add_columns(cell, &forces, &mut within);
+        }
     }
-    InternalForces { within, resultant }
 }
 
-/// P of `state`, k cases: forces of the stresses on the face, at the unknowns, n x k.
-pub fn face_forces(domain: &Domain, state: State<'_>, k: usize) -> DMatrix<f64> {
-    let mut face = DMatrix::zeros(domain.unknowns(), k);
-    for cell in &domain.cells {
-        let mut forces = NO_COLUMNS;
-        visit_stresses(domain, cell, state, |point, _, stress| {
-            let stress = rows(stress, FACE_STRAINS);
-            for i in 0..point.count {
-                forces[i] += point.n[i] * stress;
+/// The first six columns of `field` (n x k) at the nodes of `cell`.
+#[inline(always)]
+fn take(cell: &DomainCell, field: &DMatrix<f64>, of_cell: &mut CellField) {
+    let columns = field.as_slice().chunks_exact(field.nrows());
+    for (k, column) in columns.take(6).enumerate() {
+        for (target, &node) in of_cell.iter_mut().zip(cell.nodes()) {
+            let first = 3 * node as usize;
+            for (target, value) in target.iter_mut().zip(&column[first..first + 3]) {
+                target[k] = *value;
             }
-        });
-        domain.add_columns(cell, &forces, &mut face);
-    }
-    face
-}
-
-/// `int eps' D eps dA`: work of the stresses of each case on the strains of each.
-pub fn energy(domain: &Domain, state: State<'_>) -> Matrix6<f64> {
-    let mut energy = Matrix6::zeros();
-    for cell in &domain.cells {
-        visit_stresses(domain, cell, state, |_, strain, stress| {
-            energy += strain.tr_mul(stress);
-        });
-    }
-    0.5 * (energy + energy.transpose())
-}
-
-/// Calls `visit` at each integration point of `cell` with the strain (6 x k) and
-/// the stress times the area of the point (6 x k).
-fn visit_stresses(
-    domain: &Domain,
-    cell: &DomainCell,
-    state: State<'_>,
-    mut visit: impl FnMut(&CellPoint, &Matrix6<f64>, &Matrix6<f64>),
-) {
-    let rate = state.rate.map(|rate| domain.columns_at(cell, rate));
-    let warping = state
-        .warping
-        .map(|warping| domain.columns_at(cell, warping));
-    let law = &domain.laws[cell.law as usize];
-    let places = domain.places(cell);
-    for point in cell_points(cell.kind, &places[..cell.kind.node_count()]) {
-        let strain = strain_at(&point, rate.as_ref(), warping.as_ref(), state.strain);
-        visit(&point, &strain, &(point.area * (law * strain)));
+        }
     }
 }
 
-fn rows(stress: &Matrix6<f64>, rows: [usize; 3]) -> Matrix3x6<f64> {
-    Matrix3x6::from_fn(|i, k| stress[(rows[i], k)])
+/// Adds the values of `cell` at its nodes to `field` (n x 6).
+#[inline(always)]
+fn scatter(cell: &DomainCell, of_cell: &CellField, field: &mut DMatrix<f64>) {
+    let rows = field.nrows();
+    for (k, column) in field.as_mut_slice().chunks_exact_mut(rows).enumerate() {
+        for (part, &node) in of_cell.iter().zip(cell.nodes()) {
+            let first = 3 * node as usize;
+            for (value, part) in column[first..first + 3].iter_mut().zip(part) {
+                *value += part[k];
+            }
+        }
+    }
 }

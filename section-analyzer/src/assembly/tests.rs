@@ -35,11 +35,11 @@ fn assembled_matrices_are_the_forces_of_unit_states() {
             let mut unit = DMatrix::zeros(n, 1);
             unit[j] = 1.0;
             let state = State {
-                rate: None,
+                rate: Rate::Zero,
                 warping: Some(&unit),
                 strain: &still,
             };
-            let forces = internal_forces(&domain, state, 1);
+            let forces = section_forces(&domain, state);
             for i in j..n {
                 let found = matrices.e.get(i, j).copied().unwrap_or(0.0);
                 assert_relative_eq!(found, forces.within[i], epsilon = 1e-13);
@@ -54,11 +54,11 @@ fn assembled_matrices_are_the_forces_of_unit_states() {
         }
 
         let strained = State {
-            rate: None,
+            rate: Rate::Zero,
             warping: None,
             strain: &Matrix6::identity(),
         };
-        let forces = internal_forces(&domain, strained, 6);
+        let forces = section_forces(&domain, strained);
         assert_relative_eq!(matrices.r, forces.within, epsilon = 1e-13);
         assert_relative_eq!(matrices.a, forces.resultant, epsilon = 1e-13);
     }
@@ -74,15 +74,15 @@ fn forces_do_the_work_of_the_stresses() {
         let (rate, warping) = (state(n, 6, 1), state(n, 6, 5));
         let strain = Matrix6::from_fn(|i, j| ((i * 5 + j * 3) % 7) as f64 - 3.0);
         let state = State {
-            rate: Some(&rate),
+            rate: Rate::Given(&rate),
             warping: Some(&warping),
             strain: &strain,
         };
-        let p = face_forces(&domain, state, 6);
-        let forces = internal_forces(&domain, state, 6);
-        let work =
-            rate.tr_mul(&p) + warping.tr_mul(&forces.within) + strain.tr_mul(&forces.resultant);
-        let energy = energy(&domain, state);
+        let forces = section_forces(&domain, state);
+        let work = rate.tr_mul(&forces.face)
+            + warping.tr_mul(&forces.within)
+            + strain.tr_mul(&forces.resultant);
+        let energy = forces.work;
         let scale = energy.amax();
         assert_relative_eq!(
             work.fixed_view::<6, 6>(0, 0).into_owned() / scale,
@@ -98,7 +98,7 @@ fn identities_hold() {
     for kind in KINDS {
         let domain = domain(kind);
         let matrices = SectionMatrices::assemble(&domain, &Pattern::new(&domain)).expect("sound");
-        let errors = check_identities(&domain, &matrices, &rigid_modes(&domain));
+        let errors = check_identities(&domain, &matrices);
         for (error, name) in errors.into_iter().zip(IDENTITIES) {
             assert!(error < 1e-13, "{kind:?} {name}: {error:e}");
         }
@@ -111,9 +111,8 @@ fn identities_hold() {
 fn identities_notice_a_wrong_entry() {
     let domain = domain(CellKind::Quadrilateral9);
     let sound = SectionMatrices::assemble(&domain, &Pattern::new(&domain)).expect("sound");
-    let h = rigid_modes(&domain);
     let worst = |matrices: &SectionMatrices| {
-        let errors = check_identities(&domain, matrices, &h);
+        let errors = check_identities(&domain, matrices);
         errors.into_iter().fold(0.0, f64::max)
     };
     let mut wrong = sound.clone();
@@ -127,19 +126,28 @@ fn identities_notice_a_wrong_entry() {
     assert!(worst(&wrong) > 1e-5);
 }
 
-/// The rigid motions of a point at t: translation plus rotation x t.
+/// The rigid motions of a point at t, translation plus rotation x t, and forces that
+/// do the work of their resultant on them.
 #[test]
-fn rigid_modes_move_every_node() {
+fn rigid_motions_move_every_node() {
     let domain = domain(CellKind::Triangle6);
-    let h = rigid_modes(&domain);
-    let motion = Vector6::new(0.1, 0.2, 0.3, 0.4, 0.5, 0.6);
-    let displacement = h * motion;
+    let motions = Matrix6::from_fn(|i, j| ((5 * i + 3 * j) % 11) as f64 / 7.0 - 0.6);
+    let mut displacement = DMatrix::zeros(domain.unknowns(), 6);
+    add_rigid_motions(&domain, &motions, &mut displacement);
     for (node, &[y, z]) in domain.nodes.iter().enumerate() {
         let t = nalgebra::Vector3::new(0.0, y, z);
+        let motion = motions.column(2);
         let expected = motion.fixed_rows::<3>(0) + motion.fixed_rows::<3>(3).cross(&t);
-        let found = displacement.fixed_rows::<3>(3 * node).into_owned();
+        let found = displacement.fixed_view::<3, 1>(3 * node, 2).into_owned();
         assert_relative_eq!(found, expected, epsilon = 1e-15);
     }
+    let forces = state(domain.unknowns(), 6, 2);
+    let work = displacement
+        .tr_mul(&forces)
+        .fixed_view::<6, 6>(0, 0)
+        .into_owned();
+    let of_resultant = motions.transpose() * resultant(&domain, &forces);
+    assert_relative_eq!(work, of_resultant, epsilon = 1e-14 * work.amax());
 }
 
 /// `M2' = F3`, `M3' = -F2`: the moment of a shear force grows with the arm.

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use shared_geom::mesh::CellKind;
 
+pub(super) use super::load_arguments::LoadArguments;
+
 const ABOUT: &str = "\
 Finds the 6x6 stiffness and mass of a beam section of any shape and material
 
@@ -43,15 +45,35 @@ Reads the section file, its mesh and its tables, tells all that is wrong with th
 once, solves, prints the report, and writes into the folder DIR:
   NAME.properties.json   stiffness, mass, centers: input of the beam program
   NAME.report.txt        the report: what went in, what came out, run-time checks
+  NAME.areas.csv         area, moments of area, perimeter and mass by region
+  NAME.constants.csv     constants of restrained warping, if all materials are isotropic
   NAME.mesh.png          the mesh in the colors of its materials, with the centers
   NAME.warping.png       the warping under each unit internal force
   NAME.warping.vtu       the same as fields on the mesh, for ParaView
+  NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE
 where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
 and removes the other files of an earlier run.";
 
 const ANALYZE_EXAMPLE: &str = "\
 Example:
   section-analyzer analyze blade/root.section.toml --out blade/results";
+
+const STRESS: &str = "\
+Recovers the stresses of a section under given internal forces
+
+Solves the section, prints the report of each load, and writes into the folder DIR:
+  NAME.LOAD.stress.txt         load, extreme stresses and failure indices by region
+  NAME.LOAD.stress.csv         strains, stresses and indices at integration points
+  NAME.LOAD.stress_cells.csv   means of the cells
+  NAME.LOAD.stress_nodes.csv   smoothed values at nodes, by region
+  NAME.LOAD.stress.vtu         all of it as fields on the mesh, for ParaView
+  NAME.LOAD.stress_xx.png      plots; also shear, von_mises, and failure with strengths
+The load is that of the command line; without one, every [load.NAME] of the file.
+A plain number is in N or N m; \"1 kN\" and \"3 lbf in\" carry their own units.";
+
+const STRESS_EXAMPLE: &str = "\
+Example, 1 kN of tension and 2 N m of torsion:
+  section-analyzer stress blade/root.section.toml --axial 1e3 --torsion \"2 N m\"";
 
 const CHECK: &str = "\
 Reads and checks a section file without solving it
@@ -122,6 +144,16 @@ pub(super) enum Command {
     Check {
         /// Section file, NAME.section.toml
         file: PathBuf,
+    },
+    #[command(about = first_line(STRESS), long_about = STRESS, after_help = STRESS_EXAMPLE)]
+    Stress {
+        /// Section file, NAME.section.toml
+        file: PathBuf,
+        #[command(flatten)]
+        load: LoadArguments,
+        /// Folder for the results; the folder "results" beside FILE if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
     },
     #[command(subcommand, about = first_line(MESH), long_about = MESH)]
     Mesh(Shape),

@@ -22,7 +22,7 @@
 //! - Giavotto et al. 1983: the matrices E, R, A of the internal work per length.
 //! - Masarati 1999, section 5.3.4 and appendix E.2.
 
-use super::point::{CellPoint, cell_points};
+use super::point::{CellPoint, rule_points};
 use super::strain::{FACE_STRAINS, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS, rigid_displacement};
 use nalgebra::{Matrix3, Matrix3x6, Matrix6};
 use shared_geom::mesh::CellKind;
@@ -85,11 +85,17 @@ pub struct CellIntegrals {
 }
 
 impl CellIntegrals {
+    /// `int (1, y, z, y y, y z, z z)` \[m^2 .. m^4\].
+    pub fn area(&self) -> &[f64; 6] {
+        &self.area
+    }
+
     /// Integrates over the cell with `nodes` (y, z).
     ///
     /// # Errors
     /// The first area of an integration point that is not positive \[m^2\]: the
     /// cell is inverted or has no area.
+    #[inline(always)]
     pub fn new(kind: CellKind, nodes: &[[f64; 2]]) -> Result<Self, f64> {
         let mut integrals = Self {
             yy: [[0.0; 9]; 9],
@@ -99,7 +105,8 @@ impl CellIntegrals {
             dz: [[0.0; 3]; 9],
             area: [0.0; 6],
         };
-        for point in cell_points(kind, nodes) {
+        for point in rule_points(kind) {
+            let point = point.of_cell(nodes);
             let positive = point.area > 0.0;
             if !positive {
                 return Err(point.area);
@@ -109,6 +116,7 @@ impl CellIntegrals {
         Ok(integrals)
     }
 
+    #[inline(always)]
     fn add(&mut self, p: &CellPoint) {
         for i in 0..p.count {
             let (dy, dz) = (p.area * p.dy[i], p.area * p.dz[i]);
@@ -142,6 +150,7 @@ pub struct CellBlocks<'a> {
 impl CellBlocks<'_> {
     /// `E_ij = int Ni,y Nj,y Py'DPy + int Ni,z Nj,z Pz'DPz
     ///       + int Ni,y Nj,z Py'DPz + int Ni,z Nj,y Pz'DPy`.
+    #[inline(always)]
     pub fn e(&self, i: usize, j: usize) -> Matrix3<f64> {
         let (integrals, law) = (self.integrals, self.law);
         let normal = integrals.yy[i][j] * law.yy + integrals.zz[i][j] * law.zz;
@@ -150,31 +159,32 @@ impl CellBlocks<'_> {
     }
 
     /// `R_i = Py'DS int Ni,y [I, -t x] + Pz'DS int Ni,z [I, -t x]`.
+    #[inline(always)]
     pub fn r(&self, i: usize) -> Matrix3x6<f64> {
         self.law.ys * rigid(&self.integrals.dy[i]) + self.law.zs * rigid(&self.integrals.dz[i])
     }
+}
 
-    /// `A = int [I, -t x]' S'DS [I, -t x]`.
-    ///
-    /// `[I, -t x] = G1 + y Gy + z Gz` with constant parts, so A is the sum over
-    /// the six second moments of the cell.
-    pub fn a(&self) -> Matrix6<f64> {
-        let parts = [
-            rigid_displacement(1.0, 0.0, 0.0),
-            rigid_displacement(0.0, 1.0, 0.0),
-            rigid_displacement(0.0, 0.0, 1.0),
-        ];
-        // (1, y, z) (1, y, z)' in terms of 1 y z yy yz zz
-        const MOMENT: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
-        let mut a = Matrix6::zeros();
-        for (p, left) in parts.iter().enumerate() {
-            for (q, right) in parts.iter().enumerate() {
-                let moment = self.integrals.area[MOMENT[p][q]];
-                a += moment * (left.transpose() * self.law.ss * right);
-            }
+/// `A = int [I, -t x]' S'DS [I, -t x]` of all cells of one law, from the sums of
+/// their `int (1, y, z, y y, y z, z z)`.
+///
+/// `[I, -t x] = G1 + y Gy + z Gz` with constant parts, so A is a sum over the six
+/// moments.
+pub fn a_of_moments(area: &[f64; 6], law: &LawBlocks) -> Matrix6<f64> {
+    let parts = [
+        rigid_displacement(1.0, 0.0, 0.0),
+        rigid_displacement(0.0, 1.0, 0.0),
+        rigid_displacement(0.0, 0.0, 1.0),
+    ];
+    // (1, y, z) (1, y, z)' in terms of 1 y z yy yz zz
+    const MOMENT: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+    let mut a = Matrix6::zeros();
+    for (p, left) in parts.iter().enumerate() {
+        for (q, right) in parts.iter().enumerate() {
+            a += area[MOMENT[p][q]] * (left.transpose() * law.ss * right);
         }
-        a
     }
+    a
 }
 
 /// `int f [I, -t x]` from the sums of f, f y, f z.

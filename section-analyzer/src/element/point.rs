@@ -1,6 +1,9 @@
 //! A cell at a point: shape functions, their gradients in section axes, and
 //! the area that an integration point stands for.
 
+use std::sync::LazyLock;
+
+use shared_geom::lagrange::ShapeValues;
 use shared_geom::mesh::CellKind;
 
 /// Shape functions of a cell and their gradients at one point.
@@ -32,13 +35,14 @@ impl CellPoint {
     ///     [ y,s  z,s ]     [ N,z ] = J^-1 [ N,s ]
     /// ```
     pub fn at(kind: CellKind, nodes: &[[f64; 2]], r: f64, s: f64, weight: f64) -> Self {
-        let shape = kind.shape(r, s);
+        Self::of_shape(&kind.shape(r, s), nodes, weight)
+    }
+
+    #[inline(always)]
+    fn of_shape(shape: &ShapeValues, nodes: &[[f64; 2]], weight: f64) -> Self {
         let along = |values: &[f64; 9], axis: usize| -> f64 {
-            nodes
-                .iter()
-                .zip(values)
-                .map(|(node, n)| node[axis] * n)
-                .sum()
+            let terms = nodes.iter().zip(values);
+            terms.map(|(node, n)| node[axis] * n).sum()
         };
         let (y_r, z_r) = (along(&shape.dr, 0), along(&shape.dr, 1));
         let (y_s, z_s) = (along(&shape.ds, 0), along(&shape.ds, 1));
@@ -61,11 +65,43 @@ impl CellPoint {
     }
 }
 
+/// Shape functions at a point of the integration rule of a kind of cells, with the
+/// weight of the point.
+#[derive(Debug, Clone, Copy)]
+pub struct RulePoint {
+    shape: ShapeValues,
+    weight: f64,
+}
+
+impl RulePoint {
+    /// The cell with `nodes` (y, z) at this point.
+    #[inline(always)]
+    pub fn of_cell(&self, nodes: &[[f64; 2]]) -> CellPoint {
+        CellPoint::of_shape(&self.shape, nodes, self.weight)
+    }
+}
+
+/// The rules of all kinds, in the order of their numbers.
+static RULES: LazyLock<[Vec<RulePoint>; 5]> = LazyLock::new(|| {
+    CellKind::ALL.map(|kind| {
+        let points = kind.rule().iter();
+        let values = points.map(|point| RulePoint {
+            shape: kind.shape(point.r, point.s),
+            weight: point.weight,
+        });
+        values.collect()
+    })
+});
+
+/// The points of the integration rule of a kind of cells.
+pub fn rule_points(kind: CellKind) -> &'static [RulePoint] {
+    // the kinds are numbered in the order of `CellKind::ALL`
+    &RULES[kind as usize]
+}
+
 /// The cell at the points of its integration rule.
 pub fn cell_points(kind: CellKind, nodes: &[[f64; 2]]) -> impl Iterator<Item = CellPoint> {
-    kind.rule()
-        .iter()
-        .map(move |point| CellPoint::at(kind, nodes, point.r, point.s, point.weight))
+    rule_points(kind).iter().map(|point| point.of_cell(nodes))
 }
 
 #[cfg(test)]
@@ -92,6 +128,15 @@ mod tests {
                 assert_relative_eq!(sum(&point.dy, 1), 0.0, epsilon = 1e-13);
                 assert_relative_eq!(sum(&point.dz, 0), 0.0, epsilon = 1e-13);
             }
+        }
+    }
+
+    /// The rules are found by the number of the kind.
+    #[test]
+    fn kinds_are_numbered_in_the_order_of_their_list() {
+        for (number, kind) in CellKind::ALL.into_iter().enumerate() {
+            assert_eq!(kind as usize, number);
+            assert_eq!(rule_points(kind).len(), kind.rule().len());
         }
     }
 

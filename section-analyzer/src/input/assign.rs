@@ -10,7 +10,6 @@ use super::files::Files;
 use super::follow::{Parabola, direction};
 use super::groups;
 use super::materials::WrittenMaterial;
-use super::measure::CellMeasure;
 use super::problem::InputProblem;
 use super::regions::{WrittenAngle, WrittenRegion};
 use super::tables::Tables;
@@ -24,8 +23,8 @@ pub(super) struct Assignment<'a> {
     pub mesh: &'a Mesh,
     /// The same mesh in meters, when it is sound: its cells are in the same order.
     pub section_mesh: Option<&'a SectionMesh>,
-    /// Area and centroid of its cells; empty when there is none.
-    pub measures: &'a [CellMeasure],
+    /// Centroids of its cells \[m\]; empty when there is none.
+    pub centroids: &'a [[f64; 2]],
     pub regions: &'a [WrittenRegion],
     /// Region of each cell of the mesh, where it has one.
     pub region_of_cell: &'a [Option<usize>],
@@ -114,7 +113,7 @@ impl Assignment<'_> {
             Angle::Constant(angle) => Some(*angle),
             Angle::Table(path) => tables.angle(self.document, path, self.mesh.cells[cell].tag),
             Angle::Follow { curve, turn } => {
-                let centroid = self.measures.get(cell)?.centroid;
+                let centroid = *self.centroids.get(cell)?;
                 direction(curve, centroid).map(|angle| angle + turn)
             }
         }

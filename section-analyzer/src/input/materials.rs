@@ -5,7 +5,10 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
-use crate::material::{ElasticLaw, EngineeringConstants, Material, MaterialProblem};
+use super::strengths;
+use crate::material::{
+    ElasticLaw, EngineeringConstants, Material, MaterialLimits, MaterialProblem,
+};
 
 const ISOTROPIC: [&str; 2] = ["young", "poisson"];
 const ORTHOTROPIC: [&str; 9] = [
@@ -20,6 +23,7 @@ pub(super) struct WrittenMaterial {
     pub name: String,
     pub line: usize,
     pub material: Option<Material>,
+    pub limits: MaterialLimits,
 }
 
 /// Reads `[material.NAME]` for every name, and checks that each can exist.
@@ -28,19 +32,21 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenMaterial> {
     tables
         .into_iter()
         .map(|(name, table)| {
-            let material = read_one(&name, &table);
+            let law = law(&name, &table);
+            let limits = strengths::read(&name, &table, law.as_ref());
+            let material = read_one(&name, &table, law);
             table.finish();
             WrittenMaterial {
                 name,
                 line: table.line(),
                 material,
+                limits,
             }
         })
         .collect()
 }
 
-fn read_one(name: &str, table: &Table<'_>) -> Option<Material> {
-    let law = law(name, table);
+fn read_one(name: &str, table: &Table<'_>, law: Option<ElasticLaw>) -> Option<Material> {
     let density = table.require_quantity("density", Dimension::DENSITY);
     let material = Material {
         name: name.to_owned(),

@@ -2,7 +2,7 @@
 
 use shared_geom::error::{Explain, nearest_name};
 
-use crate::material::MaterialProblem;
+use crate::material::{MaterialProblem, StrengthProblem};
 
 /// How many names a message lists before it counts the rest.
 const NAMES_SHOWN: usize = 5;
@@ -50,6 +50,67 @@ pub enum InputProblem {
         material: String,
         /// The bound that it violates.
         problem: MaterialProblem,
+    },
+    /// A table of strengths without any.
+    #[error("[material.{material}.{table}] is empty, expected {}", strength_keys(.table))]
+    NoStrength {
+        /// Name of the material.
+        material: String,
+        /// `strength` or `strain_limit`.
+        table: &'static str,
+    },
+    /// A table with strengths of two kinds.
+    #[error(
+        "[material.{material}.{table}] has \"{first}\" and \"{second}\", which belong to two \
+         kinds of strength, expected one kind"
+    )]
+    MixedStrength {
+        /// Name of the material.
+        material: String,
+        /// `strength` or `strain_limit`.
+        table: &'static str,
+        /// A key of one kind.
+        first: &'static str,
+        /// A key of another kind.
+        second: &'static str,
+    },
+    /// Strengths that do not suit the law of their material.
+    #[error(
+        "[material.{material}.{table}] has \"{key}\", but the material is {}",
+        if *.is_isotropic { "isotropic" } else { "not isotropic" }
+    )]
+    StrengthOfOtherLaw {
+        /// Name of the material.
+        material: String,
+        /// `strength` or `strain_limit`.
+        table: &'static str,
+        /// The key.
+        key: &'static str,
+        /// Whether the material is isotropic.
+        is_isotropic: bool,
+    },
+    /// A strength that cannot be.
+    #[error("material \"{material}\": {problem}")]
+    Strength {
+        /// Name of the material.
+        material: String,
+        /// The bound that it violates.
+        problem: StrengthProblem,
+    },
+    /// A load case without any load.
+    #[error(
+        "load \"{load}\" is zero, expected at least one of \"axial\", \"shear_y\", \"shear_z\", \
+         \"torsion\", \"bending_y\", \"bending_z\""
+    )]
+    ZeroLoad {
+        /// Name of the load case.
+        load: String,
+    },
+    /// A name that is no part of a file name.
+    #[error("load \"{load}\": expected a name of letters, digits, \"-\" and \"_\"")]
+    LoadName {
+        /// Name of the load case.
+        load: String,
     },
     /// A region of a material that the file does not have.
     #[error("unknown material \"{material}\" in region \"{region}\"")]
@@ -199,8 +260,29 @@ impl Explain for InputProblem {
                     .to_owned(),
             ),
             Self::Inadmissible { problem, .. } => problem.help(),
+            Self::Strength { problem, .. } => problem.help(),
+            Self::StrengthOfOtherLaw {
+                table,
+                is_isotropic,
+                ..
+            } => Some(match (*is_isotropic, *table) {
+                (true, "strength") => {
+                    "give \"yield\", or \"tension\", \"compression\" and \"shear\"".to_owned()
+                }
+                (true, _) => "give \"tension\", \"compression\" and \"shear\"".to_owned(),
+                (false, _) => "give \"xt\", \"xc\", \"yt\", \"yc\" and \"s12\"".to_owned(),
+            }),
+            Self::LoadName { .. } => Some("the name becomes part of file names".to_owned()),
             _ => None,
         }
+    }
+}
+
+/// The keys of a table of strengths, in words.
+fn strength_keys(table: &str) -> &'static str {
+    match table {
+        "strength" => "\"xt\" to \"s23\", \"tension\" to \"shear\", or \"yield\"",
+        _ => "\"xt\" to \"s23\", or \"tension\" to \"shear\"",
     }
 }
 

@@ -5,6 +5,7 @@ use std::fmt;
 use shared_geom::mesh::CellKind;
 
 use crate::mesh::MeshReport;
+use crate::properties::AreaTable;
 
 /// What was read, in numbers and words.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,15 +24,10 @@ pub struct InputSummary {
     pub kinds: Vec<(CellKind, usize)>,
     /// The regions, in the order of the file.
     pub regions: Vec<RegionSummary>,
+    /// Areas, moments of area, perimeters and masses, parallel to `regions`.
+    pub areas: AreaTable,
     /// What is odd but not wrong.
     pub warnings: Vec<InputWarning>,
-}
-
-impl InputSummary {
-    /// Area of the section \[m^2\].
-    pub fn area(&self) -> f64 {
-        self.regions.iter().map(|region| region.area).sum()
-    }
 }
 
 /// One region.
@@ -41,25 +37,10 @@ pub struct RegionSummary {
     pub group: String,
     /// Name of its material.
     pub material: String,
-    /// Number of its cells.
-    pub cells: usize,
-    /// Its area \[m^2\].
-    pub area: f64,
-    /// Its mass per length \[kg/m\].
-    pub mass: f64,
     /// Angle of the fiber from the beam axis.
     pub fiber_angle: AngleSource,
     /// Angle of the wall direction from the section axis y.
     pub plane_angle: AngleSource,
-}
-
-impl RegionSummary {
-    /// Adds a cell of `area` \[m^2\] and `density` \[kg/m^3\].
-    pub(super) fn add(&mut self, area: f64, density: f64) {
-        self.cells += 1;
-        self.area += area;
-        self.mass += density * area;
-    }
 }
 
 /// Where the angles of a region come from.

@@ -102,6 +102,11 @@ pub struct MeshReport {
 }
 
 impl SectionMesh {
+    /// Tag of a node, given its index; a mesh made without tags counts from one.
+    pub fn node_tag(&self, node: usize) -> u64 {
+        self.node_tags.get(node).copied().unwrap_or(node as u64 + 1)
+    }
+
     /// The section mesh of `mesh`, whose unit of length is `meters_per_unit`, with
     /// what is worth reporting; `place` is where the mesh comes from, for messages.
     ///

@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use shared_geom::files::{OutputProblem, make_folder};
 
+use super::stress_plots::STRESS_PLOTS;
+
 /// Where the results of one section go: `FOLDER/NAME.properties.json` and so on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputFiles {
@@ -60,16 +62,75 @@ impl OutputFiles {
         self.path(&format!("{load}.{plot}.png"))
     }
 
+    /// The table of the integration points under `load`.
+    pub fn stress_points(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.stress.csv"))
+    }
+
+    /// The table of the means of the cells under `load`.
+    pub fn stress_cells(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.stress_cells.csv"))
+    }
+
+    /// The table of the smoothed nodes under `load`.
+    pub fn stress_nodes(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.stress_nodes.csv"))
+    }
+
+    /// The text report of the stresses under `load`.
+    pub fn stress_report(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.stress.txt"))
+    }
+
+    /// Removes the files of `load` of an earlier run.
+    pub fn remove_stresses(&self, load: &str) {
+        for file in [
+            self.stress_report(load),
+            self.stress_points(load),
+            self.stress_cells(load),
+            self.stress_nodes(load),
+            self.stress_field(load),
+        ] {
+            // One that does not exist is no problem.
+            let _ = std::fs::remove_file(file);
+        }
+        for plot in STRESS_PLOTS {
+            let _ = std::fs::remove_file(self.stress_figure(load, plot));
+        }
+    }
+
+    /// The table of areas by region.
+    pub fn areas(&self) -> PathBuf {
+        self.path("areas.csv")
+    }
+
+    /// The constants of restrained warping.
+    pub fn constants(&self) -> PathBuf {
+        self.path("constants.csv")
+    }
+
     fn path(&self, ending: &str) -> PathBuf {
         self.folder.join(format!("{}.{ending}", self.name))
     }
 
-    /// Removes the property file and the files of the warping of an earlier run,
-    /// which an analysis that failed does not replace.
+    /// Removes the results of an earlier run that an analysis that failed does not
+    /// replace.
     pub fn remove_results(&self) {
-        for file in [self.properties(), self.warping(), self.warping_field()] {
+        self.remove_constants();
+        for file in [
+            self.properties(),
+            self.areas(),
+            self.warping(),
+            self.warping_field(),
+        ] {
             // One that does not exist is no problem.
             let _ = std::fs::remove_file(file);
         }
+    }
+
+    /// Removes the constants of restrained warping of an earlier run, for a section
+    /// that has none.
+    pub fn remove_constants(&self) {
+        let _ = std::fs::remove_file(self.constants());
     }
 }

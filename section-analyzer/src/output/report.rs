@@ -4,11 +4,14 @@
 use nalgebra::Matrix6;
 use shared_geom::wrench::COMPONENTS;
 
+use super::areas::areas;
 use super::engineering::engineering_values;
+use super::restrained::restrained_warping;
 use super::text::{coordinate, matrix, number, table};
 use crate::failure::Failure;
 use crate::input::InputSummary;
 use crate::material::{ElasticLaw, Material};
+use crate::properties::{Anisotropic, RestrainedWarping};
 use crate::section::Section;
 use crate::solution::{Checks, SectionSolution};
 use shared_geom::error::Explain;
@@ -26,7 +29,12 @@ Convention
 ";
 
 /// The report of an analysis that reached its goal.
-pub fn report(section: &Section, summary: &InputSummary, solution: &SectionSolution) -> String {
+pub fn report(
+    section: &Section,
+    summary: &InputSummary,
+    solution: &SectionSolution,
+    restrained: &Result<RestrainedWarping, Anisotropic>,
+) -> String {
     let unknowns = format!("  unknowns  {} of warping\n", solution.unknowns);
     let parts = [
         head(section, summary) + &unknowns,
@@ -47,6 +55,8 @@ pub fn report(section: &Section, summary: &InputSummary, solution: &SectionSolut
         centers(summary, solution),
         principal_axes(solution),
         couplings(&solution.stiffness),
+        areas(&summary.areas),
+        restrained_warping(restrained, solution, &summary.areas),
         checks(&solution.checks),
     ];
     joined(&parts)
@@ -74,6 +84,7 @@ pub fn input_report(section: &Section, summary: &InputSummary) -> String {
         warnings(summary),
         materials(&section.materials),
         regions(summary),
+        areas(&summary.areas),
     ];
     joined(&parts)
 }
@@ -178,36 +189,23 @@ fn regions(summary: &InputSummary) -> String {
         "mass [kg/m]",
     ];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
-    for region in &summary.regions {
+    for (region, area) in summary.regions.iter().zip(&summary.areas.regions) {
         rows.push(vec![
             region.group.clone(),
             region.material.clone(),
             region.fiber_angle.to_string(),
             region.plane_angle.to_string(),
-            region.cells.to_string(),
-            number(region.area),
-            number(region.mass),
+            area.cells.to_string(),
+            number(area.area),
+            number(area.mass),
         ]);
     }
-    let mut total = vec![
-        "total".to_owned(),
-        String::new(),
-        String::new(),
-        String::new(),
-    ];
-    total.push(
-        summary
-            .regions
-            .iter()
-            .map(|region| region.cells)
-            .sum::<usize>()
-            .to_string(),
-    );
-    total.push(number(summary.area()));
-    total.push(number(
-        summary.regions.iter().map(|region| region.mass).sum(),
-    ));
-    rows.push(total);
+    let total = &summary.areas.total;
+    let mut row = vec![total.name.clone()];
+    row.resize(4, String::new());
+    row.push(total.cells.to_string());
+    row.extend([total.area, total.mass].map(number));
+    rows.push(row);
     format!("Regions\n{}", table(&rows, "llllr"))
 }
 
@@ -231,7 +229,7 @@ fn engineering(solution: &SectionSolution) -> String {
 }
 
 fn centers(summary: &InputSummary, solution: &SectionSolution) -> String {
-    let scale = summary.area().sqrt();
+    let scale = summary.areas.total.area.sqrt();
     let centers = &solution.centers;
     let mut rows = vec![["center", "y", "z", ""].map(str::to_owned).to_vec()];
     let mut add = |name: &str, [y, z]: [f64; 2], meaning: &str| {
@@ -331,18 +329,19 @@ fn checks(checks: &Checks) -> String {
         .fold(0.0_f64, |worst, error| worst.max(*error));
     let row = |name: &str, value: f64| vec![name.to_owned(), format!("{value:.1e}")];
     let rows = [
-        row("rigid-body identities of the section matrices", worst),
+        row("rigid-body identities of the assembled matrices", worst),
         row("last correction of the linear systems", checks.correction),
         row("internal force of the six solutions", checks.equilibrium),
         row("symmetry of the compliance", checks.asymmetry),
         row("energy against mean strain", checks.decoupling),
+        row("condition number, from below", checks.condition),
         row(
             "smallest pivot (1e-16: the section falls apart)",
             checks.smallest_pivot,
         ),
     ];
     format!(
-        "Checks of this run (relative errors)\n{}",
+        "Checks of this run (relative errors, but for the last two)\n{}",
         table(&rows, "lr")
     )
 }

@@ -6,13 +6,40 @@ use shared_geom::figure::tick_label;
 use shared_geom::wrench::COMPONENTS;
 
 use super::field_plot::{Field, FieldPlot, Quantity};
-use super::measures::{shear_resultant, von_mises};
 use crate::input::InputSummary;
-use crate::recovery::{NodalState, Recovery, Tensors};
+use crate::material::MaterialLimits;
+use crate::recovery::{Criterion, FailureIndex, NodalState, Recovery, Tensors, failure_indices};
 use crate::section::Section;
 
 /// A stress below this part of the largest of the load case is round-off.
 const NEGLIGIBLE: f64 = 1e-9;
+
+/// The words that tell the figures of a load case.
+pub(super) const STRESS_PLOTS: [&str; 4] = ["stress_xx", "shear", "von_mises", "failure"];
+
+/// For each criterion that the limits of some material allow, its name and the index
+/// of each cell by its mean stress and strain; not a number where the limits of the
+/// cell's own material do not allow it. `limits` is parallel to the materials.
+pub fn failure_indices_of_cells(
+    section: &Section,
+    limits: &[MaterialLimits],
+    recovery: &Recovery,
+) -> Vec<(String, Vec<f64>)> {
+    let cells = recovery.cells.iter().zip(&section.cells);
+    let of_cells: Vec<_> = cells
+        .map(|(cell, made_of)| failure_indices(&limits[made_of.material], &cell.tensors))
+        .collect();
+    let indices = |criterion: Criterion| {
+        let of_cell = |all: &Vec<FailureIndex>| {
+            let found = all.iter().find(|index| index.criterion == criterion);
+            found.map_or(f64::NAN, |found| found.index)
+        };
+        let indices: Vec<f64> = of_cells.iter().map(of_cell).collect();
+        let is_used = indices.iter().any(|index| !index.is_nan());
+        is_used.then(|| (criterion.key().to_owned(), indices))
+    };
+    Criterion::ALL.into_iter().filter_map(indices).collect()
+}
 
 /// The figures of `recovery`, each with the word that tells it in the name of its
 /// file: `stress_xx`, `shear`, `von_mises`, and `failure` where there is a
@@ -26,15 +53,12 @@ pub fn stress_plots<'a>(
 ) -> Vec<(&'static str, FieldPlot<'a>)> {
     let load = load_words(recovery);
     let plot = |field: Field| FieldPlot::new(section, summary, field, load.clone());
-    let mut plots = vec![
-        ("stress_xx", plot(axial(recovery))),
-        ("shear", plot(shear(recovery))),
-        ("von_mises", plot(equivalent(recovery))),
-    ];
+    let mut fields = vec![axial(recovery), shear(recovery), equivalent(recovery)];
     if !failure.is_empty() {
-        plots.push(("failure", plot(largest_index(section, failure))));
+        fields.push(largest_index(section, failure));
     }
-    plots
+    let plots = fields.into_iter().map(plot);
+    STRESS_PLOTS.into_iter().zip(plots).collect()
 }
 
 fn axial(recovery: &Recovery) -> Field {
@@ -45,7 +69,7 @@ fn axial(recovery: &Recovery) -> Field {
 fn shear(recovery: &Recovery) -> Field {
     let title = "shear stress in the section";
     let mut field = of_nodes(recovery, Quantity::Stress, title, |t| {
-        shear_resultant(&t.stress)
+        t.stress[4].hypot(t.stress[5])
     });
     let vectors = at_nodes(recovery, |t| [t.stress[5], t.stress[4]]);
     field.vectors = Some(vectors);
@@ -55,7 +79,7 @@ fn shear(recovery: &Recovery) -> Field {
 
 fn equivalent(recovery: &Recovery) -> Field {
     let title = "von Mises stress";
-    of_nodes(recovery, Quantity::Stress, title, |t| von_mises(&t.stress))
+    of_nodes(recovery, Quantity::Stress, title, Tensors::von_mises)
 }
 
 /// The largest index of each cell.
@@ -130,5 +154,25 @@ fn force_words(force: &Vector6<f64>) -> String {
     match parts.is_empty() {
         true => "no internal force".to_owned(),
         false => parts.join(", "),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use shared_geom::mesh::CellKind;
+
+    use super::*;
+    use crate::output::samples::{recovery, rectangle};
+
+    /// The face +x: xy along y, xz along z.
+    #[test]
+    fn shear_is_that_of_xy_and_xz_in_their_direction() {
+        let section = rectangle(CellKind::Triangle6);
+        let stress = Vector6::new(9.0, 9.0, 9.0, 9.0, 3.0, -4.0);
+        let recovery = recovery(&section, "load", Vector6::zeros(), |_, _| stress);
+        let field = shear(&recovery);
+        assert_eq!(field.values[0][..6], [5.0; 6]);
+        let vectors = field.vectors.expect("arrows");
+        assert_eq!(vectors[0][..6], [[-4.0, 3.0]; 6]);
     }
 }

@@ -58,6 +58,19 @@ pub(super) fn matrix(a: &Matrix6<f64>) -> String {
     table(&rows, "lr")
 }
 
+/// Rows as CSV; cells with commas or quotes are quoted.
+pub(super) fn csv(rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let mut writer = csv::WriterBuilder::new()
+        .flexible(true)
+        .from_writer(Vec::new());
+    for row in rows {
+        // writing to memory cannot fail
+        let _ = writer.write_record(&row);
+    }
+    let bytes = writer.into_inner().unwrap_or_default();
+    String::from_utf8(bytes).unwrap_or_default()
+}
+
 /// Rows in columns two spaces apart, each line indented by two. `sides` has a
 /// letter for each column: `l` flush left, `r` flush right; the last letter stands
 /// for all further columns.

@@ -1,6 +1,7 @@
 //! Recovered strain and stress as values.
 
-use nalgebra::Vector6;
+use nalgebra::{Vector3, Vector6};
+use shared_geom::wrench;
 
 /// A named internal force.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,6 +11,17 @@ pub struct LoadCase {
     /// Internal force about the reference point, the origin of the mesh, order of
     /// [`shared_geom::wrench::COMPONENTS`] \[N, N m\].
     pub force: Vector6<f64>,
+}
+
+impl LoadCase {
+    /// The internal force `force` about the point (y, z), shifted to the reference
+    /// point: a force F there adds the moment `d x F`, d = (0, y, z).
+    pub fn at_point(name: impl Into<String>, force: &Vector6<f64>, [y, z]: [f64; 2]) -> Self {
+        Self {
+            name: name.into(),
+            force: wrench::shift_matrix(&-Vector3::new(0.0, y, z)) * force,
+        }
+    }
 }
 
 /// Strain and stress at one place, in both systems of axes.
@@ -23,6 +35,28 @@ pub struct Tensors {
     pub material_strain: Vector6<f64>,
     /// Stress in material axes, order 11 22 33 23 13 12 \[Pa\].
     pub material_stress: Vector6<f64>,
+}
+
+impl Tensors {
+    /// Von Mises stress \[Pa\]: the stress in tension with the same energy of distortion.
+    ///
+    /// ```text
+    /// s^2 = 1/2 [(s11 - s22)^2 + (s22 - s33)^2 + (s33 - s11)^2] + 3 (s23^2 + s13^2 + s12^2)
+    /// ```
+    pub fn von_mises(&self) -> f64 {
+        let s = &self.stress;
+        let normal = (s[0] - s[1]).powi(2) + (s[1] - s[2]).powi(2) + (s[2] - s[0]).powi(2);
+        let shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
+        (0.5 * normal + 3.0 * shear).sqrt()
+    }
+
+    /// Adds `factor` times `other`.
+    pub(super) fn add(&mut self, factor: f64, other: &Self) {
+        self.strain += factor * other.strain;
+        self.stress += factor * other.stress;
+        self.material_strain += factor * other.material_strain;
+        self.material_stress += factor * other.material_stress;
+    }
 }
 
 /// Strain and stress at an integration point.

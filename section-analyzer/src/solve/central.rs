@@ -11,28 +11,59 @@
 //!                              T' e_F2 = -e_M3,  T' e_F3 = e_M2
 //! ```
 //!
+//! What a state lacks of balance is found from its stresses ([`SectionForces`]),
+//! exact to the round-off of the strains, and the factored matrix finds the
+//! correction; so the solution is accurate even where the matrix is so badly
+//! conditioned that one solution keeps half of the digits only. Both steps are
+//! corrected together: one integration of the stresses serves all six columns.
+//!
 //! # References
 //! - Giavotto et al. 1983: central solutions.
 //! - Masarati 1999, section 5.3.5.
 
-use super::system::{BalancedState, CentralSystem};
-use crate::assembly::{Domain, State, equilibrium, face_forces, largest};
+use std::ops::Range;
+
+use super::system::CentralSystem;
+use crate::assembly::{Domain, Rate, SectionForces, State, largest};
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 
 /// Internal forces whose solution is constant along the beam.
 const LINEAR_STEP: [usize; 4] = [0, 3, 4, 5];
 
 /// The shears, whose solution is linear along the beam.
-const CONSTANT_STEP: [usize; 2] = [1, 2];
+const CONSTANT_STEP: Range<usize> = 1..3;
+
+/// Corrections at most. Two are the rule, more of them the mark of a section near
+/// the limit.
+const CORRECTIONS: usize = 12;
+
+/// Largest ratio of a correction to the one before: beyond it corrections do not
+/// lead anywhere, and the checks of the solution decide.
+const SLOW: f64 = 0.5;
+
+/// Size of a correction, relative to the state, after which no other is worth its
+/// price: the next would be smaller by as much again, which is below round-off.
+const SMALL_CORRECTION: f64 = 1e-8;
+
+/// Size of the correction of the linear step that vouches for the first solution of
+/// the constant step, which comes from the same factor: no more than this is off.
+const SMALL_ERROR: f64 = 1e-11;
 
 /// Warping and generalized strain per unit internal force, of some choice of
-/// rigid motions.
+/// rigid motions, with the forces of their stresses.
 #[derive(Debug, Clone)]
 pub struct CentralSolution {
     /// X: warping of the unknowns, n x 6, in the units of the domain \[-\].
     pub x: DMatrix<f64>,
     /// Y: generalized strain, 6 x 6, in the units of the domain \[-\].
     pub y: Matrix6<f64>,
+    /// Ph: forces on the face per unit internal force, n x 6 \[-\].
+    pub face: DMatrix<f64>,
+    /// Internal force of the stresses: the unit matrix, up to the error \[-\].
+    pub resultant: Matrix6<f64>,
+    /// Work of the stresses of each solution on the strains of each: the
+    /// compliance, in the units of the domain \[-\].
+    pub work: Matrix6<f64>,
     /// Largest of the last corrections of the two steps, relative to the
     /// solution \[-\].
     pub correction: f64,
@@ -40,70 +71,144 @@ pub struct CentralSolution {
 
 impl CentralSolution {
     /// Solves both steps; `None` when there is no memory for it.
-    pub fn solve(domain: &Domain, system: &CentralSystem<'_>) -> Option<Self> {
-        let n = domain.unknowns();
-        let mut solution = Self {
-            x: DMatrix::zeros(n, 6),
-            y: Matrix6::zeros(),
-            correction: 0.0,
-        };
-
-        // linear step: no rate, no change of the forces on the face
-        let p = DMatrix::zeros(n, LINEAR_STEP.len());
-        let theta = unit_forces(&LINEAR_STEP);
-        solution.take(&LINEAR_STEP, &system.balance(None, &p, &theta)?);
-
-        // constant step: P' = C u' + L psi' of the linear solution
-        let rate = warping_rate(&solution.x).select_columns(&CONSTANT_STEP);
-        let mut strain_rate = Matrix6::zeros();
-        strain_rate
-            .columns_mut(0, CONSTANT_STEP.len())
-            .copy_from(&(solution.y * equilibrium()).select_columns(&CONSTANT_STEP));
-        let changing = State {
-            rate: None,
-            warping: Some(&rate),
-            strain: &strain_rate,
-        };
-        let p = face_forces(domain, changing, CONSTANT_STEP.len());
-        let theta = unit_forces(&CONSTANT_STEP);
-        solution.take(&CONSTANT_STEP, &system.balance(Some(&rate), &p, &theta)?);
-        Some(solution)
-    }
-
-    fn take(&mut self, forces: &[usize], solved: &BalancedState) {
-        for (k, &force) in forces.iter().enumerate() {
-            self.x.set_column(force, &solved.x.column(k));
-            self.y.set_column(force, &solved.y.column(k));
+    pub fn solve(domain: &Domain, system: &CentralSystem) -> Option<Self> {
+        let mut iteration = Iteration::start(domain, system);
+        for round in 0..CORRECTIONS {
+            iteration.measure(domain);
+            iteration.correct(system)?;
+            if iteration.is_done(round) {
+                break;
+            }
         }
-        self.correction = largest(self.correction, solved.correction);
+        iteration.measure(domain);
+        Some(Self {
+            correction: iteration.error(),
+            x: iteration.x,
+            y: iteration.y,
+            face: iteration.forces.face,
+            resultant: iteration.forces.resultant,
+            work: iteration.forces.work,
+        })
     }
 }
 
-/// `u' = X T'`, derivative of the warping along the beam per unit internal force:
-/// column F2 is minus that of M3, column F3 is that of M2, the others zero.
-pub fn warping_rate(x: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut rate = DMatrix::zeros(x.nrows(), 6);
-    rate.set_column(1, &(-x.column(5)));
-    rate.set_column(2, &x.column(4));
-    rate
+/// The solution under way. Sizes of corrections are those of the linear and of the
+/// constant step.
+#[derive(Debug)]
+struct Iteration {
+    x: DMatrix<f64>,
+    y: Matrix6<f64>,
+    forces: SectionForces,
+    last: [f64; 2],
+    before: [f64; 2],
 }
 
-/// Columns e_j, 6 x k.
-fn unit_forces(forces: &[usize]) -> Matrix6xX<f64> {
-    let mut unit = Matrix6xX::zeros(forces.len());
-    for (k, &force) in forces.iter().enumerate() {
-        unit[(force, k)] = 1.0;
+impl Iteration {
+    /// The linear step solved once, the constant step at zero.
+    fn start(domain: &Domain, system: &CentralSystem) -> Self {
+        let mut theta = Matrix6::zeros();
+        for force in LINEAR_STEP {
+            theta[(force, force)] = 1.0;
+        }
+        let (x, y) = system.balance_of(&theta);
+        Self {
+            x,
+            y,
+            forces: SectionForces::none(domain),
+            last: [1.0, f64::INFINITY],
+            before: [f64::INFINITY; 2],
+        }
     }
-    unit
-}
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+    /// Finds the forces of the present state.
+    fn measure(&mut self, domain: &Domain) {
+        let state = State {
+            rate: Rate::Central,
+            warping: Some(&self.x),
+            strain: &self.y,
+        };
+        self.forces.measure(domain, state);
+    }
 
-    #[test]
-    fn warping_rate_is_the_product_with_the_equilibrium_matrix() {
-        let x = DMatrix::from_fn(4, 6, |i, j| (7 * i + 3 * j) as f64 - 10.0);
-        assert_eq!(warping_rate(&x), &x * equilibrium());
+    /// Corrects the columns that are worth it by what the forces lack of balance. The
+    /// forces within the section are used up: the corrections take their place.
+    fn correct(&mut self, system: &CentralSystem) -> Option<()> {
+        let only_constant = self.last[0] <= SMALL_CORRECTION;
+        let columns = if only_constant { CONSTANT_STEP } else { 0..6 };
+        let mut dtheta = self.imbalance(columns.clone());
+        let n = self.x.nrows();
+        let dq = &mut self.forces.within.as_mut_slice()[columns.start * n..columns.end * n];
+        system.correct(dq, &mut dtheta)?;
+        for (k, column) in columns.clone().enumerate() {
+            let mut x = self.x.column_mut(column);
+            x += self.forces.within.column(column);
+            let mut y = self.y.column_mut(column);
+            y += dtheta.column(k);
+        }
+        self.before = self.last;
+        let mut sizes = [0.0; 2];
+        for (k, column) in columns.enumerate() {
+            let size = &mut sizes[usize::from(CONSTANT_STEP.contains(&column))];
+            *size = largest(*size, self.relative_size(column, &dtheta, k));
+        }
+        self.last[1] = sizes[1];
+        if !only_constant {
+            self.last[0] = sizes[0];
+        }
+        Some(())
+    }
+
+    /// What the stresses lack of balance in some of the six solutions: of the internal
+    /// force, and of Q in its own place.
+    ///
+    /// ```text
+    /// dQ = C u' + L psi' - Q      C u' + L psi' = Ph T': minus that of M3 for F2, of M2 for F3
+    /// ```
+    fn imbalance(&mut self, columns: Range<usize>) -> Matrix6xX<f64> {
+        let mut dtheta = Matrix6xX::zeros(columns.len());
+        for (k, column) in columns.enumerate() {
+            dtheta[(column, k)] = 1.0;
+            let mut dtheta = dtheta.column_mut(k);
+            dtheta -= self.forces.resultant.column(column);
+            let mut dq = self.forces.within.column_mut(column);
+            dq.neg_mut();
+            match column {
+                1 => dq -= self.forces.face.column(5),
+                2 => dq += self.forces.face.column(4),
+                _ => {}
+            }
+        }
+        dtheta
+    }
+
+    /// Size of the correction of one column, the `k`-th corrected, relative to the
+    /// state.
+    ///
+    /// In the units of the domain a warping of 1 and a generalized strain of 1 move
+    /// the section alike, so the larger of the two is the size.
+    fn relative_size(&self, column: usize, dy: &Matrix6xX<f64>, k: usize) -> f64 {
+        let dx = self.forces.within.column(column).amax();
+        let change = largest(dx, dy.column(k).amax());
+        let state = self.x.column(column).amax();
+        change / state.max(self.y.column(column).amax())
+    }
+
+    /// Whether both steps are as good as they get, after the correction of `round`.
+    fn is_done(&self, round: usize) -> bool {
+        // written so that not a number ends it too
+        let is_open = |step: usize| {
+            self.last[step] > SMALL_CORRECTION && self.last[step] < SLOW * self.before[step]
+        };
+        let first_is_good = round == 0 && self.last[0] <= SMALL_ERROR;
+        !is_open(0) && (first_is_good || (round > 0 && !is_open(1)))
+    }
+
+    /// Size of the last correction: of the linear step alone where it vouched for
+    /// the other.
+    fn error(&self) -> f64 {
+        match self.before[1].is_finite() {
+            true => largest(self.last[0], self.last[1]),
+            false => self.last[0],
+        }
     }
 }

@@ -15,8 +15,8 @@
 //! - Masarati, *Multibody dynamics of rotorcraft*, section 5.3.6: decoupling of
 //!   warping and rigid section motion.
 
-use super::central::{CentralSolution, warping_rate};
-use crate::assembly::{Domain, State, equilibrium, face_forces};
+use super::central::CentralSolution;
+use crate::assembly::{Domain, add_rigid_motions, equilibrium, resultant};
 use nalgebra::{DMatrix, Matrix6};
 
 /// Decoupled central solutions.
@@ -34,23 +34,16 @@ pub struct Decoupled {
 }
 
 impl Decoupled {
-    /// Decouples `central`; `h` are the rigid modes.
-    pub fn new(domain: &Domain, h: &DMatrix<f64>, central: &CentralSolution) -> Self {
-        let CentralSolution { x, y, .. } = central;
-        let state = State {
-            rate: Some(&warping_rate(x)),
-            warping: Some(x),
-            strain: y,
-        };
-        let forces = face_forces(domain, state, 6);
-        let z: Matrix6<f64> = (-forces.tr_mul(x)).fixed_view::<6, 6>(0, 0).into();
+    /// Decouples `central`.
+    pub fn new(domain: &Domain, central: CentralSolution) -> Self {
+        let CentralSolution { mut x, y, face, .. } = central;
+        let z: Matrix6<f64> = (-face.tr_mul(&x)).fixed_view::<6, 6>(0, 0).into();
         let tt = equilibrium();
-        let mut decoupled = x.clone();
-        decoupled += h * z;
+        add_rigid_motions(domain, &z, &mut x);
         Self {
-            x: decoupled,
+            x,
             y: y - (z * tt + tt.transpose() * z),
-            internal_force: h.tr_mul(&forces).fixed_view::<6, 6>(0, 0).into(),
+            internal_force: resultant(domain, &face),
         }
     }
 }

@@ -4,7 +4,7 @@
 //! that of E, and the solution is zero there when the right-hand side is.
 
 use super::pins::Pins;
-use crate::assembly::Pattern;
+use crate::assembly::{Pattern, largest};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::perm::PermRef;
@@ -16,8 +16,7 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side, Spec};
-use nalgebra::DMatrix;
-use sprs::CsMat;
+use sprs::CsMatI;
 
 /// One thread: the result is the same on every machine and every run.
 const SEQUENTIAL: Par = Par::Seq;
@@ -43,20 +42,27 @@ pub enum FactorError {
 /// `L L' = P E_ff P'`, with E_ff the pinned E.
 #[derive(Debug)]
 pub struct Factor {
-    symbolic: SymbolicCholesky<usize>,
+    symbolic: SymbolicCholesky<u32>,
     values: Vec<f64>,
     pins: Pins,
+    norm: f64,
     smallest_pivot: Pivot,
 }
 
 impl Factor {
     /// Factors the symmetric matrix with lower triangle `e`, of the structure of
-    /// `pattern`, after pinning.
+    /// `pattern`, after pinning. The matrix is given away: next to its factor it would
+    /// take the largest part of the memory.
     ///
     /// # Errors
     /// [`FactorError`], also when a pivot is not a number.
-    pub fn new(e: &CsMat<f64>, pattern: &Pattern, pins: Pins) -> Result<Self, FactorError> {
-        let pinned = pinned_values(e, pattern, &pins);
+    pub fn new(
+        mut e: CsMatI<f64, u32>,
+        pattern: &Pattern,
+        pins: Pins,
+    ) -> Result<Self, FactorError> {
+        pin(&mut e, pattern, &pins);
+        let norm = one_norm(&e);
         let starts = e.indptr();
         let structure = SymbolicSparseColMatRef::new_checked(
             e.rows(),
@@ -72,7 +78,7 @@ impl Factor {
         let mut memory = MemBuffer::try_new(request).map_err(|_| FactorError::OutOfMemory)?;
         let outcome = symbolic.factorize_numeric_llt(
             &mut values,
-            SparseColMatRef::new(structure, &pinned[..]),
+            SparseColMatRef::new(structure, e.data()),
             Side::Lower,
             LltRegularization::default(),
             SEQUENTIAL,
@@ -84,12 +90,13 @@ impl Factor {
             return Err(FactorError::NotPositive(Pivot { node, ratio: 0.0 }));
         }
 
-        let smallest_pivot = smallest_pivot(&symbolic, &values, e);
+        let smallest_pivot = smallest_pivot(&symbolic, &values, &e);
         if smallest_pivot.ratio > 0.0 {
             Ok(Self {
                 symbolic,
                 values,
                 pins,
+                norm,
                 smallest_pivot,
             })
         } else {
@@ -97,29 +104,37 @@ impl Factor {
         }
     }
 
-    /// Replaces the columns of `x` by the solutions of `E_ff x = b`, pinned
-    /// unknowns zero; `None` when there is no memory for it.
-    pub fn solve(&self, x: &mut DMatrix<f64>) -> Option<()> {
+    /// Replaces the columns of `x` (n x k, column by column) by the solutions of
+    /// `E_ff x = b`, pinned unknowns zero; `None` when there is no memory for it.
+    pub fn solve(&self, x: &mut [f64]) -> Option<()> {
+        let rows = self.symbolic.nrows();
+        let columns = x.len() / rows;
         self.clear_pinned(x);
-        let (rows, columns) = x.shape();
         let request = self
             .symbolic
             .solve_in_place_scratch::<f64>(columns, SEQUENTIAL);
         let mut memory = MemBuffer::try_new(request).ok()?;
         LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
             Conj::No,
-            MatMut::from_column_major_slice_mut(x.as_mut_slice(), rows, columns),
+            MatMut::from_column_major_slice_mut(x, rows, columns),
             SEQUENTIAL,
             MemStack::new(&mut memory),
         );
         Some(())
     }
 
-    /// Sets the rows of pinned unknowns to zero.
-    pub fn clear_pinned(&self, x: &mut DMatrix<f64>) {
-        for &pin in self.pins.unknowns() {
-            x.row_mut(pin).fill(0.0);
+    /// Sets the rows of pinned unknowns to zero in `x` (n x k, column by column).
+    pub fn clear_pinned(&self, x: &mut [f64]) {
+        for column in x.chunks_exact_mut(self.symbolic.nrows()) {
+            for &pin in self.pins.unknowns() {
+                column[pin] = 0.0;
+            }
         }
+    }
+
+    /// Largest sum of the absolute values of a column of the pinned matrix \[-\].
+    pub fn norm(&self) -> f64 {
+        self.norm
     }
 
     /// The smallest pivot: how close the matrix is to being singular.
@@ -128,29 +143,46 @@ impl Factor {
     }
 }
 
-/// Values of `e` with zeros in the rows and columns of pins, off the diagonal.
-fn pinned_values(e: &CsMat<f64>, pattern: &Pattern, pins: &Pins) -> Vec<f64> {
-    let mut values = e.data().to_vec();
+/// Zeros in the rows and columns of pins, off the diagonal.
+fn pin(e: &mut CsMatI<f64, u32>, pattern: &Pattern, pins: &Pins) {
     for &pin in pins.unknowns() {
         // the column below the diagonal entry, which comes first
         let column = e.indptr().outer_inds_sz(pin);
-        values[column]
+        e.data_mut()[column]
             .iter_mut()
             .skip(1)
-            .for_each(|value| *value = 0.0);
+            .for_each(|v| *v = 0.0);
 
         // the row left of the diagonal entry
         let (node, axis) = (pin / 3, pin % 3);
         for &other in pattern.neighbors(node) {
             let left = 3 * other as usize..pin.min(3 * other as usize + 3);
+            let starts = match other as usize > node {
+                true => continue,
+                false => pattern.block(node as u32, other),
+            };
             for column in left {
                 let b = column % 3;
                 let skipped = if other as usize == node { b } else { 0 };
-                values[pattern.entries(node as u32, other, b) + axis - skipped] = 0.0;
+                e.data_mut()[starts[b] + axis - skipped] = 0.0;
             }
         }
     }
-    values
+}
+
+/// Largest sum of absolute values of a column of the symmetric matrix whose lower
+/// triangle is given.
+fn one_norm(lower: &CsMatI<f64, u32>) -> f64 {
+    let mut sums = vec![0.0; lower.cols()];
+    for (j, column) in lower.outer_iterator().enumerate() {
+        for (i, value) in column.iter() {
+            sums[j] += value.abs();
+            if i != j {
+                sums[i] += value.abs();
+            }
+        }
+    }
+    sums.into_iter().fold(0.0, largest)
 }
 
 /// Fill-reducing order and structure of the factor; `None` without memory.
@@ -159,17 +191,17 @@ fn pinned_values(e: &CsMat<f64>, pattern: &Pattern, pins: &Pins) -> Vec<f64> {
 /// unknowns and with the same fill: the three unknowns of a node have the same
 /// neighbors.
 fn analyze(
-    structure: SymbolicSparseColMatRef<'_, usize>,
+    structure: SymbolicSparseColMatRef<'_, u32>,
     pattern: &Pattern,
-) -> Option<SymbolicCholesky<usize>> {
+) -> Option<SymbolicCholesky<u32>> {
     let order = order_of_nodes(pattern)?;
-    let forward: Vec<usize> = order
+    let forward: Vec<u32> = order
         .iter()
         .flat_map(|node| [3 * node, 3 * node + 1, 3 * node + 2])
         .collect();
     let mut inverse = vec![0; forward.len()];
     for (position, &unknown) in forward.iter().enumerate() {
-        inverse[unknown] = position;
+        inverse[unknown as usize] = position as u32;
     }
     let parameters = CholeskySymbolicParams {
         supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
@@ -185,15 +217,14 @@ fn analyze(
 }
 
 /// Approximate minimum degree order of the nodes.
-fn order_of_nodes(pattern: &Pattern) -> Option<Vec<usize>> {
+fn order_of_nodes(pattern: &Pattern) -> Option<Vec<u32>> {
     let (starts, neighbors) = pattern.adjacency();
-    let neighbors: Vec<usize> = neighbors.iter().map(|&node| node as usize).collect();
     let n = pattern.node_count();
-    let graph = SymbolicSparseColMatRef::new_checked(n, n, starts, None, &neighbors);
+    let graph = SymbolicSparseColMatRef::new_checked(n, n, starts, None, neighbors);
 
     let mut forward = vec![0; n];
     let mut inverse = vec![0; n];
-    let request = amd::order_scratch::<usize>(n, neighbors.len());
+    let request = amd::order_scratch::<u32>(n, neighbors.len());
     let mut memory = MemBuffer::try_new(request).ok()?;
     amd::order(
         &mut forward,
@@ -207,16 +238,18 @@ fn order_of_nodes(pattern: &Pattern) -> Option<Vec<usize>> {
 }
 
 /// Node of the unknown that stands at `index` of the factor.
-fn node_of_pivot(symbolic: &SymbolicCholesky<usize>, index: usize) -> usize {
+fn node_of_pivot(symbolic: &SymbolicCholesky<u32>, index: usize) -> usize {
     let last = symbolic.nrows().saturating_sub(1);
     let index = index.min(last);
-    let unknown = symbolic.perm().map_or(index, |perm| perm.arrays().0[index]);
+    let unknown = symbolic
+        .perm()
+        .map_or(index, |perm| perm.arrays().0[index] as usize);
     unknown / 3
 }
 
 /// The smallest ratio of a squared diagonal entry of the factor to the diagonal
 /// entry of the matrix; a ratio that is not a number counts as smallest.
-fn smallest_pivot(symbolic: &SymbolicCholesky<usize>, factor: &[f64], e: &CsMat<f64>) -> Pivot {
+fn smallest_pivot(symbolic: &SymbolicCholesky<u32>, factor: &[f64], e: &CsMatI<f64, u32>) -> Pivot {
     let mut smallest = Pivot {
         node: 0,
         ratio: f64::INFINITY,
@@ -225,15 +258,16 @@ fn smallest_pivot(symbolic: &SymbolicCholesky<usize>, factor: &[f64], e: &CsMat<
         return smallest;
     };
     for s in 0..blocks.n_supernodes() {
-        let (begin, end) = (blocks.supernode_begin()[s], blocks.supernode_end()[s]);
-        let first = blocks.col_ptr_for_val()[s];
-        let rows = (blocks.col_ptr_for_val()[s + 1] - first) / (end - begin);
+        let begin = blocks.supernode_begin()[s] as usize;
+        let end = blocks.supernode_end()[s] as usize;
+        let first = blocks.col_ptr_for_val()[s] as usize;
+        let rows = (blocks.col_ptr_for_val()[s + 1] as usize - first) / (end - begin);
         for column in begin..end {
             let local = column - begin;
             let pivot = factor[first + local * rows + local].powi(2);
             let unknown = symbolic
                 .perm()
-                .map_or(column, |perm| perm.arrays().0[column]);
+                .map_or(column, |perm| perm.arrays().0[column] as usize);
             let diagonal = e.data()[e.indptr().outer_inds_sz(unknown).start];
             let ratio = pivot / diagonal;
             if ratio.is_nan() || ratio < smallest.ratio {

@@ -1,4 +1,4 @@
-//! The equilibrium of a section, solved by one factorization.
+//! The equilibrium of a section, factored once.
 //!
 //! Sought are warping x and generalized strain y that balance given forces P'
 //! and theta when the warping has the given rate u' along the beam:
@@ -14,170 +14,95 @@
 //! | `x` | warping of the unknowns | n x k |
 //! | `y` | generalized strain | 6 x k |
 //! | `dq`, `dtheta` | what the state lacks of balance | n x k, 6 x k |
-//! | `z` | `E_ff^-1 R` | n x 6 |
-//!
-//! The imbalance is that of the stresses ([`internal_forces`]), exact to the
-//! round-off of the strains, and the factored matrix finds the correction; so
-//! the state is accurate even where the matrix is so badly conditioned that one
-//! solution keeps half of the digits only.
+//! | `z` | `E_ff^-1 [R, b]`, b a uniform load | n x 7 |
 //!
 //! The six rows of pinned unknowns are dropped: consistent forces meet them all
 //! the same, up to the sum of the round-off of all other rows.
+//!
+//! # References
+//! - W. W. Hager, *Condition estimates*, SIAM J. Sci. Stat. Comput. 5 (1984) 311-316.
 
 use super::factor::{Factor, FactorError};
 use super::pins::Pins;
-use crate::assembly::{Domain, Pattern, SectionMatrices, State, internal_forces, largest};
-use nalgebra::{Cholesky, DMatrix, Matrix6, Matrix6xX, U6};
-
-/// Corrections at most, the first of which is the solution itself. One or two
-/// more are the rule, all of them the mark of a section near the limit.
-const CORRECTIONS: usize = 12;
-
-/// Largest ratio of a correction to the one before: beyond it corrections do not
-/// lead anywhere, and the checks of the solution decide.
-const SLOW: f64 = 0.5;
-
-/// Size of a correction, relative to the state, after which no other is worth its
-/// price: the next would be smaller by as much again, which is below round-off.
-const SMALL_CORRECTION: f64 = 1e-9;
+use crate::assembly::{Pattern, SectionMatrices};
+use nalgebra::{Cholesky, DMatrix, DMatrixViewMut, Matrix6, Matrix6xX, U6};
 
 /// The factored equilibrium.
 #[derive(Debug)]
-pub struct CentralSystem<'a> {
-    domain: &'a Domain,
-    matrices: &'a SectionMatrices,
+pub struct CentralSystem {
     factor: Factor,
+    r: DMatrix<f64>,
     z: DMatrix<f64>,
     schur: Cholesky<f64, U6>,
+    condition: f64,
 }
 
-/// Warping and generalized strain in balance with given forces.
-#[derive(Debug, Clone)]
-pub struct BalancedState {
-    /// Warping, n x k, pinned unknowns zero, in the units of the domain \[-\].
-    pub x: DMatrix<f64>,
-    /// Generalized strain, 6 x k, in the units of the domain \[-\].
-    pub y: Matrix6xX<f64>,
-    /// Size of the last correction relative to the state \[-\]: how far the
-    /// state was off before it.
-    pub correction: f64,
-}
-
-impl<'a> CentralSystem<'a> {
+impl CentralSystem {
     /// Factors the system of `matrices`, with `pins` held.
     ///
     /// # Errors
     /// [`FactorError`] when E is not positive definite with the pins held, or
     /// the Schur complement is not.
     pub fn new(
-        domain: &'a Domain,
         pattern: &Pattern,
-        matrices: &'a SectionMatrices,
+        matrices: SectionMatrices,
         pins: Pins,
     ) -> Result<Self, FactorError> {
-        let factor = Factor::new(&matrices.e, pattern, pins)?;
-        let mut z = matrices.r.clone();
-        factor.solve(&mut z).ok_or(FactorError::OutOfMemory)?;
+        let SectionMatrices { e, r, a } = matrices;
+        let factor = Factor::new(e, pattern, pins)?;
+        // R, and a uniform load that measures the condition in the same pass
+        let n = r.nrows();
+        let mut z = DMatrix::from_element(n, 7, 1.0 / n as f64);
+        z.columns_mut(0, 6).copy_from(&r);
+        factor
+            .solve(z.as_mut_slice())
+            .ok_or(FactorError::OutOfMemory)?;
+        let condition = factor.norm() * z.column(6).lp_norm(1);
 
-        let rz: Matrix6<f64> = matrices.r.tr_mul(&z).fixed_view::<6, 6>(0, 0).into();
-        let schur = matrices.a - 0.5 * (rz + rz.transpose());
+        let rz: Matrix6<f64> = r.tr_mul(&z.columns(0, 6)).fixed_view::<6, 6>(0, 0).into();
+        let schur = a - 0.5 * (rz + rz.transpose());
         let not_positive = FactorError::NotPositive(factor.smallest_pivot());
         Ok(Self {
-            domain,
-            matrices,
-            z,
+            condition,
             schur: Cholesky::new(schur).ok_or(not_positive)?,
+            r,
+            z,
             factor,
         })
     }
 
-    /// The state that balances the forces `p` = P' (n x k) and `theta` (6 x k),
-    /// given the rate of the warping; `None` when there is no memory for it.
-    pub fn balance(
-        &self,
-        rate: Option<&DMatrix<f64>>,
-        p: &DMatrix<f64>,
-        theta: &Matrix6xX<f64>,
-    ) -> Option<BalancedState> {
-        let k = p.ncols();
-        let mut state = BalancedState {
-            x: DMatrix::zeros(p.nrows(), k),
-            y: Matrix6xX::zeros(k),
-            correction: f64::INFINITY,
-        };
-        let (mut dq, mut dtheta) = (p.clone(), theta.clone());
-        if rate.is_some() {
-            (dq, dtheta) = self.imbalance(rate, p, theta, &state);
-        }
-        for _ in 0..CORRECTIONS {
-            let (dx, dy) = self.correction(dq, dtheta)?;
-            state.x += &dx;
-            state.y += &dy;
-            let last = state.correction;
-            state.correction = relative_size((&dx, &dy), (&state.x, &state.y));
-            // written so that not a number ends it too
-            let worth_another =
-                state.correction > SMALL_CORRECTION && state.correction < SLOW * last;
-            if !worth_another {
-                break;
-            }
-            (dq, dtheta) = self.imbalance(rate, p, theta, &state);
-        }
-        Some(state)
+    /// The states (x, y) that balance six internal forces `theta` alone: no rate and
+    /// no P', so that `x = -Z y` needs no solution with E.
+    pub fn balance_of(&self, theta: &Matrix6<f64>) -> (DMatrix<f64>, Matrix6<f64>) {
+        let y = self.schur.solve(theta);
+        let mut x = DMatrix::zeros(self.r.nrows(), 6);
+        x.gemm(-1.0, &self.z.columns(0, 6), &y, 0.0);
+        (x, y)
     }
 
-    /// What `state` lacks of balance: P' - Q and theta less that of the state.
-    fn imbalance(
-        &self,
-        rate: Option<&DMatrix<f64>>,
-        p: &DMatrix<f64>,
-        theta: &Matrix6xX<f64>,
-        state: &BalancedState,
-    ) -> (DMatrix<f64>, Matrix6xX<f64>) {
-        let k = p.ncols();
-        let mut strain = Matrix6::zeros();
-        strain.columns_mut(0, k).copy_from(&state.y);
-        let of_stress = State {
-            rate,
-            warping: Some(&state.x),
-            strain: &strain,
-        };
-        let forces = internal_forces(self.domain, of_stress, k);
-        (p - forces.within, theta - forces.resultant.columns(0, k))
-    }
-
+    /// Replaces missing forces `dq` (n x k, column by column) and `dtheta` (6 x k) by
+    /// the changes of state that they ask for; `None` when there is no memory for it.
+    ///
     /// `S dy = dtheta - R' E_ff^-1 dQ`, `dx = E_ff^-1 dQ - Z dy`.
-    fn correction(
-        &self,
-        mut dq: DMatrix<f64>,
-        dtheta: Matrix6xX<f64>,
-    ) -> Option<(DMatrix<f64>, Matrix6xX<f64>)> {
-        if dq.amax() != 0.0 {
-            self.factor.solve(&mut dq)?;
-        }
-        let dy = self.schur.solve(&(dtheta - self.matrices.r.tr_mul(&dq)));
-        let dx = dq - &self.z * &dy;
-        Some((dx, dy))
+    pub fn correct(&self, dq: &mut [f64], dtheta: &mut Matrix6xX<f64>) -> Option<()> {
+        self.factor.solve(dq)?;
+        let (n, k) = (self.r.nrows(), dtheta.ncols());
+        let mut dx = DMatrixViewMut::from_slice(dq, n, k);
+        *dtheta = self.schur.solve(&(&*dtheta - self.r.tr_mul(&dx)));
+        dx.gemm(-1.0, &self.z.columns(0, 6), dtheta, 1.0);
+        Some(())
     }
 
     /// The factorization of E.
     pub fn factor(&self) -> &Factor {
         &self.factor
     }
-}
 
-/// Size of a change of state relative to the state, the largest over its k cases.
-///
-/// In the units of the domain a warping of 1 and a generalized strain of 1 move
-/// the section alike, so the larger of the two is the size.
-fn relative_size(
-    (dx, dy): (&DMatrix<f64>, &Matrix6xX<f64>),
-    (x, y): (&DMatrix<f64>, &Matrix6xX<f64>),
-) -> f64 {
-    let size = |x: &DMatrix<f64>, y: &Matrix6xX<f64>, case: usize| {
-        x.column(case).amax().max(y.column(case).amax())
-    };
-    (0..x.ncols())
-        .map(|case| size(dx, dy, case) / size(x, y, case))
-        .fold(0.0, largest)
+    /// Estimate, from below, of the condition number of E in the 1-norm \[-\]:
+    /// `|E| |E^-1 b|` for the uniform load b of unit norm, the start of Hager's
+    /// iteration. The load has a resultant, which the pins take up: it moves the section
+    /// as far as loads do.
+    pub fn condition(&self) -> f64 {
+        self.condition
+    }
 }

@@ -46,6 +46,7 @@ fn all_files_are_written_and_listed() {
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let report = place.read("results/strip.report.txt");
     let list = "\nWritten\n  results/strip.properties.json\n  results/strip.report.txt\n  \
+        results/strip.areas.csv\n  results/strip.constants.csv\n  \
         results/strip.mesh.png\n  results/strip.warping.png\n  \
         results/strip.warping.vtu\n";
     assert_eq!(run.out, report + list);
@@ -89,6 +90,77 @@ fn property_file_holds_the_properties() {
         (properties.provenance.nodes, properties.provenance.cells),
         (165, 32)
     );
+}
+
+/// A row a region and one of the sum: A = b h, Izz = h b^3/12 and so on of the strip in
+/// SI, to round-off; every number with all its digits. Gamma of a strip is `b^3 h^3/144`
+/// but for its ends, 4.8 (h/b)^2 = 2 % of it.
+#[test]
+fn tables_hold_areas_and_constants() {
+    let place = strip();
+    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+    let (b, h) = (0.0254_f64, 0.063 * 0.0254_f64);
+
+    let areas = place.read("results/strip.areas.csv");
+    let rows: Vec<Vec<&str>> = areas
+        .lines()
+        .map(|line| line.split(',').collect())
+        .collect();
+    assert_eq!(rows.len(), 3);
+    assert_eq!((rows[1][0], rows[2][0]), ("section", "total"));
+    assert_eq!(rows[1][1..], rows[2][1..]);
+    let column = |name: &str| {
+        let place = rows[0].iter().position(|heading| *heading == name);
+        rows[2][place.unwrap_or_else(|| panic!("no column {name}"))]
+            .parse::<f64>()
+            .unwrap()
+    };
+    for (name, expected) in [
+        ("cells", 32.0),
+        ("area_m2", b * h),
+        ("iyy_m4", b * h.powi(3) / 12.0),
+        ("central_izz_m4", b.powi(3) * h / 12.0),
+        ("perimeter_m", 2.0 * (b + h)),
+        ("outer_perimeter_m", 2.0 * (b + h)),
+    ] {
+        let found = column(name);
+        assert!((found / expected - 1.0).abs() < 1e-12, "{name}: {found}");
+    }
+    assert_eq!((column("holes"), column("hole_perimeter_m")), (0.0, 0.0));
+
+    let constants = place.read("results/strip.constants.csv");
+    assert!(constants.starts_with("quantity,value,unit\nshear_flow_center_y,"));
+    let gamma = constants.lines().find_map(|line| {
+        let value = line.strip_prefix("warping_constant,")?;
+        value.strip_suffix(",m^6")?.parse::<f64>().ok()
+    });
+    let gamma = gamma.unwrap_or_else(|| panic!("{constants}"));
+    let ends = 1.0 - gamma / ((b * h).powi(3) / 144.0);
+    assert!((ends / (4.8 * (h / b).powi(2)) - 1.0).abs() < 0.1, "{ends}");
+}
+
+/// A ply has no constants of restrained warping: the report says why, and the table of
+/// an earlier run goes.
+#[test]
+fn anisotropic_sections_have_no_constants() {
+    let place = strip();
+    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+    assert!(place.path("results/strip.constants.csv").exists());
+    let ply = "e1 = 2e7\ne2 = 1e6\ne3 = 1e6\ng12 = 7e5\ng13 = 7e5\ng23 = 4e5\n\
+        nu12 = 0.3\nnu13 = 0.3\nnu23 = 0.4";
+    let text = STRIP.replace("young = 10.6e6\npoisson = 0.325", ply);
+    place.write("strip.section.toml", &text);
+    let run = place.run(&["analyze", "strip.section.toml"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(
+        run.out.contains(
+            "\nRestrained warping\n  not given: material \"aluminum\" is not isotropic; "
+        ),
+        "{}",
+        run.out
+    );
+    assert!(!run.out.contains("constants.csv"));
+    assert!(!place.path("results/strip.constants.csv").exists());
 }
 
 #[test]
@@ -291,6 +363,7 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
     );
     assert!(place.path("results/a.mesh.png").exists());
     assert!(!place.path("results/a.properties.json").exists());
-    assert!(!place.path("results/a.warping.png").exists());
-    assert!(!place.path("results/a.warping.vtu").exists());
+    for file in ["warping.png", "warping.vtu", "areas.csv", "constants.csv"] {
+        assert!(!place.path(&format!("results/a.{file}")).exists(), "{file}");
+    }
 }

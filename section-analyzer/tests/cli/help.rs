@@ -22,6 +22,10 @@ fn help_teaches_with_an_example() {
             "section-analyzer check blade/root.section.toml",
         ),
         (
+            &["stress", "--help"],
+            "section-analyzer stress blade/root.section.toml --axial 1e3",
+        ),
+        (
             &["mesh", "rectangle", "--help"],
             "section-analyzer mesh rectangle --width 1",
         ),

@@ -7,4 +7,5 @@ mod analyze;
 mod bad_files;
 mod bad_section;
 mod help;
+mod stress;
 mod workplace;

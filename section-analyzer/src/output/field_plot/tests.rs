@@ -10,10 +10,11 @@ use crate::input::InputSummary;
 use crate::mesh::generate::Tube;
 use crate::output::samples::{bending, recovery, rectangle, section};
 use crate::output::stress_plots;
+use crate::properties::AreaTable;
 use crate::recovery::Recovery;
 
 /// The summary of a section declared in millimeters.
-fn summary() -> InputSummary {
+fn summary(section: &Section) -> InputSummary {
     InputSummary {
         file: "a.section.toml".into(),
         mesh_file: "a.msh".into(),
@@ -22,6 +23,7 @@ fn summary() -> InputSummary {
         length_factor: 1e-3,
         kinds: Vec::new(),
         regions: Vec::new(),
+        areas: AreaTable::by_group(section),
         warnings: Vec::new(),
     }
 }
@@ -33,7 +35,7 @@ fn drawn(
     failure: &[(String, Vec<f64>)],
 ) -> Vec<(&'static str, String)> {
     let folder = tempfile::tempdir().unwrap();
-    let plots = stress_plots(section, &summary(), recovery, failure);
+    let plots = stress_plots(section, &summary(section), recovery, failure);
     let drawn = plots.into_iter().map(|(word, plot)| {
         let path = folder.path().join("a.svg");
         save(&path, plot.size(), &plot).unwrap();
@@ -156,7 +158,7 @@ fn thin_walls_are_drawn_thicker_on_both_sides() {
     let recovery = recovery(&section, "torque", Vector6::zeros(), |_, place| {
         Vector6::new(1e9 * (radius(place) - 0.0995), 0.0, 0.0, 0.0, 0.0, 0.0)
     });
-    let mut plots = stress_plots(&section, &summary(), &recovery, &[]);
+    let mut plots = stress_plots(&section, &summary(&section), &recovery, &[]);
     let (_, plot) = plots.remove(0);
     let scale = plot.plane.scale;
     let swelling = plot.swelling();

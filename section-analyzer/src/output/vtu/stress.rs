@@ -3,7 +3,6 @@
 use nalgebra::Vector6;
 
 use super::grid::FieldFile;
-use crate::output::measures::von_mises;
 use crate::recovery::{Recovery, Tensors};
 use crate::section::Section;
 use crate::solution::SectionSolution;
@@ -65,7 +64,7 @@ fn add_tensors(tensors: &[Tensors], prefix: &str, mut add: impl FnMut(&str, u32,
         ("strain", |t| t.strain, SECTION_AXES),
         ("strain", |t| t.material_strain, MATERIAL_AXES),
     ];
-    let equivalent = tensors.iter().map(|t| von_mises(&t.stress) as f32);
+    let equivalent = tensors.iter().map(|t| t.von_mises() as f32);
     add(&format!("{prefix}von_mises"), 1, equivalent.collect());
     for (kind, take, names) in kinds {
         for (component, name) in names.iter().enumerate() {

@@ -1,0 +1,184 @@
+//! A composite box of 24 plies at three sizes, from the section file to the
+//! properties: time of each stage by criterion, then the shares and the growth of
+//! the total as ratios within the run.
+//!
+//! The mesh is `tests/reference/sections/box_CUS_45_m45.v41.msh` with each triangle
+//! cut into r x r: 2 000, 7 600 and 46 000 nodes for r = 1, 2, 5.
+
+use std::fs;
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use cpu_time::ThreadTime;
+use criterion::{BenchmarkId, Criterion};
+use section_analyzer::analysis::analyze;
+use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
+use section_analyzer::input;
+use section_analyzer::section::Section;
+use section_analyzer::solve::{CentralSolution, CentralSystem, Factor, Pins};
+use shared_geom::gmsh;
+use shared_geom::mesh::Mesh;
+
+mod refine;
+
+const MESH: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../tests/reference/sections/box_CUS_45_m45.v41.msh"
+);
+
+const MATERIAL: &str = "\
+[material.graphite]
+e1 = 141.96304663e9
+e2 = 9.79055494e9
+e3 = 9.79055494e9
+g12 = 5.99843859e9
+g13 = 5.99843859e9
+g23 = 4.798750872e9
+nu12 = 0.3
+nu13 = 0.3
+nu23 = 0.34
+density = 1550.0
+";
+
+/// Writes the box refined by `r` into `folder`; gives its section file.
+fn write_case(mesh: &Mesh, r: usize, folder: &Path) -> PathBuf {
+    let mesh_name = format!("box_{r}.msh");
+    let refined = refine::refined(mesh, r);
+    fs::write(folder.join(&mesh_name), gmsh::write(&refined)).expect("a folder to write to");
+
+    let mut text = format!("units = \"SI\"\nmesh = \"{mesh_name}\"\n{MATERIAL}");
+    for group in &mesh.groups {
+        // groups 10 to 15 are the plies of the upper wall, from the outside; each wall
+        // adds 10 and turns by 90 deg; the inner two plies of six run the other way
+        let plane = 90 * (group.tag / 10 - 1);
+        let fiber = if group.tag % 10 < 4 { 45 } else { -45 };
+        text += &format!(
+            "[[region]]\ngroup = \"{}\"\nmaterial = \"graphite\"\n\
+             fiber_angle = \"{fiber} deg\"\nplane_angle = \"{plane} deg\"\n",
+            group.label()
+        );
+    }
+    let file = folder.join(format!("box_{r}.section.toml"));
+    fs::write(&file, text).expect("a folder to write to");
+    file
+}
+
+fn section(file: &Path) -> Section {
+    input::read(file)
+        .unwrap_or_else(|problems| panic!("{problems}"))
+        .section
+}
+
+/// The shortest processor time of the runs within a second, five at least: on a
+/// machine that does other things as well it is the steadiest figure.
+fn shortest<T>(mut work: impl FnMut() -> T) -> Duration {
+    let (begin, mut best, mut runs) = (Instant::now(), Duration::MAX, 0);
+    while runs < 5 || begin.elapsed() < Duration::from_secs(1) {
+        let start = ThreadTime::now();
+        black_box(work());
+        best = best.min(start.elapsed());
+        runs += 1;
+    }
+    best
+}
+
+/// Shortest times of the parts of one case.
+struct Times {
+    nodes: usize,
+    read: Duration,
+    prepare: Duration,
+    assemble: Duration,
+    bare: Duration,
+    solve: Duration,
+    central: Duration,
+    analyze: Duration,
+    total: Duration,
+}
+
+impl Times {
+    fn of(file: &Path) -> Self {
+        let read = shortest(|| section(file));
+        let section = section(file);
+        let domain = Domain::new(&section).expect("a sound section");
+        let pattern = Pattern::new(&domain);
+        let matrices = SectionMatrices::assemble(&domain, &pattern).expect("sound cells");
+        let pins = Pins::choose(&domain.nodes).expect("a plane section");
+        let factor = Factor::new(matrices.e.clone(), &pattern, pins).expect("a connected section");
+        let system =
+            CentralSystem::new(&pattern, matrices.clone(), pins).expect("a connected section");
+        Self {
+            nodes: domain.nodes.len(),
+            read,
+            prepare: shortest(|| Domain::new(&section).map(|domain| Pattern::new(&domain))),
+            assemble: shortest(|| SectionMatrices::assemble(&domain, &pattern)),
+            bare: shortest(|| Factor::new(matrices.e.clone(), &pattern, pins)),
+            solve: shortest(|| {
+                let mut right = matrices.r.clone();
+                factor.solve(right.as_mut_slice())
+            }),
+            central: shortest(|| CentralSolution::solve(&domain, &system)),
+            analyze: shortest(|| analyze(&section)),
+            total: shortest(|| analyze(&input::read(file).expect("a sound file").section)),
+        }
+    }
+}
+
+/// Prints the times and their ratios.
+fn ratios(files: &[PathBuf]) {
+    let times: Vec<Times> = files.iter().map(|file| Times::of(file)).collect();
+    println!("\n nodes |   read prepare assemble factor solve6 central | analyze  total [ms]");
+    for t in &times {
+        let ms = |time: Duration| time.as_secs_f64() * 1e3;
+        println!(
+            "{:6} | {:6.1} {:7.1} {:8.1} {:6.1} {:6.1} {:7.1} | {:7.1} {:6.1}",
+            t.nodes,
+            ms(t.read),
+            ms(t.prepare),
+            ms(t.assemble),
+            ms(t.bare),
+            ms(t.solve),
+            ms(t.central),
+            ms(t.analyze),
+            ms(t.total)
+        );
+    }
+    println!("\n nodes | (factor+12 solves)/total  read/total  total/(factor+12 solves)");
+    for t in &times {
+        let core = t.bare.as_secs_f64() + 2.0 * t.solve.as_secs_f64();
+        let total = t.total.as_secs_f64();
+        println!(
+            "{:6} | {:24.2} {:11.2} {:25.2}",
+            t.nodes,
+            core / total,
+            t.read.as_secs_f64() / total,
+            total / core
+        );
+    }
+    if let [first, .., last] = &times[..] {
+        let growth = (last.total.as_secs_f64() / first.total.as_secs_f64()).ln()
+            / (last.nodes as f64 / first.nodes as f64).ln();
+        println!("\ngrowth exponent of the total: {growth:.2}");
+    }
+}
+
+fn main() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mesh = gmsh::read_file(Path::new(MESH)).expect("the reference mesh");
+    let files = [1, 2, 5].map(|r| write_case(&mesh, r, folder.path()));
+
+    let mut criterion = Criterion::default().configure_from_args().sample_size(10);
+    let mut group = criterion.benchmark_group("box");
+    for file in &files {
+        let section = section(file);
+        let nodes = section.mesh.nodes.len();
+        group.bench_function(BenchmarkId::new("read", nodes), |b| {
+            b.iter(|| black_box(input::read(file).is_ok()));
+        });
+        group.bench_function(BenchmarkId::new("analyze", nodes), |b| {
+            b.iter(|| black_box(analyze(&section).is_ok()));
+        });
+    }
+    group.finish();
+    ratios(&files);
+}

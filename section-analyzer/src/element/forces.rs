@@ -1,0 +1,299 @@
+//! The forces of a given state of one cell, by integration of its stresses.
+//!
+//! ```text
+//! eps   = S N u' + Dop N u + Bpsi psi      sigma = D eps
+//! Q     = int B0' sigma dA                 at the nodes, within the section
+//! P     = int B1' sigma dA                 at the nodes, on the face
+//! theta = int Bpsi' sigma dA               internal force
+//! W     = int eps' sigma dA                work of each case on each
+//! ```
+//!
+//! This is the innermost loop of the program next to the factorization: six cases go
+//! side by side through plain arrays, so that the compiler uses the widest registers
+//! of the machine.
+//!
+//! Derivatives are taken of the differences from the first node, which is the same in
+//! exact arithmetic (the derivatives of the shape functions add up to zero) and loses
+//! no digits when the cell moves much more than it strains: walls of thin sections do.
+//!
+//! # References
+//! - Giavotto et al. 1983, section 2: the strain of a straight section.
+
+use super::point::{CellPoint, RulePoint};
+use nalgebra::Matrix6;
+
+/// Cases side by side: six, and two that stay empty and make whole registers.
+const CASES: usize = 8;
+
+/// A number for each case.
+type Row = [f64; CASES];
+
+/// How `a b + c` is rounded: machines that have it in one instruction round once.
+pub trait Product {
+    /// `a b + c`.
+    fn add(a: f64, b: f64, c: f64) -> f64;
+}
+
+/// Rounded once.
+#[derive(Debug, Clone, Copy)]
+pub struct Fused;
+
+/// Rounded twice.
+#[derive(Debug, Clone, Copy)]
+pub struct Plain;
+
+impl Product for Fused {
+    #[inline(always)]
+    fn add(a: f64, b: f64, c: f64) -> f64 {
+        a.mul_add(b, c)
+    }
+}
+
+impl Product for Plain {
+    #[inline(always)]
+    fn add(a: f64, b: f64, c: f64) -> f64 {
+        a * b + c
+    }
+}
+
+/// A field at the nodes of a cell, `[node][component][case]`; entries behind its
+/// node count are not read.
+pub type CellField = [[Row; 3]; 9];
+
+/// No displacement at any node.
+pub const NO_FIELD: CellField = [[[0.0; CASES]; 3]; 9];
+
+/// Forces and work of a cell's stresses, in six cases.
+#[derive(Debug, Clone)]
+pub struct CellForces {
+    /// Q: `[node][component][case]`.
+    pub within: CellField,
+    /// P: `[node][component][case]`.
+    pub face: CellField,
+    /// theta: `[component][case]`.
+    resultant: [Row; 6],
+    /// W: `[case][case]`.
+    work: [Row; 6],
+}
+
+/// What six cases strain a cell with.
+#[derive(Debug, Clone)]
+pub struct CellState {
+    /// u': rate of the warping along the beam.
+    pub rate: CellField,
+    /// u: warping.
+    pub warping: CellField,
+}
+
+impl CellForces {
+    /// No forces yet.
+    pub const NONE: Self = Self {
+        within: NO_FIELD,
+        face: NO_FIELD,
+        resultant: [[0.0; CASES]; 6],
+        work: [[0.0; CASES]; 6],
+    };
+
+    /// Adds the stresses of `state` with the generalized strain `psi`, at the points of
+    /// the rule of a cell with `nodes` (y, z) and the law `law`, order
+    /// yz yy zz xx xy xz.
+    #[inline(always)]
+    pub fn add<P: Product>(
+        &mut self,
+        (rule, nodes): (&[RulePoint], &[[f64; 2]]),
+        law: &[[f64; 6]; 6],
+        state: &CellState,
+        psi: &[Row; 6],
+    ) {
+        let mut difference = state.warping;
+        for node in (0..9).rev() {
+            for axis in 0..3 {
+                for k in 0..CASES {
+                    difference[node][axis][k] -= state.warping[0][axis][k];
+                }
+            }
+        }
+        for point in rule {
+            let point = point.of_cell(nodes);
+            let strain = strain::<P>(&point, &state.rate, &difference, psi);
+            let stress = stress::<P>(law, &strain, point.area);
+            self.add_point::<P>(&point, &strain, &stress);
+        }
+    }
+
+    #[inline(always)]
+    fn add_point<P: Product>(&mut self, point: &CellPoint, strain: &[Row; 6], stress: &[Row; 6]) {
+        let [yz, yy, zz, xx, xy, xz] = stress;
+        for node in 0..point.count {
+            let (n, dy, dz) = (point.n[node], point.dy[node], point.dz[node]);
+            let (within, face) = (&mut self.within[node], &mut self.face[node]);
+            for k in 0..CASES {
+                within[0][k] = P::add(dy, xy[k], P::add(dz, xz[k], within[0][k]));
+                within[1][k] = P::add(dy, yy[k], P::add(dz, yz[k], within[1][k]));
+                within[2][k] = P::add(dy, yz[k], P::add(dz, zz[k], within[2][k]));
+                face[0][k] = P::add(n, xx[k], face[0][k]);
+                face[1][k] = P::add(n, xy[k], face[1][k]);
+                face[2][k] = P::add(n, xz[k], face[2][k]);
+            }
+        }
+        let (y, z) = (point.y, point.z);
+        let theta = &mut self.resultant;
+        for k in 0..CASES {
+            theta[0][k] += xx[k];
+            theta[1][k] += xy[k];
+            theta[2][k] += xz[k];
+            theta[3][k] += y * xz[k] - z * xy[k];
+            theta[4][k] += z * xx[k];
+            theta[5][k] -= y * xx[k];
+        }
+        for (strain, stress) in strain.iter().zip(stress) {
+            for (i, work) in self.work.iter_mut().enumerate() {
+                for k in 0..CASES {
+                    work[k] = P::add(strain[i], stress[k], work[k]);
+                }
+            }
+        }
+    }
+
+    /// theta, a column for each case.
+    pub fn resultant(&self) -> Matrix6<f64> {
+        Matrix6::from_fn(|i, k| self.resultant[i][k])
+    }
+
+    /// W: work of the stresses of case k on the strains of case i.
+    pub fn work(&self) -> Matrix6<f64> {
+        Matrix6::from_fn(|i, k| self.work[i][k])
+    }
+
+    /// Clears the forces at the nodes, to go on with the next cell.
+    #[inline(always)]
+    pub fn clear_nodes(&mut self) {
+        self.within = NO_FIELD;
+        self.face = NO_FIELD;
+    }
+}
+
+/// Rows of a matrix, a case for each column.
+pub fn rows_of(matrix: &Matrix6<f64>) -> [Row; 6] {
+    let entry = |i, k| if k < 6 { matrix[(i, k)] } else { 0.0 };
+    std::array::from_fn(|i| std::array::from_fn(|k| entry(i, k)))
+}
+
+/// `eps = S N u' + Dop N u + Bpsi psi`, order yz yy zz xx xy xz.
+#[inline(always)]
+fn strain<P: Product>(
+    point: &CellPoint,
+    rate: &CellField,
+    difference: &CellField,
+    psi: &[Row; 6],
+) -> [Row; 6] {
+    let (y, z) = (point.y, point.z);
+    let [mut yz, mut yy, mut zz, mut xx, mut xy, mut xz] = [[0.0; CASES]; 6];
+    for k in 0..CASES {
+        xx[k] = psi[0][k] + z * psi[4][k] - y * psi[5][k];
+        xy[k] = psi[1][k] - z * psi[3][k];
+        xz[k] = psi[2][k] + y * psi[3][k];
+    }
+    for node in 0..point.count {
+        let (n, dy, dz) = (point.n[node], point.dy[node], point.dz[node]);
+        let ([ux, uy, uz], [rx, ry, rz]) = (&difference[node], &rate[node]);
+        for k in 0..CASES {
+            xx[k] = P::add(n, rx[k], xx[k]);
+            xy[k] = P::add(n, ry[k], P::add(dy, ux[k], xy[k]));
+            xz[k] = P::add(n, rz[k], P::add(dz, ux[k], xz[k]));
+            yy[k] = P::add(dy, uy[k], yy[k]);
+            zz[k] = P::add(dz, uz[k], zz[k]);
+            yz[k] = P::add(dz, uy[k], P::add(dy, uz[k], yz[k]));
+        }
+    }
+    [yz, yy, zz, xx, xy, xz]
+}
+
+/// `D eps`, times the area of the point.
+#[inline(always)]
+fn stress<P: Product>(law: &[[f64; 6]; 6], strain: &[Row; 6], area: f64) -> [Row; 6] {
+    let mut stress = [[0.0; CASES]; 6];
+    for (stress, law) in stress.iter_mut().zip(law) {
+        for (strain, entry) in strain.iter().zip(law) {
+            let entry = area * entry;
+            for k in 0..CASES {
+                stress[k] = P::add(entry, strain[k], stress[k]);
+            }
+        }
+    }
+    stress
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::{NO_COLUMNS, NodalColumns, cell_points, rule_points, strain_at};
+    use approx::assert_relative_eq;
+    use nalgebra::Matrix3x6;
+    use shared_geom::mesh::CellKind;
+
+    const NODES: [[f64; 2]; 9] = [
+        [0.0, 0.1],
+        [1.1, 0.0],
+        [1.0, 0.9],
+        [-0.1, 1.0],
+        [0.5, -0.1],
+        [1.1, 0.5],
+        [0.4, 1.0],
+        [0.0, 0.5],
+        [0.5, 0.5],
+    ];
+
+    fn field(seed: usize) -> (CellField, NodalColumns) {
+        let (mut field, mut columns) = (NO_FIELD, NO_COLUMNS);
+        for node in 0..9 {
+            columns[node] = Matrix3x6::from_fn(|i, k| {
+                (((node + seed) * 31 + i * 17 + k * 7) % 23) as f64 / 11.0 - 1.0
+            });
+            for axis in 0..3 {
+                for k in 0..6 {
+                    field[node][axis][k] = columns[node][(axis, k)];
+                }
+            }
+        }
+        (field, columns)
+    }
+
+    /// Oracle: the plain strain of [`strain_at`], and work that adds up: the work of
+    /// the stresses is that of the forces at the nodes and of the internal force.
+    #[test]
+    fn forces_are_those_of_the_plain_strains() {
+        let law = Matrix6::from_fn(|i, j| if i == j { 3.0 } else { 0.1 * (i + j) as f64 });
+        let law_rows = std::array::from_fn(|i| std::array::from_fn(|j| law[(i, j)]));
+        let psi = Matrix6::from_fn(|i, j| ((3 * i + 5 * j) % 7) as f64 - 3.0);
+        let ((rate, rate_columns), (warping, warping_columns)) = (field(1), field(4));
+        for kind in CellKind::ALL {
+            let nodes = &NODES[..kind.node_count()];
+            let mut forces = CellForces::NONE;
+            let state = CellState { rate, warping };
+            let cell = (rule_points(kind), nodes);
+            forces.add::<Fused>(cell, &law_rows, &state, &rows_of(&psi));
+            let mut plain = CellForces::NONE;
+            plain.add::<Plain>(cell, &law_rows, &state, &rows_of(&psi));
+            assert_relative_eq!(forces.work(), plain.work(), max_relative = 1e-12);
+
+            let mut work = Matrix6::zeros();
+            for point in cell_points(kind, nodes) {
+                let strain = strain_at(&point, Some(&rate_columns), Some(&warping_columns), &psi);
+                work += point.area * strain.transpose() * law * strain;
+            }
+            assert_relative_eq!(forces.work(), work, epsilon = 1e-13 * work.amax());
+
+            let mut of_forces = psi.transpose() * forces.resultant();
+            for node in 0..kind.node_count() {
+                for axis in 0..3 {
+                    for (i, k) in (0..6).flat_map(|i| (0..6).map(move |k| (i, k))) {
+                        of_forces[(i, k)] += rate[node][axis][i] * forces.face[node][axis][k]
+                            + warping[node][axis][i] * forces.within[node][axis][k];
+                    }
+                }
+            }
+            assert_relative_eq!(of_forces, work, epsilon = 1e-13 * work.amax());
+        }
+    }
+}

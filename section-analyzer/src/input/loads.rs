@@ -1,0 +1,72 @@
+//! Load cases as written: `[load.NAME]`.
+
+use nalgebra::Vector6;
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::problem::InputProblem;
+use crate::recovery::LoadCase;
+
+/// Keys of the six components, in their order, with what each measures.
+pub const LOAD_KEYS: [(&str, Dimension); 6] = [
+    ("axial", Dimension::FORCE),
+    ("shear_y", Dimension::FORCE),
+    ("shear_z", Dimension::FORCE),
+    ("torsion", Dimension::MOMENT),
+    ("bending_y", Dimension::MOMENT),
+    ("bending_z", Dimension::MOMENT),
+];
+
+/// Whether a load case can have this name: it becomes part of file names.
+pub fn is_load_name(name: &str) -> bool {
+    let fits = |letter: char| letter.is_alphanumeric() || letter == '-' || letter == '_';
+    !name.is_empty() && name.chars().all(fits)
+}
+
+/// Reads every `[load.NAME]`; those that are wrong are noted and left out.
+pub(super) fn read(root: &Table<'_>) -> Vec<LoadCase> {
+    let tables = root.named_tables("load");
+    tables
+        .into_iter()
+        .filter_map(|(name, table)| {
+            let load = read_one(&name, &table);
+            table.finish();
+            load
+        })
+        .collect()
+}
+
+fn read_one(name: &str, table: &Table<'_>) -> Option<LoadCase> {
+    let load = name.to_owned();
+    if !is_load_name(name) {
+        table.note("", &InputProblem::LoadName { load: load.clone() });
+    }
+    // Every key is asked for before the first wrong one ends the reading.
+    let read = LOAD_KEYS.map(|(key, dimension)| match table.has(key) {
+        true => table.quantity(key, dimension),
+        false => Some(0.0),
+    });
+    let point = point(table);
+    let components: Option<Vec<f64>> = read.into_iter().collect();
+    let force = Vector6::from_vec(components?);
+    if force == Vector6::zeros() {
+        table.note("", &InputProblem::ZeroLoad { load });
+        return None;
+    }
+    Some(LoadCase::at_point(load, &force, point?))
+}
+
+/// Where the force acts (y, z) \[m\]; the reference point where not given.
+fn point(table: &Table<'_>) -> Option<[f64; 2]> {
+    if !table.has("point") {
+        return Some([0.0; 2]);
+    }
+    let numbers = table.quantities("point", Dimension::LENGTH)?;
+    match numbers[..] {
+        [y, z] => Some([y, z]),
+        _ => {
+            table.wrong("point", "an array of 2, y and z, each a length");
+            None
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! What a material withstands: stresses and strains at which it fails.
+//!
+//! Values in material axes, 1 along the fiber, 2 transverse in the ply, 3 through the
+//! thickness; all are positive numbers, in compression too.
+
+use shared_geom::error::Explain;
+
+/// Slack of the bound on the three interactions together: -0.5 for all three, the
+/// default, lies on it.
+const OPEN_SURFACE: f64 = -1e-12;
+
+/// Interaction of the tensor criterion where none is given \[-\]: with it the criterion
+/// is that of von Mises for a material of equal strengths.
+pub const DEFAULT_INTERACTION: f64 = -0.5;
+
+/// Limits of a stress or a strain along the material axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DirectionalLimits {
+    /// Tension along 1, 2, 3 \[unit of what is limited: Pa or -\].
+    pub tension: [f64; 3],
+    /// Compression along 1, 2, 3, positive \[unit of what is limited: Pa or -\].
+    pub compression: [f64; 3],
+    /// Shear 23, 13, 12 \[unit of what is limited: Pa or -\].
+    pub shear: [f64; 3],
+}
+
+/// Limits of a stress or a strain in a material without directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UniformLimits {
+    /// Of the largest principal value \[unit of what is limited: Pa or -\].
+    pub tension: f64,
+    /// Of the smallest principal value, positive \[unit of what is limited: Pa or -\].
+    pub compression: f64,
+    /// Of the largest shear, engineering shear for strains \[unit of what is limited: Pa or -\].
+    pub shear: f64,
+}
+
+/// Stresses that a material withstands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Strength {
+    /// Along the material axes.
+    Ply {
+        /// Strengths \[Pa\].
+        limits: DirectionalLimits,
+        /// Interactions 23, 13, 12 of the tensor criterion: `F_ij / sqrt(F_ii F_jj)` \[-\].
+        interaction: [f64; 3],
+    },
+    /// The same in all directions, by principal stresses \[Pa\].
+    Uniform(UniformLimits),
+    /// Yield stress, by the stress of von Mises \[Pa\].
+    Yield(f64),
+}
+
+/// Strains that a material withstands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StrainLimit {
+    /// Along the material axes \[-\].
+    Ply(DirectionalLimits),
+    /// The same in all directions, by principal strains \[-\].
+    Uniform(UniformLimits),
+}
+
+/// All that is known about the strength of a material.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MaterialLimits {
+    /// Stresses that it withstands, where known.
+    pub strength: Option<Strength>,
+    /// Strains that it withstands, where known.
+    pub strain: Option<StrainLimit>,
+}
+
+/// Why a strength cannot be.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StrengthProblem {
+    /// A limit is zero, negative, or not a number.
+    #[error("{key} is {value}, expected more than 0")]
+    NotPositive {
+        /// Key of the limit.
+        key: &'static str,
+        /// What was found, in SI units.
+        value: f64,
+    },
+    /// An interaction is out of its range.
+    #[error("{key} is {value}, expected more than -1 and less than 1")]
+    InteractionOutOfRange {
+        /// Key of the interaction.
+        key: &'static str,
+        /// What was found \[-\].
+        value: f64,
+    },
+    /// The three interactions together leave the failure surface open.
+    #[error(
+        "1 + 2 f12 f13 f23 - f12^2 - f13^2 - f23^2 is {value:.6}, expected 0 or more: \
+         the failure surface is open, and some stress of any size would be safe"
+    )]
+    OpenSurface {
+        /// What was found \[-\].
+        value: f64,
+    },
+}
+
+impl Explain for StrengthProblem {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::NotPositive { .. } => {
+                "strengths are positive numbers, those in compression too; leave out what is \
+                 not known"
+            }
+            Self::InteractionOutOfRange { .. } => {
+                "it is F12 / sqrt(F11 F22), without a unit; -0.5 is the usual choice"
+            }
+            Self::OpenSurface { .. } => {
+                "f13 and f23 are f12 where they are not given; equal ones must be -0.5 or more"
+            }
+        };
+        Some(text.to_owned())
+    }
+}
+
+/// Keys of the limits along the material axes, as [`DirectionalLimits`] lists them.
+const DIRECTIONAL_KEYS: [&str; 9] = ["xt", "yt", "zt", "xc", "yc", "zc", "s23", "s13", "s12"];
+
+/// Keys of the interactions 23, 13, 12.
+const INTERACTION_KEYS: [&str; 3] = ["f23", "f13", "f12"];
+
+impl DirectionalLimits {
+    fn check(&self) -> Vec<StrengthProblem> {
+        let values = self.tension.iter().chain(&self.compression);
+        let values: Vec<f64> = values.chain(&self.shear).copied().collect();
+        not_positive(&DIRECTIONAL_KEYS, &values)
+    }
+}
+
+impl UniformLimits {
+    fn check(&self) -> Vec<StrengthProblem> {
+        let keys = ["tension", "compression", "shear"];
+        not_positive(&keys, &[self.tension, self.compression, self.shear])
+    }
+}
+
+impl Strength {
+    /// Everything that keeps this strength from being one; empty when admissible.
+    pub fn check(&self) -> Vec<StrengthProblem> {
+        match self {
+            Self::Ply {
+                limits,
+                interaction,
+            } => {
+                let mut problems = limits.check();
+                problems.append(&mut check_interaction(interaction));
+                problems
+            }
+            Self::Uniform(limits) => limits.check(),
+            Self::Yield(stress) => not_positive(&["yield"], &[*stress]),
+        }
+    }
+}
+
+impl StrainLimit {
+    /// Everything that keeps this limit from being one; empty when admissible.
+    pub fn check(&self) -> Vec<StrengthProblem> {
+        match self {
+            Self::Ply(limits) => limits.check(),
+            Self::Uniform(limits) => limits.check(),
+        }
+    }
+}
+
+fn not_positive(keys: &[&'static str], values: &[f64]) -> Vec<StrengthProblem> {
+    let pairs = keys.iter().zip(values);
+    pairs
+        .filter(|(_, value)| value.is_nan() || **value <= 0.0)
+        .map(|(&key, &value)| StrengthProblem::NotPositive { key, value })
+        .collect()
+}
+
+/// Each within (-1, 1), and the quadratic form of the three normal stresses without a
+/// negative value: its normalized matrix has ones and the interactions.
+fn check_interaction(interaction: &[f64; 3]) -> Vec<StrengthProblem> {
+    let pairs = INTERACTION_KEYS.iter().zip(interaction);
+    let mut problems: Vec<_> = pairs
+        .filter(|(_, value)| value.is_nan() || value.abs() >= 1.0)
+        .map(|(&key, &value)| StrengthProblem::InteractionOutOfRange { key, value })
+        .collect();
+    let [f23, f13, f12] = interaction;
+    let value = 1.0 + 2.0 * f12 * f13 * f23 - f12 * f12 - f13 * f13 - f23 * f23;
+    if problems.is_empty() && value < OPEN_SURFACE {
+        problems.push(StrengthProblem::OpenSurface { value });
+    }
+    problems
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIMITS: DirectionalLimits = DirectionalLimits {
+        tension: [1500e6, 50e6, 50e6],
+        compression: [1200e6, 200e6, 200e6],
+        shear: [100e6, 70e6, 70e6],
+    };
+
+    fn ply(limits: DirectionalLimits, interaction: [f64; 3]) -> Vec<StrengthProblem> {
+        let strength = Strength::Ply {
+            limits,
+            interaction,
+        };
+        strength.check()
+    }
+
+    #[test]
+    fn sound_strengths_have_no_problem() {
+        assert_eq!(ply(LIMITS, [DEFAULT_INTERACTION; 3]), []);
+        assert_eq!(ply(LIMITS, [0.0; 3]), []);
+        assert_eq!(Strength::Yield(250e6).check(), []);
+        assert_eq!(StrainLimit::Ply(LIMITS).check(), []);
+    }
+
+    #[test]
+    fn every_limit_must_be_positive() {
+        let mut limits = LIMITS;
+        limits.compression[1] = -200e6;
+        limits.shear[2] = f64::NAN;
+        let problems = ply(limits, [DEFAULT_INTERACTION; 3]);
+        let shown: Vec<_> = problems.iter().map(ToString::to_string).collect();
+        assert_eq!(
+            shown,
+            [
+                "yc is -200000000, expected more than 0",
+                "s12 is NaN, expected more than 0",
+            ]
+        );
+        assert!(problems[0].help().unwrap().contains("positive numbers"));
+        assert_eq!(Strength::Yield(0.0).check().len(), 1);
+        let uniform = UniformLimits {
+            tension: 1.0,
+            compression: -1.0,
+            shear: 1.0,
+        };
+        assert_eq!(StrainLimit::Uniform(uniform).check().len(), 1);
+    }
+
+    /// Three equal interactions f have the eigenvalues 1 - f, 1 - f, 1 + 2 f; the
+    /// determinant at -0.7 is 1.7^2 (-0.4) = -1.156.
+    #[test]
+    fn interactions_must_leave_the_surface_closed() {
+        assert!(matches!(
+            ply(LIMITS, [-0.5, -0.5, 1.0])[..],
+            [StrengthProblem::InteractionOutOfRange { key: "f12", .. }]
+        ));
+        assert!(matches!(
+            ply(LIMITS, [-0.7; 3])[..],
+            [StrengthProblem::OpenSurface { value }] if (value + 1.156).abs() < 1e-12
+        ));
+        // f12 = f13 = -0.7 is closed with f23 of at least 2 f12^2 - 1 = -0.02
+        assert_eq!(ply(LIMITS, [0.0, -0.7, -0.7]), []);
+    }
+}

@@ -1,0 +1,126 @@
+//! The strengths of materials in words.
+
+use crate::material::{
+    DirectionalLimits, Material, MaterialLimits, StrainLimit, Strength, UniformLimits,
+};
+
+/// Strengths and strain limits of each material that has some, with those that follow
+/// from others; empty where none has.
+pub(super) fn strengths(materials: &[Material], limits: &[MaterialLimits]) -> String {
+    let mut text = String::new();
+    for (material, limits) in materials.iter().zip(limits) {
+        let name = &material.name;
+        if let Some(strength) = &limits.strength {
+            text += &format!("  {name}: {}\n", of_stress(strength));
+        }
+        if let Some(limit) = &limits.strain {
+            text += &format!("  {name}: {}\n", of_strain(limit));
+        }
+    }
+    match text.is_empty() {
+        true => text,
+        false => format!("Strengths\n{text}"),
+    }
+}
+
+fn of_stress(strength: &Strength) -> String {
+    let unit = (1e-6, " MPa");
+    match strength {
+        Strength::Yield(stress) => format!("yield {}", listed(&[*stress], unit)),
+        Strength::Uniform(limits) => uniform("stress", limits, unit),
+        Strength::Ply {
+            limits,
+            interaction,
+        } => format!(
+            "{}\n      f23, f13, f12 {}",
+            directional("stress", limits, unit),
+            listed(interaction, (1.0, ""))
+        ),
+    }
+}
+
+fn of_strain(limit: &StrainLimit) -> String {
+    match limit {
+        StrainLimit::Ply(limits) => directional("strain", limits, (1.0, "")),
+        StrainLimit::Uniform(limits) => uniform("strain", limits, (1.0, "")),
+    }
+}
+
+fn uniform(what: &str, limits: &UniformLimits, unit: (f64, &str)) -> String {
+    let values = [limits.tension, limits.compression, limits.shear];
+    format!(
+        "{what} in tension, compression, shear {}",
+        listed(&values, unit)
+    )
+}
+
+fn directional(what: &str, limits: &DirectionalLimits, unit: (f64, &str)) -> String {
+    format!(
+        "{what} xt, yt, zt {}; xc, yc, zc {}; s23, s13, s12 {}",
+        listed(&limits.tension, unit),
+        listed(&limits.compression, unit),
+        listed(&limits.shear, unit)
+    )
+}
+
+/// Values times a factor, in at most six digits, and the unit that this gives.
+fn listed(values: &[f64], (factor, unit): (f64, &str)) -> String {
+    let shown: Vec<_> = values
+        .iter()
+        .map(|value| shared_geom::figure::tick_label(factor * value, 0.0))
+        .collect();
+    format!("{}{unit}", shown.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::ElasticLaw;
+
+    #[test]
+    fn every_limit_is_shown() {
+        let material = |name: &str| Material {
+            name: name.into(),
+            law: ElasticLaw::Isotropic {
+                young: 1.0,
+                poisson: 0.0,
+            },
+            density: 1.0,
+        };
+        let ply = DirectionalLimits {
+            tension: [1500e6, 50e6, 40e6],
+            compression: [1200e6, 200e6, 160e6],
+            shear: [100e6, 60e6, 70e6],
+        };
+        let limits = [
+            MaterialLimits {
+                strength: Some(Strength::Ply {
+                    limits: ply,
+                    interaction: [-0.5, -0.5, -0.25],
+                }),
+                strain: None,
+            },
+            MaterialLimits {
+                strength: Some(Strength::Yield(250e6)),
+                strain: Some(StrainLimit::Uniform(UniformLimits {
+                    tension: 0.01,
+                    compression: 0.02,
+                    shear: 0.015,
+                })),
+            },
+        ];
+        let shown = strengths(&[material("ply"), material("steel")], &limits);
+        let expected = "\
+Strengths
+  ply: stress xt, yt, zt 1500, 50, 40 MPa; xc, yc, zc 1200, 200, 160 MPa; s23, s13, s12 100, 60, 70 MPa
+      f23, f13, f12 -0.5, -0.5, -0.25
+  steel: yield 250 MPa
+  steel: strain in tension, compression, shear 0.01, 0.02, 0.015
+";
+        assert_eq!(shown, expected);
+        assert_eq!(
+            strengths(&[material("ply")], &[MaterialLimits::default()]),
+            ""
+        );
+    }
+}

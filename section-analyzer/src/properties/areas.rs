@@ -1,0 +1,109 @@
+//! Area, moments of area, perimeter and mass of a section and of its regions.
+
+use super::boundary::Perimeter;
+use super::moments::{AreaMoments, SecondMoments};
+use crate::section::Section;
+
+/// Geometry and mass of a region, or of the whole section.
+///
+/// Moments are plain ones, not weighted by a modulus; "about the reference point" is
+/// about the origin of the mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AreaProperties {
+    /// Name of the region.
+    pub name: String,
+    /// Number of its cells.
+    pub cells: usize,
+    /// Area \[m^2\].
+    pub area: f64,
+    /// Centroid of the area (y, z), from the reference point \[m\].
+    pub centroid: [f64; 2],
+    /// First moments about the reference point, `int y dA` and `int z dA` \[m^3\].
+    pub first: [f64; 2],
+    /// Second moments about the reference point \[m^4\].
+    pub second: SecondMoments,
+    /// Second moments about the own centroid \[m^4\].
+    pub central: SecondMoments,
+    /// Length of the boundary: outer lines and holes \[m\].
+    pub perimeter: Perimeter,
+    /// Mass per length \[kg/m\].
+    pub mass: f64,
+}
+
+/// [`AreaProperties`] by region, and of the whole section.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AreaTable {
+    /// The regions.
+    pub regions: Vec<AreaProperties>,
+    /// All cells; named `total`.
+    pub total: AreaProperties,
+}
+
+impl AreaTable {
+    /// The table by physical surface, in the order of [`crate::mesh::SectionMesh::groups`].
+    pub fn by_group(section: &Section) -> Self {
+        let groups: Vec<_> = section.mesh.cells.iter().map(|cell| cell.group).collect();
+        Self::by_region(section, &section.mesh.groups, &groups)
+    }
+
+    /// The table by regions called `names`; `region_of_cell` has for each cell the
+    /// index of its region.
+    ///
+    /// The sums of a thin region are taken about its own centroid and then moved to
+    /// the reference point, so that none is a difference of large numbers.
+    pub fn by_region(section: &Section, names: &[String], region_of_cell: &[usize]) -> Self {
+        let region = |(index, name): (usize, &String)| {
+            properties(section, name, |cell| {
+                region_of_cell.get(cell) == Some(&index)
+            })
+        };
+        Self {
+            regions: names.iter().enumerate().map(region).collect(),
+            total: properties(section, "total", |_| true),
+        }
+    }
+}
+
+fn properties(section: &Section, name: &str, is_part: impl Fn(usize) -> bool) -> AreaProperties {
+    let mesh = &section.mesh;
+    let part = || (0..mesh.cells.len()).filter(|&cell| is_part(cell));
+    let sum_about = |point: [f64; 2]| {
+        let mut sum = AreaMoments::default();
+        for cell in part() {
+            sum += AreaMoments::of_cell(mesh, &mesh.cells[cell], point);
+        }
+        sum
+    };
+    // a node of the region as first origin keeps the digits of a mesh far away
+    let base = part().next().map_or([0.0; 2], |cell| {
+        mesh.nodes[mesh.cells[cell].nodes()[0] as usize]
+    });
+    let first_guess = placed(base, sum_about(base).centroid());
+    let near = sum_about(first_guess);
+    // again from there: the first guess has the round-off of places as far as `base`
+    let correction = near.centroid();
+    let centroid = placed(first_guess, correction);
+    let central = near.moved(correction.map(|shift| -shift));
+    let about_reference = near.moved(first_guess);
+    let density = |cell: usize| section.materials[section.cells[cell].material].density;
+    let mass = |cell| density(cell) * AreaMoments::of_cell(mesh, &mesh.cells[cell], base).area;
+    AreaProperties {
+        name: name.to_owned(),
+        cells: part().count(),
+        area: central.area,
+        centroid,
+        first: about_reference.first,
+        second: about_reference.second,
+        central: central.second,
+        perimeter: Perimeter::of(mesh, &is_part),
+        mass: part().map(mass).sum(),
+    }
+}
+
+fn placed(origin: [f64; 2], place: [f64; 2]) -> [f64; 2] {
+    [origin[0] + place[0], origin[1] + place[1]]
+}
+
+#[cfg(test)]
+#[path = "areas_tests.rs"]
+mod tests;

@@ -1,0 +1,212 @@
+//! How far a stress is from failure.
+//!
+//! Every criterion gives an index, at most one where the material is safe, and a
+//! reserve factor: the factor on the load at which the index becomes one. The index of
+//! a criterion that is not linear in the load is not its inverse; of several modes,
+//! and of several places, the worst is the one with the smallest reserve factor.
+
+mod directional;
+mod hashin;
+mod tsai_wu;
+mod uniform;
+
+use super::state::Tensors;
+use crate::material::{MaterialLimits, StrainLimit, Strength};
+
+/// A failure criterion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Criterion {
+    /// Each stress against its strength.
+    MaxStress,
+    /// Each strain against its limit.
+    MaxStrain,
+    /// The tensor polynomial of Tsai and Wu.
+    TsaiWu,
+    /// The four modes of Hashin.
+    Hashin,
+    /// The stress of von Mises against the yield stress.
+    VonMises,
+}
+
+impl Criterion {
+    /// All criteria, in the order of reports.
+    pub const ALL: [Self; 5] = [
+        Self::MaxStress,
+        Self::MaxStrain,
+        Self::TsaiWu,
+        Self::Hashin,
+        Self::VonMises,
+    ];
+
+    /// Name for reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::MaxStress => "max stress",
+            Self::MaxStrain => "max strain",
+            Self::TsaiWu => "Tsai-Wu",
+            Self::Hashin => "Hashin",
+            Self::VonMises => "von Mises",
+        }
+    }
+
+    /// Name for columns of tables.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::MaxStress => "max_stress",
+            Self::MaxStrain => "max_strain",
+            Self::TsaiWu => "tsai_wu",
+            Self::Hashin => "hashin",
+            Self::VonMises => "von_mises",
+        }
+    }
+}
+
+/// What gives way first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mode {
+    /// Tension along an axis of the material, 0 to 2 for 1 to 3.
+    Tension(usize),
+    /// Compression along an axis of the material, 0 to 2 for 1 to 3.
+    Compression(usize),
+    /// Shear: 0 for 23, 1 for 13, 2 for 12.
+    Shear(usize),
+    /// The fiber in tension.
+    FiberTension,
+    /// The fiber in compression.
+    FiberCompression,
+    /// The matrix in tension.
+    MatrixTension,
+    /// The matrix in compression.
+    MatrixCompression,
+    /// Largest principal value.
+    PrincipalTension,
+    /// Smallest principal value.
+    PrincipalCompression,
+    /// Largest shear.
+    LargestShear,
+    /// Yielding.
+    Yielding,
+}
+
+impl Mode {
+    /// Name for reports and tables.
+    pub fn name(self) -> &'static str {
+        let of = |names: [&'static str; 3], axis: usize| names[axis % 3];
+        match self {
+            Self::Tension(axis) => of(["tension 1", "tension 2", "tension 3"], axis),
+            Self::Compression(axis) => {
+                of(["compression 1", "compression 2", "compression 3"], axis)
+            }
+            Self::Shear(pair) => of(["shear 23", "shear 13", "shear 12"], pair),
+            Self::FiberTension => "fiber tension",
+            Self::FiberCompression => "fiber compression",
+            Self::MatrixTension => "matrix tension",
+            Self::MatrixCompression => "matrix compression",
+            Self::PrincipalTension => "tension",
+            Self::PrincipalCompression => "compression",
+            Self::LargestShear => "shear",
+            Self::Yielding => "yielding",
+        }
+    }
+}
+
+/// What one criterion says about one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FailureIndex {
+    /// The criterion.
+    pub criterion: Criterion,
+    /// At most one where the material is safe \[-\].
+    pub index: f64,
+    /// The factor on the load at which the index is one; infinite where no factor
+    /// leads there \[-\].
+    pub reserve_factor: f64,
+    /// The governing mode.
+    pub mode: Mode,
+}
+
+/// The indices of all criteria that the limits of a material allow, in the order of
+/// [`Criterion::ALL`].
+pub fn failure_indices(limits: &MaterialLimits, tensors: &Tensors) -> Vec<FailureIndex> {
+    let mut indices = Vec::new();
+    let mut add = |criterion, (index, reserve_factor, mode): Verdict| {
+        indices.push(FailureIndex {
+            criterion,
+            index,
+            reserve_factor,
+            mode,
+        });
+    };
+    let (stress, strain) = (&tensors.material_stress, &tensors.material_strain);
+    match &limits.strength {
+        Some(Strength::Ply { limits, .. }) => {
+            add(Criterion::MaxStress, directional::index(limits, stress));
+        }
+        Some(Strength::Uniform(limits)) => {
+            add(Criterion::MaxStress, uniform::of_stress(limits, stress));
+        }
+        Some(Strength::Yield(_)) | None => {}
+    }
+    match &limits.strain {
+        Some(StrainLimit::Ply(limits)) => {
+            add(Criterion::MaxStrain, directional::index(limits, strain));
+        }
+        Some(StrainLimit::Uniform(limits)) => {
+            add(Criterion::MaxStrain, uniform::of_strain(limits, strain));
+        }
+        None => {}
+    }
+    match &limits.strength {
+        Some(Strength::Ply {
+            limits,
+            interaction,
+        }) => {
+            add(
+                Criterion::TsaiWu,
+                tsai_wu::index(limits, interaction, stress),
+            );
+            add(Criterion::Hashin, hashin::index(limits, stress));
+        }
+        Some(Strength::Yield(limit)) => {
+            let index = tensors.von_mises() / limit;
+            add(Criterion::VonMises, (index, 1.0 / index, Mode::Yielding));
+        }
+        Some(Strength::Uniform(_)) | None => {}
+    }
+    indices
+}
+
+/// Index, reserve factor, mode.
+type Verdict = (f64, f64, Mode);
+
+/// The worst of several linear measures, each at most one where safe.
+fn worst_linear(measures: impl IntoIterator<Item = (f64, Mode)>) -> Verdict {
+    let measures = measures.into_iter();
+    let worst = measures.max_by(|(a, _), (b, _)| a.total_cmp(b));
+    let (index, mode) = worst.unwrap_or((0.0, Mode::Yielding));
+    (index, 1.0 / index, mode)
+}
+
+/// The smallest positive factor at which `a t^2 + b t` is one, for `a >= 0`; infinite
+/// where there is none.
+///
+/// ```text
+/// t = 2 / (b + sqrt(b^2 + 4 a))                                                 (S-58)
+/// ```
+///
+/// The form without a difference of nearly equal numbers for b > 0, and with the limit
+/// 1/b for a = 0.
+fn quadratic_reserve(a: f64, b: f64) -> f64 {
+    let root = (b * b + 4.0 * a).sqrt();
+    let denominator = b + root;
+    if denominator > 0.0 {
+        2.0 / denominator
+    } else if denominator.is_nan() && (a.is_nan() || b.is_nan()) {
+        f64::NAN
+    } else {
+        f64::INFINITY
+    }
+}
+
+#[cfg(test)]
+#[path = "criteria_tests.rs"]
+mod tests;

@@ -1,0 +1,340 @@
+//! Strain and stress of a section under any number of internal forces.
+//!
+//! # Symbols
+//!
+//! | symbol | meaning | unit | shape |
+//! | --- | --- | --- | --- |
+//! | `theta` | internal force | N, N m | 6 |
+//! | `X`, `Y` | warping and generalized strain per unit internal force | m/N .. | n x 6, 6 x 6 |
+//! | `G` | strain per unit internal force at a point | 1/N, 1/(N m) | 6 x 6 |
+//! | `D` | law in section axes | Pa | 6 x 6 |
+//! | `U` | shift of a force to another point | -, m | 6 x 6 |
+//!
+//! ```text
+//! G = B1 X T' + B0 X + Bpsi Y      eps = G theta      sigma = D eps                (S-33)
+//! ```
+//!
+//! G is kept, so that a load case costs a product at each point. It is taken about the
+//! area centroid, `theta_c = U theta`: far from it the six forces cancel each other and
+//! digits are lost.
+//!
+//! # References
+//! - \[Giavotto1983\]: stresses of the central solutions.
+
+use super::axes::{strain_in_axes, stress_in_axes};
+use super::extrapolate::Extrapolation;
+use super::locate::{Located, locate};
+use super::resultant::{centroid_and_size, resultant, resultant_error};
+use super::state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};
+use crate::element::{CellPoint, NO_COLUMNS, NodalColumns, cell_points, strain_at};
+use crate::failure::Failure;
+use crate::material::{material_axes, section_stiffness};
+use crate::section::Section;
+use crate::solution::SectionSolution;
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use shared_geom::wrench;
+
+/// Largest error of the resultants of the recovered stress. It is that of the analysis
+/// for the internal force of its solutions: sound sections reach 1e-12 and below;
+/// above 1e-6 a stress would have fewer digits than a strength is known to.
+const RESULTANT_LIMIT: f64 = 1e-6;
+
+/// Where each component of the order xx yy zz yz xz xy stands in the order of
+/// [`strain_at`], yz yy zz xx xy xz.
+const USUAL_ORDER: [usize; 6] = [3, 1, 2, 0, 5, 4];
+
+/// What the recoveries of a section share.
+#[derive(Debug, Clone)]
+pub struct Recoverer<'a> {
+    section: &'a Section,
+    solution: &'a SectionSolution,
+    /// Area centroid \[m\].
+    center: [f64; 2],
+    /// Largest distance of a node from it \[m\].
+    size: f64,
+    /// Cells that follow each other share them.
+    laws: Vec<OrientedLaw>,
+    law_of_cell: Vec<usize>,
+    cells: Vec<CellGrid>,
+    /// Pairs of region and node, ascending.
+    nodes: Vec<(usize, usize)>,
+    cell_nodes: Vec<Vec<u32>>,
+}
+
+/// A law and where its axes point.
+#[derive(Debug, Clone)]
+struct OrientedLaw {
+    /// Stiffness in section axes, order yz yy zz xx xy xz \[Pa\].
+    stiffness: Matrix6<f64>,
+    /// Material axes in section axes: columns \[-\].
+    axes: Matrix3<f64>,
+}
+
+/// A cell: its integration points and how they make its nodes.
+#[derive(Debug, Clone)]
+struct CellGrid {
+    /// G of each point with its place from the centroid \[m\] and area \[m^2\].
+    points: Vec<(Matrix6<f64>, [f64; 2], f64)>,
+    extrapolation: Extrapolation,
+}
+
+/// Strain and stress of `section` under `load`; `solution` is the section's own.
+///
+/// # Errors
+/// As [`Recoverer::recover`].
+pub fn recover(
+    section: &Section,
+    solution: &SectionSolution,
+    load: &LoadCase,
+) -> Result<Recovery, Failure> {
+    Recoverer::new(section, solution).recover(load)
+}
+
+impl<'a> Recoverer<'a> {
+    /// Prepares the recoveries of `section`; `solution` is the section's own.
+    pub fn new(section: &'a Section, solution: &'a SectionSolution) -> Self {
+        let (center, size) = centroid_and_size(section);
+        let (nodes, cell_nodes) = nodes_by_region(section);
+        let (laws, law_of_cell) = laws(section);
+        let mut recoverer = Self {
+            section,
+            solution,
+            center,
+            size,
+            laws,
+            law_of_cell,
+            cells: Vec::new(),
+            nodes,
+            cell_nodes,
+        };
+        recoverer.cells = (0..section.mesh.cells.len())
+            .map(|cell| recoverer.grid(cell))
+            .collect();
+        recoverer
+    }
+
+    /// Strain and stress under `load`.
+    ///
+    /// # Errors
+    /// [`Failure::Resultant`] when the recovered stress does not add up to the load.
+    pub fn recover(&self, load: &LoadCase) -> Result<Recovery, Failure> {
+        let theta = self.about_center(load);
+        let mut points = Vec::with_capacity(self.cells.iter().map(|c| c.points.len()).sum());
+        let mut cells = Vec::with_capacity(self.cells.len());
+        let mut sums = vec![(Tensors::default(), 0.0); self.nodes.len()];
+        for (cell, grid) in self.cells.iter().enumerate() {
+            let first = points.len();
+            points.extend(grid.points.iter().map(|(unit, place, area)| PointState {
+                cell,
+                place: [place[0] + self.center[0], place[1] + self.center[1]],
+                area: *area,
+                tensors: self.tensors(cell, &(unit * theta)),
+            }));
+            let of_cell = &points[first..];
+            let (mean, area) = mean_of(of_cell);
+            for (weights, &node) in grid.extrapolation.rows().zip(&self.cell_nodes[cell]) {
+                let (sum, total) = &mut sums[node as usize];
+                for (weight, point) in weights.iter().zip(of_cell) {
+                    sum.add(area * weight, &point.tensors);
+                }
+                *total += area;
+            }
+            cells.push(mean);
+        }
+        let about_center = resultant(&points, self.center);
+        let error = resultant_error(&about_center, &theta, self.size);
+        self.require(load, error)?;
+        Ok(Recovery {
+            load: load.clone(),
+            generalized_strain: self.solution.strain * load.force,
+            nodes: self.nodal_states(&sums),
+            points,
+            cells,
+            cell_nodes: self.cell_nodes.clone(),
+            resultant: wrench::shift_matrix(&-self.offset()) * about_center,
+            resultant_error: error,
+        })
+    }
+
+    /// Strain and stress under `load` at the place (y, z) \[m\], and the index of the
+    /// cell that holds it (the first of several on a common side); `None` outside the
+    /// section.
+    ///
+    /// It is the strain of the cell's own displacement there, without smoothing.
+    pub fn at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, Tensors)> {
+        let Located { cell, r, s } = locate(&self.section.mesh, place)?;
+        let kind = self.section.mesh.cells[cell].kind;
+        let point = CellPoint::at(kind, &self.places(cell), r, s, 1.0);
+        let strain = self.unit_strain(cell, &point) * self.about_center(load);
+        Some((cell, self.tensors(cell, &strain)))
+    }
+
+    fn require(&self, load: &LoadCase, error: f64) -> Result<(), Failure> {
+        if error <= RESULTANT_LIMIT {
+            return Ok(());
+        }
+        Err(Failure::Resultant {
+            load: load.name.clone(),
+            error,
+            limit: RESULTANT_LIMIT,
+        })
+    }
+
+    /// From the reference point to the centroid.
+    fn offset(&self) -> Vector3<f64> {
+        Vector3::new(0.0, self.center[0], self.center[1])
+    }
+
+    /// The internal force about the centroid.
+    fn about_center(&self, load: &LoadCase) -> Vector6<f64> {
+        wrench::shift_matrix(&self.offset()) * load.force
+    }
+
+    /// Places of the nodes of a cell from the centroid.
+    fn places(&self, cell: usize) -> Vec<[f64; 2]> {
+        let mesh = &self.section.mesh;
+        let nodes = mesh.cells[cell].nodes().iter();
+        let place = |&node: &u32| {
+            let [y, z] = mesh.nodes[node as usize];
+            [y - self.center[0], z - self.center[1]]
+        };
+        nodes.map(place).collect()
+    }
+
+    fn grid(&self, cell: usize) -> CellGrid {
+        let kind = self.section.mesh.cells[cell].kind;
+        let places = self.places(cell);
+        let points: Vec<_> = cell_points(kind, &places).collect();
+        let (rate, warping) = self.columns(cell);
+        let strain = self.generalized();
+        let unit = |p: &CellPoint| strain_at(p, Some(&rate), Some(&warping), &strain);
+        CellGrid {
+            extrapolation: Extrapolation::new(kind, &places, &points),
+            points: points
+                .iter()
+                .map(|point| (unit(point), [point.y, point.z], point.area))
+                .collect(),
+        }
+    }
+
+    /// G at a point of a cell.
+    fn unit_strain(&self, cell: usize, point: &CellPoint) -> Matrix6<f64> {
+        let (rate, warping) = self.columns(cell);
+        strain_at(point, Some(&rate), Some(&warping), &self.generalized())
+    }
+
+    /// `X U` and `X U T'` at the nodes of a cell, U from the centroid to the reference.
+    fn columns(&self, cell: usize) -> (NodalColumns, NodalColumns) {
+        let back = wrench::shift_matrix(&-self.offset());
+        let (mut rate, mut warping) = (NO_COLUMNS, NO_COLUMNS);
+        let nodes = self.section.mesh.cells[cell].nodes();
+        for (i, &node) in nodes.iter().enumerate() {
+            let x = self
+                .solution
+                .warping
+                .fixed_view::<3, 6>(3 * node as usize, 0)
+                * back;
+            warping[i] = x;
+            // T' e_F2 = -e_M3, T' e_F3 = e_M2
+            rate[i].set_column(1, &-x.column(5));
+            rate[i].set_column(2, &x.column(4).into_owned());
+        }
+        (rate, warping)
+    }
+
+    /// Generalized strain about the centroid per unit force there: `U' Y U`.
+    fn generalized(&self) -> Matrix6<f64> {
+        let back = wrench::shift_matrix(&-self.offset());
+        back.transpose() * self.solution.strain * back
+    }
+
+    /// Stress and material axes from the strain in the order yz yy zz xx xy xz.
+    fn tensors(&self, cell: usize, strain: &Vector6<f64>) -> Tensors {
+        let OrientedLaw { stiffness, axes } = &self.laws[self.law_of_cell[cell]];
+        let stress = stiffness * strain;
+        let usual = |v: &Vector6<f64>| Vector6::from_fn(|i, _| v[USUAL_ORDER[i]]);
+        let (strain, stress) = (usual(strain), usual(&stress));
+        Tensors {
+            strain,
+            stress,
+            material_strain: strain_in_axes(axes, &strain),
+            material_stress: stress_in_axes(axes, &stress),
+        }
+    }
+
+    fn nodal_states(&self, sums: &[(Tensors, f64)]) -> Vec<NodalState> {
+        let pairs = self.nodes.iter().zip(sums);
+        pairs
+            .map(|(&(group, node), (sum, area))| {
+                let mut tensors = Tensors::default();
+                tensors.add(1.0 / area, sum);
+                NodalState {
+                    node,
+                    group,
+                    tensors,
+                }
+            })
+            .collect()
+    }
+}
+
+/// The mean of a cell over its area, and the area.
+fn mean_of(points: &[PointState]) -> (CellState, f64) {
+    let area: f64 = points.iter().map(|point| point.area).sum();
+    let mut mean = CellState {
+        centroid: [0.0; 2],
+        tensors: Tensors::default(),
+    };
+    for point in points {
+        let part = point.area / area;
+        mean.tensors.add(part, &point.tensors);
+        mean.centroid[0] += part * point.place[0];
+        mean.centroid[1] += part * point.place[1];
+    }
+    (mean, area)
+}
+
+/// Law and axes of each cell; neighbors in the list that are alike share them.
+fn laws(section: &Section) -> (Vec<OrientedLaw>, Vec<usize>) {
+    let mut laws = Vec::new();
+    let mut law_of_cell = Vec::with_capacity(section.cells.len());
+    let mut last = None;
+    for made_of in &section.cells {
+        if last != Some(made_of) {
+            let stiffness = section.materials[made_of.material].law.stiffness();
+            let (fiber, plane) = (made_of.fiber_angle, made_of.plane_angle);
+            laws.push(OrientedLaw {
+                stiffness: section_stiffness(&stiffness, fiber, plane),
+                axes: material_axes(fiber, plane),
+            });
+            last = Some(made_of);
+        }
+        law_of_cell.push(laws.len() - 1);
+    }
+    (laws, law_of_cell)
+}
+
+/// All pairs of region and node, ascending, and for each cell the places of its nodes
+/// in that list.
+fn nodes_by_region(section: &Section) -> (Vec<(usize, usize)>, Vec<Vec<u32>>) {
+    let cells = &section.mesh.cells;
+    let mut pairs: Vec<(usize, usize)> = cells
+        .iter()
+        .flat_map(|cell| cell.nodes().iter().map(|&node| (cell.group, node as usize)))
+        .collect();
+    pairs.sort_unstable();
+    pairs.dedup();
+    let index = |pair: (usize, usize)| pairs.partition_point(|known| *known < pair) as u32;
+    let of_cells = cells.iter().map(|cell| {
+        let nodes = cell.nodes().iter();
+        nodes
+            .map(|&node| index((cell.group, node as usize)))
+            .collect()
+    });
+    let of_cells = of_cells.collect();
+    (pairs, of_cells)
+}
+
+#[cfg(test)]
+#[path = "recoverer_tests.rs"]
+mod tests;

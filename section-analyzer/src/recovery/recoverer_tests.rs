@@ -1,0 +1,131 @@
+use super::*;
+use crate::analysis::analyze;
+use crate::section::samples::coupled_rectangle;
+use shared_geom::mesh::CellKind;
+
+fn load(force: [f64; 6]) -> LoadCase {
+    LoadCase {
+        name: "load".into(),
+        force: Vector6::from(force),
+    }
+}
+
+const ALL_SIX: [f64; 6] = [1.0, -0.7, 0.4, 0.3, -0.2, 0.5];
+
+/// The stresses of a section without any symmetry add up to the load: round-off of
+/// sums over some hundred points, for every kind of cell.
+#[test]
+fn resultants_are_the_load() {
+    for kind in CellKind::ALL {
+        let section = coupled_rectangle(kind);
+        let solution = analyze(&section).unwrap();
+        let recovery = recover(&section, &solution, &load(ALL_SIX)).unwrap();
+        assert!(recovery.resultant_error < 1e-12, "{kind:?}");
+        let difference = (recovery.resultant - Vector6::from(ALL_SIX)).amax();
+        assert!(difference < 1e-12, "{kind:?} {difference:e}");
+    }
+}
+
+/// A section moved by 100 times its size, under the same force at the same place of
+/// it, has the same stresses: three digits of the sixteen are lost by the coordinates,
+/// and another two by the force about the reference point.
+#[test]
+fn stresses_do_not_depend_on_the_place_of_the_reference_point() {
+    let section = coupled_rectangle(CellKind::Quadrilateral9);
+    let mut moved = section.clone();
+    let by = [150.0, -70.0];
+    for [y, z] in &mut moved.mesh.nodes {
+        (*y, *z) = (*y + by[0], *z + by[1]);
+    }
+    let here = recover(&section, &analyze(&section).unwrap(), &load(ALL_SIX)).unwrap();
+    let there = LoadCase::at_point("load", &Vector6::from(ALL_SIX), by);
+    let there = recover(&moved, &analyze(&moved).unwrap(), &there).unwrap();
+    let scale = here.points.iter().map(|p| p.tensors.stress.amax());
+    let scale = scale.fold(0.0, f64::max);
+    for (a, b) in here.points.iter().zip(&there.points) {
+        let difference = (a.tensors.stress - b.tensors.stress).amax();
+        assert!(difference < 1e-10 * scale, "{difference:e}");
+    }
+}
+
+/// Stress in material axes is the material's own law on the strain there: the
+/// rotation of the law and those of the tensors are independent pieces of code.
+#[test]
+fn law_holds_in_material_axes() {
+    let section = coupled_rectangle(CellKind::Triangle6);
+    let solution = analyze(&section).unwrap();
+    let recovery = recover(&section, &solution, &load(ALL_SIX)).unwrap();
+    let law = section.materials[0].law.stiffness();
+    for point in &recovery.points {
+        let Tensors {
+            material_strain,
+            material_stress,
+            ..
+        } = point.tensors;
+        let difference = (law * material_strain - material_stress).amax();
+        assert!(difference < 1e-12 * material_stress.amax());
+    }
+}
+
+/// `at` an integration point is the state of that point.
+#[test]
+fn any_place_can_be_asked() {
+    let section = coupled_rectangle(CellKind::Quadrilateral8);
+    let solution = analyze(&section).unwrap();
+    let recoverer = Recoverer::new(&section, &solution);
+    let load = load(ALL_SIX);
+    for point in &recoverer.recover(&load).unwrap().points {
+        let (cell, tensors) = recoverer.at(&load, point.place).unwrap();
+        assert_eq!(cell, point.cell);
+        let difference = (tensors.stress - point.tensors.stress).amax();
+        assert!(difference < 1e-10 * point.tensors.stress.amax());
+    }
+    assert_eq!(recoverer.at(&load, [10.0, 10.0]), None);
+}
+
+/// Each region sees the nodes of its own cells, in order; cells find them again.
+#[test]
+fn nodes_are_listed_by_region() {
+    let mut section = coupled_rectangle(CellKind::Triangle3);
+    section.mesh.groups = vec!["left".into(), "right".into()];
+    let half = section.mesh.cells.len() / 2;
+    for cell in &mut section.mesh.cells[half..] {
+        cell.group = 1;
+    }
+    let solution = analyze(&section).unwrap();
+    let recovery = recover(&section, &solution, &load(ALL_SIX)).unwrap();
+    let order: Vec<_> = recovery.nodes.iter().map(|n| (n.group, n.node)).collect();
+    assert!(order.is_sorted() && order.len() > section.mesh.nodes.len());
+    for (cell, nodes) in section.mesh.cells.iter().zip(&recovery.cell_nodes) {
+        for (&node, &state) in cell.nodes().iter().zip(nodes) {
+            let state = &recovery.nodes[state as usize];
+            assert_eq!((state.node, state.group), (node as usize, cell.group));
+        }
+    }
+}
+
+/// A solution that is not the section's does not add up, and is refused.
+#[test]
+fn stresses_that_do_not_add_up_are_refused() {
+    let section = coupled_rectangle(CellKind::Quadrilateral4);
+    let mut solution = analyze(&section).unwrap();
+    solution.strain *= 1.0 + 1e-4;
+    let failure = recover(&section, &solution, &load(ALL_SIX)).unwrap_err();
+    assert!(matches!(failure, Failure::Resultant { error, .. } if error > 1e-5));
+}
+
+/// Von Mises stress: tension 3 gives 3, shear 1 gives sqrt 3, pressure nothing.
+#[test]
+fn von_mises_stress_of_simple_states() {
+    let of = |stress: [f64; 6]| {
+        let stress = Vector6::from(stress);
+        Tensors {
+            stress,
+            ..Tensors::default()
+        }
+        .von_mises()
+    };
+    assert_eq!(of([3.0, 0.0, 0.0, 0.0, 0.0, 0.0]), 3.0);
+    assert!((of([0.0, 0.0, 0.0, 0.0, 1.0, 0.0]) - 3f64.sqrt()).abs() < 1e-15);
+    assert_eq!(of([-5.0, -5.0, -5.0, 0.0, 0.0, 0.0]), 0.0);
+}

@@ -1,0 +1,102 @@
+//! The internal force of recovered stresses, and how far it is from the load.
+//!
+//! ```text
+//! theta = int [I, -t x]' (sigma_xx, sigma_xy, sigma_xz) dA
+//! error = max(|dF|, |dM| / l) / max(|F|, |M| / l)                                (S-52)
+//! ```
+//!
+//! Moments are about the area centroid, and l is the largest distance of a node from
+//! it: a force at that distance makes a moment as large as itself times l. The error
+//! does not depend on the axes nor on where the reference point lies.
+
+use super::state::PointState;
+use crate::assembly::largest;
+use crate::element::{cell_points, rigid_displacement};
+use crate::section::Section;
+use nalgebra::{Vector3, Vector6};
+
+/// Resultant about `center` \[N, N m\].
+pub(super) fn resultant(points: &[PointState], center: [f64; 2]) -> Vector6<f64> {
+    let mut sum = Vector6::zeros();
+    for point in points {
+        let stress = &point.tensors.stress;
+        let face = Vector3::new(stress[0], stress[5], stress[4]);
+        let [y, z] = [point.place[0] - center[0], point.place[1] - center[1]];
+        sum += rigid_displacement(1.0, y, z).tr_mul(&(point.area * face));
+    }
+    sum
+}
+
+/// Error of the internal force `found` beside `expected`, both about the centroid;
+/// `size` is l \[-\].
+pub(super) fn resultant_error(found: &Vector6<f64>, expected: &Vector6<f64>, size: f64) -> f64 {
+    let measure = |force: &Vector6<f64>| {
+        let moment = force.fixed_rows::<3>(3).norm() / size;
+        largest(force.fixed_rows::<3>(0).norm(), moment)
+    };
+    let error = measure(&(found - expected));
+    if error == 0.0 {
+        0.0
+    } else {
+        error / measure(expected)
+    }
+}
+
+/// Area centroid (y, z) of the section, and the largest distance of a node of a cell
+/// from it \[m\].
+pub(super) fn centroid_and_size(section: &Section) -> ([f64; 2], f64) {
+    let mesh = &section.mesh;
+    let Some(first) = mesh.cells.first() else {
+        return ([0.0; 2], 0.0);
+    };
+    // the first node as origin keeps the digits of a far away mesh
+    let base = mesh.nodes[first.nodes()[0] as usize];
+    let (mut area, mut moment) = (0.0, [0.0; 2]);
+    for cell in &mesh.cells {
+        let nodes: Vec<[f64; 2]> = cell
+            .nodes()
+            .iter()
+            .map(|&node| mesh.nodes[node as usize])
+            .map(|[y, z]| [y - base[0], z - base[1]])
+            .collect();
+        for point in cell_points(cell.kind, &nodes) {
+            area += point.area;
+            moment[0] += point.area * point.y;
+            moment[1] += point.area * point.z;
+        }
+    }
+    let center = [base[0] + moment[0] / area, base[1] + moment[1] / area];
+    let nodes = mesh.cells.iter().flat_map(|cell| cell.nodes());
+    let distance = nodes.map(|&node| {
+        let [y, z] = mesh.nodes[node as usize];
+        (y - center[0]).hypot(z - center[1])
+    });
+    (center, distance.fold(0.0, largest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A moment of 2 N m beside a force of 10 N counts as 2 N at l = 1 m and as 20 N
+    /// at l = 0.1 m, where it is the larger one.
+    #[test]
+    fn moments_are_made_comparable_by_the_size() {
+        let expected = Vector6::new(10.0, 0.0, 0.0, 2.0, 0.0, 0.0);
+        let found = Vector6::new(10.0, 0.0, 0.0, 2.1, 0.0, 0.0);
+        let error = |size| resultant_error(&found, &expected, size);
+        assert!((error(1.0) - 0.1 / 10.0).abs() < 1e-15);
+        assert!((error(0.1) - 1.0 / 20.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn no_number_is_no_agreement() {
+        let expected = Vector6::repeat(1.0);
+        let error = resultant_error(&Vector6::repeat(f64::NAN), &expected, 1.0);
+        assert!(error.is_nan());
+        assert_eq!(
+            resultant_error(&Vector6::zeros(), &Vector6::zeros(), 1.0),
+            0.0
+        );
+    }
+}
