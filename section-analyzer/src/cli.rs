@@ -6,15 +6,17 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use shared_geom::error::{Diagnostics, Explain};
-use shared_geom::files::OutputProblem;
 
 use crate::input::{self, Input};
 
 mod analyze;
 mod arguments;
+mod change;
 mod check;
+mod compare;
 mod generate;
 mod load_arguments;
+mod report;
 mod stress;
 
 use arguments::{Arguments, Command};
@@ -85,20 +87,21 @@ fn dispatch(
         Err(message) => return Ok(write!(terminal.out, "{}", message.render())?),
     };
     match arguments.command {
-        Command::Analyze { file, out } => analyze::analyze_file(&file, out, terminal),
+        Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),
         Command::Check { file } => check::check_file(&file, terminal),
         Command::Stress { file, load, out } => stress::recover_file(&file, &load, out, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
+        Command::Report(arguments) => report::report_files(&arguments, terminal),
+        Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
+        Command::Shift(arguments) => change::shift_file(&arguments, terminal),
+        Command::Rotate(arguments) => change::rotate_file(&arguments, terminal),
     }
 }
 
 impl Terminal<'_> {
     /// Tells a problem.
     fn tell(&mut self, problem: &impl Explain, code: u8) -> Stop {
-        let help = problem
-            .help()
-            .map_or_else(String::new, |help| format!("\n  help: {help}"));
-        self.tell_text(&format!("error: {problem}{help}"), code)
+        self.tell_text(&words(problem), code)
     }
 
     fn tell_text(&mut self, text: &str, code: u8) -> Stop {
@@ -117,14 +120,20 @@ impl Terminal<'_> {
     }
 }
 
-/// Says where the files lie, or why they could not be written.
-fn list(
-    files: &[PathBuf],
-    written: Result<(), OutputProblem>,
-    terminal: &mut Terminal<'_>,
-) -> Result<(), Stop> {
-    written.map_err(|problem| terminal.tell(&problem, NOT_REACHED))?;
-    writeln!(terminal.out, "\nWritten")?;
+/// A problem as it is told, with its remedy.
+fn words(problem: &impl Explain) -> String {
+    let help = problem
+        .help()
+        .map_or_else(String::new, |help| format!("\n  help: {help}"));
+    format!("error: {problem}{help}")
+}
+
+/// Says where the files lie.
+fn list(heading: &str, files: &[PathBuf], terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+    if files.is_empty() {
+        return Ok(());
+    }
+    writeln!(terminal.out, "\n{heading}")?;
     for file in files {
         writeln!(terminal.out, "  {}", file.display())?;
     }

@@ -2,15 +2,20 @@
 //! user could call a result.
 
 mod areas;
+mod comparison;
 mod engineering;
 mod field_plot;
 mod files;
 mod mesh_plot;
 mod outline;
+mod parts;
 mod plane;
 mod properties;
+mod property_report;
+mod record;
 mod report;
 mod restrained;
+mod results;
 mod strengths;
 mod stress_plots;
 mod stress_report;
@@ -23,13 +28,17 @@ mod warping_plot;
 mod samples;
 
 pub use areas::areas_csv;
-pub use engineering::{EngineeringValue, engineering_values};
+pub use comparison::{Named, comparison};
+pub use engineering::{EngineeringValue, engineering_values, engineering_values_of};
 pub use field_plot::FieldPlot;
 pub use files::OutputFiles;
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
+pub use property_report::{property_axes, property_centers, property_report};
+pub use record::AnalysisRecord;
 pub use report::{failure_report, input_report, report};
 pub use restrained::constants_csv;
+pub use results::ResultWriter;
 pub use stress_plots::{failure_indices_of_cells, stress_plots};
 pub use stress_report::stress_report;
 pub use stress_tables::{stress_cells_csv, stress_nodes_csv, stress_points_csv};

@@ -5,6 +5,7 @@
 mod areas;
 mod boundary;
 mod centers;
+mod difference;
 mod moments;
 mod principal;
 mod restrained;
@@ -13,6 +14,7 @@ mod scaled;
 pub use areas::{AreaProperties, AreaTable};
 pub use boundary::Perimeter;
 pub use centers::Centers;
+pub use difference::{Difference, Entry, Part, radius_of_gyration};
 pub use moments::{AreaMoments, SecondMoments};
 pub use principal::PrincipalAxes;
 pub use restrained::{Anisotropic, RestrainedWarping};

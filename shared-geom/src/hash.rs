@@ -12,7 +12,15 @@ pub fn sha256_of(parts: &[&[u8]]) -> String {
         hasher.update((part.len() as u64).to_le_bytes());
         hasher.update(part);
     }
-    let digits = hasher.finalize();
+    named(&hasher.finalize())
+}
+
+/// The SHA-256 of the content of a file, `sha256:` and the digits of `sha256sum`.
+pub fn sha256_of_content(bytes: &[u8]) -> String {
+    named(&Sha256::digest(bytes))
+}
+
+fn named(digits: &[u8]) -> String {
     let hexadecimal: String = digits.iter().map(|byte| format!("{byte:02x}")).collect();
     format!("sha256:{hexadecimal}")
 }
@@ -27,6 +35,15 @@ mod tests {
         assert_eq!(
             sha256_of(&[b"abc"]),
             "sha256:ce91dc5eec0139adf091900d225971d6ad246a845bad791b5693a9d0d55dd391"
+        );
+    }
+
+    /// SHA-256 of "abc": the example of FIPS 180-4.
+    #[test]
+    fn hash_of_a_file_is_that_of_its_bytes() {
+        assert_eq!(
+            sha256_of_content(b"abc"),
+            "sha256:ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
         );
     }
 

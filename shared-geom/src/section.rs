@@ -11,10 +11,12 @@ use crate::wrench;
 
 mod check;
 mod file;
+mod history;
 mod json;
 
 pub use check::PropertyProblem;
 pub use file::{VERSION, parse, read, write};
+pub use history::{Change, Step};
 
 /// What a beam needs to know of a cross-section.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,7 +109,7 @@ pub enum Damping {
 }
 
 /// Where the numbers come from.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Provenance {
     /// Name of the program.
     pub program: String,
@@ -120,6 +122,8 @@ pub struct Provenance {
     pub nodes: usize,
     /// Cells of the mesh.
     pub cells: usize,
+    /// Changes of point and axes since then, in their order.
+    pub history: Vec<Step>,
 }
 
 impl SectionProperties {

@@ -141,6 +141,7 @@ impl Written {
                 input_hash: String::new(),
                 nodes: 0,
                 cells: 0,
+                history: Vec::new(),
             },
         }
     }

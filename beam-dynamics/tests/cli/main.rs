@@ -9,7 +9,8 @@ use std::process::{Command, Stdio};
 
 use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
 use shared_geom::section::{
-    self, Centers, Damping, InitialCurvature, Piezo, PrincipalAxes, Provenance, SectionProperties,
+    self, Centers, Change, Damping, InitialCurvature, Piezo, PrincipalAxes, Provenance,
+    SectionProperties, Step,
 };
 use tempfile::TempDir;
 
@@ -124,6 +125,7 @@ fn strip() -> SectionProperties {
             input_hash: String::new(),
             nodes: 0,
             cells: 0,
+            history: Vec::new(),
         },
     }
 }
@@ -266,9 +268,31 @@ fn a_newer_property_file_is_told() {
     let text = section::write(&strip()).replace("\"version\": 1,", "\"version\": 7,");
     folder.write("strip.properties.json", &text);
     let message = "\
-error: strip.properties.json:3: written in version 7 of the property-file format, expected at most 1
+error: strip.properties.json:3: written in version 7 of the property-file format, expected at most 2
   help: use a newer version of this program";
     folder.refuses(BLADE, message);
+}
+
+/// The history says how the matrices came about; it is not applied to them again.
+#[test]
+fn a_property_file_with_a_history_is_read() {
+    let folder = Folder::new();
+    let frequencies = |properties: &SectionProperties| {
+        folder.write("strip.properties.json", &section::write(properties));
+        folder.write("a.dynamics.toml", BLADE);
+        let run = folder.run(&["modes", "a.dynamics.toml"]);
+        assert_eq!((run.code, run.err.as_str()), (0, ""));
+        std::fs::read_to_string(folder.path("results/a.frequencies.csv")).unwrap()
+    };
+    let plain = strip();
+    let mut moved = plain.clone();
+    moved.provenance.history.push(Step {
+        change: Change::Shift(Vector2::new(1.0, 1.0)),
+        program: "by hand".to_owned(),
+        version: "1".to_owned(),
+    });
+    assert!(section::write(&moved).contains("\"version\": 2,"));
+    assert_eq!(frequencies(&moved), frequencies(&plain));
 }
 
 #[test]

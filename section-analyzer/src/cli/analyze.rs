@@ -1,94 +1,97 @@
-//! `section-analyzer analyze`: from a section file to its results.
+//! `section-analyzer analyze`: from section files to their results.
 
 use std::path::{Path, PathBuf};
 
-use shared_geom::error::{Diagnostics, Place};
-use shared_geom::files::{OutputProblem, write_figure, write_text};
+use shared_geom::hash::sha256_of_content;
 
-use super::stress::Stresses;
-use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
-use crate::analysis::analyze;
-use crate::input::{self, Input};
-use crate::output::{
-    MeshPlot, OutputFiles, WarpingPlot, areas_csv, constants_csv, failure_report, properties,
-    report, warping_vtu,
-};
-use crate::properties::RestrainedWarping;
-use crate::solution::SectionSolution;
+use super::arguments::AnalyzeArguments;
+use super::{DONE, Stop, Terminal, WRONG_INPUT, list};
+use crate::input;
 
-/// Analyzes one section and writes its results.
-pub(super) fn analyze_file(
-    file: &Path,
-    out: Option<PathBuf>,
-    terminal: &mut Terminal<'_>,
-) -> Result<(), Stop> {
-    let input = terminal.read(file)?;
-    let folder = out.unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).join("results"));
-    let name = input::name_of(file);
-    let files =
-        OutputFiles::new(&folder, &name).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
-    let Input {
-        section, summary, ..
-    } = &input;
+mod lines;
+mod many;
+mod one;
+mod overlap;
+mod progress;
 
-    match analyze(section) {
-        Ok(solution) => {
-            let properties = properties(section, &solution, &summary.input_hash);
-            let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-            let text = report(section, summary, &solution, &restrained);
-            let written = write_text(&files.report(), &text)
-                .and_then(|()| {
-                    write_text(
-                        &files.properties(),
-                        &shared_geom::section::write(&properties),
-                    )
-                })
-                .and_then(|()| write_text(&files.areas(), &areas_csv(&summary.areas)))
-                .and_then(|()| match &restrained {
-                    Ok(constants) => write_text(&files.constants(), &constants_csv(constants)),
-                    Err(_) => {
-                        files.remove_constants();
-                        Ok(())
-                    }
-                })
-                .and_then(|()| write_fields(&input, &solution, &files));
-            let stresses = Stresses::write(&input, &solution, &files);
-            write!(terminal.out, "{text}")?;
-            let mut paths = vec![files.properties(), files.report(), files.areas()];
-            paths.extend(restrained.is_ok().then(|| files.constants()));
-            paths.extend([files.mesh(), files.warping(), files.warping_field()]);
-            stresses.end(file, paths, written, terminal)
-        }
-        Err(failure) => {
-            files.remove_results();
-            for load in &input.loads {
-                files.remove_stresses(&load.name);
-            }
-            let text = failure_report(section, summary, &failure);
-            let mesh = MeshPlot::new(section, summary, None);
-            let written = write_text(&files.report(), &text)
-                .and_then(|()| write_figure(&files.mesh(), mesh.size(), &mesh));
-            let place = Place::file(file.display().to_string());
-            let problem = Diagnostics::one(place, &failure);
-            let stop = terminal.tell_text(&problem.to_string(), NOT_REACHED);
-            list(&[files.report(), files.mesh()], written, terminal)?;
-            Err(stop)
+use one::{Outcome, analyze_one};
+
+/// A section to analyze, and where its results go.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Job {
+    file: PathBuf,
+    folder: PathBuf,
+    name: String,
+}
+
+impl Job {
+    /// The results of `file` go to the folder `out`, or else to the folder `results`
+    /// beside the file.
+    fn new(file: &Path, out: Option<&Path>) -> Self {
+        let beside = || file.parent().unwrap_or(Path::new("")).join("results");
+        Self {
+            file: file.to_owned(),
+            folder: out.map_or_else(beside, Path::to_owned),
+            name: input::name_of(file),
         }
     }
 }
 
-/// The figures of the mesh and of the warping, and the warping as a field file.
-fn write_fields(
-    input: &Input,
-    solution: &SectionSolution,
-    files: &OutputFiles,
-) -> Result<(), OutputProblem> {
-    let Input {
-        section, summary, ..
-    } = input;
-    let mesh = MeshPlot::new(section, summary, Some(&solution.centers));
-    write_figure(&files.mesh(), mesh.size(), &mesh)?;
-    let warping = WarpingPlot::new(section, solution);
-    write_figure(&files.warping(), warping.size(), &warping)?;
-    warping_vtu(section, solution).write(&files.warping_field())
+/// What all sections of a run share.
+#[derive(Debug, Clone)]
+struct Run {
+    /// Whether sections are solved even if nothing has changed.
+    force: bool,
+    /// Fingerprint of the program; without one every section is solved.
+    program: Option<String>,
+}
+
+/// Analyzes sections and writes their results.
+pub(super) fn analyze_files(
+    arguments: &AnalyzeArguments,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let out = arguments.out.as_deref();
+    let jobs: Vec<_> = arguments
+        .files
+        .iter()
+        .map(|file| Job::new(file, out))
+        .collect();
+    let overlaps = overlap::overlaps(&jobs);
+    for problem in &overlaps {
+        terminal.tell(problem, WRONG_INPUT);
+    }
+    if !overlaps.is_empty() {
+        return Err(Stop::Told(WRONG_INPUT));
+    }
+    let run = Run {
+        force: arguments.force,
+        program: program(),
+    };
+    match &jobs[..] {
+        [job] => show(analyze_one(job, &run), terminal),
+        jobs => many::analyze_many(jobs, &run, arguments.threads, terminal),
+    }
+}
+
+/// Shows the outcome of a section that was the only one.
+fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+    write!(terminal.out, "{}", outcome.report)?;
+    if let Some(problems) = &outcome.problems {
+        // Told first; what was written is listed all the same.
+        terminal.tell_text(problems, outcome.status.code());
+    }
+    list(outcome.status.heading(), &outcome.files, terminal)?;
+    match outcome.status.code() {
+        DONE => Ok(()),
+        code => Err(Stop::Told(code)),
+    }
+}
+
+/// Fingerprint of this program: its version and its file, since two builds of one
+/// version may differ.
+fn program() -> Option<String> {
+    let file = std::fs::read(std::env::current_exe().ok()?).ok()?;
+    let version = env!("CARGO_PKG_VERSION");
+    Some(format!("{version} {}", sha256_of_content(&file)))
 }

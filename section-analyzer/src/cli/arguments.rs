@@ -5,7 +5,20 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use shared_geom::mesh::CellKind;
 
+mod analyze;
+mod property_files;
+mod stress;
+
 pub(super) use super::load_arguments::LoadArguments;
+pub(super) use analyze::AnalyzeArguments;
+use analyze::{ANALYZE, ANALYZE_EXAMPLE};
+use property_files::{
+    COMPARE, COMPARE_EXAMPLE, REPORT, REPORT_EXAMPLE, ROTATE, ROTATE_EXAMPLE, SHIFT, SHIFT_EXAMPLE,
+};
+pub(super) use property_files::{
+    CompareArguments, Point, PrincipalName, ReportArguments, RotateArguments, ShiftArguments,
+};
+use stress::{STRESS, STRESS_EXAMPLE};
 
 const ABOUT: &str = "\
 Finds the 6x6 stiffness and mass of a beam section of any shape and material
@@ -37,43 +50,6 @@ Example, a strip of aluminum from nothing:
   section-analyzer analyze strip.section.toml
 
 Exit codes: 0 done; 1 ran but did not reach its goal; 2 wrong input or command line.";
-
-const ANALYZE: &str = "\
-Solves a section and writes its properties
-
-Reads the section file, its mesh and its tables, tells all that is wrong with them at
-once, solves, prints the report, and writes into the folder DIR:
-  NAME.properties.json   stiffness, mass, centers: input of the beam program
-  NAME.report.txt        the report: what went in, what came out, run-time checks
-  NAME.areas.csv         area, moments of area, perimeter and mass by region
-  NAME.constants.csv     constants of restrained warping, if all materials are isotropic
-  NAME.mesh.png          the mesh in the colors of its materials, with the centers
-  NAME.warping.png       the warping under each unit internal force
-  NAME.warping.vtu       the same as fields on the mesh, for ParaView
-  NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE
-where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
-and removes the other files of an earlier run.";
-
-const ANALYZE_EXAMPLE: &str = "\
-Example:
-  section-analyzer analyze blade/root.section.toml --out blade/results";
-
-const STRESS: &str = "\
-Recovers the stresses of a section under given internal forces
-
-Solves the section, prints the report of each load, and writes into the folder DIR:
-  NAME.LOAD.stress.txt         load, extreme stresses and failure indices by region
-  NAME.LOAD.stress.csv         strains, stresses and indices at integration points
-  NAME.LOAD.stress_cells.csv   means of the cells
-  NAME.LOAD.stress_nodes.csv   smoothed values at nodes, by region
-  NAME.LOAD.stress.vtu         all of it as fields on the mesh, for ParaView
-  NAME.LOAD.stress_xx.png      plots; also shear, von_mises, and failure with strengths
-The load is that of the command line; without one, every [load.NAME] of the file.
-A plain number is in N or N m; \"1 kN\" and \"3 lbf in\" carry their own units.";
-
-const STRESS_EXAMPLE: &str = "\
-Example, 1 kN of tension and 2 N m of torsion:
-  section-analyzer stress blade/root.section.toml --axial 1e3 --torsion \"2 N m\"";
 
 const CHECK: &str = "\
 Reads and checks a section file without solving it
@@ -133,13 +109,7 @@ pub(super) struct Arguments {
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     #[command(about = first_line(ANALYZE), long_about = ANALYZE, after_help = ANALYZE_EXAMPLE)]
-    Analyze {
-        /// Section file, NAME.section.toml
-        file: PathBuf,
-        /// Folder for the results; the folder "results" beside FILE if not given
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
-    },
+    Analyze(AnalyzeArguments),
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
     Check {
         /// Section file, NAME.section.toml
@@ -157,6 +127,14 @@ pub(super) enum Command {
     },
     #[command(subcommand, about = first_line(MESH), long_about = MESH)]
     Mesh(Shape),
+    #[command(about = first_line(REPORT), long_about = REPORT, after_help = REPORT_EXAMPLE)]
+    Report(ReportArguments),
+    #[command(about = first_line(COMPARE), long_about = COMPARE, after_help = COMPARE_EXAMPLE)]
+    Compare(CompareArguments),
+    #[command(about = first_line(SHIFT), long_about = SHIFT, after_help = SHIFT_EXAMPLE)]
+    Shift(ShiftArguments),
+    #[command(about = first_line(ROTATE), long_about = ROTATE, after_help = ROTATE_EXAMPLE)]
+    Rotate(RotateArguments),
 }
 
 /// The shapes that can be meshed.

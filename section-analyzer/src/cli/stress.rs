@@ -5,16 +5,16 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Vector6;
 use shared_geom::error::{Diagnostics, Explain, Place};
-use shared_geom::files::{OutputProblem, write_figure, write_text};
+use shared_geom::files::OutputProblem;
 
 use super::arguments::LoadArguments;
-use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
+use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, words};
 use crate::analysis::analyze;
 use crate::failure::Failure;
 use crate::input::{self, Input, InputProblem};
 use crate::output::{
-    OutputFiles, failure_indices_of_cells, stress_cells_csv, stress_nodes_csv, stress_plots,
-    stress_points_csv, stress_report, stress_vtu,
+    OutputFiles, ResultWriter, failure_indices_of_cells, stress_cells_csv, stress_nodes_csv,
+    stress_plots, stress_points_csv, stress_report, stress_vtu,
 };
 use crate::recovery::{LoadCase, Recoverer, Recovery};
 use crate::solution::SectionSolution;
@@ -59,9 +59,19 @@ pub(super) fn recover_file(
         terminal.tell_text(&problem.to_string(), NOT_REACHED)
     })?;
 
-    let stresses = Stresses::write(&input, &solution, &files);
+    let mut results = ResultWriter::beside(files);
+    let mut stresses = Stresses::default();
+    let written = stresses.write(&input, &solution, &mut results);
     write!(terminal.out, "{}", stresses.reports.join("\n"))?;
-    stresses.end(file, Vec::new(), Ok(()), terminal)
+    let problems = [
+        written.err().map(|problem| words(&problem)),
+        stresses.problems(file),
+    ];
+    let problems: Vec<_> = problems.into_iter().flatten().collect();
+    let told =
+        (!problems.is_empty()).then(|| terminal.tell_text(&problems.join("\n"), NOT_REACHED));
+    list("Written", &results.abandon(), terminal)?;
+    told.map_or(Ok(()), Err)
 }
 
 /// The load of the command line, where it gives one.
@@ -86,129 +96,102 @@ fn written_load(
     Ok(Some(LoadCase::at_point(name, &force, point)))
 }
 
-/// What was recovered and written.
-#[derive(Debug)]
+/// What was recovered.
+#[derive(Debug, Default)]
 pub(super) struct Stresses {
     /// The reports, one for each load that could be recovered.
     reports: Vec<String>,
-    files: Vec<PathBuf>,
-    written: Result<(), OutputProblem>,
     failures: Vec<Failure>,
 }
 
 impl Stresses {
     /// Recovers and writes the stresses under every load of `input`.
-    pub fn write(input: &Input, solution: &SectionSolution, files: &OutputFiles) -> Self {
-        let mut stresses = Self {
-            reports: Vec::new(),
-            files: Vec::new(),
-            written: Ok(()),
-            failures: Vec::new(),
-        };
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write(
+        &mut self,
+        input: &Input,
+        solution: &SectionSolution,
+        results: &mut ResultWriter,
+    ) -> Result<(), OutputProblem> {
         if input.loads.is_empty() {
-            return stresses;
+            return Ok(());
         }
         let recoverer = Recoverer::new(&input.section, solution);
         for load in &input.loads {
             match recoverer.recover(load) {
-                Ok(recovery) => stresses.write_one(input, solution, &recovery, files),
+                Ok(recovery) => self.write_one(input, solution, &recovery, results)?,
                 Err(failure) => {
-                    files.remove_stresses(&load.name);
-                    stresses.failures.push(failure);
+                    results.files().remove_stresses(&load.name);
+                    self.failures.push(failure);
                 }
             }
         }
-        stresses
+        Ok(())
     }
 
-    /// All files of one recovery: the place for further tables and figures.
+    /// All files of one recovery: a new one is one more line.
     fn write_one(
         &mut self,
         input: &Input,
         solution: &SectionSolution,
         recovery: &Recovery,
-        files: &OutputFiles,
-    ) {
+        results: &mut ResultWriter,
+    ) -> Result<(), OutputProblem> {
         let Input {
             section, limits, ..
         } = input;
         let load = &recovery.load.name;
+        let files = results.files().clone();
         // of an earlier run, which may have had strengths
         files.remove_stresses(load);
         let report = stress_report(section, limits, recovery);
-        let written = write_text(&files.stress_report(load), &report)
-            .and_then(|()| {
-                let points = stress_points_csv(section, limits, recovery);
-                write_text(&files.stress_points(load), &points)
-            })
-            .and_then(|()| {
-                let cells = stress_cells_csv(section, recovery);
-                write_text(&files.stress_cells(load), &cells)
-            })
-            .and_then(|()| {
-                let nodes = stress_nodes_csv(section, recovery);
-                write_text(&files.stress_nodes(load), &nodes)
-            });
+        results.text(files.stress_report(load), &report)?;
         self.reports.push(report);
-        self.files.extend([
-            files.stress_report(load),
-            files.stress_points(load),
+        let points = stress_points_csv(section, limits, recovery);
+        results.text(files.stress_points(load), &points)?;
+        results.text(
             files.stress_cells(load),
+            &stress_cells_csv(section, recovery),
+        )?;
+        results.text(
             files.stress_nodes(load),
-        ]);
-        let written = written.and_then(|()| self.write_fields(input, solution, recovery, files));
-        if self.written.is_ok() {
-            self.written = written;
-        }
+            &stress_nodes_csv(section, recovery),
+        )?;
+        write_fields(input, solution, recovery, results)
     }
 
-    /// The field file and the figures of one recovery.
-    fn write_fields(
-        &mut self,
-        input: &Input,
-        solution: &SectionSolution,
-        recovery: &Recovery,
-        files: &OutputFiles,
-    ) -> Result<(), OutputProblem> {
-        let Input {
-            section,
-            summary,
-            limits,
-            ..
-        } = input;
-        let load = &recovery.load.name;
-        let failure = failure_indices_of_cells(section, limits, recovery);
-        let field = files.stress_field(load);
-        stress_vtu(section, solution, recovery, &failure).write(&field)?;
-        self.files.push(field);
-        for (word, plot) in stress_plots(section, summary, recovery, &failure) {
-            let figure = files.stress_figure(load, word);
-            write_figure(&figure, plot.size(), &plot)?;
-            self.files.push(figure);
-        }
-        Ok(())
-    }
-
-    /// Lists these files behind `others`, which were `written` before, and tells the
-    /// loads that could not be recovered.
-    pub fn end(
-        self,
-        file: &Path,
-        mut others: Vec<PathBuf>,
-        written: Result<(), OutputProblem>,
-        terminal: &mut Terminal<'_>,
-    ) -> Result<(), Stop> {
+    /// The loads of the section file `file` that could not be recovered, in words.
+    pub fn problems(&self, file: &Path) -> Option<String> {
         let mut problems = Diagnostics::new();
         for failure in &self.failures {
             problems.push(Place::file(file.display().to_string()), failure);
         }
-        others.extend(self.files);
-        let written = written.and(self.written);
-        if problems.is_empty() {
-            return list(&others, written, terminal);
-        }
-        let stop = terminal.tell_text(&problems.to_string(), NOT_REACHED);
-        list(&others, written, terminal)?;
-        Err(stop)
+        (!problems.is_empty()).then(|| problems.to_string())
     }
+}
+
+/// The field file and the figures of one recovery.
+fn write_fields(
+    input: &Input,
+    solution: &SectionSolution,
+    recovery: &Recovery,
+    results: &mut ResultWriter,
+) -> Result<(), OutputProblem> {
+    let Input {
+        section,
+        summary,
+        limits,
+        ..
+    } = input;
+    let load = &recovery.load.name;
+    let files = results.files().clone();
+    let failure = failure_indices_of_cells(section, limits, recovery);
+    let fields = stress_vtu(section, solution, recovery, &failure);
+    results.add(files.stress_field(load), |file| fields.write(file))?;
+    for (word, plot) in stress_plots(section, summary, recovery, &failure) {
+        results.figure(files.stress_figure(load, word), plot.size(), &plot)?;
+    }
+    Ok(())
 }

@@ -1,8 +1,10 @@
 //! The engineering values of a section, read from its matrices at its centers.
 
-use nalgebra::{Matrix6, Vector3};
+use nalgebra::{Matrix6, Vector2, Vector3};
+use shared_geom::section::SectionProperties;
 use shared_geom::wrench;
 
+use crate::properties::invert_symmetric;
 use crate::solution::SectionSolution;
 
 /// An engineering value: a diagonal entry of the matrices about one point.
@@ -26,8 +28,36 @@ pub struct EngineeringValue {
 /// about O + d, with U(d) = [I 0; -d x I]:    K' = U(d) K U(d)^T     C' = U(-d)^T C U(-d)
 /// ```
 pub fn engineering_values(solution: &SectionSolution) -> [EngineeringValue; 6] {
-    let tension = about(solution, solution.centers.tension);
-    let shear = about(solution, solution.centers.shear);
+    let about = |[y, z]: [f64; 2]| {
+        let d = Vector3::new(0.0, y, z);
+        let back = wrench::shift_matrix(&-d);
+        let stiffness = wrench::shift(&solution.stiffness, &d);
+        (stiffness, back.transpose() * solution.compliance * back)
+    };
+    values(
+        &about(solution.centers.tension),
+        &about(solution.centers.shear),
+    )
+}
+
+/// As [`engineering_values`], from a property file, which holds no compliance: that
+/// about a center is the inverse of the stiffness there. `None` when the stiffness
+/// is not positive definite.
+pub fn engineering_values_of(properties: &SectionProperties) -> Option<[EngineeringValue; 6]> {
+    let about = |center: Vector2<f64>| {
+        let d = Vector3::new(0.0, center.x, center.y);
+        let stiffness = wrench::shift(&properties.stiffness, &d);
+        Some((stiffness, invert_symmetric(&stiffness)?))
+    };
+    let tension = about(properties.centers.tension)?;
+    Some(values(&tension, &about(properties.centers.shear)?))
+}
+
+/// The values from stiffness and compliance about the tension and the shear center.
+fn values(
+    tension: &(Matrix6<f64>, Matrix6<f64>),
+    shear: &(Matrix6<f64>, Matrix6<f64>),
+) -> [EngineeringValue; 6] {
     let value =
         |symbol, meaning, unit, (stiffness, compliance): &(Matrix6<f64>, Matrix6<f64>), i| {
             EngineeringValue {
@@ -39,33 +69,25 @@ pub fn engineering_values(solution: &SectionSolution) -> [EngineeringValue; 6] {
             }
         };
     [
-        value("EA", "extension at the tension center", "N", &tension, 0),
-        value("GAy", "shear along y at the shear center", "N", &shear, 1),
-        value("GAz", "shear along z at the shear center", "N", &shear, 2),
-        value("GJ", "torsion about the shear center", "N m^2", &shear, 3),
+        value("EA", "extension at the tension center", "N", tension, 0),
+        value("GAy", "shear along y at the shear center", "N", shear, 1),
+        value("GAz", "shear along z at the shear center", "N", shear, 2),
+        value("GJ", "torsion about the shear center", "N m^2", shear, 3),
         value(
             "EIy",
             "bending about y at the tension center",
             "N m^2",
-            &tension,
+            tension,
             4,
         ),
         value(
             "EIz",
             "bending about z at the tension center",
             "N m^2",
-            &tension,
+            tension,
             5,
         ),
     ]
-}
-
-/// Stiffness and compliance about the point (y, z).
-fn about(solution: &SectionSolution, [y, z]: [f64; 2]) -> (Matrix6<f64>, Matrix6<f64>) {
-    let d = Vector3::new(0.0, y, z);
-    let back = wrench::shift_matrix(&-d);
-    let stiffness = wrench::shift(&solution.stiffness, &d);
-    (stiffness, back.transpose() * solution.compliance * back)
 }
 
 #[cfg(test)]

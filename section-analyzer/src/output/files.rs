@@ -27,6 +27,21 @@ impl OutputFiles {
         })
     }
 
+    /// The folder of the results.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// The name of the section, with which the names of its files begin.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The record of the last analysis.
+    pub fn record(&self) -> PathBuf {
+        self.path("analysis.json")
+    }
+
     /// The property file.
     pub fn properties(&self) -> PathBuf {
         self.path("properties.json")

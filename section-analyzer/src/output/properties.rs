@@ -44,6 +44,7 @@ pub fn properties(
             input_hash: input_hash.to_owned(),
             nodes: section.mesh.nodes.len(),
             cells: section.mesh.cells.len(),
+            history: Vec::new(),
         },
     }
 }

@@ -1,13 +1,11 @@
 //! The text report: what went in, what came out, in which axes, and what vouches
 //! for it.
 
-use nalgebra::Matrix6;
-use shared_geom::wrench::COMPONENTS;
-
 use super::areas::areas;
 use super::engineering::engineering_values;
+use super::parts::{self, couplings, joined};
 use super::restrained::restrained_warping;
-use super::text::{coordinate, matrix, number, table};
+use super::text::{matrix, number, table};
 use crate::failure::Failure;
 use crate::input::InputSummary;
 use crate::material::{ElasticLaw, Material};
@@ -15,9 +13,6 @@ use crate::properties::{Anisotropic, RestrainedWarping};
 use crate::section::Section;
 use crate::solution::{Checks, SectionSolution};
 use shared_geom::error::Explain;
-
-/// Couplings below this part of `sqrt(Kii Kjj)` are left out of the list.
-const COUPLING: f64 = 1e-6;
 
 const CONVENTION: &str = "\
 Convention
@@ -87,19 +82,6 @@ pub fn input_report(section: &Section, summary: &InputSummary) -> String {
         areas(&summary.areas),
     ];
     joined(&parts)
-}
-
-/// The parts that are not empty, an empty line between them; a part in brackets
-/// belongs to the one before it.
-fn joined(parts: &[String]) -> String {
-    let mut text = String::new();
-    for part in parts.iter().filter(|part| !part.is_empty()) {
-        if !text.is_empty() && !part.starts_with("  (") {
-            text.push('\n');
-        }
-        text += part;
-    }
-    text
 }
 
 fn head(section: &Section, summary: &InputSummary) -> String {
@@ -210,116 +192,20 @@ fn regions(summary: &InputSummary) -> String {
 }
 
 fn engineering(solution: &SectionSolution) -> String {
-    let heading = ["", "", "others restrained", "others free", ""];
-    let mut rows = vec![heading.map(str::to_owned).to_vec()];
-    for value in engineering_values(solution) {
-        rows.push(vec![
-            value.symbol.to_owned(),
-            value.meaning.to_owned(),
-            number(value.restrained),
-            number(value.free),
-            value.unit.to_owned(),
-        ]);
-    }
-    format!(
-        "Engineering values\n  (restrained: other generalized strains zero, Kii; \
-         free: other internal forces zero, 1/Cii)\n{}",
-        table(&rows, "llrrl")
-    )
+    parts::engineering(&engineering_values(solution))
 }
 
 fn centers(summary: &InputSummary, solution: &SectionSolution) -> String {
     let scale = summary.areas.total.area.sqrt();
     let centers = &solution.centers;
-    let mut rows = vec![["center", "y", "z", ""].map(str::to_owned).to_vec()];
-    let mut add = |name: &str, [y, z]: [f64; 2], meaning: &str| {
-        rows.push(vec![
-            name.to_owned(),
-            coordinate(y, scale),
-            coordinate(z, scale),
-            meaning.to_owned(),
-        ]);
-    };
-    add(
-        "tension",
-        centers.tension,
-        "an axial force here causes no bending",
-    );
-    add("shear", centers.shear, "a shear force here causes no twist");
-    match centers.mass {
-        Some(mass) => add("mass", mass, "center of mass"),
-        None => add("mass", [0.0; 2], "the section has no mass"),
-    }
-    format!(
-        "Centers, from the reference point [m]\n{}",
-        table(&rows, "lrrl")
-    )
+    parts::centers(scale, centers)
 }
 
 fn principal_axes(solution: &SectionSolution) -> String {
-    // Rounded first: a tiny negative angle is shown as zero, not as -0.0000.
-    let degrees = |angle: f64| format!("{:.4}", (angle.to_degrees() * 1e4).round() / 1e4 + 0.0);
-    let bending = &solution.principal_bending;
-    let heading = [
-        "axes",
-        "angle [deg]",
-        "about the first",
-        "about the second",
-        "",
-    ];
-    let mut rows = vec![heading.map(str::to_owned).to_vec()];
-    rows.push(vec![
-        "bending, at the tension center".to_owned(),
-        degrees(bending.angle),
-        number(bending.first),
-        number(bending.second),
-        "N m^2".to_owned(),
-    ]);
-    if let Some(inertia) = &solution.principal_inertia {
-        rows.push(vec![
-            "inertia, at the mass center".to_owned(),
-            degrees(inertia.angle),
-            number(inertia.first),
-            number(inertia.second),
-            "kg m".to_owned(),
-        ]);
-    }
-    format!(
-        "Principal axes (angle from +y to the first axis, positive about +x)\n{}",
-        table(&rows, "lrrrl")
+    parts::principal_axes(
+        &solution.principal_bending,
+        solution.principal_inertia.as_ref(),
     )
-}
-
-/// The couplings of the stiffness that are more than round-off.
-fn couplings(stiffness: &Matrix6<f64>) -> String {
-    let mut rows = Vec::new();
-    for i in 0..6 {
-        for j in i + 1..6 {
-            let scale = (stiffness[(i, i)] * stiffness[(j, j)]).sqrt();
-            let relative = stiffness[(i, j)] / scale;
-            if relative.abs() > COUPLING {
-                rows.push(vec![
-                    format!("{}-{}", coupling_name(i), coupling_name(j)),
-                    format!("K{}{}", i + 1, j + 1),
-                    format!("{relative:+.6}"),
-                    number(stiffness[(i, j)]),
-                ]);
-            }
-        }
-    }
-    let list = match rows.is_empty() {
-        true => "  none above 1e-6\n".to_owned(),
-        false => table(&rows, "llr"),
-    };
-    format!("Couplings about the reference point, Kij / sqrt(Kii Kjj) and Kij\n{list}")
-}
-
-/// `extension` where the component is called axial.
-fn coupling_name(component: usize) -> &'static str {
-    match component {
-        0 => "extension",
-        other => COMPONENTS[other],
-    }
 }
 
 fn checks(checks: &Checks) -> String {

@@ -48,7 +48,7 @@ fn all_files_are_written_and_listed() {
     let list = "\nWritten\n  results/strip.properties.json\n  results/strip.report.txt\n  \
         results/strip.areas.csv\n  results/strip.constants.csv\n  \
         results/strip.mesh.png\n  results/strip.warping.png\n  \
-        results/strip.warping.vtu\n";
+        results/strip.warping.vtu\n  results/strip.analysis.json\n";
     assert_eq!(run.out, report + list);
     for figure in ["results/strip.mesh.png", "results/strip.warping.png"] {
         let bytes = std::fs::read(place.path(figure)).unwrap();
@@ -193,7 +193,8 @@ fn runs_repeat_to_the_last_digit_and_inputs_have_a_fingerprint() {
     };
     assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
     let (first, first_hash) = (place.read("results/strip.properties.json"), hash(&place));
-    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+    let again = place.run(&["analyze", "strip.section.toml", "--force"]);
+    assert!(again.out.contains("\nWritten\n"), "{}", again.out);
     assert_eq!(place.read("results/strip.properties.json"), first);
     let mesh = place.read("strip.msh");
     place.write("strip.msh", &(mesh + "\n"));
@@ -363,7 +364,13 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
     );
     assert!(place.path("results/a.mesh.png").exists());
     assert!(!place.path("results/a.properties.json").exists());
-    for file in ["warping.png", "warping.vtu", "areas.csv", "constants.csv"] {
+    for file in [
+        "warping.png",
+        "warping.vtu",
+        "areas.csv",
+        "constants.csv",
+        "analysis.json",
+    ] {
         assert!(!place.path(&format!("results/a.{file}")).exists(), "{file}");
     }
 }

@@ -26,6 +26,22 @@ fn help_teaches_with_an_example() {
             "section-analyzer stress blade/root.section.toml --axial 1e3",
         ),
         (
+            &["report", "--help"],
+            "section-analyzer report blade/results/root.properties.json",
+        ),
+        (
+            &["compare", "--help"],
+            "section-analyzer compare fine.properties.json coarse",
+        ),
+        (
+            &["shift", "--help"],
+            "section-analyzer shift a.properties.json --to \"25 mm, 0\" --out",
+        ),
+        (
+            &["rotate", "--help"],
+            "section-analyzer rotate a.properties.json --angle \"3.5 deg\" --out",
+        ),
+        (
             &["mesh", "rectangle", "--help"],
             "section-analyzer mesh rectangle --width 1",
         ),

@@ -5,7 +5,12 @@
 
 mod analyze;
 mod bad_files;
+mod bad_property_files;
 mod bad_section;
+mod compare;
 mod help;
+mod many;
+mod property_files;
 mod stress;
+mod unchanged;
 mod workplace;

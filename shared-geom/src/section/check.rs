@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, Matrix6};
 
-use super::{Damping, SectionProperties};
+use super::{Change, Damping, SectionProperties, Step};
 use crate::error::Explain;
 use crate::wrench::COMPONENTS;
 
@@ -225,6 +225,14 @@ fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
         all(&[axes.bending_angle, axes.inertia_angle])
             && all(&axes.bending_stiffness)
             && all(&axes.inertia),
+    );
+    let finite_step = |step: &Step| match step.change {
+        Change::Shift(by) => all(by.as_slice()),
+        Change::Rotate(angle) => angle.is_finite(),
+    };
+    finite(
+        "history",
+        section.provenance.history.iter().all(finite_step),
     );
     if let Some(initial) = &section.initial_curvature {
         let good = all(initial.curvature.as_slice()) && all(initial.slope.as_slice());

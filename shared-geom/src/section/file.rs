@@ -6,14 +6,19 @@ use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Centers, Damping, InitialCurvature, Piezo, PrincipalAxes, PropertyProblem, Provenance,
-    SectionProperties, json,
+    Centers, Change, Damping, InitialCurvature, Piezo, PrincipalAxes, PropertyProblem, Provenance,
+    SectionProperties, Step, json,
 };
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
 
-/// Version of the file format that this program writes and reads.
-pub const VERSION: u64 = 1;
+/// Latest version of the file format that this program reads.
+///
+/// Version 2 adds the history of the provenance. A file without one is written as
+/// version 1, which older programs read.
+pub const VERSION: u64 = 2;
+/// The version without the history.
+const WITHOUT_HISTORY: u64 = 1;
 const FORMAT: &str = "helicoid section properties";
 const CONVENTION: &str = "x along the beam, y and z in the section; components: axial, \
     shear y, shear z, torsion, bending y, bending z; at the reference point";
@@ -95,6 +100,20 @@ struct FileProvenance {
     input_hash: String,
     nodes: usize,
     cells: usize,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    history: Vec<FileStep>,
+}
+
+/// One of `shift` and `rotate`.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FileStep {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    shift: Option<[f64; 2]>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rotate: Option<f64>,
+    program: String,
+    version: String,
 }
 
 /// Enough of a file to know whether the rest can be understood.
@@ -183,7 +202,10 @@ impl From<&SectionProperties> for File {
         let source = &section.provenance;
         Self {
             format: FORMAT.to_owned(),
-            version: VERSION,
+            version: match source.history[..] {
+                [] => WITHOUT_HISTORY,
+                _ => VERSION,
+            },
             name: section.name.clone(),
             units: "SI".to_owned(),
             convention: CONVENTION.to_owned(),
@@ -221,14 +243,34 @@ impl From<&SectionProperties> for File {
                 input_hash: source.input_hash.clone(),
                 nodes: source.nodes,
                 cells: source.cells,
+                history: source.history.iter().map(FileStep::from).collect(),
             },
         }
     }
 }
 
 impl File {
+    /// The history; one that cannot be is noted and left out.
+    fn history(&self, text: &str, file: &str, problems: &mut Diagnostics) -> Vec<Step> {
+        let steps = &self.provenance.history;
+        let mut malformed = |reason: &str| {
+            let reason = reason.to_owned();
+            let problem = PropertyProblem::Malformed { reason };
+            problems.push(place_of("history", text, file), &problem);
+        };
+        if self.version <= WITHOUT_HISTORY && !steps.is_empty() {
+            malformed("\"history\" belongs to version 2, and the file says version 1");
+        }
+        let known: Vec<_> = steps.iter().filter_map(FileStep::step).collect();
+        if known.len() < steps.len() {
+            malformed("each entry of \"history\" has either \"shift\" or \"rotate\"");
+        }
+        known
+    }
+
     /// The content; ragged matrices are noted and left empty.
     fn section(self, text: &str, file: &str, problems: &mut Diagnostics) -> SectionProperties {
+        let history = self.history(text, file, problems);
         let mut matrix = |field, rows: &[Vec<f64>]| {
             matrix_of(rows).unwrap_or_else(|| {
                 let found = "ragged".to_owned();
@@ -279,8 +321,40 @@ impl File {
                 input_hash: self.provenance.input_hash,
                 nodes: self.provenance.nodes,
                 cells: self.provenance.cells,
+                history,
             },
         }
+    }
+}
+
+impl From<&Step> for FileStep {
+    fn from(step: &Step) -> Self {
+        let (shift, rotate) = match step.change {
+            Change::Shift(by) => (Some(by.into()), None),
+            Change::Rotate(angle) => (None, Some(angle)),
+        };
+        Self {
+            shift,
+            rotate,
+            program: step.program.clone(),
+            version: step.version.clone(),
+        }
+    }
+}
+
+impl FileStep {
+    /// The step; `None` when it is not exactly one change.
+    fn step(&self) -> Option<Step> {
+        let change = match (self.shift, self.rotate) {
+            (Some(by), None) => Change::Shift(Vector2::from(by)),
+            (None, Some(angle)) => Change::Rotate(angle),
+            _ => return None,
+        };
+        Some(Step {
+            change,
+            program: self.program.clone(),
+            version: self.version.clone(),
+        })
     }
 }
 

@@ -18,7 +18,7 @@ fn write_value(text: &mut String, value: &Value, depth: usize) {
             let items = fields.iter().map(|(key, item)| (Some(key), item));
             write_items(text, ['{', '}'], items, depth);
         }
-        Value::Array(items) if items.iter().any(|item| item.is_array()) => {
+        Value::Array(items) if items.iter().any(|item| item.is_array() || item.is_object()) => {
             let items = items.iter().map(|item| (None, item));
             write_items(text, ['[', ']'], items, depth);
         }

@@ -42,6 +42,7 @@ fn section() -> SectionProperties {
             input_hash: "sha256:00".to_owned(),
             nodes: 12,
             cells: 4,
+            history: Vec::new(),
         },
     }
 }
@@ -77,12 +78,85 @@ fn refused(old: &str, new: &str) -> String {
 
 #[test]
 fn a_newer_version_is_refused_with_the_remedy() {
-    let shown = refused("\"version\": 1", "\"version\": 2");
+    let shown = refused("\"version\": 1", "\"version\": 3");
     assert_eq!(
         shown,
-        "error: a.json:3: written in version 2 of the property-file format, expected at most 1\n  \
+        "error: a.json:3: written in version 3 of the property-file format, expected at most 2\n  \
          help: use a newer version of this program"
     );
+}
+
+/// Both versions are read, and a file without a history stays one of version 1.
+#[test]
+fn the_history_is_kept_in_version_two() {
+    let by = Vector2::new(0.1, 1.0 / 3.0);
+    let moved = section().changed(Change::Shift(by), "a", "1");
+    let turned = moved.changed(Change::Rotate(0.7), "b", "2");
+    let text = write(&turned);
+    assert!(text.contains("\n  \"version\": 2,\n"), "{text}");
+    assert!(text.contains("\n        \"rotate\": 0.7,\n"), "{text}");
+    assert_eq!(parse(&text, "a.json").unwrap(), turned);
+    assert_eq!(turned.provenance.history.len(), 2);
+    assert_eq!(turned.stiffness, section().shift(by).rotate(0.7).stiffness);
+
+    let plain = write(&section());
+    assert!(plain.contains("\n  \"version\": 1,\n"));
+    assert!(!plain.contains("history"));
+    let second = plain.replace("\"version\": 1", "\"version\": 2");
+    assert_eq!(parse(&second, "a.json").unwrap(), section());
+}
+
+#[test]
+fn a_wrong_history_is_refused_where_it_stands() {
+    let text = write(&section().changed(Change::Rotate(0.7), "a", "1"));
+    let line = 1 + text
+        .lines()
+        .position(|line| line.contains("history"))
+        .unwrap();
+    let cases = [
+        ("\"version\": 2", "\"version\": 1", "belongs to version 2"),
+        ("\"rotate\": 0.7,", "", "either \"shift\" or \"rotate\""),
+        (
+            "\"rotate\": 0.7",
+            "\"rotate\": 0.7, \"shift\": [0, 0]",
+            "either \"shift\" or \"rotate\"",
+        ),
+    ];
+    for (old, new, expected) in cases {
+        let shown = parse(&text.replacen(old, new, 1), "a.json").unwrap_err();
+        let shown = shown.to_string();
+        assert!(shown.contains(expected), "{shown}");
+        assert!(
+            shown.starts_with(&format!("error: a.json:{line}: ")),
+            "{shown}"
+        );
+    }
+    let unknown = parse(&text.replace("\"rotate\"", "\"turn\""), "a.json");
+    assert!(
+        unknown
+            .unwrap_err()
+            .to_string()
+            .contains("unknown field `turn`")
+    );
+    let mut endless = section();
+    endless = endless.changed(Change::Shift(Vector2::new(f64::NAN, 0.0)), "a", "1");
+    let field = "history";
+    assert!(
+        endless
+            .problems()
+            .contains(&PropertyProblem::NotFinite { field })
+    );
+}
+
+#[test]
+fn changes_are_told_in_words() {
+    let shift = Change::Shift(Vector2::new(0.025, -0.5));
+    assert_eq!(
+        shift.to_string(),
+        "reference point moved by (0.025, -0.5) m"
+    );
+    let turn = Change::Rotate(30.0_f64.to_radians());
+    assert_eq!(turn.to_string(), "axes turned by 30 deg about +x");
 }
 
 #[test]

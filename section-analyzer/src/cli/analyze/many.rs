@@ -1,0 +1,240 @@
+//! Many sections: in parallel, with one line each in the order in which they were
+//! given.
+
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::time::Duration;
+
+use rayon::iter::{ParallelBridge, ParallelIterator};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use super::lines::Lines;
+use super::one::{Outcome, analyze_one};
+use super::progress::Progress;
+use super::{Job, Run};
+use crate::cli::{NOT_REACHED, Stop, Terminal};
+
+/// Stack of a thread \[bytes\]: that of a main thread, so that a section which can
+/// be solved alone can be solved among others.
+const STACK: usize = 8 << 20;
+
+/// Time between two looks at the clock of the progress display.
+const TICK: Duration = Duration::from_millis(200);
+
+/// What a thread has to say about the section of some number.
+enum Event {
+    Begun(usize),
+    Ended(usize, Box<Outcome>),
+}
+
+/// Analyzes all sections, each on one of `threads` threads, and tells how each ended.
+///
+/// The terminal belongs to the calling thread; the others only send it their
+/// outcomes. Each section depends on its own files alone, so that the results do not
+/// depend on the number of threads.
+pub(super) fn analyze_many(
+    jobs: &[Job],
+    run: &Run,
+    threads: Option<NonZeroUsize>,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let threads = threads.or_else(|| std::thread::available_parallelism().ok());
+    let threads = threads.map_or(1, NonZeroUsize::get).min(jobs.len());
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .stack_size(STACK)
+        .build();
+    let pool = pool.map_err(|error| {
+        terminal.tell_text(
+            &format!("error: {threads} threads cannot be started: {error}"),
+            NOT_REACHED,
+        )
+    })?;
+    let (sender, receiver) = channel();
+    std::thread::scope(|scope| {
+        scope.spawn(|| send_outcomes(&pool, jobs, run, sender));
+        let mut listener = Listener::new(jobs, terminal);
+        loop {
+            match receiver.recv_timeout(TICK) {
+                Ok(event) => listener.take(event),
+                Err(RecvTimeoutError::Timeout) => listener.progress.tick(),
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+        }
+        listener.finish()
+    })
+}
+
+/// Solves the sections in the order of the list, as threads become free.
+fn send_outcomes(pool: &ThreadPool, jobs: &[Job], run: &Run, sender: Sender<Event>) {
+    pool.install(|| {
+        let jobs = jobs.iter().enumerate().par_bridge();
+        jobs.for_each_with(sender, |sender, (number, job)| {
+            // The receiver lives until the last sender is gone.
+            let _ = sender.send(Event::Begun(number));
+            let outcome = Box::new(analyze_one(job, run));
+            let _ = sender.send(Event::Ended(number, outcome));
+        });
+    });
+}
+
+/// Tells outcomes in the order of the sections, each as soon as all before it are told.
+struct Listener<'a, 'b> {
+    jobs: &'a [Job],
+    terminal: &'a mut Terminal<'b>,
+    lines: Lines,
+    progress: Progress,
+    waiting: BTreeMap<usize, Box<Outcome>>,
+    told: usize,
+    /// Why the terminal took no more. The work goes on.
+    closed: Option<std::io::Error>,
+}
+
+impl<'a, 'b> Listener<'a, 'b> {
+    fn new(jobs: &'a [Job], terminal: &'a mut Terminal<'b>) -> Self {
+        let mut listener = Self {
+            jobs,
+            terminal,
+            lines: Lines::new(jobs),
+            progress: Progress::new(jobs.len()),
+            waiting: BTreeMap::new(),
+            told: 0,
+            closed: None,
+        };
+        let heading = listener.lines.heading();
+        listener.show(&heading, None);
+        listener
+    }
+
+    fn take(&mut self, event: Event) {
+        match event {
+            Event::Begun(number) => self.progress.begun(&self.jobs[number]),
+            Event::Ended(number, outcome) => {
+                self.progress.ended(&self.jobs[number]);
+                self.waiting.insert(number, outcome);
+            }
+        }
+        while let Some(outcome) = self.waiting.remove(&self.told) {
+            let line = self.lines.of(&self.jobs[self.told], &outcome);
+            self.show(&line, outcome.problems.as_deref());
+            self.told += 1;
+        }
+    }
+
+    /// Shows a line, and behind it what is wrong, above the progress display.
+    fn show(&mut self, line: &str, problems: Option<&str>) {
+        if self.closed.is_some() {
+            return;
+        }
+        let terminal = &mut self.terminal;
+        let shown = self.progress.above(|| {
+            writeln!(terminal.out, "{line}")?;
+            terminal.out.flush()?;
+            match problems {
+                Some(problems) => writeln!(terminal.err, "{problems}"),
+                None => Ok(()),
+            }
+        });
+        self.closed = shown.err();
+    }
+
+    /// Shows the sum; the exit code is that of the worst section.
+    fn finish(mut self) -> Result<(), Stop> {
+        self.progress.finish();
+        let sum = self.lines.sum();
+        self.show(&sum, None);
+        match (self.lines.worst(), self.closed) {
+            (0, None) => Ok(()),
+            (0, Some(error)) => Err(Stop::Closed(error)),
+            (code, _) => Err(Stop::Told(code)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::analyze::one::Status;
+    use std::io::{self, Write};
+    use std::path::Path;
+
+    fn jobs() -> Vec<Job> {
+        let files = ["a.section.toml", "b.section.toml", "c.section.toml"];
+        let job = |file: &str| Job::new(Path::new(file), None);
+        files.map(job).to_vec()
+    }
+
+    fn ended(number: usize, status: Status) -> Event {
+        let outcome = Outcome {
+            problems: (status == Status::NotReached).then(|| format!("error: {number}")),
+            ..Outcome::new(status)
+        };
+        Event::Ended(number, Box::new(outcome))
+    }
+
+    /// The last section ends first: its line waits for the others.
+    #[test]
+    fn lines_keep_the_order_of_the_sections() {
+        let (mut out, mut err) = (Vec::new(), Vec::new());
+        let mut terminal = Terminal {
+            out: &mut out,
+            err: &mut err,
+        };
+        let jobs = jobs();
+        let mut listener = Listener::new(&jobs, &mut terminal);
+        (0..3).for_each(|number| listener.take(Event::Begun(number)));
+        listener.take(ended(2, Status::NotReached));
+        listener.take(ended(0, Status::Unchanged));
+        assert_eq!((listener.told, listener.waiting.len()), (1, 1));
+        listener.take(ended(1, Status::Solved));
+        assert!(matches!(listener.finish(), Err(Stop::Told(NOT_REACHED))));
+        let out = String::from_utf8(out).unwrap();
+        let lines: Vec<_> = out.lines().skip(1).collect();
+        let expected = [
+            "a.section.toml  unchanged",
+            "b.section.toml  solved",
+            "c.section.toml  failed",
+            "",
+            "3 sections: 1 solved, 1 unchanged, 1 failed",
+        ];
+        assert_eq!(lines, expected);
+        assert_eq!(err, b"error: 2\n");
+    }
+
+    /// A stream that no one reads any more.
+    struct Closed;
+
+    impl Write for Closed {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::Error::from(io::ErrorKind::BrokenPipe))
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    /// The work goes on without a reader, and its exit code counts.
+    #[test]
+    fn a_closed_pipe_hides_no_failure() {
+        for (status, code) in [(Status::Solved, None), (Status::WrongInput, Some(2))] {
+            let mut err = Vec::new();
+            let mut terminal = Terminal {
+                out: &mut Closed,
+                err: &mut err,
+            };
+            let jobs = jobs();
+            let mut listener = Listener::new(&jobs, &mut terminal);
+            (0..3).for_each(|number| listener.take(ended(number, status)));
+            assert_eq!(listener.told, 3);
+            match (listener.finish(), code) {
+                (Err(Stop::Closed(error)), None) => {
+                    assert_eq!(error.kind(), io::ErrorKind::BrokenPipe);
+                }
+                (Err(Stop::Told(found)), Some(code)) => assert_eq!(found, code),
+                (other, _) => panic!("{other:?}"),
+            }
+        }
+    }
+}

@@ -1,0 +1,268 @@
+//! The analysis of one section, with its files and an outcome in words.
+
+use std::path::PathBuf;
+
+use shared_geom::error::{Diagnostics, Place};
+use shared_geom::files::OutputProblem;
+use shared_geom::hash::sha256_of;
+use shared_geom::section::{self, SectionProperties};
+
+use super::{Job, Run};
+use crate::analysis::analyze;
+use crate::cli::stress::Stresses;
+use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
+use crate::failure::Failure;
+use crate::input::{self, Input};
+use crate::output::{
+    AnalysisRecord, MeshPlot, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv,
+    failure_report, properties, report, warping_vtu,
+};
+use crate::properties::RestrainedWarping;
+use crate::solution::SectionSolution;
+
+/// How the analysis of a section ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Status {
+    /// Solved, and all files written.
+    Solved,
+    /// Nothing has changed since the files were written.
+    Unchanged,
+    /// No solution, or not all files could be written.
+    NotReached,
+    /// The input is wrong.
+    WrongInput,
+}
+
+impl Status {
+    /// The exit code.
+    pub fn code(self) -> u8 {
+        match self {
+            Self::Solved | Self::Unchanged => DONE,
+            Self::NotReached => NOT_REACHED,
+            Self::WrongInput => WRONG_INPUT,
+        }
+    }
+
+    /// The status in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Solved => "solved",
+            Self::Unchanged => "unchanged",
+            Self::NotReached => "failed",
+            Self::WrongInput => "wrong input",
+        }
+    }
+
+    /// The heading of the list of files.
+    pub fn heading(self) -> &'static str {
+        match self {
+            Self::Unchanged => "Unchanged since the last run (--force solves again)",
+            _ => "Written",
+        }
+    }
+}
+
+/// Everything there is to say about the analysis of a section.
+#[derive(Debug)]
+pub(super) struct Outcome {
+    pub status: Status,
+    /// The report, where one is to be shown.
+    pub report: String,
+    /// The result files.
+    pub files: Vec<PathBuf>,
+    /// What is wrong, as it is told.
+    pub problems: Option<String>,
+    /// Nodes of the mesh, where it could be read.
+    pub nodes: Option<usize>,
+    /// The result, where there is one.
+    pub properties: Option<SectionProperties>,
+    /// How much is odd about the input.
+    pub warnings: usize,
+}
+
+impl Outcome {
+    /// One of which nothing but its status is known.
+    pub fn new(status: Status) -> Self {
+        Self {
+            status,
+            report: String::new(),
+            files: Vec::new(),
+            problems: None,
+            nodes: None,
+            properties: None,
+            warnings: 0,
+        }
+    }
+
+    fn wrong_input(problems: String) -> Self {
+        Self {
+            problems: Some(problems),
+            ..Self::new(Status::WrongInput)
+        }
+    }
+}
+
+/// Reads, solves and writes one section, unless nothing has changed since it was
+/// written.
+pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
+    let input = match input::read(&job.file) {
+        Ok(input) => input,
+        Err(problems) => return Outcome::wrong_input(problems.to_string()),
+    };
+    let files = match OutputFiles::new(&job.folder, &job.name) {
+        Ok(files) => files,
+        Err(problem) => return Outcome::wrong_input(words(&problem)),
+    };
+    let made_from = made_from(&input, run);
+    let unchanged = match &made_from {
+        Some(made_from) if !run.force => unchanged(&files, made_from),
+        _ => None,
+    };
+    let outcome = unchanged.unwrap_or_else(|| solve(job, &input, files, made_from.as_deref()));
+    Outcome {
+        nodes: Some(input.section.mesh.nodes.len()),
+        warnings: input.summary.warnings.len(),
+        ..outcome
+    }
+}
+
+/// Fingerprint of all that the results depend on: the files that were read, and the
+/// program. Options that change results belong here too.
+fn made_from(input: &Input, run: &Run) -> Option<String> {
+    let program = run.program.as_ref()?;
+    let parts = [input.summary.input_hash.as_bytes(), program.as_bytes()];
+    Some(sha256_of(&parts))
+}
+
+/// The outcome of an earlier run, if this one would write the same files.
+fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
+    let record = AnalysisRecord::read(files)?;
+    if !record.holds(files, made_from) {
+        return None;
+    }
+    let names = record.names(files).into_iter();
+    Some(Outcome {
+        report: std::fs::read_to_string(files.report()).ok()?,
+        files: names.map(|name| files.folder().join(name)).collect(),
+        properties: Some(section::read(&files.properties()).ok()?),
+        ..Outcome::new(Status::Unchanged)
+    })
+}
+
+/// Solves the section and writes what there is.
+fn solve(job: &Job, input: &Input, files: OutputFiles, made_from: Option<&str>) -> Outcome {
+    let results = ResultWriter::new(files);
+    match analyze(&input.section) {
+        Ok(solution) => solved(job, input, &solution, results, made_from),
+        Err(failure) => failed(job, input, &failure, results),
+    }
+}
+
+fn solved(
+    job: &Job,
+    input: &Input,
+    solution: &SectionSolution,
+    mut results: ResultWriter,
+    made_from: Option<&str>,
+) -> Outcome {
+    let Input {
+        section, summary, ..
+    } = input;
+    let properties = properties(section, solution, &summary.input_hash);
+    let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
+    let report = report(section, summary, solution, &restrained);
+    let mut stresses = Stresses::default();
+    let written = results
+        .text(results.files().properties(), &section::write(&properties))
+        .and_then(|()| results.text(results.files().report(), &report))
+        .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
+        .and_then(|()| write_figures(input, solution, &mut results))
+        .and_then(|()| stresses.write(input, solution, &mut results));
+
+    let failed = stresses.problems(&job.file);
+    let (files, problem) = match (written, made_from) {
+        (Ok(()), Some(made_from)) if failed.is_none() => results.finish(made_from),
+        (Ok(()), _) => (results.abandon(), None),
+        (Err(problem), _) => (results.abandon(), Some(problem)),
+    };
+    let problems: Vec<_> = [problem.map(|problem| words(&problem)), failed]
+        .into_iter()
+        .flatten()
+        .collect();
+    let status = match problems.is_empty() {
+        true => Status::Solved,
+        false => Status::NotReached,
+    };
+    Outcome {
+        report,
+        files,
+        problems: (!problems.is_empty()).then(|| problems.join("\n")),
+        properties: Some(properties),
+        ..Outcome::new(status)
+    }
+}
+
+/// Writes the tables of the section: a new one is one more line.
+fn write_tables(
+    input: &Input,
+    restrained: Option<&RestrainedWarping>,
+    results: &mut ResultWriter,
+) -> Result<(), OutputProblem> {
+    let files = results.files().clone();
+    results.text(files.areas(), &areas_csv(&input.summary.areas))?;
+    match restrained {
+        Some(constants) => results.text(files.constants(), &constants_csv(constants)),
+        None => Ok(()),
+    }
+}
+
+/// Writes the figures and field files of the section: a new one is one more line.
+fn write_figures(
+    input: &Input,
+    solution: &SectionSolution,
+    results: &mut ResultWriter,
+) -> Result<(), OutputProblem> {
+    let Input {
+        section, summary, ..
+    } = input;
+    let files = results.files().clone();
+    let mesh = MeshPlot::new(section, summary, Some(&solution.centers));
+    results.figure(files.mesh(), mesh.size(), &mesh)?;
+    let warping = WarpingPlot::new(section, solution);
+    results.figure(files.warping(), warping.size(), &warping)?;
+    let fields = warping_vtu(section, solution);
+    results.add(files.warping_field(), |file| fields.write(file))
+}
+
+/// Writes what there is without a solution; results of an earlier run go.
+fn failed(job: &Job, input: &Input, failure: &Failure, mut results: ResultWriter) -> Outcome {
+    let written = write_failure(input, failure, &mut results);
+    results.files().remove_results();
+    for load in &input.loads {
+        results.files().remove_stresses(&load.name);
+    }
+    let place = Place::file(job.file.display().to_string());
+    let mut problems = Diagnostics::one(place, failure).to_string();
+    if let Err(problem) = written {
+        problems = problems + "\n" + &words(&problem);
+    }
+    Outcome {
+        files: results.abandon(),
+        problems: Some(problems),
+        ..Outcome::new(Status::NotReached)
+    }
+}
+
+fn write_failure(
+    input: &Input,
+    failure: &Failure,
+    results: &mut ResultWriter,
+) -> Result<(), OutputProblem> {
+    let Input {
+        section, summary, ..
+    } = input;
+    let files = results.files().clone();
+    results.text(files.report(), &failure_report(section, summary, failure))?;
+    let mesh = MeshPlot::new(section, summary, None);
+    results.figure(files.mesh(), mesh.size(), &mesh)
+}

@@ -1,0 +1,57 @@
+//! The progress display of many sections, on the error stream where that is a
+//! terminal.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::Job;
+
+/// How far a run is, and which sections are under way.
+///
+/// It draws in the calling thread only.
+pub(super) struct Progress {
+    bar: ProgressBar,
+    under_way: Vec<String>,
+}
+
+impl Progress {
+    /// The display of `count` sections; nothing where no one looks.
+    pub fn new(count: usize) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(count as u64), ProgressDrawTarget::stderr());
+        let style = ProgressStyle::with_template("[{elapsed}] {bar:24} {pos}/{len} {wide_msg}");
+        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        Self {
+            bar,
+            under_way: Vec::new(),
+        }
+    }
+
+    /// A section is under way.
+    pub fn begun(&mut self, job: &Job) {
+        self.under_way.push(job.name.clone());
+        self.bar.set_message(self.under_way.join(", "));
+    }
+
+    /// A section has ended.
+    pub fn ended(&mut self, job: &Job) {
+        if let Some(place) = self.under_way.iter().position(|name| *name == job.name) {
+            self.under_way.remove(place);
+        }
+        self.bar.set_message(self.under_way.join(", "));
+        self.bar.inc(1);
+    }
+
+    /// Time has gone by.
+    pub fn tick(&self) {
+        self.bar.tick();
+    }
+
+    /// Does `work`, which writes to the terminal, while the display is away.
+    pub fn above<T>(&self, work: impl FnOnce() -> T) -> T {
+        self.bar.suspend(work)
+    }
+
+    /// Takes the display away.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -1,0 +1,61 @@
+//! The arguments of `analyze`.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::Args;
+
+pub(super) const ANALYZE: &str = "\
+Solves sections and writes their properties
+
+Reads a section file, its mesh and its tables, tells all that is wrong with them at
+once, solves, prints the report, and writes into the folder DIR:
+  NAME.properties.json   stiffness, mass, centers: input of the beam program
+  NAME.report.txt        the report: what went in, what came out, run-time checks
+  NAME.areas.csv         area, moments of area, perimeter and mass by region
+  NAME.constants.csv     constants of restrained warping, if all materials are isotropic
+  NAME.mesh.png          the mesh in the colors of its materials, with the centers
+  NAME.warping.png       the warping under each unit internal force
+  NAME.warping.vtu       the same as fields on the mesh, for ParaView
+  NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE
+  NAME.analysis.json     what the files above were made from
+where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
+and removes the other files of an earlier run.
+
+Several files are solved in parallel, each by one thread. One line a section is printed
+instead of the reports, in the order given; what is wrong with one section does not keep
+the others from being written. Memory is that of as many sections as there are threads.
+
+A section is not solved again while its files (section file, mesh, tables), its results
+and this program are the same as they were: NAME.analysis.json holds their fingerprints.";
+
+pub(super) const ANALYZE_EXAMPLE: &str = "\
+Examples:
+  section-analyzer analyze blade/root.section.toml --out blade/results
+  section-analyzer analyze blade/*.section.toml --threads 2
+
+The exit code of several sections is 2 if the input of any is wrong, else 1 if any
+could not be solved or written, else 0.";
+
+/// A number of threads.
+fn count(text: &str) -> Result<NonZeroUsize, &'static str> {
+    text.parse()
+        .map_err(|_| "expected a whole number, 1 or more")
+}
+
+/// What to analyze, and how.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct AnalyzeArguments {
+    /// Section files, NAME.section.toml
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Folder for all results; the folder "results" beside each FILE if not given
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Sections solved at the same time; the number of cores if not given
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = count)]
+    pub threads: Option<NonZeroUsize>,
+    /// Solve sections even if nothing has changed since the last run
+    #[arg(long)]
+    pub force: bool,
+}

@@ -1,0 +1,28 @@
+//! `section-analyzer report`: property files in words and tables.
+
+use shared_geom::section;
+
+use super::arguments::ReportArguments;
+use super::{Stop, Terminal, WRONG_INPUT};
+use crate::output::property_report;
+
+/// Shows every file that can be read, and tells what is wrong with the others.
+pub(super) fn report_files(
+    arguments: &ReportArguments,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let mut wrong = None;
+    let mut shown = 0;
+    for file in &arguments.files {
+        match section::read(file) {
+            Ok(properties) => {
+                let space = if shown > 0 { "\n" } else { "" };
+                let text = property_report(&file.display().to_string(), &properties);
+                write!(terminal.out, "{space}{text}")?;
+                shown += 1;
+            }
+            Err(problems) => wrong = Some(terminal.tell_text(&problems.to_string(), WRONG_INPUT)),
+        }
+    }
+    wrong.map_or(Ok(()), Err)
+}

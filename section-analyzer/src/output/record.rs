@@ -1,0 +1,158 @@
+//! The record of an analysis: what it was made from and what it wrote, by which a
+//! later run knows that there is nothing to do.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use shared_geom::files::{OutputProblem, write_text};
+use shared_geom::hash::sha256_of_content;
+
+use super::files::OutputFiles;
+
+const FORMAT: &str = "helicoid analysis record";
+/// Version of the record; another one counts as no record.
+const VERSION: u64 = 1;
+
+/// What an analysis that reached its goal was made from and what it wrote.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AnalysisRecord {
+    format: String,
+    version: u64,
+    /// Fingerprint of the inputs, the options and the program.
+    made_from: String,
+    files: Vec<RecordedFile>,
+}
+
+/// A result file, in the folder of the record.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RecordedFile {
+    name: String,
+    content: String,
+}
+
+impl AnalysisRecord {
+    /// The record of the last analysis of a section; `None` where there is none that
+    /// can be read.
+    pub fn read(files: &OutputFiles) -> Option<Self> {
+        let text = std::fs::read_to_string(files.record()).ok()?;
+        let record: Self = serde_json::from_str(&text).ok()?;
+        (record.format == FORMAT && record.version == VERSION).then_some(record)
+    }
+
+    /// Writes the record of an analysis made from what has the fingerprint
+    /// `made_from`, with the content that the files `names` have now.
+    ///
+    /// # Errors
+    /// [`OutputProblem::File`]: a file that has gone already, or a record that cannot
+    /// be written.
+    pub fn write(
+        files: &OutputFiles,
+        made_from: &str,
+        names: &[String],
+    ) -> Result<(), OutputProblem> {
+        let recorded = names.iter().map(|name| {
+            let content = content_of(files, name).ok_or_else(|| OutputProblem::File {
+                file: files.folder().join(name).display().to_string(),
+                reason: "it has gone again".to_owned(),
+            })?;
+            let name = name.clone();
+            Ok(RecordedFile { name, content })
+        });
+        let record = Self {
+            format: FORMAT.to_owned(),
+            version: VERSION,
+            made_from: made_from.to_owned(),
+            files: recorded.collect::<Result<_, OutputProblem>>()?,
+        };
+        // Words and lists of words always have a JSON form.
+        let text = serde_json::to_string_pretty(&record).unwrap_or_default();
+        write_text(&files.record(), &(text + "\n"))
+    }
+
+    /// Whether a run from what has the fingerprint `made_from` would write the files
+    /// that are there: none is missing and none has been changed.
+    pub fn holds(&self, files: &OutputFiles, made_from: &str) -> bool {
+        let is_intact = |file: &RecordedFile| {
+            belongs(files, &file.name)
+                && content_of(files, &file.name).is_some_and(|content| content == file.content)
+        };
+        self.made_from == made_from && self.files.iter().all(is_intact)
+    }
+
+    /// Names of the recorded files of this section, in the order of writing.
+    pub fn names(&self, files: &OutputFiles) -> Vec<String> {
+        let names = self.files.iter().map(|file| file.name.clone());
+        names.filter(|name| belongs(files, name)).collect()
+    }
+}
+
+/// Whether `name` is that of a result file of this section: one in the folder, and
+/// called NAME.something. A record that someone edited must not reach other files.
+fn belongs(files: &OutputFiles, name: &str) -> bool {
+    let rest = name.strip_prefix(files.name());
+    let is_alone = Path::new(name).file_name().is_some_and(|last| last == name);
+    is_alone && rest.is_some_and(|rest| rest.starts_with('.'))
+}
+
+fn content_of(files: &OutputFiles, name: &str) -> Option<String> {
+    let bytes = std::fs::read(files.folder().join(name)).ok()?;
+    Some(sha256_of_content(&bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn files(folder: &Path) -> OutputFiles {
+        OutputFiles::new(folder, "a").unwrap()
+    }
+
+    #[test]
+    fn a_record_holds_while_inputs_and_files_are_the_same() {
+        let folder = tempfile::tempdir().unwrap();
+        let files = files(folder.path());
+        assert_eq!(AnalysisRecord::read(&files), None);
+        write_text(&files.report(), "one").unwrap();
+        AnalysisRecord::write(&files, "x", &["a.report.txt".to_owned()]).unwrap();
+        let record = AnalysisRecord::read(&files).unwrap();
+        assert!(record.holds(&files, "x"));
+        assert!(!record.holds(&files, "y"));
+        write_text(&files.report(), "two").unwrap();
+        assert!(!record.holds(&files, "x"));
+        std::fs::remove_file(files.report()).unwrap();
+        assert!(!record.holds(&files, "x"));
+    }
+
+    #[test]
+    fn a_record_of_another_kind_or_with_files_elsewhere_holds_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let files = files(folder.path());
+        let text = |version: u64, name: &str| {
+            format!(
+                "{{\"format\": \"{FORMAT}\", \"version\": {version}, \"made_from\": \"x\", \
+                 \"files\": [{{\"name\": \"{name}\", \"content\": \"\"}}]}}"
+            )
+        };
+        for (version, name) in [(2, "a.report.txt"), (1, "a.report.txt\"")] {
+            write_text(&files.record(), &text(version, name)).unwrap();
+            assert_eq!(AnalysisRecord::read(&files), None);
+        }
+        for name in ["../a.report.txt", "b.report.txt", "a", "a.x/../../b", ""] {
+            write_text(&files.record(), &text(1, name)).unwrap();
+            let record = AnalysisRecord::read(&files).unwrap();
+            assert!(!record.holds(&files, "x"), "{name}");
+            assert!(record.names(&files).is_empty(), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_file_that_has_gone_cannot_be_recorded() {
+        let folder = tempfile::tempdir().unwrap();
+        let files = files(folder.path());
+        let problem = AnalysisRecord::write(&files, "x", &["a.report.txt".to_owned()]);
+        let shown = problem.unwrap_err().to_string();
+        assert!(shown.ends_with("written: it has gone again"), "{shown}");
+    }
+}

@@ -1,0 +1,151 @@
+//! Writes the results of an analysis and remembers which files they are.
+
+use std::path::{Path, PathBuf};
+
+use shared_geom::figure::Drawing;
+use shared_geom::files::{OutputProblem, write_figure, write_text};
+
+use super::files::OutputFiles;
+use super::record::AnalysisRecord;
+
+/// The result files of one run, noted where they are written.
+///
+/// The record of the run before is gone as soon as writing begins, so that a run that
+/// breaks off leaves none; files that it wrote and this run does not are removed.
+#[derive(Debug)]
+pub struct ResultWriter {
+    files: OutputFiles,
+    earlier: Vec<String>,
+    written: Vec<PathBuf>,
+}
+
+impl ResultWriter {
+    /// Begins to replace the results of an earlier run.
+    pub fn new(files: OutputFiles) -> Self {
+        let earlier = AnalysisRecord::read(&files);
+        let earlier = earlier.map_or_else(Vec::new, |record| record.names(&files));
+        // One that does not exist is no problem.
+        let _ = std::fs::remove_file(files.record());
+        Self {
+            files,
+            earlier,
+            written: Vec::new(),
+        }
+    }
+
+    /// Writes files beside the results of an earlier run, which stay as they are.
+    pub fn beside(files: OutputFiles) -> Self {
+        Self {
+            files,
+            earlier: Vec::new(),
+            written: Vec::new(),
+        }
+    }
+
+    /// Where the files of the section lie.
+    pub fn files(&self) -> &OutputFiles {
+        &self.files
+    }
+
+    /// Writes a text.
+    ///
+    /// # Errors
+    /// [`OutputProblem::File`].
+    pub fn text(&mut self, file: PathBuf, text: &str) -> Result<(), OutputProblem> {
+        self.add(file, |file| write_text(file, text))
+    }
+
+    /// Draws a figure of `size` (width, height) in figure pixels.
+    ///
+    /// # Errors
+    /// [`OutputProblem`].
+    pub fn figure(
+        &mut self,
+        file: PathBuf,
+        size: (u32, u32),
+        drawing: &impl Drawing,
+    ) -> Result<(), OutputProblem> {
+        self.add(file, |file| write_figure(file, size, drawing))
+    }
+
+    /// Notes a file of the section that `write` writes.
+    ///
+    /// # Errors
+    /// Those of `write`.
+    pub fn add(
+        &mut self,
+        file: PathBuf,
+        write: impl FnOnce(&Path) -> Result<(), OutputProblem>,
+    ) -> Result<(), OutputProblem> {
+        write(&file)?;
+        self.written.push(file);
+        Ok(())
+    }
+
+    /// Ends an analysis that reached its goal: writes its record; gives all files
+    /// written, and why the record could not be. `made_from` is the fingerprint of
+    /// inputs, options and program.
+    pub fn finish(mut self, made_from: &str) -> (Vec<PathBuf>, Option<OutputProblem>) {
+        self.remove_earlier();
+        match AnalysisRecord::write(&self.files, made_from, &self.names()) {
+            Ok(()) => {
+                self.written.push(self.files.record());
+                (self.written, None)
+            }
+            Err(problem) => (self.written, Some(problem)),
+        }
+    }
+
+    /// Ends a run that adds to the results or did not reach its goal, without a record; gives all
+    /// files written. Results of an earlier run are removed.
+    pub fn abandon(self) -> Vec<PathBuf> {
+        self.remove_earlier();
+        self.written
+    }
+
+    fn remove_earlier(&self) {
+        let names = self.names();
+        for name in self.earlier.iter().filter(|name| !names.contains(name)) {
+            // One that has gone already is no problem.
+            let _ = std::fs::remove_file(self.files.folder().join(name));
+        }
+    }
+
+    /// Names of the written files, which all lie in the folder of the section.
+    fn names(&self) -> Vec<String> {
+        let name = |file: &PathBuf| {
+            let name = Path::file_name(file).unwrap_or_default();
+            name.to_string_lossy().into_owned()
+        };
+        self.written.iter().map(name).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The second run writes one file less: it goes, and the record of the first run
+    /// is away while the second one is under way.
+    #[test]
+    fn files_of_an_earlier_run_that_are_not_replaced_go() {
+        let folder = tempfile::tempdir().unwrap();
+        let writer = || ResultWriter::new(OutputFiles::new(folder.path(), "a").unwrap());
+        let at = |name: &str| folder.path().join(name);
+        let mut first = writer();
+        first.text(at("a.report.txt"), "one").unwrap();
+        first.text(at("a.tip.vtu"), "one").unwrap();
+        let (written, problem) = first.finish("x");
+        assert_eq!(problem, None);
+        assert_eq!(written.last(), Some(&at("a.analysis.json")));
+        write_text(&at("a.notes.txt"), "by hand").unwrap();
+
+        let mut second = writer();
+        assert!(!at("a.analysis.json").exists());
+        second.text(at("a.report.txt"), "two").unwrap();
+        assert_eq!(second.abandon(), [at("a.report.txt")]);
+        assert!(!at("a.tip.vtu").exists());
+        assert!(!at("a.analysis.json").exists());
+        assert!(at("a.notes.txt").exists());
+    }
+}

@@ -1,0 +1,123 @@
+//! What only some sections have: curvature, electrodes, thermal force, damping.
+
+use nalgebra::{Matrix6, Vector3};
+use shared_geom::section::{Damping, InitialCurvature, Piezo, SectionProperties};
+use shared_geom::wrench::COMPONENTS;
+
+use super::Part;
+use super::entries::Entries;
+
+/// Compares what only some sections have.
+pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries) {
+    curvature(a, b, entries);
+    if let Some((first, second)) = entries.both("electrodes", a.piezo.as_ref(), b.piezo.as_ref()) {
+        piezo(a, first, second, entries);
+    }
+    let thermal = entries.both("a thermal force", a.thermal_force, b.thermal_force);
+    if let Some((first, second)) = thermal {
+        let columns = [first.as_slice(), second.as_slice()];
+        forces(
+            a,
+            columns,
+            Part::Thermal,
+            "thermal force",
+            ["N/K", "N m/K"],
+            entries,
+        );
+    }
+    let dampings = (damping(a), damping(b));
+    if dampings != (None, None) {
+        let matrix = |damping: Option<Matrix6<f64>>| damping.unwrap_or_else(Matrix6::zeros);
+        entries.matrix(Part::Damping, &matrix(dampings.0), &matrix(dampings.1));
+    }
+}
+
+/// Curvatures beside one per length, slopes as they are; a beam without is straight.
+fn curvature(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries) {
+    if a.initial_curvature.is_none() && b.initial_curvature.is_none() {
+        return;
+    }
+    let straight = InitialCurvature {
+        curvature: Vector3::zeros(),
+        slope: Vector3::x(),
+    };
+    let [a, b] = [a, b].map(|section| section.initial_curvature.unwrap_or(straight));
+    for axis in 0..3 {
+        let letter = ["x", "y", "z"][axis];
+        let curvatures = [a.curvature[axis], b.curvature[axis]];
+        let scale = entries.length.recip();
+        let name = format!("curvature {letter}");
+        entries.add(Part::Curvature, name, curvatures, "1/m", scale);
+        let slopes = [a.slope[axis], b.slope[axis]];
+        entries.add(Part::Curvature, format!("slope {letter}"), slopes, "", 1.0);
+    }
+}
+
+/// Columns of forces, and capacitances beside `sqrt(c_ii c_jj)`.
+fn piezo(section: &SectionProperties, a: &Piezo, b: &Piezo, entries: &mut Entries) {
+    if a.electrodes != b.electrodes {
+        let names = |piezo: &Piezo| piezo.electrodes.join(", ");
+        let (first, second) = (names(a), names(b));
+        let words = format!("the electrodes of A are {first}, those of B {second}");
+        return entries.unlike.push(words);
+    }
+    for (i, electrode) in a.electrodes.iter().enumerate() {
+        let columns = [&a.coupling, &b.coupling].map(|coupling| coupling.column(i).into_owned());
+        let columns = [columns[0].as_slice(), columns[1].as_slice()];
+        let name = format!("electrode {electrode}");
+        forces(
+            section,
+            columns,
+            Part::Piezo,
+            &name,
+            ["N/V", "N m/V"],
+            entries,
+        );
+        for (j, other) in a.electrodes.iter().enumerate().skip(i) {
+            let capacitances = [a.capacitance[(i, j)], b.capacitance[(i, j)]];
+            let scale = (a.capacitance[(i, i)] * a.capacitance[(j, j)]).abs().sqrt();
+            let name = format!("capacitance {electrode}-{other}");
+            entries.add(Part::Piezo, name, capacitances, "F/m", scale);
+        }
+    }
+}
+
+/// Six forces beside the largest of A, each in terms of the stiffness.
+///
+/// ```text
+/// (b - a)_i / (sqrt(K_ii) max_j |a_j| / sqrt(K_jj))
+/// ```
+fn forces(
+    section: &SectionProperties,
+    [a, b]: [&[f64]; 2],
+    part: Part,
+    name: &str,
+    units: [&'static str; 2],
+    entries: &mut Entries,
+) {
+    let root = section.stiffness.diagonal().map(f64::sqrt);
+    let largest = |forces: &[f64]| {
+        let relative = forces
+            .iter()
+            .zip(&root)
+            .map(|(force, root)| force.abs() / root);
+        relative.fold(0.0, f64::max)
+    };
+    let scale = match largest(a) {
+        0.0 => largest(b),
+        positive => positive,
+    };
+    for i in 0..6 {
+        let name = format!("{name}, {}", COMPONENTS[i]);
+        let unit = units[usize::from(i > 2)];
+        entries.add(part, name, [a[i], b[i]], unit, scale * root[i]);
+    }
+}
+
+/// The damping matrix, however it is given.
+fn damping(section: &SectionProperties) -> Option<Matrix6<f64>> {
+    Some(match section.damping? {
+        Damping::StiffnessProportional(time) => time * section.stiffness,
+        Damping::Viscous(matrix) => matrix,
+    })
+}

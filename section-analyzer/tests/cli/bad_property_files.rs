@@ -1,0 +1,217 @@
+//! Property files that cannot be read, and commands that cannot be done with them.
+
+use shared_geom::section;
+
+use crate::workplace::Workplace;
+
+fn steel() -> Workplace {
+    let place = Workplace::with(&[], &[]);
+    assert_eq!(place.run(&["analyze", "a.section.toml"]).code, 0);
+    let text = place.read("results/a.properties.json");
+    place.write("a.json", &text);
+    place
+}
+
+/// Every command tells the same of a file that it cannot read, and writes nothing.
+#[test]
+fn files_that_are_no_property_files_are_refused_by_all_commands() {
+    let place = steel();
+    let good = place.read("a.json");
+    let first_row = good
+        .lines()
+        .position(|line| line == "  \"stiffness\": [")
+        .unwrap()
+        + 1;
+    let number = good.lines().nth(first_row).unwrap().trim().to_owned();
+    let cases = [
+        (
+            "{}",
+            "error: b.json:1: not a property file: missing field `format`",
+        ),
+        (
+            "mesh = \"a.msh\"",
+            "error: b.json:1: not a property file: expected value",
+        ),
+        ("", "error: b.json:1: not a property file: EOF"),
+        (
+            &good.replace("\"version\": 1", "\"version\": 3"),
+            "error: b.json:3: written in version 3 of the property-file format, expected at most 2",
+        ),
+        (
+            &good.replace("helicoid section properties", "something else"),
+            "error: b.json:2: not a property file: \"format\" is \"something else\"",
+        ),
+        (
+            &good.replace(&number, &number.replacen("[", "[NaN, ", 1)),
+            "error: b.json:9: not a property file: expected value",
+        ),
+        (
+            &good.replace(&number, &number.replacen('[', "[1e400, ", 1)),
+            "error: b.json:9: not a property file: number out of range",
+        ),
+        (
+            &good.replace(&number, &number.replacen('[', "[-", 1)),
+            "error: b.json:8: stiffness has -",
+        ),
+    ];
+    for (text, start) in cases {
+        place.write("b.json", text);
+        for arguments in [
+            &["report", "b.json"][..],
+            &["compare", "a.json", "b.json"],
+            &["compare", "b.json", "a.json"],
+            &["shift", "b.json", "--to", "0,0", "--out", "c.json"],
+            &["rotate", "b.json", "--angle", "1 deg", "--out", "c.json"],
+        ] {
+            let run = place.run(arguments);
+            assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");
+            assert!(run.err.starts_with(start), "{arguments:?}: {}", run.err);
+        }
+    }
+    assert!(!place.path("c.json").exists());
+}
+
+#[test]
+fn all_files_that_are_missing_are_told() {
+    let place = steel();
+    let run = place.run(&["compare", "none.json", "neither.json"]);
+    let expected = "error: none.json: cannot be read: no such file\n\
+                    error: neither.json: cannot be read: no such file\n";
+    assert_eq!((run.code, run.err.as_str()), (2, expected));
+    let run = place.run(&["report", "none.json", "a.json", "neither.json"]);
+    assert_eq!((run.code, run.err.as_str()), (2, expected));
+    assert!(run.out.starts_with("Section \"a\"\n"), "{}", run.out);
+    assert_eq!(run.out.matches("Section \"").count(), 1);
+}
+
+#[test]
+fn the_input_is_never_overwritten() {
+    let place = steel();
+    let before = place.read("a.json");
+    std::fs::create_dir(place.path("deep")).unwrap();
+    for out in ["a.json", "./a.json", "deep/../a.json"] {
+        let run = place.run(&["shift", "a.json", "--to", "1,1", "--out", out]);
+        assert_eq!(
+            (run.code, run.err.as_str()),
+            (
+                2,
+                "error: --out names the file that is read, \"a.json\", expected another one\n  \
+                 help: the input is never overwritten\n"
+            )
+        );
+        let run = place.run(&["rotate", "a.json", "--angle", "1 deg", "--out", out]);
+        assert_eq!((run.code, run.out.as_str()), (2, ""));
+    }
+    assert_eq!(place.read("a.json"), before);
+}
+
+#[test]
+fn points_and_angles_must_be_told_with_sense() {
+    let place = steel();
+    let cases = [
+        (
+            ["shift", "--to", "sheer-center"],
+            "did you mean \"shear-center\"?",
+        ),
+        (
+            ["shift", "--to", "middle"],
+            "expected Y,Z as in \"25 mm, 0\", or tension-center",
+        ),
+        (["shift", "--to", "1"], "expected Y,Z"),
+        (["shift", "--to", "nan,0"], "expected finite numbers"),
+        (
+            ["shift", "--to", "1 kg, 0"],
+            "\"kg\" measures a mass, expected a length",
+        ),
+        (
+            ["rotate", "--angle", "30"],
+            "it has no unit, expected an angle with its unit",
+        ),
+        (["rotate", "--angle", "inf deg"], "expected finite numbers"),
+        (
+            ["rotate", "--to-principal", "torsion"],
+            "possible values: bending, inertia",
+        ),
+    ];
+    for ([command, option, value], expected) in cases {
+        let run = place.run(&[command, "a.json", option, value, "--out", "b.json"]);
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{value}");
+        assert!(run.err.contains(expected), "{}", run.err);
+    }
+    for arguments in [
+        &["shift", "a.json", "--out", "b.json"][..],
+        &["shift", "a.json", "--to", "0,0"],
+        &["rotate", "a.json", "--out", "b.json"],
+        &[
+            "rotate",
+            "a.json",
+            "--angle",
+            "1 deg",
+            "--to-principal",
+            "bending",
+            "--out",
+            "b.json",
+        ],
+        &["compare", "a.json"],
+        &["compare", "a.json", "a.json", "--tolerance", "-1e-3"],
+        &["compare", "a.json", "a.json", "--tolerance", "nan"],
+        &["report"],
+    ] {
+        let run = place.run(arguments);
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");
+    }
+    assert!(!place.path("b.json").exists());
+}
+
+#[test]
+fn centers_of_mass_need_mass() {
+    let place = steel();
+    let mut properties = section::read(&place.path("a.json")).unwrap();
+    properties.mass.fill(0.0);
+    place.write("b.json", &section::write(&properties));
+    let run = place.run(&["shift", "b.json", "--to", "mass-center", "--out", "c.json"]);
+    assert_eq!(
+        run.err,
+        "error: section \"a\" has no mass, expected one for the mass center\n"
+    );
+    assert_eq!(run.code, 2);
+    let run = place.run(&[
+        "rotate",
+        "b.json",
+        "--to-principal",
+        "inertia",
+        "--out",
+        "c.json",
+    ]);
+    assert_eq!(run.code, 2);
+    let run = place.run(&["shift", "b.json", "--to", "shear-center", "--out", "c.json"]);
+    assert_eq!(run.code, 0);
+}
+
+/// So far away that the section's own stiffness is lost beside Steiner's terms.
+#[test]
+fn a_point_out_of_reach_is_refused() {
+    let place = steel();
+    for to in ["1e9, 0", "0, 1e200"] {
+        let run = place.run(&["shift", "a.json", "--to", to, "--out", "b.json"]);
+        assert_eq!((run.code, run.out.as_str()), (2, ""));
+        assert!(
+            run.err
+                .contains("error: the changed section is not sound: "),
+            "{}",
+            run.err
+        );
+        assert!(
+            run.err.contains("help: the new point is too far"),
+            "{}",
+            run.err
+        );
+    }
+    assert!(!place.path("b.json").exists());
+    let run = place.run(&["shift", "a.json", "--to", "1,1", "--out", "no/b.json"]);
+    assert_eq!(
+        run.err,
+        "error: file \"no/b.json\" cannot be written: its folder does not exist\n"
+    );
+    assert_eq!(run.code, 2);
+}

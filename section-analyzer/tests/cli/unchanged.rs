@@ -1,0 +1,153 @@
+//! Sections that are not solved again, and what makes them be.
+
+use crate::workplace::Workplace;
+
+const UNCHANGED: &str = "\nUnchanged since the last run (--force solves again)\n";
+
+fn analyze(place: &Workplace, more: &[&str]) -> String {
+    let run = place.run(&[&["analyze", "a.section.toml"], more].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    run.out
+}
+
+fn is_unchanged(place: &Workplace) -> bool {
+    analyze(place, &[]).contains(UNCHANGED)
+}
+
+/// Sets the time of a file back, so that a later look tells whether it was written.
+fn age(place: &Workplace, file: &str) {
+    let file = std::fs::File::options()
+        .append(true)
+        .open(place.path(file))
+        .unwrap();
+    file.set_modified(std::time::UNIX_EPOCH).unwrap();
+}
+
+fn is_old(place: &Workplace, file: &str) -> bool {
+    let about = std::fs::metadata(place.path(file)).unwrap();
+    about.modified().unwrap() == std::time::UNIX_EPOCH
+}
+
+#[test]
+fn a_second_run_shows_the_report_and_writes_nothing() {
+    let place = Workplace::with(&[], &[]);
+    let first = analyze(&place, &[]);
+    for file in [
+        "a.properties.json",
+        "a.report.txt",
+        "a.mesh.png",
+        "a.analysis.json",
+    ] {
+        age(&place, &format!("results/{file}"));
+    }
+    let second = analyze(&place, &[]);
+    let (report, written) = first.split_once("\nWritten\n").unwrap();
+    let (same_report, files) = second.split_once(UNCHANGED).unwrap();
+    assert_eq!(report, same_report);
+    assert_eq!(
+        written.strip_suffix("  results/a.analysis.json\n"),
+        Some(files)
+    );
+    for file in [
+        "a.properties.json",
+        "a.report.txt",
+        "a.mesh.png",
+        "a.analysis.json",
+    ] {
+        assert!(is_old(&place, &format!("results/{file}")), "{file}");
+    }
+    assert!(!analyze(&place, &["--force"]).contains(UNCHANGED));
+    assert!(!is_old(&place, "results/a.properties.json"));
+}
+
+#[test]
+fn what_was_read_counts() {
+    let angles = ("plane_angle = 0", "plane_angle = { table = \"a.csv\" }");
+    let place = Workplace::with(&[angles], &[]);
+    place.write("a.csv", "cell, angle\n12, 10\n");
+    analyze(&place, &[]);
+    assert!(is_unchanged(&place));
+    for (file, from, to) in [
+        ("a.csv", "10", "20"),
+        ("a.section.toml", "density = \"7850", "density = \"7851"),
+        ("two.msh", "6 2 1 0", "6 2.5 1 0"),
+    ] {
+        let text = place.read(file);
+        place.write(file, &text.replace(from, to));
+        assert!(!is_unchanged(&place), "{file}");
+        assert!(is_unchanged(&place), "{file}");
+    }
+}
+
+#[test]
+fn results_that_are_missing_or_changed_are_made_again() {
+    let place = Workplace::with(&[], &[]);
+    analyze(&place, &[]);
+    let names = [
+        "a.properties.json",
+        "a.report.txt",
+        "a.mesh.png",
+        "a.warping.png",
+        "a.warping.vtu",
+    ];
+    for name in names {
+        let file = place.path(&format!("results/{name}"));
+        let content = std::fs::read(&file).unwrap();
+        std::fs::remove_file(&file).unwrap();
+        assert!(!is_unchanged(&place), "{name} missing");
+        assert!(std::fs::read(&file).unwrap() == content, "{name}");
+        std::fs::write(&file, [&content[..], b" "].concat()).unwrap();
+        assert!(!is_unchanged(&place), "{name} changed");
+        assert!(std::fs::read(&file).unwrap() == content, "{name}");
+    }
+    assert!(is_unchanged(&place));
+}
+
+/// A record that says nothing, or something else, is no record.
+#[test]
+fn a_damaged_record_is_made_again() {
+    let place = Workplace::with(&[], &[]);
+    analyze(&place, &[]);
+    let record = place.read("results/a.analysis.json");
+    let other = record.replace("\"made_from\": \"sha256:", "\"made_from\": \"sha256:0");
+    for text in ["", "{}", "null", &record[..record.len() / 2], &other] {
+        place.write("results/a.analysis.json", text);
+        assert!(!is_unchanged(&place), "{text}");
+        assert_eq!(place.read("results/a.analysis.json"), record);
+    }
+    assert!(is_unchanged(&place));
+}
+
+/// Other folders have their own records; a section whose file is wrong is told so,
+/// whatever lies in its results.
+#[test]
+fn records_belong_to_folders_and_do_not_hide_problems() {
+    let place = Workplace::with(&[], &[]);
+    analyze(&place, &[]);
+    assert!(!analyze(&place, &["--out", "other"]).contains(UNCHANGED));
+    assert!(analyze(&place, &["--out", "other"]).contains(UNCHANGED));
+    let section = place.read("a.section.toml");
+    place.write(
+        "a.section.toml",
+        &section.replace("poisson = 0.3", "poisson = 0.7"),
+    );
+    let run = place.run(&["analyze", "a.section.toml"]);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+}
+
+/// A file of an earlier run that this run no longer writes goes; others stay.
+#[test]
+fn files_that_are_no_longer_written_go() {
+    let place = Workplace::with(&[], &[]);
+    analyze(&place, &[]);
+    let record = place.read("results/a.analysis.json");
+    let first = "{\n      \"name\": \"a.properties.json\"";
+    let more = format!("{{\"name\": \"a.old.csv\", \"content\": \"\"}},\n    {first}");
+    assert_eq!(record.matches(first).count(), 1);
+    place.write("results/a.analysis.json", &record.replacen(first, &more, 1));
+    place.write("results/a.old.csv", "of an earlier run");
+    place.write("results/a.notes.csv", "by hand");
+    assert!(!is_unchanged(&place));
+    assert!(!place.path("results/a.old.csv").exists());
+    assert!(place.path("results/a.notes.csv").exists());
+}
