@@ -14,6 +14,7 @@ mod arguments;
 mod change;
 mod check;
 mod compare;
+mod figures;
 mod generate;
 mod load_arguments;
 mod report;
@@ -88,7 +89,7 @@ fn dispatch(
     };
     match arguments.command {
         Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),
-        Command::Check { file } => check::check_file(&file, terminal),
+        Command::Check { file, out } => check::check_file(&file, out, terminal),
         Command::Stress { file, load, out } => stress::recover_file(&file, &load, out, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
         Command::Report(arguments) => report::report_files(&arguments, terminal),

@@ -19,7 +19,8 @@ use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
-use crate::mesh::SectionMesh;
+use crate::mesh::quality::MeshQuality;
+use crate::mesh::{DoubledNodes, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable};
 use crate::recovery::LoadCase;
 use crate::section::Section;
@@ -86,6 +87,7 @@ struct WrittenSection {
     name: String,
     mesh: Option<Written>,
     length_unit: String,
+    doubled_nodes: DoubledNodes,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
     loads: Vec<LoadCase>,
@@ -107,6 +109,7 @@ impl WrittenSection {
             name,
             mesh,
             length_unit: length_unit(&root),
+            doubled_nodes: doubled_nodes(&root),
             materials: materials::read(&root),
             regions: regions::read(&root),
             loads: loads::read(&root),
@@ -124,7 +127,12 @@ impl WrittenSection {
         let region_of_cell = groups::region_of_cells(document, &mesh, mesh_key, &self.regions);
         let place = Place::file(files.path(mesh_key).display().to_string());
         let unit = document.factor(Dimension::LENGTH);
-        let checked = document.keep(SectionMesh::from_mesh(&mesh, unit, &place));
+        let checked = document.keep(SectionMesh::from_mesh_with(
+            &mesh,
+            unit,
+            self.doubled_nodes,
+            &place,
+        ));
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
         let centroids = section_mesh.map_or_else(Vec::new, centroids);
         let assignment = Assignment {
@@ -153,6 +161,7 @@ impl WrittenSection {
         };
         let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
         summary.warnings.extend(InputWarning::of_mesh(&report));
+        summary.rate(&section.mesh);
         summary.input_hash = files.hash();
         Some(Input {
             section,
@@ -196,6 +205,7 @@ impl WrittenSection {
             kinds: kinds.into_iter().filter(|(_, count)| *count > 0).collect(),
             areas: AreaTable::by_region(section, &names, region_of_cell),
             regions: regions.collect(),
+            quality: MeshQuality::default(),
             warnings: self.warnings(of_region),
         }
     }
@@ -235,6 +245,16 @@ fn length_unit(root: &Table<'_>) -> String {
     declared
         .and_then(|units| units.text("length"))
         .unwrap_or_else(|| "m".to_owned())
+}
+
+/// Whether nodes may be doubled along the border of two regions. A word that is not
+/// known has been told; whoever wrote it has slits in mind.
+fn doubled_nodes(root: &Table<'_>) -> DoubledNodes {
+    match root.word("doubled_nodes", &["error", "allow"]) {
+        Some(0) => DoubledNodes::Error,
+        None if !root.has("doubled_nodes") => DoubledNodes::Error,
+        _ => DoubledNodes::Allow,
+    }
 }
 
 /// The mesh that `key` names.

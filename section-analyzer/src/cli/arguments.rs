@@ -55,11 +55,14 @@ const CHECK: &str = "\
 Reads and checks a section file without solving it
 
 Tells all that is wrong with the section file, its mesh and its tables, with file,
-line and remedy; prints what was read when nothing is.";
+line and remedy; prints what was read, and the shapes of the cells by region, when
+nothing is. With --out it draws the section too:
+  NAME.mesh.png          the mesh in the colors of its materials
+  NAME.fibers.png        wall directions and fiber angles, if a material has directions";
 
 const CHECK_EXAMPLE: &str = "\
 Example:
-  section-analyzer check blade/root.section.toml";
+  section-analyzer check blade/root.section.toml --out blade/results";
 
 const MESH: &str = "\
 Makes the mesh of a simple shape
@@ -114,6 +117,9 @@ pub(super) enum Command {
     Check {
         /// Section file, NAME.section.toml
         file: PathBuf,
+        /// Folder for the figures of mesh and fibers; none is written if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
     },
     #[command(about = first_line(STRESS), long_about = STRESS, after_help = STRESS_EXAMPLE)]
     Stress {

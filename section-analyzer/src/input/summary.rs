@@ -2,10 +2,15 @@
 
 use std::fmt;
 
+use shared_geom::figure::tick_label;
 use shared_geom::mesh::CellKind;
 
-use crate::mesh::MeshReport;
+use crate::mesh::quality::{MeshQuality, NamedCell};
+use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh};
 use crate::properties::AreaTable;
+
+/// Seams, gaps and cells that are described at most; the others are counted.
+const DESCRIBED: usize = 3;
 
 /// What was read, in numbers and words.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,8 +31,27 @@ pub struct InputSummary {
     pub regions: Vec<RegionSummary>,
     /// Areas, moments of area, perimeters and masses, parallel to `regions`.
     pub areas: AreaTable,
+    /// Shapes of the cells.
+    pub quality: MeshQuality,
     /// What is odd but not wrong.
     pub warnings: Vec<InputWarning>,
+}
+
+impl InputSummary {
+    /// Measures the shapes of the cells, and warns of poor ones.
+    pub(super) fn rate(&mut self, mesh: &SectionMesh) {
+        self.quality = MeshQuality::of(mesh);
+        let count = self.quality.poor();
+        let poor = self.quality.worst.iter().filter(|cell| cell.is_poor);
+        let in_file_unit = |cell: &NamedCell| NamedCell {
+            place: cell.place.map(|x| x / self.length_factor),
+            ..cell.clone()
+        };
+        if count > 0 {
+            let worst = poor.take(DESCRIBED).map(in_file_unit).collect();
+            self.warnings.push(InputWarning::PoorCells { count, worst });
+        }
+    }
 }
 
 /// One region.
@@ -105,12 +129,37 @@ pub enum InputWarning {
         /// Their number.
         count: usize,
     },
-    /// Nodes that lie on each other.
+    /// Nodes that lie on each other, though their cells touch along no side.
     CoincidentNodes {
         /// Number of pairs.
         count: usize,
         /// Tags of the first pair.
         first: [u64; 2],
+    },
+    /// A slit: cells touch along sides with nodes of their own.
+    Slit(Seam),
+    /// Nodes that hang on sides of other cells.
+    HangingNodes {
+        /// Their number.
+        count: usize,
+        /// One of them.
+        first: HangingNode,
+    },
+    /// Sides that nearly touch.
+    Gap(NarrowGap),
+    /// Cells of poor shape.
+    PoorCells {
+        /// Their number.
+        count: usize,
+        /// The worst of them, places in the unit of the mesh file.
+        worst: Vec<NamedCell>,
+    },
+    /// Further warnings of a kind.
+    More {
+        /// Their number.
+        count: usize,
+        /// Of what.
+        what: &'static str,
     },
 }
 
@@ -126,10 +175,24 @@ impl InputWarning {
             let count = report.unused_nodes;
             warnings.push(Self::UnusedNodes { count });
         }
-        if let Some(&first) = report.coincident_nodes.first() {
-            let count = report.coincident_nodes.len();
+        let seams: Vec<[u64; 2]> = report.seams.iter().flat_map(|s| s.pairs.clone()).collect();
+        let alone = |pair: &&[u64; 2]| {
+            let [a, b] = **pair;
+            !seams.contains(&[a, b]) && !seams.contains(&[b, a])
+        };
+        let alone: Vec<_> = report.coincident_nodes.iter().filter(alone).collect();
+        if let Some(&&first) = alone.first() {
+            let count = alone.len();
             warnings.push(Self::CoincidentNodes { count, first });
         }
+        let slits = report.seams.iter().cloned().map(Self::Slit);
+        warnings.extend(limited(slits.collect(), "slits"));
+        if let Some(first) = report.hanging_nodes.first().cloned() {
+            let count = report.hanging_nodes.len();
+            warnings.push(Self::HangingNodes { count, first });
+        }
+        let gaps = report.narrow_gaps.iter().cloned().map(Self::Gap);
+        warnings.extend(limited(gaps.collect(), "narrow gaps"));
         warnings
     }
 }
@@ -162,11 +225,55 @@ impl fmt::Display for InputWarning {
                 first: [a, b],
             } => write!(
                 f,
-                "{} at the same place, as nodes {a} and {b}: the section has a slit there",
+                "{} at the same place, as nodes {a} and {b}, but not joined",
                 are(*count, "node pair")
             ),
+            Self::Slit(seam) => write!(f, "slit: {seam}"),
+            Self::HangingNodes { count: 1, first } => write!(f, "slit: {first}"),
+            Self::HangingNodes { count, first } => {
+                write!(f, "slit: {first}; and {} more like it", count - 1)
+            }
+            Self::Gap(gap) => write!(f, "narrow gap: {gap}"),
+            Self::PoorCells { count, worst } => write_poor_cells(f, *count, worst),
+            Self::More { count, what } => write!(f, "and {count} more {what}"),
         }
     }
+}
+
+/// A line for each of the worst cells.
+fn write_poor_cells(f: &mut fmt::Formatter<'_>, count: usize, worst: &[NamedCell]) -> fmt::Result {
+    let have = if count == 1 { "has" } else { "have" };
+    let cells = counted(count, "cell");
+    write!(
+        f,
+        "{cells} {have} a poor shape: results near by are less accurate"
+    )?;
+    for cell in worst {
+        let [y, z] = cell.place.map(|x| tick_label(x, 0.0));
+        let (tag, group, worst) = (cell.cell, &cell.group, cell.worst);
+        write!(
+            f,
+            "\n      cell {tag} at ({y}, {z}) in \"{group}\": {worst}"
+        )?;
+    }
+    match count.saturating_sub(worst.len()) {
+        0 => Ok(()),
+        more => write!(f, "\n      and {more} more"),
+    }
+}
+
+/// The first warnings of a kind, and how many more there are.
+fn limited(mut warnings: Vec<InputWarning>, what: &'static str) -> Vec<InputWarning> {
+    let count = warnings.len().saturating_sub(DESCRIBED);
+    if count > 0 {
+        warnings.truncate(DESCRIBED);
+        warnings.push(InputWarning::More { count, what });
+    }
+    warnings
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 fn are(count: usize, what: &str) -> String {

@@ -1,14 +1,23 @@
 //! Nodes at the same place, within a millionth of the size of their cells.
+//!
+//! Only nodes of the boundary are looked at: a node inside can coincide with
+//! another only where cells overlap.
 
+use super::boundary::Boundary;
 use super::plane::{PlaneMesh, distance};
 
 /// Distance, relative to the shortest side of a cell, within which nodes coincide.
 const NEARNESS: f64 = 1e-6;
 
-/// Pairs of nodes (indices, the smaller first) that lie on each other, sorted.
-pub(super) fn coincident_nodes(mesh: &PlaneMesh) -> Vec<[u32; 2]> {
-    let reach = reaches(mesh);
-    let widest = reach.iter().copied().fold(0.0, f64::max);
+/// Pairs of nodes (indices, the smaller first) that lie on each other, sorted; of
+/// more than two at a place, pairs that connect them.
+pub(super) fn coincident_nodes(mesh: &PlaneMesh, boundary: &Boundary) -> Vec<[u32; 2]> {
+    let reach = reaches(mesh, boundary);
+    let nodes: Vec<u32> = (0..mesh.nodes.len() as u32)
+        .filter(|&node| reach[node as usize].is_finite())
+        .collect();
+    let known = nodes.iter().map(|&node| reach[node as usize]);
+    let widest = known.fold(0.0, f64::max);
     if !(widest > 0.0 && widest.is_finite()) {
         return Vec::new();
     }
@@ -18,8 +27,9 @@ pub(super) fn coincident_nodes(mesh: &PlaneMesh) -> Vec<[u32; 2]> {
     for shift in [0.0, 0.5] {
         let strip = |node: u32| (mesh.nodes[node as usize][0] / (2.0 * widest) + shift).floor();
         let height = |node: u32| mesh.nodes[node as usize][1];
-        let mut order: Vec<(f64, f64, u32)> = (0..mesh.nodes.len() as u32)
-            .map(|node| (strip(node), height(node), node))
+        let mut order: Vec<(f64, f64, u32)> = nodes
+            .iter()
+            .map(|&node| (strip(node), height(node), node))
             .collect();
         order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
         for (i, &(strip, height, a)) in order.iter().enumerate() {
@@ -30,7 +40,9 @@ pub(super) fn coincident_nodes(mesh: &PlaneMesh) -> Vec<[u32; 2]> {
                 let [p, q] = [a, b].map(|node| mesh.nodes[node as usize]);
                 let reach = reach[a as usize].min(reach[b as usize]);
                 if distance(p, q) <= reach {
+                    // further nodes at the place follow from this one
                     pairs.push([a.min(b), a.max(b)]);
+                    break;
                 }
             }
         }
@@ -40,12 +52,14 @@ pub(super) fn coincident_nodes(mesh: &PlaneMesh) -> Vec<[u32; 2]> {
     pairs
 }
 
-/// For each node the distance within which another one coincides with it.
-fn reaches(mesh: &PlaneMesh) -> Vec<f64> {
+/// For each node of the boundary the distance within which another one coincides
+/// with it; infinite for the others.
+fn reaches(mesh: &PlaneMesh, boundary: &Boundary) -> Vec<f64> {
     let mut reach = vec![f64::INFINITY; mesh.nodes.len()];
-    for cell in &mesh.cells {
+    for side in &boundary.sides {
+        let cell = &mesh.cells[side.cell];
         let size = NEARNESS * mesh.sides(cell).fold(f64::INFINITY, f64::min);
-        for &node in cell.nodes() {
+        for &node in side.ends.iter().chain(&side.middle) {
             let reach = &mut reach[node as usize];
             *reach = reach.min(size);
         }

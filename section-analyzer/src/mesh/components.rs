@@ -1,15 +1,17 @@
 //! The parts of a section: one is expected, connected through sides of cells.
 
+use super::findings::NarrowGap;
 use super::plane::PlaneMesh;
 use super::problem::{MeshProblem, Part};
 
 /// States that all cells are connected through sides. `neighbors` are the pairs of
-/// cells that share one, `coincident` the pairs of nodes at the same place, and
-/// `label(cell)` is the physical surface of a cell, both by index.
+/// cells that share one, `coincident` the pairs of nodes at the same place, `gaps`
+/// what may explain it, and `label(cell)` is the physical surface of a cell.
 pub(super) fn check_connected(
     mesh: &PlaneMesh,
     neighbors: &[[usize; 2]],
     coincident: &[[u32; 2]],
+    gaps: &[NarrowGap],
     label: impl Fn(usize) -> String,
 ) -> Result<(), MeshProblem> {
     let part_of_cell = part_of_each_cell(mesh.cells.len(), neighbors);
@@ -27,12 +29,13 @@ pub(super) fn check_connected(
         parts,
         touching: touching.into_iter().map(tag).collect(),
         coincident: apart.map(|pair| pair.map(tag)).collect(),
+        gaps: gaps.to_vec(),
     })
 }
 
 /// The number of the part that each cell belongs to, in the order in which the
 /// parts appear.
-fn part_of_each_cell(cells: usize, neighbors: &[[usize; 2]]) -> Vec<usize> {
+pub(super) fn part_of_each_cell(cells: usize, neighbors: &[[usize; 2]]) -> Vec<usize> {
     // union-find; the smallest cell of a part stands for it
     let mut parent: Vec<usize> = (0..cells).collect();
     for &[a, b] in neighbors {
@@ -53,7 +56,8 @@ fn part_of_each_cell(cells: usize, neighbors: &[[usize; 2]]) -> Vec<usize> {
     number
 }
 
-fn root(parent: &mut [usize], mut cell: usize) -> usize {
+/// What stands for the set of `cell` in a union-find.
+pub(super) fn root(parent: &mut [usize], mut cell: usize) -> usize {
     while parent[cell] != cell {
         parent[cell] = parent[parent[cell]];
         cell = parent[cell];

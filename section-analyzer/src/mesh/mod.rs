@@ -2,17 +2,28 @@
 //! the analysis uses, with every check that needs nothing but the mesh.
 //!
 //! [`SectionMesh::from_mesh`] checks that the mesh is plane, that no cell is
-//! inverted and that the section is in one part, and tells all problems together.
+//! inverted, that cells neither overlap nor touch without sharing nodes, and that
+//! the section is in one part, and tells all problems together. [`quality`] has
+//! the shapes of the cells in numbers.
 //! [`generate`] makes meshes of simple shapes.
 
+mod boundary;
+mod checks;
 mod coincident;
 mod components;
+mod contact;
+mod findings;
 pub mod generate;
+mod jacobian;
 mod orientation;
+mod overlap;
 mod plane;
 mod problem;
+pub mod quality;
+mod seams;
 mod section_mesh;
 mod sides;
 
+pub use findings::{CellOverlap, DoubledNodes, HangingNode, NarrowGap, Seam};
 pub use problem::{Inversion, MeshProblem, Part};
 pub use section_mesh::{Curve, CurveLine, MeshReport, SectionCell, SectionMesh};

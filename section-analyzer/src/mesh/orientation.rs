@@ -1,14 +1,14 @@
 //! Orientation of the cells: all of them counterclockwise, none inverted.
 //!
 //! The Jacobian determinant `J = y,r z,s - y,s z,r` of the mapping from the
-//! reference cell is looked at in the integration points, where the analysis needs
-//! it, and in the nodes, where it is smallest in most folded cells.
+//! reference cell must have one sign in the whole cell: in corners and integration
+//! points and between them.
 
 use std::collections::HashMap;
 
-use shared_geom::lagrange::ShapeValues;
 use shared_geom::mesh::{Cell, CellKind};
 
+use super::jacobian::Jacobian;
 use super::plane::{PlaneMesh, distance};
 use super::problem::{Inversion, MeshProblem, limited};
 
@@ -29,15 +29,17 @@ enum Turn {
 /// Lists the cells of clockwise surfaces the other way round; gives their number,
 /// or the cells that are inverted or disagree with the others of their surface.
 pub(super) fn orient(mesh: &mut PlaneMesh) -> Result<usize, Vec<MeshProblem>> {
-    let shapes = CellKind::ALL.map(|kind| (kind, shapes(kind)));
+    let jacobian = Jacobian::new();
     let mut problems = Vec::new();
     let mut turns = Vec::with_capacity(mesh.cells.len());
     let mut counts: HashMap<i32, [usize; 2]> = HashMap::new();
     for cell in &mesh.cells {
-        let shapes = shapes.iter().filter(|(kind, _)| *kind == cell.kind);
-        let jacobians =
-            shapes.flat_map(|(_, shapes)| shapes.iter().map(|s| jacobian(mesh, cell, s)));
-        let turn = turn(jacobians, mesh.longest_side(cell));
+        let mut places = [[0.0; 2]; 9];
+        for (place, &node) in places.iter_mut().zip(cell.nodes()) {
+            *place = mesh.nodes[node as usize];
+        }
+        let extremes = jacobian.extremes(cell.kind, &places[..cell.nodes().len()]);
+        let turn = turn(extremes, mesh.longest_side(cell));
         turns.push(turn);
         match turn {
             Some(turn) => counts.entry(cell.entity).or_default()[turn as usize] += 1,
@@ -66,34 +68,8 @@ pub(super) fn orient(mesh: &mut PlaneMesh) -> Result<usize, Vec<MeshProblem>> {
     Ok(reversed)
 }
 
-/// Shape functions where the Jacobian is looked at.
-fn shapes(kind: CellKind) -> Vec<ShapeValues> {
-    let inside = kind.rule().iter().map(|point| kind.shape(point.r, point.s));
-    let nodes = kind
-        .reference_nodes()
-        .iter()
-        .map(|&[r, s]| kind.shape(r, s));
-    inside.chain(nodes).collect()
-}
-
-/// `J = y,r z,s - y,s z,r`.
-fn jacobian(mesh: &PlaneMesh, cell: &Cell, shape: &ShapeValues) -> f64 {
-    let (mut dr, mut ds) = ([0.0; 2], [0.0; 2]);
-    for (i, &node) in cell.nodes().iter().enumerate() {
-        let place = mesh.nodes[node as usize];
-        for axis in 0..2 {
-            dr[axis] += shape.dr[i] * place[axis];
-            ds[axis] += shape.ds[i] * place[axis];
-        }
-    }
-    dr[0] * ds[1] - dr[1] * ds[0]
-}
-
 /// The direction of a cell; `None` if its Jacobian changes sign or vanishes.
-fn turn(jacobians: impl Iterator<Item = f64>, side: f64) -> Option<Turn> {
-    let (low, high) = jacobians.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), j| {
-        (low.min(j), high.max(j))
-    });
+fn turn([low, high]: [f64; 2], side: f64) -> Option<Turn> {
     let least = LEAST_AREA * side * side;
     if high > least && low > LEAST_RATIO * high {
         Some(Turn::Counterclockwise)

@@ -7,6 +7,8 @@ use std::fmt;
 
 use shared_geom::error::Explain;
 
+use super::findings::{CellOverlap, HangingNode, NarrowGap, Seam};
+
 /// A problem of the mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MeshProblem {
@@ -91,7 +93,7 @@ pub enum MeshProblem {
         nodes: [u64; 2],
     },
     /// A section in several parts.
-    #[error("{}", disconnected(.parts, .touching, .coincident))]
+    #[error("{}", disconnected(.parts, .touching, .coincident, .gaps))]
     Disconnected {
         /// The parts, the one with the most cells first.
         parts: Vec<Part>,
@@ -99,6 +101,29 @@ pub enum MeshProblem {
         touching: Vec<u64>,
         /// Tags of nodes of different parts that lie on each other.
         coincident: Vec<[u64; 2]>,
+        /// Narrow gaps anywhere in the section.
+        gaps: Vec<NarrowGap>,
+    },
+    /// Cells that cover the same place.
+    #[error("{0}")]
+    DoubleCover(CellOverlap),
+    /// Cells that touch along sides with nodes of their own.
+    #[error("{seam}")]
+    DoubledNodes {
+        /// Where.
+        seam: Seam,
+        /// Whether slits are allowed; the section falls apart all the same.
+        allowed: bool,
+    },
+    /// A corner on the side of another cell.
+    #[error("{node}{}", likewise(*.more))]
+    Hanging {
+        /// One of those between two surfaces.
+        node: HangingNode,
+        /// How many more there are.
+        more: usize,
+        /// Whether slits are allowed; the section falls apart all the same.
+        allowed: bool,
     },
     /// Further problems of a kind of which the first have been told.
     #[error("and {count} more {what}")]
@@ -187,7 +212,12 @@ impl fmt::Display for Part {
 /// Parts, nodes and pairs that a message lists at most.
 const LISTED: usize = 8;
 
-fn disconnected(parts: &[Part], touching: &[u64], coincident: &[[u64; 2]]) -> String {
+fn disconnected(
+    parts: &[Part],
+    touching: &[u64],
+    coincident: &[[u64; 2]],
+    gaps: &[NarrowGap],
+) -> String {
     let mut text = format!(
         "the section falls into {} parts that share no side, expected one",
         parts.len()
@@ -214,7 +244,20 @@ fn disconnected(parts: &[Part], touching: &[u64], coincident: &[[u64; 2]]) -> St
             }
         ));
     }
+    for gap in gaps.iter().take(LISTED) {
+        text.push_str(&format!("\n    {gap}"));
+    }
     text
+}
+
+fn likewise(more: usize) -> String {
+    match more {
+        0 => String::new(),
+        _ => format!(
+            "; likewise {} between these surfaces",
+            counted(more, "node")
+        ),
+    }
 }
 
 /// `node 3` or `nodes 3, 4, 5 and 7 more`.
@@ -228,18 +271,18 @@ fn listed(what: &str, names: &[String]) -> String {
     format!("{what}{plural} {}{more}", shown.join(", "))
 }
 
-fn counted(count: usize, what: &str) -> String {
+pub(super) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// A number with six digits at most.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     let rounded = format!("{value:.5e}").parse().unwrap_or(value);
     let text = format!("{rounded:?}");
     text.strip_suffix(".0").unwrap_or(&text).to_string()
 }
 
-fn place([x, y]: [f64; 2]) -> String {
+pub(super) fn place([x, y]: [f64; 2]) -> String {
     format!("({}, {})", short(x), short(y))
 }
 
@@ -278,13 +321,21 @@ impl Explain for MeshProblem {
                 "use cells of one order throughout (in gmsh, Mesh.ElementOrder), and \
                  Mesh > Remove duplicate nodes if nodes are doubled"
             }
-            Self::Disconnected { coincident, .. } if !coincident.is_empty() => {
-                "merge the nodes: in gmsh, \"Coherence;\" in the geometry before meshing, \
-                 or Mesh > Remove duplicate nodes"
+            Self::DoubleCover(_) => {
+                "a surface meshed twice, or surfaces that reach into each other: in gmsh, \
+                 \"Coherence;\" (built-in geometry) or BooleanFragments (OpenCASCADE) before \
+                 meshing, and delete copies"
             }
-            Self::Disconnected { .. } => {
-                "parts must share whole sides of cells: join them, or analyze each by itself"
+            Self::DoubledNodes { allowed, .. } => return Some(join("", *allowed)),
+            Self::Hanging { allowed, .. } => {
+                return Some(join(
+                    "both cells need the same nodes on the line where they meet; ",
+                    *allowed,
+                ));
             }
+            Self::Disconnected {
+                gaps, coincident, ..
+            } => connect(!gaps.is_empty(), !coincident.is_empty()),
             Self::MissingNode { .. } | Self::LengthFactor { .. } | Self::More { .. } => {
                 return None;
             }
@@ -293,15 +344,55 @@ impl Explain for MeshProblem {
     }
 }
 
+/// How the parts of a section are brought together.
+fn connect(has_gaps: bool, has_coincident: bool) -> &'static str {
+    match (has_gaps, has_coincident) {
+        (true, _) => {
+            "close the gap: move the points of one side onto the other, or in gmsh raise \
+             Geometry.Tolerance before \"Coherence;\" or BooleanFragments"
+        }
+        (_, true) => {
+            "merge the nodes: in gmsh, \"Coherence;\" in the geometry before meshing, or \
+             Mesh > Remove duplicate nodes"
+        }
+        _ => "parts must share whole sides of cells: join them, or analyze each by itself",
+    }
+}
+
+/// How surfaces are joined in gmsh; where a slit may be meant, how to say so.
+fn join(lead: &str, allowed: bool) -> String {
+    let remedy = format!(
+        "{lead}let the surfaces share their common curve and mesh again: in gmsh \"Coherence;\" \
+         (built-in geometry) or BooleanFragments (OpenCASCADE) before meshing, with a larger \
+         Geometry.Tolerance if points nearly meet"
+    );
+    match allowed {
+        true => format!("{remedy}; doubled_nodes = \"allow\" does not join parts"),
+        false => format!(
+            "{remedy}; or, if a slit is meant, write doubled_nodes = \"allow\" at the head of the \
+             section file"
+        ),
+    }
+}
+
 /// Problems of one kind that are told at most.
 const LIMIT: usize = 20;
 
 /// The problems of one kind, the first of them told and the others counted.
-pub(super) fn limited(mut problems: Vec<MeshProblem>, what: &'static str) -> Vec<MeshProblem> {
-    if let Some(count) = problems.len().checked_sub(LIMIT)
+pub(super) fn limited(problems: Vec<MeshProblem>, what: &'static str) -> Vec<MeshProblem> {
+    limited_to(LIMIT, problems, what)
+}
+
+/// The problems of one kind, the first `limit` of them told and the others counted.
+pub(super) fn limited_to(
+    limit: usize,
+    mut problems: Vec<MeshProblem>,
+    what: &'static str,
+) -> Vec<MeshProblem> {
+    if let Some(count) = problems.len().checked_sub(limit)
         && count > 0
     {
-        problems.truncate(LIMIT);
+        problems.truncate(limit);
         problems.push(MeshProblem::More { count, what });
     }
     problems

@@ -3,12 +3,11 @@
 use shared_geom::error::{Diagnostics, Place};
 use shared_geom::mesh::{Cell, CellKind, Line, Mesh};
 
-use super::coincident::coincident_nodes;
-use super::components::check_connected;
-use super::orientation::orient;
+use super::checks::check_cells;
+use super::findings::{DoubledNodes, HangingNode, NarrowGap, Seam};
 use super::plane::{PlaneMesh, check_plane, check_references};
 use super::problem::MeshProblem;
-use super::sides::sides;
+use super::seams::Groups;
 
 /// Label of the cells that stand in no physical surface.
 const NO_GROUP: &str = "no physical surface";
@@ -90,15 +89,20 @@ pub struct CurveLine {
 }
 
 /// What was put right or is worth a word, though no error.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct MeshReport {
     /// Cells of clockwise surfaces, which were listed the other way round.
     pub reversed_cells: usize,
     /// Nodes that no cell uses, which were left out.
     pub unused_nodes: usize,
-    /// Tags of nodes that lie on each other though the section is in one part: a
-    /// slit, which may be meant.
+    /// Tags of nodes that lie on each other though the section is in one part.
     pub coincident_nodes: Vec<[u64; 2]>,
+    /// Where cells touch with nodes of their own: slits, which may be meant.
+    pub seams: Vec<Seam>,
+    /// Nodes that hang on sides, where slits are allowed.
+    pub hanging_nodes: Vec<HangingNode>,
+    /// Sides that nearly touch.
+    pub narrow_gaps: Vec<NarrowGap>,
 }
 
 impl SectionMesh {
@@ -109,16 +113,30 @@ impl SectionMesh {
 
     /// The section mesh of `mesh`, whose unit of length is `meters_per_unit`, with
     /// what is worth reporting; `place` is where the mesh comes from, for messages.
+    /// Nodes doubled along the border of two surfaces are an error.
     ///
     /// # Errors
     /// All problems found: a mesh without cells or out of the plane z = constant,
-    /// inverted or overlapping cells, sides that do not fit, a section in parts.
+    /// inverted or overlapping cells, cells that do not fit, a section in parts.
     pub fn from_mesh(
         mesh: &Mesh,
         meters_per_unit: f64,
         place: &Place,
     ) -> Result<(Self, MeshReport), Diagnostics> {
-        Self::checked(mesh, meters_per_unit).map_err(|problems| {
+        Self::from_mesh_with(mesh, meters_per_unit, DoubledNodes::Error, place)
+    }
+
+    /// As [`SectionMesh::from_mesh`], where slits may be allowed.
+    ///
+    /// # Errors
+    /// As [`SectionMesh::from_mesh`].
+    pub fn from_mesh_with(
+        mesh: &Mesh,
+        meters_per_unit: f64,
+        doubled_nodes: DoubledNodes,
+        place: &Place,
+    ) -> Result<(Self, MeshReport), Diagnostics> {
+        Self::checked(mesh, meters_per_unit, doubled_nodes).map_err(|problems| {
             let mut diagnostics = Diagnostics::new();
             for problem in &problems {
                 diagnostics.push(place.clone(), problem);
@@ -127,26 +145,32 @@ impl SectionMesh {
         })
     }
 
-    /// As [`SectionMesh::from_mesh`], with typed problems.
+    /// As [`SectionMesh::from_mesh_with`], with typed problems.
     ///
     /// # Errors
     /// As [`SectionMesh::from_mesh`].
     pub fn checked(
         mesh: &Mesh,
         meters_per_unit: f64,
+        doubled_nodes: DoubledNodes,
     ) -> Result<(Self, MeshReport), Vec<MeshProblem>> {
         check_whole(mesh, meters_per_unit)?;
         let (groups, group_of_cell) = surface_groups(mesh);
         let mut plane = PlaneMesh::new(mesh);
-        let coincident = coincident_nodes(&plane);
-        let label = |cell: usize| groups[group_of_cell[cell]].clone();
-        let reversed_cells = check_cells(&mut plane, &coincident, label)?;
+        let labels = Groups {
+            labels: &groups,
+            of_cell: &group_of_cell,
+        };
+        let cells = check_cells(&mut plane, labels, doubled_nodes)?;
 
         let tag = |node: u32| plane.node_tags[node as usize];
         let report = MeshReport {
-            reversed_cells,
+            reversed_cells: cells.reversed,
             unused_nodes: mesh.nodes.len() - plane.nodes.len(),
-            coincident_nodes: coincident.iter().map(|pair| pair.map(tag)).collect(),
+            coincident_nodes: cells.coincident.iter().map(|pair| pair.map(tag)).collect(),
+            seams: cells.seams,
+            hanging_nodes: cells.hanging,
+            narrow_gaps: cells.gaps,
         };
         let cell = |(cell, &group): (&Cell, &usize)| {
             SectionCell::new(cell.tag, cell.kind, group, |i| cell.nodes()[i])
@@ -164,25 +188,6 @@ impl SectionMesh {
         };
         Ok((section, report))
     }
-}
-
-/// Turns the cells counterclockwise; gives the number of those that were not.
-fn check_cells(
-    plane: &mut PlaneMesh,
-    coincident: &[[u32; 2]],
-    label: impl Fn(usize) -> String,
-) -> Result<usize, Vec<MeshProblem>> {
-    let oriented = orient(plane);
-    let sides = sides(plane, oriented.is_ok());
-    let connected = check_connected(plane, &sides.neighbors, coincident, label);
-    let mut problems = Vec::new();
-    let reversed = oriented.unwrap_or_else(|inverted| {
-        problems.extend(inverted);
-        0
-    });
-    problems.extend(sides.problems);
-    problems.extend(connected.err());
-    outcome(problems).map(|()| reversed)
 }
 
 fn outcome(problems: Vec<MeshProblem>) -> Result<(), Vec<MeshProblem>> {

@@ -66,7 +66,7 @@ fn accepted(mesh: &Mesh) -> (SectionMesh, MeshReport) {
 }
 
 fn refused(mesh: &Mesh) -> Vec<MeshProblem> {
-    SectionMesh::checked(mesh, 1.0).expect_err("the mesh has a problem")
+    SectionMesh::checked(mesh, 1.0, DoubledNodes::Error).expect_err("the mesh has a problem")
 }
 
 /// The message of the only problem.
@@ -213,7 +213,7 @@ fn a_clockwise_surface_beside_another_is_turned_and_counted() {
 #[test]
 fn a_mesh_needs_cells_and_a_unit() {
     let empty = mesh(&LADDER, &[]);
-    let problems = SectionMesh::checked(&empty, f64::NAN).unwrap_err();
+    let problems = SectionMesh::checked(&empty, f64::NAN, DoubledNodes::Error).unwrap_err();
     let messages: Vec<String> = problems.iter().map(MeshProblem::to_string).collect();
     assert_eq!(
         messages,
@@ -442,32 +442,6 @@ fn parts_that_touch_at_a_node_are_told() {
         text.ends_with("\n    parts touch only at node 105"),
         "{text}"
     );
-}
-
-#[test]
-fn doubled_nodes_between_parts_are_told() {
-    // the right square has nodes of its own on the common side, almost in place
-    let nodes = [LADDER.as_slice(), &[[1.0 + 5e-7, 0.0], [1.0, 1.0 - 5e-7]]].concat();
-    let text = message(&mesh(&nodes, &[LEFT, &[6, 2, 5, 7]]));
-    assert!(
-        text.ends_with("\n    2 nodes coincide with nodes of another part, as 102 with 107"),
-        "{text}"
-    );
-    let problems = refused(&mesh(&nodes, &[LEFT, &[6, 2, 5, 7]]));
-    assert!(
-        problems[0]
-            .help()
-            .unwrap()
-            .contains("Remove duplicate nodes")
-    );
-    // a millionth and a half is a gap
-    let nodes = [
-        LADDER.as_slice(),
-        &[[1.0 + 1.5e-6, 0.0], [1.0 + 1.5e-6, 1.0]],
-    ]
-    .concat();
-    let text = message(&mesh(&nodes, &[LEFT, &[6, 2, 5, 7]]));
-    assert!(!text.contains("coincide"), "{text}");
 }
 
 #[test]

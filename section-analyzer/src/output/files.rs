@@ -57,6 +57,11 @@ impl OutputFiles {
         self.path("mesh.png")
     }
 
+    /// The figure of the fiber directions.
+    pub fn fibers(&self) -> PathBuf {
+        self.path("fibers.png")
+    }
+
     /// The figure of the warping.
     pub fn warping(&self) -> PathBuf {
         self.path("warping.png")
@@ -112,6 +117,13 @@ impl OutputFiles {
         for plot in STRESS_PLOTS {
             let _ = std::fs::remove_file(self.stress_figure(load, plot));
         }
+    }
+
+    /// Removes the figure of the fibers of an earlier run, for a section that has
+    /// none.
+    pub fn remove_fibers(&self) {
+        // One that does not exist is no problem.
+        let _ = std::fs::remove_file(self.fibers());
     }
 
     /// The table of areas by region.

@@ -4,6 +4,7 @@
 use super::areas::areas;
 use super::engineering::engineering_values;
 use super::parts::{self, couplings, joined};
+use super::quality::{quality_by_region, quality_in_short};
 use super::restrained::restrained_warping;
 use super::text::{matrix, number, table};
 use crate::failure::Failure;
@@ -37,6 +38,7 @@ pub fn report(
         CONVENTION.to_owned(),
         materials(&section.materials),
         regions(summary),
+        quality_in_short(summary),
         format!(
             "Stiffness, internal force per generalized strain [N, N m, N m^2]\n{}",
             matrix(&solution.stiffness)
@@ -80,6 +82,7 @@ pub fn input_report(section: &Section, summary: &InputSummary) -> String {
         materials(&section.materials),
         regions(summary),
         areas(&summary.areas),
+        quality_by_region(summary),
     ];
     joined(&parts)
 }

@@ -10,6 +10,7 @@ mod bad_section;
 mod compare;
 mod help;
 mod many;
+mod mesh_checks;
 mod property_files;
 mod stress;
 mod unchanged;

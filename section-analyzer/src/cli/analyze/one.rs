@@ -9,12 +9,13 @@ use shared_geom::section::{self, SectionProperties};
 
 use super::{Job, Run};
 use crate::analysis::analyze;
+use crate::cli::figures::draw_section;
 use crate::cli::stress::Stresses;
 use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
-    AnalysisRecord, MeshPlot, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv,
+    AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv,
     failure_report, properties, report, warping_vtu,
 };
 use crate::properties::RestrainedWarping;
@@ -222,15 +223,11 @@ fn write_figures(
     solution: &SectionSolution,
     results: &mut ResultWriter,
 ) -> Result<(), OutputProblem> {
-    let Input {
-        section, summary, ..
-    } = input;
     let files = results.files().clone();
-    let mesh = MeshPlot::new(section, summary, Some(&solution.centers));
-    results.figure(files.mesh(), mesh.size(), &mesh)?;
-    let warping = WarpingPlot::new(section, solution);
+    draw_section(input, Some(&solution.centers), results)?;
+    let warping = WarpingPlot::new(&input.section, solution);
     results.figure(files.warping(), warping.size(), &warping)?;
-    let fields = warping_vtu(section, solution);
+    let fields = warping_vtu(&input.section, solution);
     results.add(files.warping_field(), |file| fields.write(file))
 }
 
@@ -263,6 +260,5 @@ fn write_failure(
     } = input;
     let files = results.files().clone();
     results.text(files.report(), &failure_report(section, summary, failure))?;
-    let mesh = MeshPlot::new(section, summary, None);
-    results.figure(files.mesh(), mesh.size(), &mesh)
+    draw_section(input, None, results)
 }

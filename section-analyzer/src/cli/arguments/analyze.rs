@@ -15,6 +15,7 @@ once, solves, prints the report, and writes into the folder DIR:
   NAME.areas.csv         area, moments of area, perimeter and mass by region
   NAME.constants.csv     constants of restrained warping, if all materials are isotropic
   NAME.mesh.png          the mesh in the colors of its materials, with the centers
+  NAME.fibers.png        wall directions and fiber angles, if a material has directions
   NAME.warping.png       the warping under each unit internal force
   NAME.warping.vtu       the same as fields on the mesh, for ParaView
   NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE

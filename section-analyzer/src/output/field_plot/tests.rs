@@ -8,6 +8,7 @@ use shared_geom::mesh::CellKind;
 use super::*;
 use crate::input::InputSummary;
 use crate::mesh::generate::Tube;
+use crate::mesh::quality::MeshQuality;
 use crate::output::samples::{bending, recovery, rectangle, section};
 use crate::output::stress_plots;
 use crate::properties::AreaTable;
@@ -24,6 +25,7 @@ fn summary(section: &Section) -> InputSummary {
         kinds: Vec::new(),
         regions: Vec::new(),
         areas: AreaTable::by_group(section),
+        quality: MeshQuality::default(),
         warnings: Vec::new(),
     }
 }

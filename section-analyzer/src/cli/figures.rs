@@ -1,0 +1,29 @@
+//! The figures of a section that need no solution.
+
+use shared_geom::files::OutputProblem;
+
+use crate::input::Input;
+use crate::output::{FiberPlot, MeshPlot, ResultWriter};
+use crate::properties::Centers;
+
+/// Draws the mesh, with the centers where they are known, and the fibers where a
+/// material has directions.
+pub(super) fn draw_section(
+    input: &Input,
+    centers: Option<&Centers>,
+    results: &mut ResultWriter,
+) -> Result<(), OutputProblem> {
+    let Input {
+        section, summary, ..
+    } = input;
+    let files = results.files().clone();
+    let mesh = MeshPlot::new(section, summary, centers);
+    results.figure(files.mesh(), mesh.size(), &mesh)?;
+    match FiberPlot::new(section, summary) {
+        Some(fibers) => results.figure(files.fibers(), fibers.size(), &fibers),
+        None => {
+            files.remove_fibers();
+            Ok(())
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! What stands where cells meet and do not fit: overlaps, doubled nodes along
+//! seams, hanging nodes, narrow gaps.
+//!
+//! Places and lengths are those of the mesh file, in its unit.
+
+use std::fmt;
+
+use super::problem::{counted, place, short};
+
+/// Pairs of nodes that a message lists at most.
+const LISTED: usize = 3;
+
+/// Whether cells may touch without sharing nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DoubledNodes {
+    /// Between regions it is an error.
+    #[default]
+    Error,
+    /// A slit is meant, unless it takes the section apart.
+    Allow,
+}
+
+/// Cells that cover the same places.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CellOverlap {
+    /// Physical surfaces of the two cells of each pair; the same twice within one
+    /// surface.
+    pub groups: [String; 2],
+    /// Tags of the pairs of cells that were found along the boundary of the mesh.
+    pub cells: Vec<[u64; 2]>,
+    /// A place in both cells of each pair [file unit].
+    pub places: Vec<[f64; 2]>,
+}
+
+impl fmt::Display for CellOverlap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [one, other] = &self.groups;
+        match one == other {
+            true => write!(f, "cells of \"{one}\" overlap")?,
+            false => write!(f, "cells of \"{one}\" overlap those of \"{other}\"")?,
+        }
+        let pairs = self.cells.iter().zip(&self.places).take(LISTED);
+        for (i, ([a, b], at)) in pairs.enumerate() {
+            let lead = if i == 0 { ":" } else { "," };
+            write!(f, "{lead} {a} and {b} at {}", place(*at))?;
+        }
+        if let Some(more) = self.cells.len().checked_sub(LISTED + 1) {
+            let places = between(&self.places);
+            write!(f, " and {} like these{places}", counted(more + 1, "pair"))?;
+        }
+        f.write_str("; the area there would count twice")
+    }
+}
+
+/// A corner of one cell on the side of another, not joined to it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HangingNode {
+    /// Tag of the node.
+    pub node: u64,
+    /// Where it lies [file unit].
+    pub place: [f64; 2],
+    /// Tag of the cell whose corner it is.
+    pub corner_of: u64,
+    /// Tag of the cell on whose side it lies.
+    pub side_of: u64,
+    /// Tags of the ends of that side.
+    pub side: [u64; 2],
+    /// Physical surfaces of the two cells.
+    pub groups: [String; 2],
+}
+
+impl fmt::Display for HangingNode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "node {} at {}, a corner of cell {} in \"{}\", hangs on the side from node {} to \
+             node {} of cell {} in \"{}\", which has no node there: the cells are not joined",
+            self.node,
+            place(self.place),
+            self.corner_of,
+            self.groups[0],
+            self.side[0],
+            self.side[1],
+            self.side_of,
+            self.groups[1],
+        )
+    }
+}
+
+/// Sides of cells that lie on each other with nodes of their own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seam {
+    /// Physical surfaces on its two sides; the same twice within one surface.
+    pub groups: [String; 2],
+    /// Number of sides along it.
+    pub sides: usize,
+    /// Tags of the nodes that lie on each other.
+    pub pairs: Vec<[u64; 2]>,
+    /// Their places, parallel to `pairs` [file unit].
+    pub places: Vec<[f64; 2]>,
+    /// Number of parts into which the section falls, if it would not without seams.
+    pub parts: Option<usize>,
+}
+
+impl fmt::Display for Seam {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.groups {
+            [one, other] if one == other => write!(f, "cells of \"{one}\" touch")?,
+            [one, other] => write!(f, "\"{one}\" and \"{other}\" touch")?,
+        }
+        write!(
+            f,
+            " along {}{} but share no nodes there: {} doubled",
+            counted(self.sides, "side"),
+            between(&self.places),
+            match self.pairs.len() {
+                1 => "1 node is".to_owned(),
+                count => format!("{count} nodes are"),
+            },
+        )?;
+        for (i, ([a, b], at)) in self.pairs.iter().zip(&self.places).enumerate().take(LISTED) {
+            let lead = if i == 0 { ", as" } else { "," };
+            write!(f, "{lead} {a} and {b} at {}", place(*at))?;
+        }
+        match self.parts {
+            Some(parts) => write!(f, "; so the section falls into {parts} parts"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Sides of cells that run close to each other without touching.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NarrowGap {
+    /// Physical surfaces on its two sides; the same twice within one surface.
+    pub groups: [String; 2],
+    /// Number of sides along it.
+    pub sides: usize,
+    /// Least width [file unit].
+    pub narrowest: f64,
+    /// Largest width that still counts as narrow [file unit].
+    pub widest: f64,
+    /// Places along it, two a side [file unit].
+    pub places: Vec<[f64; 2]>,
+}
+
+impl fmt::Display for NarrowGap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.groups {
+            [one, other] if one == other => write!(f, "cells of \"{one}\" run")?,
+            [one, other] => write!(f, "\"{one}\" and \"{other}\" run")?,
+        }
+        write!(
+            f,
+            " within {} of each other along {}{} without touching: nothing joins them across \
+             this gap",
+            short(self.widest),
+            counted(self.sides, "side"),
+            between(&self.places),
+        )
+    }
+}
+
+/// ` between (0, 0) and (1, 0)`: the box of the places.
+fn between(places: &[[f64; 2]]) -> String {
+    let [low, high] = [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| {
+        [0, 1].map(|axis| places.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0.0))
+    });
+    format!(" between {} and {}", place(low), place(high))
+}

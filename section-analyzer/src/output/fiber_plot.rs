@@ -1,0 +1,431 @@
+//! Where the fibers run: the wall direction and its normal in a choice of cells,
+//! and the fiber angle of every cell as its color.
+//!
+//! ```text
+//!      ----> s      flag: the pole is the wall normal n, the arrow the wall
+//!     |             direction s, both at the plane angle; the foot stands in
+//!     | n           the cell and has its color
+//!     o
+//! ```
+
+use std::collections::HashMap;
+
+use plotters::backend::DrawingBackend;
+use plotters::style::{RGBColor, WHITE};
+use shared_geom::figure::{
+    Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, diverging, tick_label,
+};
+
+use super::outline::{Side, SideRole, THINNEST, cell_points, side_points, sides, widths};
+use super::plane::{Extent, INK, Plane, PlotUnit};
+use crate::input::InputSummary;
+use crate::material::ElasticLaw;
+use crate::mesh::SectionCell;
+use crate::section::Section;
+
+/// Height of the frame at most [figure pixels].
+const HIGHEST: f64 = 1250.0;
+/// Room left of the frame, for ticks and the name of the axis [figure pixels].
+const LEFT: f64 = 190.0;
+const RIGHT: f64 = 50.0;
+/// Room above the frame, for the title and a line below it [figure pixels].
+const TOP: f64 = 150.0;
+/// Room between frame and legend, for ticks and the name of the axis.
+const BELOW: f64 = 135.0;
+/// Height of the legend, and of one of its lines [figure pixels].
+const LEGEND: f64 = 330.0;
+const LINE: f64 = 54.0;
+/// Feet of flags are at least this far apart [figure pixels]; less where their
+/// arrows point in other directions, as in a web and in the skins above and below.
+const SPACING: f64 = 105.0;
+const CLOSE: f64 = 48.0;
+/// Cosine of the angle from which arrows point in other directions.
+const OTHER: f64 = 0.87;
+/// Length of the pole and of the arrow of a flag [figure pixels].
+const POLE: f64 = 34.0;
+const ARROW: f64 = 62.0;
+/// Width of the rim of a flag [figure pixels].
+const RIM: f64 = 2.5;
+/// Room around the section, for flags [figure pixels].
+const MARGIN: f64 = 90.0;
+/// Ends of the scale of angles, of which the least that fits is taken [deg].
+const SCALES: [f64; 4] = [15.0, 30.0, 60.0, 90.0];
+/// Lines between cells [figure pixels].
+const FAINT: RGBColor = RGBColor(120, 120, 120);
+
+/// The figure of the fibers of a section.
+#[derive(Debug)]
+pub struct FiberPlot<'a> {
+    section: &'a Section,
+    unit: PlotUnit,
+    plane: Plane,
+    sides: Vec<Side>,
+    /// Width of the walls on the figure [figure pixels].
+    wall: f64,
+    /// End of the scale of angles [deg].
+    scale: f64,
+    /// Cells that bear a flag.
+    flags: Vec<usize>,
+}
+
+/// Whether any cell of the section has a material with directions.
+fn has_directions(section: &Section, cell: usize) -> bool {
+    let material = section.materials.get(section.cells[cell].material);
+    !material.is_none_or(|material| matches!(material.law, ElasticLaw::Isotropic { .. }))
+}
+
+/// The fiber angle as that of a line, from -90 to 90 [deg].
+fn line_angle(angle: f64) -> f64 {
+    let degrees = angle.to_degrees();
+    let turned = degrees - 180.0 * (degrees / 180.0).round();
+    // so that rounding of the input does not make 90 and -90 of one ply
+    if turned < -90.0 + 1e-6 { 90.0 } else { turned }
+}
+
+impl<'a> FiberPlot<'a> {
+    /// The figure of `section`; `None` if all its materials are isotropic.
+    pub fn new(section: &'a Section, summary: &InputSummary) -> Option<Self> {
+        let cells = (0..section.cells.len()).filter(|&cell| has_directions(section, cell));
+        let cells: Vec<_> = cells.collect();
+        let angle = |&cell: &usize| line_angle(section.cells[cell].fiber_angle).abs();
+        let largest = cells.iter().map(angle).reduce(f64::max)?;
+        let scale = SCALES.into_iter().find(|scale| largest <= scale + 1e-6);
+        let bare = Extent::of(section.mesh.nodes.iter().copied());
+        let room = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
+        // pixels become meters before the frame is known: those of the widest frame
+        let pixel = (0..2).map(|axis| bare.size(axis) / (room[axis] - 2.0 * MARGIN));
+        let margin = MARGIN * pixel.fold(0.0, f64::max);
+        let plane = Plane::fitted(bare.grown(margin), [LEFT, TOP], room);
+        let sides = sides(section);
+        let (wall, _) = widths(section, &sides);
+        let flags = spread(section, &plane, &cells);
+        Some(Self {
+            section,
+            unit: PlotUnit::of(summary, bare.largest()),
+            wall: wall * plane.scale,
+            plane,
+            sides,
+            scale: scale.unwrap_or(90.0),
+            flags,
+        })
+    }
+
+    /// Width and height \[figure pixels\].
+    pub fn size(&self) -> (u32, u32) {
+        let height = TOP + self.plane.frame[1] + BELOW + LEGEND;
+        (WIDTH, height.ceil() as u32)
+    }
+
+    fn color(&self, cell: usize) -> RGBColor {
+        match has_directions(self.section, cell) {
+            true => {
+                let angle = line_angle(self.section.cells[cell].fiber_angle);
+                diverging(angle / self.scale)
+            }
+            false => WHITE,
+        }
+    }
+
+    fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
+        for (index, cell) in self.section.mesh.cells.iter().enumerate() {
+            let mut points = cell_points(cell, &place);
+            let color = self.color(index);
+            canvas.polygon(&points, color)?;
+            if self.wall < THINNEST {
+                points.push(points[0]);
+                canvas.line(&points, THINNEST, color)?;
+            }
+        }
+        for side in &self.sides {
+            let (width, color) = match side.role {
+                SideRole::Boundary => (2.0, INK),
+                SideRole::Interface => (1.2, FAINT),
+                SideRole::Inner(_) => continue,
+            };
+            canvas.line(&side_points(side.ends, side.middle, &place), width, color)?;
+        }
+        Ok(())
+    }
+
+    fn draw_flags<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        for &cell in &self.flags {
+            let foot = self.plane.place(center(self.section, cell));
+            let angle = self.section.cells[cell].plane_angle;
+            draw_flag(canvas, foot, angle, self.color(cell))?;
+        }
+        Ok(())
+    }
+
+    fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let top = TOP + self.plane.frame[1] + BELOW;
+        let label = Label::new(0.88 * TEXT).colored(INK);
+        let foot = [LEFT + 10.0, top + 1.1 * LINE];
+        draw_flag(canvas, foot, 0.0, diverging(0.0))?;
+        let beside = [foot[0] + ARROW + 16.0, foot[1] - POLE];
+        canvas.text("s", beside, label)?;
+        canvas.text(
+            "n",
+            [foot[0] - 20.0, foot[1] - 0.6 * POLE],
+            label.anchored(Anchor::End),
+        )?;
+        let cells = 0..self.section.cells.len();
+        let is_plain = |cell: usize| !has_directions(self.section, cell);
+        let lines = [
+            "arrow: wall direction s, at the plane angle from +y",
+            "pole: wall normal n = x cross s, x toward the reader",
+            "color: fiber angle, from x toward s; at 0 the fiber runs along the beam",
+            "white: isotropic cells",
+        ];
+        let count = if cells.into_iter().any(is_plain) {
+            4
+        } else {
+            3
+        };
+        for (row, line) in lines.into_iter().enumerate().take(count) {
+            let y = top + LINE * (0.5 + row as f64);
+            canvas.text(line, [LEFT + 130.0, y], label)?;
+        }
+        self.draw_bar(canvas, [LEFT + 130.0, top + LINE * (count as f64 + 0.25)])
+    }
+
+    /// The scale of the fiber angle, its upper left corner at `[left, top]`.
+    fn draw_bar<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        [left, top]: [f64; 2],
+    ) -> Result<(), FigureProblem> {
+        const STEPS: u32 = 180;
+        let (width, height) = (900.0, 32.0);
+        let at = |part: f64| left + 0.5 * width * (part + 1.0);
+        for step in 0..STEPS {
+            let part = |k: u32| 2.0 * f64::from(k) / f64::from(STEPS) - 1.0;
+            let (a, b) = (at(part(step)), at(part(step + 1)));
+            let color = diverging(0.5 * (part(step) + part(step + 1)));
+            canvas.polygon(
+                &[[a, top], [b, top], [b, top + height], [a, top + height]],
+                color,
+            )?;
+        }
+        let (right, bottom) = (left + width, top + height);
+        let frame = [
+            [left, top],
+            [right, top],
+            [right, bottom],
+            [left, bottom],
+            [left, top],
+        ];
+        canvas.line(&frame, 2.0, INK)?;
+        let label = Label::new(0.82 * TEXT)
+            .colored(INK)
+            .anchored(Anchor::Middle);
+        for part in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+            canvas.line(&[[at(part), bottom], [at(part), bottom + 8.0]], 2.0, INK)?;
+            let text = tick_label(part * self.scale, self.scale);
+            canvas.text(&text, [at(part), bottom + 30.0], label)?;
+        }
+        let name = label.anchored(Anchor::Start);
+        canvas.text(
+            "fiber angle [deg]",
+            [right + 40.0, top + 0.5 * height],
+            name,
+        )
+    }
+}
+
+impl Drawing for FiberPlot<'_> {
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let title = format!("{}: fiber directions", self.section.name);
+        canvas.text(&title, [LEFT, 50.0], Label::new(1.15 * TEXT).bold())?;
+        let line = format!(
+            "flags in {} of {} cells{}",
+            self.flags.len(),
+            self.section.cells.len(),
+            match self.wall < THINNEST {
+                true => "; walls are drawn wider than they are",
+                false => "",
+            }
+        );
+        canvas.text(&line, [LEFT, 105.0], Label::new(0.88 * TEXT).colored(INK))?;
+        self.plane.draw_axes(canvas, &self.unit)?;
+        self.draw_cells(canvas)?;
+        self.draw_flags(canvas)?;
+        self.draw_legend(canvas)
+    }
+}
+
+/// A flag on the figure: its cell, its foot [figure pixels] and its angle [rad].
+#[derive(Debug, Clone, Copy)]
+struct Flag {
+    cell: usize,
+    foot: [f64; 2],
+    angle: f64,
+}
+
+impl Flag {
+    fn of(section: &Section, plane: &Plane, cell: usize) -> Self {
+        Self {
+            cell,
+            foot: plane.place(center(section, cell)),
+            angle: section.cells[cell].plane_angle,
+        }
+    }
+
+    fn distance(&self, other: &Self) -> f64 {
+        (self.foot[0] - other.foot[0]).hypot(self.foot[1] - other.foot[1])
+    }
+
+    fn points_elsewhere(&self, other: &Self) -> bool {
+        (self.angle - other.angle).cos() < OTHER
+    }
+
+    /// Whether the arrows of both can be told apart.
+    fn leaves_room(&self, other: &Self) -> bool {
+        let room = match self.points_elsewhere(other) {
+            true => CLOSE,
+            false => SPACING,
+        };
+        self.distance(other) >= room
+    }
+}
+
+/// Cells among `cells` that stand far enough from each other for a flag each, and
+/// one for each physical surface with directions that no flag near it shows.
+fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
+    let mut chosen: Vec<Flag> = Vec::new();
+    let mut near = HashMap::<[i64; 2], Vec<Flag>>::new();
+    for &cell in cells {
+        let flag = Flag::of(section, plane, cell);
+        let [column, row] = flag.foot.map(|x| (x / SPACING).floor() as i64);
+        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [column + i, row + j]));
+        let mut others = around.filter_map(|key| near.get(&key)).flatten();
+        if others.all(|other| flag.leaves_room(other)) {
+            chosen.push(flag);
+            near.entry([column, row]).or_default().push(flag);
+        }
+    }
+    let group = |cell: usize| section.mesh.cells[cell].group;
+    for number in 0..section.mesh.groups.len() {
+        if chosen.iter().any(|flag| group(flag.cell) == number) {
+            continue;
+        }
+        let of_group = cells.iter().filter(|&&cell| group(cell) == number);
+        let flags = of_group.map(|&cell| Flag::of(section, plane, cell));
+        let is_new = |flag: &Flag| {
+            let mut near = chosen.iter().filter(|other| flag.distance(other) < SPACING);
+            near.all(|other| flag.points_elsewhere(other))
+        };
+        let room = |flag: &Flag| {
+            let distances = chosen.iter().map(|other| flag.distance(other));
+            distances.fold(f64::INFINITY, f64::min)
+        };
+        let best = flags
+            .filter(is_new)
+            .max_by(|a, b| room(a).total_cmp(&room(b)));
+        chosen.extend(best);
+    }
+    chosen.into_iter().map(|flag| flag.cell).collect()
+}
+
+/// Mean of the corners of a cell, or the node in its middle.
+fn center(section: &Section, cell: usize) -> [f64; 2] {
+    let cell: &SectionCell = &section.mesh.cells[cell];
+    let nodes = match cell.nodes().get(8) {
+        Some(middle) => std::slice::from_ref(middle),
+        None => &cell.nodes()[..cell.kind.corner_count()],
+    };
+    [0, 1].map(|axis| {
+        let places = nodes
+            .iter()
+            .map(|&node| section.mesh.nodes[node as usize][axis]);
+        places.sum::<f64>() / nodes.len() as f64
+    })
+}
+
+/// A flag with its foot at a place of the figure and its arrow at `angle` from +y.
+fn draw_flag<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    foot: [f64; 2],
+    angle: f64,
+    color: RGBColor,
+) -> Result<(), FigureProblem> {
+    let (sine, cosine) = angle.sin_cos();
+    // z runs up, the figure's second coordinate down
+    let at = |along: f64, out: f64| {
+        let (y, z) = (along * cosine - out * sine, along * sine + out * cosine);
+        [foot[0] + y, foot[1] - z]
+    };
+    let line = [foot, at(0.0, POLE), at(ARROW - 14.0, POLE)];
+    let head = |rim: f64| {
+        [
+            at(ARROW + 1.8 * rim, POLE),
+            at(ARROW - 22.0 - rim, POLE + 10.0 + 1.4 * rim),
+            at(ARROW - 22.0 - rim, POLE - 10.0 - 1.4 * rim),
+        ]
+    };
+    // a white rim keeps it apart from dark colors
+    canvas.line(&line, 3.5 + 2.0 * RIM, WHITE)?;
+    canvas.polygon(&head(RIM), WHITE)?;
+    canvas.disc(foot, 9.5 + RIM, WHITE)?;
+    canvas.line(&line, 3.5, INK)?;
+    canvas.polygon(&head(0.0), INK)?;
+    canvas.disc(foot, 9.5, INK)?;
+    canvas.disc(foot, 6.5, color)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::section::samples::of_quadrilaterals;
+
+    /// A row of 40 squares with the arrow along it, and a square beside its middle
+    /// in a surface of its own: on the figure, 1560 pixels wide, the squares are 36
+    /// pixels wide, so that every third of the row bears a flag, and the one beside
+    /// it does only where its arrow points elsewhere.
+    #[test]
+    fn flags_leave_room_and_show_every_direction() {
+        let flags = |angle: f64| {
+            let corner = |i: u32, j: u32| [f64::from(i), f64::from(j)];
+            let nodes: Vec<[f64; 2]> = (0..=2)
+                .flat_map(|j| (0..=40).map(move |i| corner(i, j)))
+                .collect();
+            let square = |i: u32, j: u32| {
+                let low = 41 * j + i;
+                [low, low + 1, low + 42, low + 41]
+            };
+            let mut cells: Vec<[u32; 4]> = (0..40).map(|i| square(i, 0)).collect();
+            cells.push(square(21, 1));
+            let mut section = of_quadrilaterals(&nodes, &cells);
+            for made_of in &mut section.cells {
+                made_of.plane_angle = 0.0;
+            }
+            section.cells[40].plane_angle = angle;
+            section.mesh.groups.push("beside".into());
+            section.mesh.cells[40].group = 1;
+            let extent = Extent::of(nodes.iter().copied()).grown(1.5);
+            let plane = Plane::fitted(extent, [0.0, 0.0], [1560.0, HIGHEST]);
+            let all: Vec<usize> = (0..41).collect();
+            spread(&section, &plane, &all)
+        };
+        let row: Vec<usize> = (0..40).step_by(3).collect();
+        assert_eq!(flags(0.3), row);
+        assert_eq!(flags(1.5), [row.as_slice(), &[40]].concat());
+    }
+
+    #[test]
+    fn angles_of_fibers_are_those_of_lines() {
+        let folded = |degrees: f64| (line_angle(degrees.to_radians()) * 1e6).round() / 1e6;
+        for (angle, expected) in [
+            (0.0, 0.0),
+            (45.0, 45.0),
+            (-45.0, -45.0),
+            (135.0, -45.0),
+            (90.0, 90.0),
+            (-90.0, 90.0),
+            (270.0, 90.0),
+            (359.0, -1.0),
+        ] {
+            assert_eq!(folded(angle), expected, "{angle}");
+        }
+    }
+}
