@@ -5,6 +5,7 @@ mod areas;
 mod comparison;
 mod engineering;
 mod fiber_plot;
+mod field_plot;
 mod files;
 mod mesh_plot;
 mod outline;
@@ -18,15 +19,21 @@ mod report;
 mod restrained;
 mod results;
 mod strengths;
+mod stress_plots;
 mod stress_report;
 mod stress_tables;
 mod text;
+mod vtu;
 mod warping_plot;
+
+#[cfg(test)]
+mod samples;
 
 pub use areas::areas_csv;
 pub use comparison::{Named, comparison};
 pub use engineering::{EngineeringValue, engineering_values, engineering_values_of};
 pub use fiber_plot::FiberPlot;
+pub use field_plot::FieldPlot;
 pub use files::OutputFiles;
 pub use mesh_plot::MeshPlot;
 pub use properties::properties;
@@ -35,6 +42,8 @@ pub use record::AnalysisRecord;
 pub use report::{failure_report, input_report, report};
 pub use restrained::constants_csv;
 pub use results::ResultWriter;
+pub use stress_plots::{failure_indices_of_cells, stress_plots};
 pub use stress_report::stress_report;
 pub use stress_tables::{stress_cells_csv, stress_nodes_csv, stress_points_csv};
+pub use vtu::{FieldFile, stress_vtu, warping_vtu};
 pub use warping_plot::WarpingPlot;

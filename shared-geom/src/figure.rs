@@ -20,10 +20,12 @@ use crate::error::Explain;
 mod canvas;
 mod color;
 mod raster;
+mod shade;
 mod tick;
 
 pub use canvas::{Anchor, Canvas, Label};
 pub use color::{CATEGORIES, category, diverging, sequential};
+pub use shade::ValueTriangle;
 pub use tick::{Ticks, tick_label};
 
 use canvas::Medium;

@@ -13,7 +13,8 @@ use crate::analysis::analyze;
 use crate::failure::Failure;
 use crate::input::{self, Input, InputProblem};
 use crate::output::{
-    OutputFiles, ResultWriter, stress_cells_csv, stress_nodes_csv, stress_points_csv, stress_report,
+    OutputFiles, ResultWriter, failure_indices_of_cells, stress_cells_csv, stress_nodes_csv,
+    stress_plots, stress_points_csv, stress_report, stress_vtu,
 };
 use crate::recovery::{LoadCase, Recoverer, Recovery};
 use crate::solution::SectionSolution;
@@ -120,7 +121,7 @@ impl Stresses {
         let recoverer = Recoverer::new(&input.section, solution);
         for load in &input.loads {
             match recoverer.recover(load) {
-                Ok(recovery) => self.write_one(input, &recovery, results)?,
+                Ok(recovery) => self.write_one(input, solution, &recovery, results)?,
                 Err(failure) => {
                     results.files().remove_stresses(&load.name);
                     self.failures.push(failure);
@@ -134,6 +135,7 @@ impl Stresses {
     fn write_one(
         &mut self,
         input: &Input,
+        solution: &SectionSolution,
         recovery: &Recovery,
         results: &mut ResultWriter,
     ) -> Result<(), OutputProblem> {
@@ -142,6 +144,8 @@ impl Stresses {
         } = input;
         let load = &recovery.load.name;
         let files = results.files().clone();
+        // of an earlier run, which may have had strengths
+        files.remove_stresses(load);
         let report = stress_report(section, limits, recovery);
         results.text(files.stress_report(load), &report)?;
         self.reports.push(report);
@@ -154,7 +158,8 @@ impl Stresses {
         results.text(
             files.stress_nodes(load),
             &stress_nodes_csv(section, recovery),
-        )
+        )?;
+        write_fields(input, solution, recovery, results)
     }
 
     /// The loads of the section file `file` that could not be recovered, in words.
@@ -165,4 +170,28 @@ impl Stresses {
         }
         (!problems.is_empty()).then(|| problems.to_string())
     }
+}
+
+/// The field file and the figures of one recovery.
+fn write_fields(
+    input: &Input,
+    solution: &SectionSolution,
+    recovery: &Recovery,
+    results: &mut ResultWriter,
+) -> Result<(), OutputProblem> {
+    let Input {
+        section,
+        summary,
+        limits,
+        ..
+    } = input;
+    let load = &recovery.load.name;
+    let files = results.files().clone();
+    let failure = failure_indices_of_cells(section, limits, recovery);
+    let fields = stress_vtu(section, solution, recovery, &failure);
+    results.add(files.stress_field(load), |file| fields.write(file))?;
+    for (word, plot) in stress_plots(section, summary, recovery, &failure) {
+        results.figure(files.stress_figure(load, word), plot.size(), &plot)?;
+    }
+    Ok(())
 }

@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use shared_geom::files::{OutputProblem, make_folder};
 
+use super::stress_plots::STRESS_PLOTS;
+
 /// Where the results of one section go: `FOLDER/NAME.properties.json` and so on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputFiles {
@@ -65,6 +67,21 @@ impl OutputFiles {
         self.path("warping.png")
     }
 
+    /// The warping as a field file.
+    pub fn warping_field(&self) -> PathBuf {
+        self.path("warping.vtu")
+    }
+
+    /// Strain and stress under `load` as a field file.
+    pub fn stress_field(&self, load: &str) -> PathBuf {
+        self.path(&format!("{load}.stress.vtu"))
+    }
+
+    /// The figure called `plot` of the stresses under `load`.
+    pub fn stress_figure(&self, load: &str, plot: &str) -> PathBuf {
+        self.path(&format!("{load}.{plot}.png"))
+    }
+
     /// The table of the integration points under `load`.
     pub fn stress_points(&self, load: &str) -> PathBuf {
         self.path(&format!("{load}.stress.csv"))
@@ -92,9 +109,13 @@ impl OutputFiles {
             self.stress_points(load),
             self.stress_cells(load),
             self.stress_nodes(load),
+            self.stress_field(load),
         ] {
             // One that does not exist is no problem.
             let _ = std::fs::remove_file(file);
+        }
+        for plot in STRESS_PLOTS {
+            let _ = std::fs::remove_file(self.stress_figure(load, plot));
         }
     }
 
@@ -123,7 +144,12 @@ impl OutputFiles {
     /// replace.
     pub fn remove_results(&self) {
         self.remove_constants();
-        for file in [self.properties(), self.areas(), self.warping()] {
+        for file in [
+            self.properties(),
+            self.areas(),
+            self.warping(),
+            self.warping_field(),
+        ] {
             // One that does not exist is no problem.
             let _ = std::fs::remove_file(file);
         }

@@ -128,7 +128,8 @@ impl<'a> MeshPlot<'a> {
     fn draw_title<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let section = self.section;
         let title = Label::new(1.15 * TEXT).bold();
-        canvas.text(&section.name, [LEFT, 50.0], title)?;
+        let name = canvas.shortened(&section.name, title, f64::from(WIDTH) - LEFT - RIGHT);
+        canvas.text(&name, [LEFT, 50.0], title)?;
         let line = format!(
             "{} nodes, {} cells{}",
             section.mesh.nodes.len(),
@@ -136,13 +137,6 @@ impl<'a> MeshPlot<'a> {
             self.true_scale()
         );
         canvas.text(&line, [LEFT, 105.0], Label::new(0.88 * TEXT).colored(INK))
-    }
-
-    /// A coordinate in the unit of the figure, to a ten-thousandth of the section.
-    fn shown(&self, value: f64) -> String {
-        let digit = 10_f64.powf((1e-4 * self.size / self.unit.meters).log10().floor());
-        let value = (value / self.unit.meters / digit).round() * digit;
-        tick_label(value, self.size / self.unit.meters)
     }
 
     /// Words on walls that are drawn wider than they are.
@@ -217,7 +211,7 @@ impl<'a> MeshPlot<'a> {
             }
             let room = second - LEFT - 110.0;
             canvas.text(
-                &shortened(canvas, name, label.size, room),
+                &canvas.shortened(name, label, room),
                 [LEFT + 76.0, y],
                 label,
             )?;
@@ -225,7 +219,7 @@ impl<'a> MeshPlot<'a> {
         for (row, mark) in self.marks.iter().enumerate() {
             let y = top + LINE * row as f64;
             mark.shape.draw_in_legend(canvas, [second, y])?;
-            let [at_y, at_z] = mark.place.map(|value| self.shown(value));
+            let [at_y, at_z] = mark.place.map(|value| self.unit.shown(value, self.size));
             let beyond = if self.plane.shows(mark.place) {
                 ""
             } else {
@@ -342,14 +336,4 @@ fn marks(centers: Option<&Centers>) -> Vec<Mark> {
         marks.push(mark("tension center", centers.tension, Shape::Disc));
     }
     marks
-}
-
-/// The text, cut to fit into `room` [figure pixels].
-fn shortened<B: DrawingBackend>(canvas: &Canvas<B>, text: &str, size: f64, room: f64) -> String {
-    let mut shown = text.to_owned();
-    while canvas.text_width(&shown, size) > room && shown.chars().count() > 4 {
-        let kept = shown.chars().count() - 4;
-        shown = shown.chars().take(kept).chain("...".chars()).collect();
-    }
-    shown
 }

@@ -22,9 +22,9 @@ pub(super) const THINNEST: f64 = 5.0;
 pub(super) enum SideRole {
     /// One cell only.
     Boundary,
-    /// Cells of different materials.
+    /// Cells of different parts.
     Interface,
-    /// Cells of one material, whose index it holds.
+    /// Cells of one part, whose number it holds.
     Inner(usize),
 }
 
@@ -34,30 +34,44 @@ pub(super) struct Side {
     pub ends: [u32; 2],
     pub middle: Option<u32>,
     pub role: SideRole,
+    /// The first of its cells, which is on its left.
+    pub cell: usize,
+    /// Its number in that cell.
+    pub local: usize,
+    /// The other of its cells.
+    pub other: Option<usize>,
 }
 
-/// Every side of the mesh, once, in the order of the cells.
+/// Every side of the mesh, once, in the order of the cells; parts are materials.
 pub(super) fn sides(section: &Section) -> Vec<Side> {
+    sides_by(&section.mesh.cells, |cell| section.cells[cell].material)
+}
+
+/// The same with cells parted by the number that `part` gives each.
+pub(super) fn sides_by(cells: &[SectionCell], part: impl Fn(usize) -> usize) -> Vec<Side> {
     let mut sides: Vec<Side> = Vec::new();
-    let mut known: HashMap<[u32; 2], (usize, usize)> = HashMap::new();
-    for (cell, made_of) in section.mesh.cells.iter().zip(&section.cells) {
-        for (ends, middle) in cell_sides(cell) {
+    let mut known: HashMap<[u32; 2], usize> = HashMap::new();
+    for (index, cell) in cells.iter().enumerate() {
+        for (local, (ends, middle)) in cell_sides(cell).enumerate() {
             let key = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-            match known.get(&key) {
-                None => {
-                    known.insert(key, (sides.len(), made_of.material));
-                    let role = SideRole::Boundary;
-                    sides.push(Side { ends, middle, role });
-                }
-                Some(&(side, material)) => {
-                    let same = material == made_of.material;
-                    sides[side].role = if same {
-                        SideRole::Inner(material)
-                    } else {
-                        SideRole::Interface
-                    };
-                }
+            if let Some(&side) = known.get(&key) {
+                let side = &mut sides[side];
+                side.other = Some(index);
+                side.role = match (part(side.cell), part(index)) {
+                    (one, other) if one == other => SideRole::Inner(one),
+                    _ => SideRole::Interface,
+                };
+                continue;
             }
+            known.insert(key, sides.len());
+            sides.push(Side {
+                ends,
+                middle,
+                role: SideRole::Boundary,
+                cell: index,
+                local,
+                other: None,
+            });
         }
     }
     sides

@@ -3,7 +3,7 @@
 
 use plotters::backend::DrawingBackend;
 use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks};
+use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks, tick_label};
 
 use crate::input::InputSummary;
 
@@ -36,6 +36,13 @@ impl PlotUnit {
             name: summary.length_unit.clone(),
             meters: summary.length_factor,
         }
+    }
+
+    /// A coordinate to a ten-thousandth of a section of `size` [m], in this unit.
+    pub fn shown(&self, value: f64, size: f64) -> String {
+        let digit = 10_f64.powf((1e-4 * size / self.meters).log10().floor());
+        let value = (value / self.meters / digit).round() * digit;
+        tick_label(value, size / self.meters)
     }
 }
 

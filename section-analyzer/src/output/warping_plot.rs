@@ -245,8 +245,11 @@ impl<'a> WarpingPlot<'a> {
 
 impl Drawing for WarpingPlot<'_> {
     fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let title = format!("{}: warping per unit internal force", self.section.name);
-        canvas.text(&title, [EDGE, 45.0], Label::new(1.1 * TEXT).bold())?;
+        let label = Label::new(1.1 * TEXT).bold();
+        let what = ": warping per unit internal force";
+        let room = f64::from(WIDTH) - 2.0 * EDGE - canvas.text_width(what, 1.2 * label.size);
+        let title = canvas.shortened(&self.section.name, label, room) + what;
+        canvas.text(&title, [EDGE, 45.0], label)?;
         for component in 0..COMPONENTS.len() {
             self.draw_panel(canvas, component)?;
         }

@@ -48,7 +48,7 @@ fn all_files_are_written_and_listed() {
     let list = "\nWritten\n  results/strip.properties.json\n  results/strip.report.txt\n  \
         results/strip.areas.csv\n  results/strip.constants.csv\n  \
         results/strip.mesh.png\n  results/strip.warping.png\n  \
-        results/strip.analysis.json\n";
+        results/strip.warping.vtu\n  results/strip.analysis.json\n";
     assert_eq!(run.out, report + list);
     for figure in ["results/strip.mesh.png", "results/strip.warping.png"] {
         let bytes = std::fs::read(place.path(figure)).unwrap();
@@ -56,6 +56,8 @@ fn all_files_are_written_and_listed() {
         // width in the header of the file
         assert_eq!(bytes[16..20], 1800_u32.to_be_bytes());
     }
+    let grid = place.read("results/strip.warping.vtu");
+    assert!(grid.starts_with("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\""));
 }
 
 /// EA = E A, EI = E I of the strip in SI: 1 in = 0.0254 m, 1 psi = 6894.757293168 Pa.
@@ -288,7 +290,11 @@ fn results_need_a_folder() {
 /// Where a file should go, a folder stands: told in words, for texts and figures.
 #[test]
 fn files_that_cannot_be_written_end_with_one() {
-    for (file, what) in [("strip.report.txt", "file"), ("strip.warping.png", "file")] {
+    for (file, what) in [
+        ("strip.report.txt", "file"),
+        ("strip.warping.png", "file"),
+        ("strip.warping.vtu", "file"),
+    ] {
         let place = strip();
         std::fs::create_dir_all(place.path("results").join(file)).unwrap();
         let run = place.run(&["analyze", "strip.section.toml"]);
@@ -358,7 +364,13 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
     );
     assert!(place.path("results/a.mesh.png").exists());
     assert!(!place.path("results/a.properties.json").exists());
-    for file in ["warping.png", "areas.csv", "constants.csv", "analysis.json"] {
+    for file in [
+        "warping.png",
+        "warping.vtu",
+        "areas.csv",
+        "constants.csv",
+        "analysis.json",
+    ] {
         assert!(!place.path(&format!("results/a.{file}")).exists(), "{file}");
     }
 }

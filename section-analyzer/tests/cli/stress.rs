@@ -2,11 +2,15 @@
 
 use crate::workplace::{SECTION, Workplace};
 
-const FILES: [&str; 4] = [
+const FILES: [&str; 8] = [
     "stress.txt",
     "stress.csv",
     "stress_cells.csv",
     "stress_nodes.csv",
+    "stress.vtu",
+    "stress_xx.png",
+    "shear.png",
+    "von_mises.png",
 ];
 
 /// A section of 2 x 1 mm under loads of the file; lines are counted from 21 on.
@@ -105,6 +109,9 @@ fn strengths_give_failure_indices() {
             "{name} {found:?}"
         );
     }
+    assert!(place.path("results/a.pull.failure.png").exists());
+    let fields = place.read("results/a.pull.stress.vtu");
+    assert!(fields.contains("failure_von_mises") && fields.contains("failure_max_strain"));
     let report = squeezed(&place.read("results/a.pull.stress.txt"));
     assert!(
         report.contains("skin von Mises 8.00000e-1 1.25000e0 yielding"),

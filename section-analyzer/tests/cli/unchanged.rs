@@ -88,6 +88,7 @@ fn results_that_are_missing_or_changed_are_made_again() {
         "a.report.txt",
         "a.mesh.png",
         "a.warping.png",
+        "a.warping.vtu",
     ];
     for name in names {
         let file = place.path(&format!("results/{name}"));

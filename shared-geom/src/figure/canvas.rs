@@ -3,12 +3,13 @@
 use plotters::backend::DrawingBackend;
 use plotters::coord::Shift;
 use plotters::drawing::DrawingArea;
-use plotters::element::{PathElement, Polygon, Rectangle, Text};
+use plotters::element::{BitMapElement, PathElement, Polygon, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{
     BLACK, Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, TextStyle,
 };
 
+use super::shade::{Shading, ValueTriangle};
 use super::{FONT, FigureProblem, raster};
 
 /// How a backend draws.
@@ -203,6 +204,45 @@ impl<B: DrawingBackend> Canvas<B> {
         self.polygon(&raster::disc(center, radius), color)
     }
 
+    /// Fills triangles with the colors of the values in them, `color(value)`; on a
+    /// vector canvas each triangle has the color of its mean. Later triangles cover
+    /// earlier ones.
+    ///
+    /// # Errors
+    /// [`FigureProblem::Backend`].
+    pub fn shade(
+        &self,
+        triangles: &[ValueTriangle],
+        color: impl Fn(f64) -> RGBColor,
+    ) -> Result<(), FigureProblem> {
+        if self.medium == Medium::Vector {
+            return triangles
+                .iter()
+                .try_for_each(|triangle| self.polygon(&triangle.corners, color(triangle.mean())));
+        }
+        let (width, height) = self.area.dim_in_pixel();
+        let mut shading = Shading::new(width, height);
+        for triangle in triangles {
+            shading.add(&triangle.scaled(f64::from(self.scale)));
+        }
+        for run in shading.runs() {
+            let pixels: Vec<u8> = run
+                .values
+                .iter()
+                .flat_map(|value| {
+                    let RGBColor(r, g, b) = color(f64::from(*value));
+                    [r, g, b]
+                })
+                .collect();
+            let size = (run.values.len() as u32, 1);
+            let bitmap = BitMapElement::with_ref((run.start, run.row), size, &pixels);
+            if let Some(bitmap) = bitmap {
+                self.area.draw(&bitmap)?;
+            }
+        }
+        Ok(())
+    }
+
     /// Fills the polygon with these corners \[backend pixels\].
     fn fill(&self, corners: &[[f64; 2]], color: RGBColor) -> Result<(), FigureProblem> {
         let (width, height) = self.area.dim_in_pixel();
@@ -230,9 +270,40 @@ impl<B: DrawingBackend> Canvas<B> {
         Ok(self.area.draw(&Text::new(text.to_owned(), place, style))?)
     }
 
+    /// The text, its end cut off where it is wider than `room` \[figure pixels\].
+    pub fn shortened(&self, text: &str, label: Label, room: f64) -> String {
+        let fits = |text: &str| self.label_width(text, label) <= room;
+        if fits(text) {
+            return text.to_owned();
+        }
+        let letters: Vec<char> = text.chars().collect();
+        let cut = |count: usize| -> String {
+            let kept: String = letters[..count].iter().collect();
+            kept.trim_end().to_owned() + "..."
+        };
+        // the largest number of letters that fit, by bisection
+        let (mut fitting, mut beyond) = (0, letters.len());
+        while beyond - fitting > 1 {
+            let middle = (fitting + beyond) / 2;
+            match fits(&cut(middle)) {
+                true => fitting = middle,
+                false => beyond = middle,
+            }
+        }
+        cut(fitting)
+    }
+
     /// Width of a text set in letters of `size` \[figure pixels\].
     pub fn text_width(&self, text: &str, size: f64) -> f64 {
-        let style = self.text_style(Label::new(size));
+        self.label_width(text, Label::new(size))
+    }
+
+    fn label_width(&self, text: &str, label: Label) -> f64 {
+        let label = Label {
+            upward: false,
+            ..label
+        };
+        let style = self.text_style(label);
         let estimate = self.area.estimate_text_size(text, &style);
         estimate.map_or(0.0, |(width, _)| f64::from(width) / f64::from(self.scale))
     }

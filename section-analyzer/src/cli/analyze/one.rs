@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
     AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv,
-    failure_report, properties, report,
+    failure_report, properties, report, warping_vtu,
 };
 use crate::properties::RestrainedWarping;
 use crate::solution::SectionSolution;
@@ -217,7 +217,7 @@ fn write_tables(
     }
 }
 
-/// Writes the figures of the section: a new one is one more line.
+/// Writes the figures and field files of the section: a new one is one more line.
 fn write_figures(
     input: &Input,
     solution: &SectionSolution,
@@ -226,7 +226,9 @@ fn write_figures(
     let files = results.files().clone();
     draw_section(input, Some(&solution.centers), results)?;
     let warping = WarpingPlot::new(&input.section, solution);
-    results.figure(files.warping(), warping.size(), &warping)
+    results.figure(files.warping(), warping.size(), &warping)?;
+    let fields = warping_vtu(&input.section, solution);
+    results.add(files.warping_field(), |file| fields.write(file))
 }
 
 /// Writes what there is without a solution; results of an earlier run go.

@@ -17,6 +17,7 @@ once, solves, prints the report, and writes into the folder DIR:
   NAME.mesh.png          the mesh in the colors of its materials, with the centers
   NAME.fibers.png        wall directions and fiber angles, if a material has directions
   NAME.warping.png       the warping under each unit internal force
+  NAME.warping.vtu       the same as fields on the mesh, for ParaView
   NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE
   NAME.analysis.json     what the files above were made from
 where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,

@@ -1,0 +1,309 @@
+//! Values over a section in colors: stresses and failure indices of a load case.
+
+use plotters::backend::DrawingBackend;
+use plotters::style::{BLACK, WHITE};
+use shared_geom::figure::{Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, tick_label};
+
+use super::outline::{Side, SideRole, side_points, sides_by, widths};
+use super::plane::{Extent, INK, Plane, PlotUnit};
+use super::text::rounded;
+use crate::input::InputSummary;
+use crate::section::Section;
+
+mod arrows;
+mod field;
+mod rim;
+mod scale;
+mod surface;
+
+#[cfg(test)]
+mod tests;
+
+pub(super) use field::{Field, Quantity};
+
+use field::Extreme;
+use rim::Rim;
+use scale::Scale;
+use surface::Surface;
+
+/// Height of the frame at most [figure pixels].
+const HIGHEST: f64 = 1150.0;
+/// Room left and right of the frame [figure pixels].
+const LEFT: f64 = 190.0;
+const RIGHT: f64 = 70.0;
+/// Room above the frame, for the title and a line below it; height of a line more.
+const TOP: f64 = 155.0;
+const NOTE: f64 = 50.0;
+/// Room between frame and color bar, for ticks and the name of the axis.
+const BELOW: f64 = 165.0;
+/// Room of the color bar with its ticks and its name.
+const BAR: f64 = 185.0;
+/// Height of a line of the legend [figure pixels].
+const LINE: f64 = 58.0;
+/// Walls thinner than this are drawn about as wide, so that their colors can be seen;
+/// those thinner by less than a quarter stay as they are.
+const THINNEST: f64 = 14.0;
+const QUARTER: f64 = 0.8;
+/// Regions narrower than this are drawn without their borders.
+const NARROWEST: f64 = 6.0;
+/// Room around the section, relative to its size.
+const MARGIN: f64 = 0.05;
+
+/// The figure of a field over a section.
+#[derive(Debug)]
+pub struct FieldPlot<'a> {
+    section: &'a Section,
+    unit: PlotUnit,
+    /// Larger side of the section's box [m].
+    size: f64,
+    plane: Plane,
+    field: Field,
+    scale: Scale,
+    /// Lowest and highest value; none where all are the same.
+    extremes: Option<[Extreme; 2]>,
+    sides: Vec<Side>,
+    /// Width of the walls on the figure [figure pixels].
+    wall: f64,
+    /// Width of each region on the figure [figure pixels].
+    regions: Vec<f64>,
+    /// Words on the load case; more words, if any.
+    words: [String; 2],
+}
+
+impl<'a> FieldPlot<'a> {
+    /// The figure of `field` on `section`, under what `load` says.
+    pub(super) fn new(
+        section: &'a Section,
+        summary: &InputSummary,
+        field: Field,
+        load: String,
+    ) -> Self {
+        let bare = Extent::of(section.mesh.nodes.iter().copied());
+        let size = bare.largest();
+        let unit = PlotUnit::of(summary, size);
+        let sides = sides_by(&section.mesh.cells, |cell| section.mesh.cells[cell].group);
+        let (wall, _) = widths(section, &sides);
+        let room = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
+        let mut plane = Plane::fitted(bare.grown(MARGIN * size), [LEFT, TOP], room);
+        let walls = wall_words(wall / unit.meters, wall * plane.scale, &unit);
+        let notes = [field.note.clone(), walls.unwrap_or_default()];
+        let notes = notes.into_iter().filter(|note| !note.is_empty());
+        let notes = notes.collect::<Vec<_>>().join("; ");
+        if !notes.is_empty() {
+            plane.corner[1] += NOTE;
+        }
+        let regions = surface::region_widths(section, &sides);
+        let [lowest, highest] = field.extremes(section);
+        let ends = [lowest.value, highest.value];
+        let scale = Scale::new(field.quantity, ends, field.negligible);
+        Self {
+            section,
+            unit,
+            size,
+            wall: wall * plane.scale,
+            regions: regions.iter().map(|width| width * plane.scale).collect(),
+            plane,
+            extremes: scale.tells(ends).then_some([lowest, highest]),
+            field,
+            scale,
+            sides,
+            words: [load, notes],
+        }
+    }
+
+    /// Width and height \[figure pixels\].
+    pub fn size(&self) -> (u32, u32) {
+        let height = self.legend() + self.rows() * LINE;
+        (WIDTH, height.ceil() as u32)
+    }
+
+    /// Lower edge of the frame \[figure pixels\].
+    fn bottom(&self) -> f64 {
+        self.plane.corner[1] + self.plane.frame[1]
+    }
+
+    /// Height of the first line of the legend \[figure pixels\].
+    fn legend(&self) -> f64 {
+        match self.scale.is_zero() {
+            true => self.bottom() + BELOW,
+            false => self.bottom() + BELOW + BAR + 0.5 * LINE,
+        }
+    }
+
+    /// Lines of the legend.
+    fn rows(&self) -> f64 {
+        if self.extremes.is_some() { 2.0 } else { 1.0 }
+    }
+
+    /// How far the rim of the section is drawn outside of where it is.
+    fn swelling(&self) -> f64 {
+        match self.wall < QUARTER * THINNEST {
+            true => 0.5 * (THINNEST - self.wall),
+            false => 0.0,
+        }
+    }
+
+    fn draw_title<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let room = f64::from(WIDTH) - LEFT - RIGHT;
+        let title = Label::new(1.15 * TEXT).bold();
+        let label = Label::new(0.88 * TEXT).colored(INK);
+        let what = format!(": {}", self.field.title);
+        let left = room - canvas.text_width(&what, 1.2 * title.size);
+        let name = canvas.shortened(&self.section.name, title, left) + &what;
+        canvas.text(&name, [LEFT, 50.0], title)?;
+        for (words, y) in self.words.iter().zip([105.0, 155.0]) {
+            canvas.text(&canvas.shortened(words, label, room), [LEFT, y], label)?;
+        }
+        Ok(())
+    }
+
+    fn draw_field<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let surface = Surface::new(self.section, &self.plane, &self.field);
+        let rim = Rim::new(
+            self.section,
+            &self.plane,
+            &self.field,
+            &self.sides,
+            self.swelling(),
+        );
+        let color = |value| self.scale.color(value);
+        canvas.shade(&[rim.triangles(), surface.triangles].concat(), color)?;
+        self.draw_borders(canvas)?;
+        for line in &rim.outlines {
+            canvas.line(line, if self.wall > 40.0 { 3.0 } else { 2.0 }, INK)?;
+        }
+        match self.scale.is_zero() {
+            true => Ok(()),
+            false => arrows::draw(
+                canvas,
+                &surface.samples,
+                &rim.outlines,
+                self.scale.highest(),
+            ),
+        }
+    }
+
+    /// Lines between regions, where these are wide enough to be seen beside them.
+    fn draw_borders<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
+        let borders = self
+            .sides
+            .iter()
+            .filter(|side| side.role == SideRole::Interface);
+        for side in borders {
+            let cells = [Some(side.cell), side.other].into_iter().flatten();
+            let is_wide = |cell: usize| {
+                let region = self.section.mesh.cells[cell].group;
+                self.regions[region] >= NARROWEST
+            };
+            if cells.into_iter().all(is_wide) {
+                canvas.line(&side_points(side.ends, side.middle, &place), 1.6, INK)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn draw_marks<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        for (extreme, mark) in self.extremes.iter().flatten().zip(Mark::BOTH) {
+            mark.draw(canvas, self.plane.place(extreme.place))?;
+        }
+        Ok(())
+    }
+
+    /// Lowest and highest value with their places, below the color bar.
+    fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let top = self.legend();
+        let label = Label::new(0.94 * TEXT).colored(INK);
+        let room = f64::from(WIDTH) - LEFT - RIGHT - 50.0;
+        // the highest first
+        let both = self.extremes.iter().flatten().zip(Mark::BOTH);
+        for ((extreme, mark), row) in both.zip([1.0, 0.0]) {
+            let y = top + LINE * row;
+            mark.draw(canvas, [LEFT + 16.0, y])?;
+            let text = format!("{} {}", mark.word(), self.words(extreme));
+            let text = canvas.shortened(&text, label, room);
+            canvas.text(&text, [LEFT + 50.0, y], label)?;
+        }
+        if self.extremes.is_none() {
+            canvas.text(&self.scale.uniform_words(), [LEFT, top], label)?;
+        }
+        Ok(())
+    }
+
+    /// `12.3 MPa at (10, -5) mm, region skin`.
+    fn words(&self, extreme: &Extreme) -> String {
+        let [y, z] = extreme.place.map(|value| self.coordinate(value));
+        let region = match &self.section.mesh.groups[..] {
+            [_] => String::new(),
+            groups => format!(", region {}", groups[extreme.region]),
+        };
+        let value = self.scale.shown(extreme.value);
+        format!("{value} at (y, z) = ({y}, {z}) {}{region}", self.unit.name)
+    }
+
+    /// A coordinate in the unit of the figure, to a ten-thousandth of the section.
+    fn coordinate(&self, value: f64) -> String {
+        self.unit.shown(value, self.size)
+    }
+}
+
+impl Drawing for FieldPlot<'_> {
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        self.draw_title(canvas)?;
+        self.plane.draw_axes(canvas, &self.unit)?;
+        self.draw_field(canvas)?;
+        self.draw_marks(canvas)?;
+        let top = self.bottom() + BELOW;
+        let ends = [LEFT, f64::from(WIDTH) - RIGHT];
+        self.scale.draw_bar(canvas, ends, top, &self.field.title)?;
+        self.draw_legend(canvas)
+    }
+}
+
+/// Words on walls that are drawn thicker than they are: `wall` in the unit of the
+/// figure and in figure pixels.
+fn wall_words(wall: f64, pixels: f64, unit: &PlotUnit) -> Option<String> {
+    let ratio = tick_label(rounded(THINNEST / pixels), 0.0);
+    let wall = tick_label(rounded(wall), 0.0);
+    let words = format!(
+        "walls (about {wall} {}) drawn {ratio} times thicker",
+        unit.name
+    );
+    (pixels < QUARTER * THINNEST).then_some(words)
+}
+
+/// The marks of the lowest and the highest value.
+#[derive(Debug, Clone, Copy)]
+enum Mark {
+    Lowest,
+    Highest,
+}
+
+impl Mark {
+    const BOTH: [Self; 2] = [Self::Lowest, Self::Highest];
+
+    fn word(self) -> &'static str {
+        match self {
+            Self::Lowest => "min",
+            Self::Highest => "max",
+        }
+    }
+
+    /// A triangle that points up at the highest and down at the lowest value.
+    fn draw<B: DrawingBackend>(
+        self,
+        canvas: &Canvas<B>,
+        [x, y]: [f64; 2],
+    ) -> Result<(), FigureProblem> {
+        let up = match self {
+            Self::Lowest => 1.0,
+            Self::Highest => -1.0,
+        };
+        let triangle = |size: f64| {
+            [[0.0, 1.0], [0.87, -0.5], [-0.87, -0.5]]
+                .map(|[dx, dy]| [x + size * dx, y + up * size * dy])
+        };
+        canvas.polygon(&triangle(21.0), BLACK)?;
+        canvas.polygon(&triangle(14.0), WHITE)
+    }
+}

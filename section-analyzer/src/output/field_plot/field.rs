@@ -1,0 +1,109 @@
+//! A field: one value at each node of each cell.
+
+use crate::section::Section;
+
+/// Values nearer to the extreme than this part of it are as extreme: the first of
+/// them is told, whatever round-off makes of symmetric fields.
+const SAME: f64 = 1e-6;
+
+/// What is shown, which chooses unit and colors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::output) enum Quantity {
+    /// A stress that may be negative [Pa].
+    SignedStress,
+    /// A stress that is at least zero [Pa].
+    Stress,
+    /// A failure index [-].
+    Index,
+}
+
+/// A field over the cells of a section.
+#[derive(Debug)]
+pub(in crate::output) struct Field {
+    /// Name for title and color bar.
+    pub title: String,
+    /// More words, for the line below the load case.
+    pub note: String,
+    pub quantity: Quantity,
+    /// Values of each cell at its nodes, the rest zero [SI].
+    pub values: Vec<[f64; 9]>,
+    /// Vectors (y, z) of each cell at its nodes, drawn as arrows [SI].
+    pub vectors: Option<Vec<[[f64; 2]; 9]>>,
+    /// Values below this count as zero [SI].
+    pub negligible: f64,
+}
+
+/// The lowest or highest value and where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Extreme {
+    pub value: f64,
+    /// Place (y, z) [m].
+    pub place: [f64; 2],
+    /// Region: index of the physical surface.
+    pub region: usize,
+}
+
+impl Field {
+    /// A field of one value a cell.
+    pub fn of_cells(quantity: Quantity, title: String, values: &[f64]) -> Self {
+        Self {
+            title,
+            note: String::new(),
+            quantity,
+            values: values.iter().map(|value| [*value; 9]).collect(),
+            vectors: None,
+            negligible: 0.0,
+        }
+    }
+
+    /// Lowest and highest value; cells without a number are passed over.
+    pub(super) fn extremes(&self, section: &Section) -> [Extreme; 2] {
+        let all = || {
+            let cells = section.mesh.cells.iter().zip(&self.values).enumerate();
+            cells.flat_map(|(index, (cell, values))| {
+                let numbers = values[..cell.kind.node_count()].iter().enumerate();
+                numbers
+                    .filter(|(_, value)| value.is_finite())
+                    .map(move |(local, value)| (index, local, *value))
+            })
+        };
+        let values = || all().map(|(_, _, value)| value);
+        let largest = values().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        let first = |sign: f64| {
+            let extreme = values().fold(f64::NEG_INFINITY, |most, value| most.max(sign * value));
+            all()
+                .find(|(_, _, value)| sign * value >= extreme - SAME * largest)
+                .map_or_else(Extreme::none, |(cell, local, _)| {
+                    let place = self.place(section, cell, local);
+                    Extreme {
+                        value: sign * extreme,
+                        place,
+                        region: section.mesh.cells[cell].group,
+                    }
+                })
+        };
+        [first(-1.0), first(1.0)]
+    }
+
+    /// The node, or the middle of the corners for a cell of one value.
+    fn place(&self, section: &Section, cell: usize, local: usize) -> [f64; 2] {
+        let values = &self.values[cell];
+        let cell = &section.mesh.cells[cell];
+        let node = |local: usize| section.mesh.nodes[cell.nodes()[local] as usize];
+        if values.iter().any(|value| *value != values[0]) {
+            return node(local);
+        }
+        let corners = cell.kind.corner_count();
+        [0, 1].map(|axis| (0..corners).map(|local| node(local)[axis]).sum::<f64>() / corners as f64)
+    }
+}
+
+impl Extreme {
+    fn none() -> Self {
+        Self {
+            value: 0.0,
+            place: [0.0; 2],
+            region: 0,
+        }
+    }
+}

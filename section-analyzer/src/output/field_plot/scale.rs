@@ -1,0 +1,173 @@
+//! Unit, range and colors of a field, and its color bar.
+
+use plotters::backend::DrawingBackend;
+use plotters::style::RGBColor;
+use shared_geom::figure::{
+    Anchor, Canvas, FigureProblem, Label, TEXT, Ticks, ValueTriangle, diverging, sequential,
+    tick_label,
+};
+
+use super::field::Quantity;
+use crate::output::plane::INK;
+
+/// Color of a field that is zero.
+const NOTHING: RGBColor = RGBColor(225, 225, 225);
+/// Spread below this part of the largest value is none.
+const UNIFORM: f64 = 1e-6;
+/// Values below this part of the largest are round-off.
+const NOISE: f64 = 1e-9;
+/// Height of the bar and length of a tick [figure pixels].
+const HEIGHT: f64 = 44.0;
+const TICK: f64 = 10.0;
+
+/// Units of stress, each for values from its size on [Pa]. Megapascals reach to ten
+/// thousand, as engineers write them.
+const UNITS: [(f64, f64, &str); 4] = [
+    (1e10, 1e9, "GPa"),
+    (1e6, 1e6, "MPa"),
+    (1e3, 1e3, "kPa"),
+    (0.0, 1.0, "Pa"),
+];
+
+/// How values become colors and numbers.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scale {
+    quantity: Quantity,
+    /// Ends of the bar [SI].
+    low: f64,
+    high: f64,
+    /// Size of the unit [SI].
+    factor: f64,
+    unit: &'static str,
+}
+
+impl Scale {
+    /// For values between these ends; all below `negligible` is zero.
+    pub fn new(quantity: Quantity, [lowest, highest]: [f64; 2], negligible: f64) -> Self {
+        let largest = lowest.abs().max(highest.abs());
+        let (low, high) = match largest > negligible {
+            true => (lowest.min(0.0), highest.max(0.0)),
+            false => (0.0, 0.0),
+        };
+        let (_, factor, unit) = match quantity {
+            Quantity::Index => (0.0, 1.0, ""),
+            _ => UNITS
+                .into_iter()
+                .find(|(from, _, _)| largest >= *from)
+                .unwrap_or(UNITS[3]),
+        };
+        Self {
+            quantity,
+            low,
+            high,
+            factor,
+            unit,
+        }
+    }
+
+    /// Whether there is nothing but round-off.
+    pub fn is_zero(&self) -> bool {
+        self.low == self.high
+    }
+
+    /// The highest value [SI].
+    pub fn highest(&self) -> f64 {
+        self.high
+    }
+
+    /// Whether these lowest and highest values are worth telling apart.
+    pub fn tells(&self, [lowest, highest]: [f64; 2]) -> bool {
+        highest - lowest > UNIFORM * self.largest() && !self.is_zero()
+    }
+
+    fn largest(&self) -> f64 {
+        self.high.max(-self.low)
+    }
+
+    /// Color of a value [SI].
+    pub fn color(&self, value: f64) -> RGBColor {
+        if self.is_zero() {
+            return NOTHING;
+        }
+        match self.quantity {
+            Quantity::SignedStress => diverging(value / self.largest()),
+            Quantity::Stress | Quantity::Index => sequential(value / self.high),
+        }
+    }
+
+    /// The value in four digits with its unit; round-off of the largest is zero.
+    pub fn shown(&self, value: f64) -> String {
+        let value = match value.abs() > NOISE * self.largest() {
+            true => value,
+            false => 0.0,
+        };
+        let value: f64 = format!("{:.3e}", value / self.factor)
+            .parse()
+            .unwrap_or(value);
+        let number = tick_label(value, 0.0);
+        match self.unit {
+            "" => number,
+            unit => format!("{number} {unit}"),
+        }
+    }
+
+    /// What is told of a field without extremes.
+    pub fn uniform_words(&self) -> String {
+        match self.is_zero() {
+            true => "zero in the whole section, up to round-off".to_owned(),
+            false => {
+                let value = if self.high > 0.0 { self.high } else { self.low };
+                format!("{} in the whole section", self.shown(value))
+            }
+        }
+    }
+
+    /// Draws the bar between the `ends` from left to right, with ticks and its name.
+    pub fn draw_bar<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        [left, right]: [f64; 2],
+        top: f64,
+        name: &str,
+    ) -> Result<(), FigureProblem> {
+        if self.is_zero() {
+            return Ok(());
+        }
+        let bottom = top + HEIGHT;
+        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+        let values = [self.low, self.high, self.high, self.low];
+        let half = |[a, b, c]: [usize; 3]| ValueTriangle {
+            corners: [corners[a], corners[b], corners[c]],
+            values: [values[a], values[b], values[c]],
+        };
+        canvas.shade(&[half([0, 1, 2]), half([0, 2, 3])], |v| self.color(v))?;
+        let frame: Vec<_> = corners.iter().cycle().take(5).copied().collect();
+        canvas.line(&frame, 2.0, INK)?;
+
+        let label = Label::new(0.88 * TEXT)
+            .colored(INK)
+            .anchored(Anchor::Middle);
+        let [low, high] = [self.low, self.high].map(|value| value / self.factor);
+        for (tick, text) in Ticks::between(low, high, 9).labeled() {
+            let x = left + (right - left) * (tick - low) / (high - low);
+            canvas.line(&[[x, bottom], [x, bottom + TICK]], 2.0, INK)?;
+            canvas.text(&text, [x, bottom + TICK + 0.7 * TEXT], label)?;
+        }
+        let place = [0.5 * (left + right), bottom + TICK + 2.0 * TEXT];
+        canvas.text(
+            &self.axis_name(name),
+            place,
+            Label {
+                size: TEXT,
+                ..label
+            },
+        )
+    }
+
+    fn axis_name(&self, name: &str) -> String {
+        match self.quantity {
+            Quantity::Index => format!("{name} (at most 1 means safe)"),
+            _ => format!("{name} [{}]", self.unit),
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! The figures of a load case: axial stress, shear stress, von Mises stress, and the
+//! failure index where there are strengths.
+
+use nalgebra::Vector6;
+use shared_geom::figure::tick_label;
+use shared_geom::wrench::COMPONENTS;
+
+use super::field_plot::{Field, FieldPlot, Quantity};
+use crate::input::InputSummary;
+use crate::material::MaterialLimits;
+use crate::recovery::{Criterion, FailureIndex, NodalState, Recovery, Tensors, failure_indices};
+use crate::section::Section;
+
+/// A stress below this part of the largest of the load case is round-off.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// The words that tell the figures of a load case.
+pub(super) const STRESS_PLOTS: [&str; 4] = ["stress_xx", "shear", "von_mises", "failure"];
+
+/// For each criterion that the limits of some material allow, its name and the index
+/// of each cell by its mean stress and strain; not a number where the limits of the
+/// cell's own material do not allow it. `limits` is parallel to the materials.
+pub fn failure_indices_of_cells(
+    section: &Section,
+    limits: &[MaterialLimits],
+    recovery: &Recovery,
+) -> Vec<(String, Vec<f64>)> {
+    let cells = recovery.cells.iter().zip(&section.cells);
+    let of_cells: Vec<_> = cells
+        .map(|(cell, made_of)| failure_indices(&limits[made_of.material], &cell.tensors))
+        .collect();
+    let indices = |criterion: Criterion| {
+        let of_cell = |all: &Vec<FailureIndex>| {
+            let found = all.iter().find(|index| index.criterion == criterion);
+            found.map_or(f64::NAN, |found| found.index)
+        };
+        let indices: Vec<f64> = of_cells.iter().map(of_cell).collect();
+        let is_used = indices.iter().any(|index| !index.is_nan());
+        is_used.then(|| (criterion.key().to_owned(), indices))
+    };
+    Criterion::ALL.into_iter().filter_map(indices).collect()
+}
+
+/// The figures of `recovery`, each with the word that tells it in the name of its
+/// file: `stress_xx`, `shear`, `von_mises`, and `failure` where there is a
+/// criterion. `failure` has for each criterion its name and the index of each cell,
+/// not a number in cells without strengths; the largest is shown.
+pub fn stress_plots<'a>(
+    section: &'a Section,
+    summary: &InputSummary,
+    recovery: &Recovery,
+    failure: &[(String, Vec<f64>)],
+) -> Vec<(&'static str, FieldPlot<'a>)> {
+    let load = load_words(recovery);
+    let plot = |field: Field| FieldPlot::new(section, summary, field, load.clone());
+    let mut fields = vec![axial(recovery), shear(recovery), equivalent(recovery)];
+    if !failure.is_empty() {
+        fields.push(largest_index(section, failure));
+    }
+    let plots = fields.into_iter().map(plot);
+    STRESS_PLOTS.into_iter().zip(plots).collect()
+}
+
+fn axial(recovery: &Recovery) -> Field {
+    let title = "axial stress xx";
+    of_nodes(recovery, Quantity::SignedStress, title, |t| t.stress[0])
+}
+
+fn shear(recovery: &Recovery) -> Field {
+    let title = "shear stress in the section";
+    let mut field = of_nodes(recovery, Quantity::Stress, title, |t| {
+        t.stress[4].hypot(t.stress[5])
+    });
+    let vectors = at_nodes(recovery, |t| [t.stress[5], t.stress[4]]);
+    field.vectors = Some(vectors);
+    field.note = "resultant of xy and xz, arrows: its mean nearby, on the face +x".to_owned();
+    field
+}
+
+fn equivalent(recovery: &Recovery) -> Field {
+    let title = "von Mises stress";
+    of_nodes(recovery, Quantity::Stress, title, Tensors::von_mises)
+}
+
+/// The largest index of each cell.
+fn largest_index(section: &Section, failure: &[(String, Vec<f64>)]) -> Field {
+    let largest = |cell: usize| {
+        let indices = failure.iter().filter_map(|(_, indices)| indices.get(cell));
+        // not a number gives way to any number
+        indices.copied().fold(f64::NAN, f64::max)
+    };
+    let values: Vec<_> = (0..section.mesh.cells.len()).map(largest).collect();
+    let names = failure.iter().map(|(name, _)| name.replace('_', " "));
+    let names: Vec<_> = names.collect();
+    let mut field = Field::of_cells(Quantity::Index, "largest failure index".to_owned(), &values);
+    field.note = format!("of each cell, by {}", names.join(", "));
+    if values.iter().any(|value| value.is_nan()) {
+        field.note += "; white: without strengths";
+    }
+    field
+}
+
+fn of_nodes(
+    recovery: &Recovery,
+    quantity: Quantity,
+    title: &str,
+    take: impl Fn(&Tensors) -> f64,
+) -> Field {
+    let stress = |state: &NodalState| state.tensors.stress.amax();
+    let largest = recovery.nodes.iter().map(stress).fold(0.0_f64, f64::max);
+    Field {
+        title: title.to_owned(),
+        note: String::new(),
+        quantity,
+        values: at_nodes(recovery, take),
+        vectors: None,
+        negligible: NEGLIGIBLE * largest,
+    }
+}
+
+/// A value of the state at each node of each cell.
+fn at_nodes<T: Copy + Default>(recovery: &Recovery, take: impl Fn(&Tensors) -> T) -> Vec<[T; 9]> {
+    let of_cell = |states: &Vec<u32>| {
+        let mut values = [T::default(); 9];
+        for (value, &state) in values.iter_mut().zip(states) {
+            *value = take(&recovery.nodes[state as usize].tensors);
+        }
+        values
+    };
+    recovery.cell_nodes.iter().map(of_cell).collect()
+}
+
+/// `load case "gust": shear z 1200 N, torsion -35 N m`.
+fn load_words(recovery: &Recovery) -> String {
+    let words = force_words(&recovery.load.force);
+    format!("load case \"{}\": {words}", recovery.load.name)
+}
+
+fn force_words(force: &Vector6<f64>) -> String {
+    let words = |(component, value): (usize, &f64)| {
+        let unit = if component < 3 { "N" } else { "N m" };
+        format!(
+            "{} {} {unit}",
+            COMPONENTS[component],
+            tick_label(*value, 0.0)
+        )
+    };
+    let parts: Vec<_> = force
+        .iter()
+        .enumerate()
+        .filter(|(_, value)| **value != 0.0)
+        .map(words)
+        .collect();
+    match parts.is_empty() {
+        true => "no internal force".to_owned(),
+        false => parts.join(", "),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use shared_geom::mesh::CellKind;
+
+    use super::*;
+    use crate::output::samples::{recovery, rectangle};
+
+    /// The face +x: xy along y, xz along z.
+    #[test]
+    fn shear_is_that_of_xy_and_xz_in_their_direction() {
+        let section = rectangle(CellKind::Triangle6);
+        let stress = Vector6::new(9.0, 9.0, 9.0, 9.0, 3.0, -4.0);
+        let recovery = recovery(&section, "load", Vector6::zeros(), |_, _| stress);
+        let field = shear(&recovery);
+        assert_eq!(field.values[0][..6], [5.0; 6]);
+        let vectors = field.vectors.expect("arrows");
+        assert_eq!(vectors[0][..6], [[-4.0, 3.0]; 6]);
+    }
+}

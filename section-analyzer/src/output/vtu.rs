@@ -1,0 +1,19 @@
+//! Field files: values on the mesh of a section as unstructured grids of VTK.
+//!
+//! A point (y, z) of the section stands at (0, y, z): x is along the beam, as in all
+//! of this program. Coordinates are in meters, values in SI units.
+//!
+//! # References
+//! - W. Schroeder, K. Martin, B. Lorensen, "The Visualization Toolkit", 4th ed.
+//!   (2006): cell types, order of nodes, XML files.
+
+mod grid;
+mod stress;
+mod warping;
+
+#[cfg(test)]
+mod tests;
+
+pub use grid::FieldFile;
+pub use stress::stress_vtu;
+pub use warping::warping_vtu;
