@@ -25,7 +25,7 @@ const IDENTITY_LIMIT: f64 = 1e-10;
 
 /// Largest relative error of the solution's own checks. Sound sections reach
 /// 1e-13; sections of extreme slenderness or contrast of moduli lose digits.
-const CHECK_LIMIT: f64 = 1e-6;
+const CHECK_LIMIT: f64 = 1e-9;
 
 /// Smallest pivot relative to its diagonal entry: below it no digit of the
 /// pivot is significant.
