@@ -20,7 +20,7 @@ use super::outline::{Side, SideRole, THINNEST, cell_points, side_points, sides, 
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use crate::input::InputSummary;
 use crate::material::ElasticLaw;
-use crate::mesh::SectionCell;
+use crate::mesh::distance;
 use crate::section::Section;
 
 /// Height of the frame at most [figure pixels].
@@ -272,7 +272,7 @@ impl Flag {
     }
 
     fn distance(&self, other: &Self) -> f64 {
-        (self.foot[0] - other.foot[0]).hypot(self.foot[1] - other.foot[1])
+        distance(self.foot, other.foot)
     }
 
     fn points_elsewhere(&self, other: &Self) -> bool {
@@ -329,17 +329,11 @@ fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
 
 /// Mean of the corners of a cell, or the node in its middle.
 fn center(section: &Section, cell: usize) -> [f64; 2] {
-    let cell: &SectionCell = &section.mesh.cells[cell];
-    let nodes = match cell.nodes().get(8) {
-        Some(middle) => std::slice::from_ref(middle),
-        None => &cell.nodes()[..cell.kind.corner_count()],
-    };
-    [0, 1].map(|axis| {
-        let places = nodes
-            .iter()
-            .map(|&node| section.mesh.nodes[node as usize][axis]);
-        places.sum::<f64>() / nodes.len() as f64
-    })
+    let cell = &section.mesh.cells[cell];
+    match cell.nodes().get(8) {
+        Some(&node) => section.mesh.nodes[node as usize],
+        None => section.mesh.middle(cell),
+    }
 }
 
 /// A flag with its foot at a place of the figure and its arrow at `angle` from +y.

@@ -137,11 +137,7 @@ impl<'a> WarpingPlot<'a> {
         panel: &Panel<'_>,
         cell: &SectionCell,
     ) -> Result<(), FigureProblem> {
-        let nodes = cell
-            .nodes()
-            .iter()
-            .map(|&node| self.section.mesh.nodes[node as usize]);
-        let length = Extent::of(nodes).largest() * panel.plane.scale;
+        let length = Extent::of(self.section.mesh.places(cell)).largest() * panel.plane.scale;
         let pieces = ((length / PIECE).ceil() as usize).clamp(1, PIECES);
         let thin = self.wall * panel.plane.scale < THINNEST;
         for corners in reference_pieces(cell.kind, pieces) {
@@ -343,6 +339,7 @@ fn reference_pieces(kind: CellKind, n: usize) -> Vec<Vec<[f64; 2]>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::polygon_area;
 
     /// The pieces of a reference cell have its area: 1/2 and 4.
     #[test]
@@ -352,7 +349,7 @@ mod tests {
                 let pieces = reference_pieces(kind, n);
                 let area: f64 = pieces
                     .iter()
-                    .map(|p| super::super::outline::polygon_area(p))
+                    .map(|corners| polygon_area(corners.iter().copied()))
                     .sum();
                 let expected = if kind.corner_count() == 3 { 0.5 } else { 4.0 };
                 assert!((area - expected).abs() < 1e-12, "{kind:?} {n} {area}");
