@@ -14,9 +14,6 @@ const PIECES: usize = 8;
 /// a side is drawn straight.
 const STRAIGHT: f64 = 1e-4;
 
-/// Walls thinner than this cannot be seen: they are drawn as wide [figure pixels].
-pub(super) const THINNEST: f64 = 5.0;
-
 /// What lies on the two sides of a side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SideRole {
