@@ -12,15 +12,19 @@ use std::time::{Duration, Instant};
 
 use cpu_time::ThreadTime;
 use criterion::{BenchmarkId, Criterion};
+use peak_alloc::PeakAlloc;
 use section_analyzer::analysis::analyze;
 use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
 use section_analyzer::input;
 use section_analyzer::section::Section;
-use section_analyzer::solve::{CentralSolution, CentralSystem, Factor, Pins};
+use section_analyzer::solve::{CentralSolution, CentralSystem, Factor, Pins, elimination_order};
 use shared_geom::gmsh;
 use shared_geom::mesh::Mesh;
 
 mod refine;
+
+#[global_allocator]
+static ALLOCATOR: PeakAlloc = PeakAlloc;
 
 const MESH: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
@@ -70,6 +74,15 @@ fn section(file: &Path) -> Section {
         .section
 }
 
+/// The section as the solver sees it, in the order of elimination.
+fn prepared(section: &Section) -> Option<(Domain, Pattern)> {
+    let domain = Domain::new(section).ok()?;
+    let order = elimination_order(&Pattern::new(&domain))?;
+    let domain = domain.renumbered(&order);
+    let pattern = Pattern::new(&domain);
+    Some((domain, pattern))
+}
+
 /// The shortest processor time of the runs within a second, five at least: on a
 /// machine that does other things as well it is the steadiest figure.
 fn shortest<T>(mut work: impl FnMut() -> T) -> Duration {
@@ -83,6 +96,14 @@ fn shortest<T>(mut work: impl FnMut() -> T) -> Duration {
     best
 }
 
+/// Most memory in use at a time by `work`, beyond what was in use before \[byte\].
+fn peak<T>(work: impl FnOnce() -> T) -> usize {
+    let before = ALLOCATOR.current_usage();
+    ALLOCATOR.reset_peak_usage();
+    black_box(work());
+    ALLOCATOR.peak_usage() - before
+}
+
 /// Shortest times of the parts of one case.
 struct Times {
     nodes: usize,
@@ -94,25 +115,37 @@ struct Times {
     central: Duration,
     analyze: Duration,
     total: Duration,
+    /// Most memory in use at a time, over that of the factor [-].
+    memory: f64,
 }
 
 impl Times {
     fn of(file: &Path) -> Self {
         let read = shortest(|| section(file));
         let section = section(file);
-        let domain = Domain::new(&section).expect("a sound section");
-        let pattern = Pattern::new(&domain);
+        let unordered = Pattern::new(&Domain::new(&section).expect("a sound section"));
+        let order = elimination_order(&unordered).expect("memory");
+        let (domain, pattern) = prepared(&section).expect("a sound section");
         let matrices = SectionMatrices::assemble(&domain, &pattern).expect("sound cells");
         let pins = Pins::choose(&domain.nodes).expect("a plane section");
         let factor = Factor::new(matrices.e.clone(), &pattern, pins).expect("a connected section");
         let system =
             CentralSystem::new(&pattern, matrices.clone(), pins).expect("a connected section");
+        let memory = peak(|| analyze(&input::read(file).expect("a sound file").section));
         Self {
             nodes: domain.nodes.len(),
+            memory: memory as f64 / (8 * factor.entries()) as f64,
             read,
-            prepare: shortest(|| Domain::new(&section).map(|domain| Pattern::new(&domain))),
+            prepare: shortest(|| {
+                let domain = Domain::new(&section).ok()?;
+                let pattern = Pattern::new(&domain);
+                let domain = domain.renumbered(&order);
+                Some((Pattern::new(&domain), pattern))
+            }),
             assemble: shortest(|| SectionMatrices::assemble(&domain, &pattern)),
-            bare: shortest(|| Factor::new(matrices.e.clone(), &pattern, pins)),
+            // the order is a part of it
+            bare: shortest(|| elimination_order(&unordered))
+                + shortest(|| Factor::new(matrices.e.clone(), &pattern, pins)),
             solve: shortest(|| {
                 let mut right = matrices.r.clone();
                 factor.solve(right.as_mut_slice())
@@ -143,16 +176,20 @@ fn ratios(files: &[PathBuf]) {
             ms(t.total)
         );
     }
-    println!("\n nodes | (factor+12 solves)/total  read/total  total/(factor+12 solves)");
+    println!(
+        "\n nodes | (factor+solves)/total  read/total  total/(factor+solves)  peak/factor memory"
+    );
     for t in &times {
-        let core = t.bare.as_secs_f64() + 2.0 * t.solve.as_secs_f64();
+        // fifteen right-hand sides: seven, six and two
+        let core = t.bare.as_secs_f64() + 15.0 / 6.0 * t.solve.as_secs_f64();
         let total = t.total.as_secs_f64();
         println!(
-            "{:6} | {:24.2} {:11.2} {:25.2}",
+            "{:6} | {:20.2} {:11.2} {:22.2} {:19.2}",
             t.nodes,
             core / total,
             t.read.as_secs_f64() / total,
-            total / core
+            total / core,
+            t.memory
         );
     }
     if let [first, .., last] = &times[..] {

@@ -127,6 +127,26 @@ impl Domain {
         })
     }
 
+    /// The same domain with its nodes in another order: `order` lists the present
+    /// nodes, each once.
+    pub fn renumbered(mut self, order: &[u32]) -> Self {
+        let mut place = vec![0; order.len()];
+        for (new, &old) in order.iter().enumerate() {
+            place[old as usize] = new as u32;
+        }
+        let places = order.iter().map(|&old| self.nodes[old as usize]);
+        self.nodes = places.collect();
+        let mesh_nodes = order.iter().map(|&old| self.mesh_nodes[old as usize]);
+        self.mesh_nodes = mesh_nodes.collect();
+        for cell in &mut self.cells {
+            let count = cell.kind.node_count();
+            for node in &mut cell.nodes[..count] {
+                *node = place[*node as usize];
+            }
+        }
+        self
+    }
+
     /// Number of warping unknowns: ux, uy, uz of each node, in this order.
     pub fn unknowns(&self) -> usize {
         3 * self.nodes.len()

@@ -134,6 +134,26 @@ impl Pattern {
         Some((starts, rows))
     }
 
+    /// Column starts and row indices of the upper triangle, by unknown; `None` when
+    /// 32 bits do not count them.
+    pub fn upper_structure(&self) -> Option<(Vec<u32>, Vec<u32>)> {
+        i32::try_from(self.entry_count()).ok()?;
+        let mut starts = Vec::with_capacity(3 * self.node_count() + 1);
+        let mut rows = Vec::with_capacity(self.entry_count());
+        starts.push(0);
+        for node in 0..self.node_count() {
+            for b in 0..3 {
+                for &other in &self.neighbors(node)[..self.own[node]] {
+                    rows.extend([3 * other, 3 * other + 1, 3 * other + 2]);
+                }
+                let own = 3 * node as u32;
+                rows.extend(own..=own + b);
+                starts.push(rows.len() as u32);
+            }
+        }
+        Some((starts, rows))
+    }
+
     /// First node of each part that shares no node with the others.
     pub fn parts(&self) -> Vec<usize> {
         let mut seen = vec![false; self.node_count()];

@@ -3,19 +3,26 @@
 //! Pinned rows and columns keep their diagonal entry only: the structure stays
 //! that of E, and the solution is zero there when the right-hand side is.
 
+//!
+//! The unknowns are eliminated in their order: [`elimination_order`] finds one that
+//! keeps the factor small, and the domain is numbered in it from the start, so that
+//! neither matrix nor solutions need a second copy in another order.
+
 use super::pins::Pins;
 use crate::assembly::{Pattern, largest};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
-use faer::perm::PermRef;
-use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::amd;
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
+use faer::sparse::linalg::cholesky::simplicial::{
+    prefactorize_symbolic_cholesky, prefactorize_symbolic_cholesky_scratch,
 };
+use faer::sparse::linalg::cholesky::supernodal::{
+    SupernodalLltRef, SymbolicSupernodalCholesky, factorize_supernodal_numeric_llt,
+    factorize_supernodal_numeric_llt_scratch, factorize_supernodal_symbolic_cholesky,
+    factorize_supernodal_symbolic_cholesky_scratch,
+};
+use faer::sparse::linalg::{SymbolicSupernodalParams, amd};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par, Side, Spec};
+use faer::{Conj, MatMut, Par, Spec};
 use sprs::CsMatI;
 
 /// One thread: the result is the same on every machine and every run.
@@ -42,7 +49,7 @@ pub enum FactorError {
 /// `L L' = P E_ff P'`, with E_ff the pinned E.
 #[derive(Debug)]
 pub struct Factor {
-    symbolic: SymbolicCholesky<u32>,
+    symbolic: SymbolicSupernodalCholesky<u32>,
     values: Vec<f64>,
     pins: Pins,
     norm: f64,
@@ -63,6 +70,8 @@ impl Factor {
     ) -> Result<Self, FactorError> {
         pin(&mut e, pattern, &pins);
         let norm = one_norm(&e);
+        let symbolic = analyze(pattern).ok_or(FactorError::OutOfMemory)?;
+        let mut values = vec![0.0; symbolic.len_val()];
         let starts = e.indptr();
         let structure = SymbolicSparseColMatRef::new_checked(
             e.rows(),
@@ -71,22 +80,21 @@ impl Factor {
             None,
             e.indices(),
         );
-
-        let symbolic = analyze(structure, pattern).ok_or(FactorError::OutOfMemory)?;
-        let mut values = vec![0.0; symbolic.len_val()];
-        let request = symbolic.factorize_numeric_llt_scratch::<f64>(SEQUENTIAL, Spec::default());
+        let parameters = Spec::default();
+        let request =
+            factorize_supernodal_numeric_llt_scratch::<u32, f64>(&symbolic, SEQUENTIAL, parameters);
         let mut memory = MemBuffer::try_new(request).map_err(|_| FactorError::OutOfMemory)?;
-        let outcome = symbolic.factorize_numeric_llt(
+        let outcome = factorize_supernodal_numeric_llt(
             &mut values,
             SparseColMatRef::new(structure, e.data()),
-            Side::Lower,
             LltRegularization::default(),
+            &symbolic,
             SEQUENTIAL,
             MemStack::new(&mut memory),
-            Spec::default(),
+            parameters,
         );
         if let Err(LltError::NonPositivePivot { index }) = outcome.map(|_| ()) {
-            let node = node_of_pivot(&symbolic, index);
+            let node = index.min(symbolic.nrows().saturating_sub(1)) / 3;
             return Err(FactorError::NotPositive(Pivot { node, ratio: 0.0 }));
         }
 
@@ -114,7 +122,7 @@ impl Factor {
             .symbolic
             .solve_in_place_scratch::<f64>(columns, SEQUENTIAL);
         let mut memory = MemBuffer::try_new(request).ok()?;
-        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+        SupernodalLltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
             Conj::No,
             MatMut::from_column_major_slice_mut(x, rows, columns),
             SEQUENTIAL,
@@ -130,6 +138,11 @@ impl Factor {
                 column[pin] = 0.0;
             }
         }
+    }
+
+    /// Number of entries of L, the zeros that its blocks hold included.
+    pub fn entries(&self) -> usize {
+        self.values.len()
     }
 
     /// Largest sum of the absolute values of a column of the pinned matrix \[-\].
@@ -185,39 +198,28 @@ fn one_norm(lower: &CsMatI<f64, u32>) -> f64 {
     sums.into_iter().fold(0.0, largest)
 }
 
-/// Fill-reducing order and structure of the factor; `None` without memory.
-///
-/// The order is found on the graph of nodes, nine times smaller than that of the
-/// unknowns and with the same fill: the three unknowns of a node have the same
-/// neighbors.
-fn analyze(
-    structure: SymbolicSparseColMatRef<'_, u32>,
-    pattern: &Pattern,
-) -> Option<SymbolicCholesky<u32>> {
-    let order = order_of_nodes(pattern)?;
-    let forward: Vec<u32> = order
-        .iter()
-        .flat_map(|node| [3 * node, 3 * node + 1, 3 * node + 2])
-        .collect();
-    let mut inverse = vec![0; forward.len()];
-    for (position, &unknown) in forward.iter().enumerate() {
-        inverse[unknown as usize] = position as u32;
-    }
-    let parameters = CholeskySymbolicParams {
-        supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-        ..CholeskySymbolicParams::default()
-    };
-    factorize_symbolic_cholesky(
-        structure,
-        Side::Lower,
-        SymmetricOrdering::Custom(PermRef::new_checked(&forward, &inverse, forward.len())),
-        parameters,
-    )
-    .ok()
+/// Structure of the factor; `None` without memory.
+fn analyze(pattern: &Pattern) -> Option<SymbolicSupernodalCholesky<u32>> {
+    let (starts, rows) = pattern.upper_structure()?;
+    let n = 3 * pattern.node_count();
+    let upper = SymbolicSparseColMatRef::new_checked(n, n, &starts, None, &rows);
+
+    let request = prefactorize_symbolic_cholesky_scratch::<u32>(n, rows.len())
+        .or(factorize_supernodal_symbolic_cholesky_scratch::<u32>(n));
+    let mut memory = MemBuffer::try_new(request).ok()?;
+    let stack = MemStack::new(&mut memory);
+    let (mut tree, mut counts) = (vec![0; n], vec![0; n]);
+    let tree = prefactorize_symbolic_cholesky(&mut tree, &mut counts, upper, stack);
+    let parameters = SymbolicSupernodalParams::default();
+    factorize_supernodal_symbolic_cholesky(upper, tree, &counts, stack, parameters).ok()
 }
 
-/// Approximate minimum degree order of the nodes.
-fn order_of_nodes(pattern: &Pattern) -> Option<Vec<u32>> {
+/// An order of the nodes that keeps the factor small (approximate minimum degree), as
+/// the list of nodes by place; `None` without memory.
+///
+/// It is found on the graph of nodes, nine times smaller than that of the unknowns and
+/// with the same fill: the three unknowns of a node have the same neighbors.
+pub fn elimination_order(pattern: &Pattern) -> Option<Vec<u32>> {
     let (starts, neighbors) = pattern.adjacency();
     let n = pattern.node_count();
     let graph = SymbolicSparseColMatRef::new_checked(n, n, starts, None, neighbors);
@@ -237,25 +239,16 @@ fn order_of_nodes(pattern: &Pattern) -> Option<Vec<u32>> {
     Some(forward)
 }
 
-/// Node of the unknown that stands at `index` of the factor.
-fn node_of_pivot(symbolic: &SymbolicCholesky<u32>, index: usize) -> usize {
-    let last = symbolic.nrows().saturating_sub(1);
-    let index = index.min(last);
-    let unknown = symbolic
-        .perm()
-        .map_or(index, |perm| perm.arrays().0[index] as usize);
-    unknown / 3
-}
-
 /// The smallest ratio of a squared diagonal entry of the factor to the diagonal
 /// entry of the matrix; a ratio that is not a number counts as smallest.
-fn smallest_pivot(symbolic: &SymbolicCholesky<u32>, factor: &[f64], e: &CsMatI<f64, u32>) -> Pivot {
+fn smallest_pivot(
+    blocks: &SymbolicSupernodalCholesky<u32>,
+    factor: &[f64],
+    e: &CsMatI<f64, u32>,
+) -> Pivot {
     let mut smallest = Pivot {
         node: 0,
         ratio: f64::INFINITY,
-    };
-    let SymbolicCholeskyRaw::Supernodal(blocks) = symbolic.raw() else {
-        return smallest;
     };
     for s in 0..blocks.n_supernodes() {
         let begin = blocks.supernode_begin()[s] as usize;
@@ -265,14 +258,11 @@ fn smallest_pivot(symbolic: &SymbolicCholesky<u32>, factor: &[f64], e: &CsMatI<f
         for column in begin..end {
             let local = column - begin;
             let pivot = factor[first + local * rows + local].powi(2);
-            let unknown = symbolic
-                .perm()
-                .map_or(column, |perm| perm.arrays().0[column] as usize);
-            let diagonal = e.data()[e.indptr().outer_inds_sz(unknown).start];
+            let diagonal = e.data()[e.indptr().outer_inds_sz(column).start];
             let ratio = pivot / diagonal;
             if ratio.is_nan() || ratio < smallest.ratio {
                 smallest = Pivot {
-                    node: unknown / 3,
+                    node: column / 3,
                     ratio,
                 };
             }

@@ -71,6 +71,34 @@ fn factor_solves_the_pinned_matrix() {
     );
 }
 
+/// The order of elimination is a permutation that makes the factor smaller than the
+/// order of a mesh does; and the domain in that order has the same cells.
+#[test]
+fn elimination_order_keeps_the_factor_small() {
+    let p = problem();
+    let order = elimination_order(&p.pattern).expect("memory");
+    let mut sorted = order.clone();
+    sorted.sort_unstable();
+    assert!(sorted.iter().copied().eq(0..p.domain.nodes.len() as u32));
+
+    let entries = |domain: &Domain| {
+        let pattern = Pattern::new(domain);
+        let matrices = SectionMatrices::assemble(domain, &pattern).expect("sound");
+        let pins = Pins::choose(&domain.nodes).expect("wide");
+        let factor = Factor::new(matrices.e, &pattern, pins).expect("definite");
+        factor.entries()
+    };
+    let ordered = p.domain.clone().renumbered(&order);
+    assert!(entries(&ordered) < entries(&p.domain));
+    for (cell, before) in ordered.cells.iter().zip(&p.domain.cells) {
+        let count = cell.kind.node_count();
+        assert_eq!(
+            ordered.places(cell)[..count],
+            p.domain.places(before)[..count]
+        );
+    }
+}
+
 /// Two squares that share no node: the pins hold one of them, the other is free, and
 /// the factorization says so.
 #[test]
