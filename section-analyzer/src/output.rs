@@ -6,6 +6,7 @@ mod comparison;
 mod engineering;
 mod fiber_plot;
 mod field_plot;
+mod figure_parts;
 mod files;
 mod mesh_plot;
 mod outline;

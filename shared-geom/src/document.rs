@@ -86,11 +86,6 @@ impl Document {
         self.problems.borrow_mut().push(place, problem);
     }
 
-    /// Takes over problems found elsewhere (in a file that this one names).
-    pub fn take_over(&self, others: Diagnostics) {
-        self.problems.borrow_mut().append(others);
-    }
-
     /// The value of a good result; notes the problems of a bad one.
     pub fn keep<T>(&self, result: Result<T, Diagnostics>) -> Option<T> {
         self.problems.borrow_mut().keep(result)

@@ -139,6 +139,16 @@ impl CellKind {
         (first, (first + 1) % corners, middle)
     }
 
+    /// The sides of a cell that has these nodes, in their order: ends, and the node in
+    /// the middle for quadratic kinds.
+    pub fn sides(self, nodes: &[u32]) -> impl Iterator<Item = ([u32; 2], Option<u32>)> + '_ {
+        (0..self.corner_count()).map(move |side| {
+            let (first, second, middle) = self.side(side);
+            let ends = [first, second].map(|local| nodes[local]);
+            (ends, middle.map(|local| nodes[local]))
+        })
+    }
+
     /// Places (r, s) of the nodes on the reference cell: the triangle
     /// (0,0), (1,0), (0,1) or the square [-1, 1] x [-1, 1] [-].
     pub fn reference_nodes(self) -> &'static [[f64; 2]] {

@@ -1,22 +1,6 @@
 use super::*;
+use crate::section::samples::Random;
 use std::f64::consts::{FRAC_PI_2, PI};
-
-/// Numbers in [-1, 1] from a fixed linear congruential sequence (Knuth's MMIX).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    fn point(&mut self) -> [f64; 2] {
-        [self.next(), self.next()]
-    }
-}
 
 #[test]
 fn straight_line_points_from_its_first_to_its_second_end() {

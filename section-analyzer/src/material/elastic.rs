@@ -151,19 +151,8 @@ fn isotropic_stiffness(young: f64, poisson: f64) -> Matrix6<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::section::samples::CARBON;
     use approx::assert_relative_eq;
-
-    const CARBON: EngineeringConstants = EngineeringConstants {
-        e1: 142e9,
-        e2: 9.8e9,
-        e3: 11.2e9,
-        g12: 6.0e9,
-        g13: 5.5e9,
-        g23: 4.8e9,
-        nu12: 0.3,
-        nu13: 0.34,
-        nu23: 0.42,
-    };
 
     /// The compliance of an orthotropic material by definition of its constants
     /// (Jones 1999, chapter 2) times the stiffness must be one, to round-off.

@@ -23,7 +23,8 @@
 use nalgebra::{Matrix3, Matrix6};
 
 /// Tensor index pairs of the order 11 22 33 23 13 12.
-const MATERIAL_ORDER: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+pub(crate) const MATERIAL_ORDER: [(usize, usize); 6] =
+    [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
 
 /// Tensor index pairs of the order yz yy zz xx xy xz.
 const SECTION_ORDER: [(usize, usize); 6] = [(1, 2), (1, 1), (2, 2), (0, 0), (0, 1), (0, 2)];

@@ -1,33 +1,9 @@
 use super::*;
-use crate::material::{ElasticLaw, EngineeringConstants};
+use crate::material::ElasticLaw;
+use crate::section::samples::{CARBON, Random};
 use approx::assert_relative_eq;
 use nalgebra::{Vector3, Vector6};
 use std::f64::consts::FRAC_PI_2;
-
-const CARBON: EngineeringConstants = EngineeringConstants {
-    e1: 142e9,
-    e2: 9.8e9,
-    e3: 11.2e9,
-    g12: 6.0e9,
-    g13: 5.5e9,
-    g23: 4.8e9,
-    nu12: 0.3,
-    nu13: 0.34,
-    nu23: 0.42,
-};
-
-/// Numbers in [-1, 1] from a fixed linear congruential sequence (Knuth's MMIX).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-}
 
 /// A symmetric stiffness without any material symmetry.
 fn anisotropic(random: &mut Random) -> Matrix6<f64> {

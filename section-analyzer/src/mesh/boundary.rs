@@ -159,14 +159,13 @@ impl Boundary {
         let mut number = 0;
         for (index, cell) in mesh.cells.iter().enumerate() {
             of_cell.push(sides.len() as u32);
-            for side in 0..cell.kind.corner_count() {
+            for (side, (ends, middle)) in cell.kind.sides(cell.nodes()).enumerate() {
                 if is_single[number] {
-                    let (first, second, middle) = cell.kind.side(side);
                     sides.push(BoundarySide {
                         cell: index,
                         number: side,
-                        ends: [first, second].map(|local| cell.nodes()[local]),
-                        middle: middle.map(|local| cell.nodes()[local]),
+                        ends,
+                        middle,
                     });
                 }
                 number += 1;
@@ -192,9 +191,9 @@ impl BoundarySide {
 
 /// The sides of a cell as curves, counterclockwise.
 pub(super) fn curves<'a>(mesh: &'a PlaneMesh, cell: &'a Cell) -> impl Iterator<Item = Curve> + 'a {
-    let place = |local: usize| mesh.nodes[cell.nodes()[local] as usize];
-    (0..cell.kind.corner_count()).map(move |side| {
-        let (first, second, middle) = cell.kind.side(side);
+    let place = |node: u32| mesh.nodes[node as usize];
+    let sides = cell.kind.sides(cell.nodes());
+    sides.map(move |([first, second], middle)| {
         Curve::new(place(first), place(second), middle.map(place))
     })
 }
@@ -204,13 +203,11 @@ fn single_sides(mesh: &PlaneMesh) -> Vec<bool> {
     // sides sorted by their lower node, without comparing: counts, then places
     let mut start = vec![0_u32; mesh.nodes.len() + 1];
     let ends = || {
-        mesh.cells.iter().flat_map(|cell| {
-            (0..cell.kind.corner_count()).map(|side| {
-                let (a, b, _) = cell.kind.side(side);
-                let (a, b) = (cell.nodes()[a], cell.nodes()[b]);
-                (a.min(b), a.max(b))
-            })
-        })
+        let sides = mesh
+            .cells
+            .iter()
+            .flat_map(|cell| cell.kind.sides(cell.nodes()));
+        sides.map(|([a, b], _)| (a.min(b), a.max(b)))
     };
     let mut count = 0;
     for (low, _) in ends() {

@@ -1,7 +1,7 @@
 //! The parts of a section: one is expected, connected through sides of cells.
 
 use super::findings::NarrowGap;
-use super::plane::PlaneMesh;
+use super::plane::{PlaneMesh, polygon_area};
 use super::problem::{MeshProblem, Part};
 
 /// States that all cells are connected through sides. `neighbors` are the pairs of
@@ -125,19 +125,4 @@ fn describe(
         }
     }
     parts
-}
-
-/// `1/2 sum (y_i z_i+1 - y_i+1 z_i)` about the first corner.
-fn polygon_area(mut corners: impl Iterator<Item = [f64; 2]>) -> f64 {
-    let Some(origin) = corners.next() else {
-        return 0.0;
-    };
-    let mut before = [0.0; 2];
-    let mut twice = 0.0;
-    for corner in corners {
-        let now = [corner[0] - origin[0], corner[1] - origin[1]];
-        twice += before[0] * now[1] - before[1] * now[0];
-        before = now;
-    }
-    0.5 * twice
 }

@@ -25,5 +25,6 @@ mod section_mesh;
 mod sides;
 
 pub use findings::{CellOverlap, DoubledNodes, HangingNode, NarrowGap, Seam};
+pub(crate) use plane::{distance, polygon_area};
 pub use problem::{Inversion, MeshProblem, Part};
 pub use section_mesh::{Curve, CurveLine, MeshReport, SectionCell, SectionMesh};

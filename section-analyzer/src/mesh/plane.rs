@@ -62,9 +62,9 @@ impl PlaneMesh {
 
     /// Lengths of the sides of a cell, taken as straight.
     pub(super) fn sides(&self, cell: &Cell) -> impl Iterator<Item = f64> {
-        (0..cell.kind.corner_count()).map(|side| {
-            let (a, b, _) = cell.kind.side(side);
-            let [a, b] = [a, b].map(|local| self.nodes[cell.nodes()[local] as usize]);
+        let sides = cell.kind.sides(cell.nodes());
+        sides.map(|(ends, _)| {
+            let [a, b] = ends.map(|node| self.nodes[node as usize]);
             distance(a, b)
         })
     }
@@ -75,8 +75,28 @@ impl PlaneMesh {
     }
 }
 
-pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (b[0] - a[0]).hypot(b[1] - a[1])
+}
+
+/// Area of a polygon, positive counterclockwise.
+///
+/// ```text
+/// area = 1/2 sum (y_i z_i+1 - y_i+1 z_i)      about the first corner
+/// ```
+pub(crate) fn polygon_area(corners: impl IntoIterator<Item = [f64; 2]>) -> f64 {
+    let mut corners = corners.into_iter();
+    let Some(origin) = corners.next() else {
+        return 0.0;
+    };
+    let mut before = [0.0; 2];
+    let mut twice = 0.0;
+    for corner in corners {
+        let now = [corner[0] - origin[0], corner[1] - origin[1]];
+        twice += before[0] * now[1] - before[1] * now[0];
+        before = now;
+    }
+    0.5 * twice
 }
 
 /// States that cells and lines refer to nodes of the mesh.

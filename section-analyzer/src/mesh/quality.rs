@@ -13,7 +13,7 @@ use super::section_mesh::SectionMesh;
 
 mod measures;
 
-use measures::{middle, values_of};
+use measures::values_of;
 
 /// Cells that are named at most, the worst first.
 const NAMED: usize = 5;
@@ -251,8 +251,8 @@ impl MeshQuality {
         let mut worst: Vec<(f64, usize, ShapeValue)> = Vec::new();
         for (number, cell) in mesh.cells.iter().enumerate() {
             let mut places = [[0.0; 2]; 9];
-            for (place, &node) in places.iter_mut().zip(cell.nodes()) {
-                *place = mesh.nodes[node as usize];
+            for (place, of_node) in places.iter_mut().zip(mesh.places(cell)) {
+                *place = of_node;
             }
             let values = values_of(&jacobian, cell.kind, &places[..cell.nodes().len()]);
             if let Some(region) = regions.get_mut(cell.group) {
@@ -273,7 +273,7 @@ impl MeshQuality {
             let cell = &mesh.cells[number];
             NamedCell {
                 cell: cell.tag,
-                place: middle(mesh, cell),
+                place: mesh.middle(cell),
                 group: mesh.groups.get(cell.group).cloned().unwrap_or_default(),
                 worst,
                 is_poor: severity > 1.0,

@@ -95,16 +95,21 @@ pub(super) fn seams(
                 .map(|[a, b]| [a.min(b), a.max(b)]),
         );
     }
-    let finished = seams.into_iter().map(|(_, mut seam, mut nodes)| {
-        nodes.sort_unstable();
-        nodes.dedup();
-        let tags = |pair: &[u32; 2]| pair.map(|node| mesh.node_tags[node as usize]);
-        seam.pairs = nodes.iter().map(tags).collect();
-        seam.places = nodes
-            .iter()
-            .map(|pair| mesh.nodes[pair[0] as usize])
-            .collect();
-        seam
-    });
-    finished.collect()
+    let finished = seams.into_iter();
+    finished
+        .map(|(_, seam, nodes)| with_nodes(mesh, seam, nodes))
+        .collect()
+}
+
+/// The seam with its pairs of nodes, each once.
+fn with_nodes(mesh: &PlaneMesh, seam: Seam, mut nodes: Vec<[u32; 2]>) -> Seam {
+    nodes.sort_unstable();
+    nodes.dedup();
+    let tags = |pair: &[u32; 2]| pair.map(|node| mesh.node_tags[node as usize]);
+    let place = |pair: &[u32; 2]| mesh.nodes[pair[0] as usize];
+    Seam {
+        pairs: nodes.iter().map(tags).collect(),
+        places: nodes.iter().map(place).collect(),
+        ..seam
+    }
 }

@@ -65,6 +65,11 @@ impl SectionCell {
     pub fn nodes(&self) -> &[u32] {
         &self.nodes[..self.kind.node_count()]
     }
+
+    /// The nodes at the corners, counterclockwise.
+    pub fn corners(&self) -> &[u32] {
+        &self.nodes[..self.kind.corner_count()]
+    }
 }
 
 /// A physical curve: lines that tell a direction.
@@ -107,6 +112,20 @@ pub struct MeshReport {
 }
 
 impl SectionMesh {
+    /// Places of the nodes of a cell \[m\].
+    pub fn places(&self, cell: &SectionCell) -> impl Iterator<Item = [f64; 2]> {
+        cell.nodes().iter().map(|&node| self.nodes[node as usize])
+    }
+
+    /// Mean of the corners of a cell \[m\].
+    pub fn middle(&self, cell: &SectionCell) -> [f64; 2] {
+        let corners = cell.corners();
+        [0, 1].map(|axis| {
+            let places = corners.iter().map(|&node| self.nodes[node as usize][axis]);
+            places.sum::<f64>() / corners.len() as f64
+        })
+    }
+
     /// Tag of a node, given its index; a mesh made without tags counts from one.
     pub fn node_tag(&self, node: usize) -> u64 {
         self.node_tags.get(node).copied().unwrap_or(node as u64 + 1)

@@ -36,10 +36,7 @@ pub(super) fn sides(mesh: &PlaneMesh, oriented: bool) -> Sides {
     let mut sides: HashMap<[u32; 2], Side> = HashMap::with_capacity(2 * mesh.cells.len());
     let (mut neighbors, mut overlaps, mut gaps) = (Vec::new(), Vec::new(), Vec::new());
     for (number, cell) in mesh.cells.iter().enumerate() {
-        for side in 0..cell.kind.corner_count() {
-            let (a, b, middle) = cell.kind.side(side);
-            let [first, second] = [a, b].map(|local| cell.nodes()[local]);
-            let middle = middle.map(|local| cell.nodes()[local]);
+        for ([first, second], middle) in cell.kind.sides(cell.nodes()) {
             let key = [first.min(second), first.max(second)];
             let mut new = false;
             let side = sides.entry(key).or_insert_with(|| {
@@ -130,12 +127,10 @@ fn middles_at_corners(mesh: &PlaneMesh) -> Vec<(usize, usize, MeshProblem)> {
     }
     let mut found = Vec::new();
     for (number, cell) in mesh.cells.iter().enumerate() {
-        for side in 0..cell.kind.corner_count() {
-            let (a, b, middle) = cell.kind.side(side);
-            let Some(middle) = middle.map(|local| cell.nodes()[local]) else {
+        for (ends, middle) in cell.kind.sides(cell.nodes()) {
+            let Some(middle) = middle else {
                 continue;
             };
-            let ends = [a, b].map(|local| cell.nodes()[local]);
             match cell_at_corner[middle as usize] {
                 // a cell that lists a node twice is told by itself
                 Some(other) if other != number => {

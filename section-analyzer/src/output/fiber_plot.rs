@@ -16,22 +16,16 @@ use shared_geom::figure::{
     Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, diverging, tick_label,
 };
 
-use super::outline::{Side, SideRole, THINNEST, cell_points, side_points, sides, widths};
+use super::figure_parts::{
+    BELOW, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_color_bar, draw_title, fill_cell,
+};
+use super::outline::{Side, SideRole, cell_points, side_points, sides, widths};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use crate::input::InputSummary;
 use crate::material::ElasticLaw;
-use crate::mesh::SectionCell;
+use crate::mesh::distance;
 use crate::section::Section;
 
-/// Height of the frame at most [figure pixels].
-const HIGHEST: f64 = 1250.0;
-/// Room left of the frame, for ticks and the name of the axis [figure pixels].
-const LEFT: f64 = 190.0;
-const RIGHT: f64 = 50.0;
-/// Room above the frame, for the title and a line below it [figure pixels].
-const TOP: f64 = 150.0;
-/// Room between frame and legend, for ticks and the name of the axis.
-const BELOW: f64 = 135.0;
 /// Height of the legend, and of one of its lines [figure pixels].
 const LEGEND: f64 = 330.0;
 const LINE: f64 = 54.0;
@@ -129,13 +123,13 @@ impl<'a> FiberPlot<'a> {
     fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
         for (index, cell) in self.section.mesh.cells.iter().enumerate() {
-            let mut points = cell_points(cell, &place);
-            let color = self.color(index);
-            canvas.polygon(&points, color)?;
-            if self.wall < THINNEST {
-                points.push(points[0]);
-                canvas.line(&points, THINNEST, color)?;
-            }
+            let is_thin = self.wall < THINNEST;
+            fill_cell(
+                canvas,
+                cell_points(cell, &place),
+                self.color(index),
+                is_thin,
+            )?;
         }
         for side in &self.sides {
             let (width, color) = match side.role {
@@ -195,27 +189,11 @@ impl<'a> FiberPlot<'a> {
         canvas: &Canvas<B>,
         [left, top]: [f64; 2],
     ) -> Result<(), FigureProblem> {
-        const STEPS: u32 = 180;
         let (width, height) = (900.0, 32.0);
         let at = |part: f64| left + 0.5 * width * (part + 1.0);
-        for step in 0..STEPS {
-            let part = |k: u32| 2.0 * f64::from(k) / f64::from(STEPS) - 1.0;
-            let (a, b) = (at(part(step)), at(part(step + 1)));
-            let color = diverging(0.5 * (part(step) + part(step + 1)));
-            canvas.polygon(
-                &[[a, top], [b, top], [b, top + height], [a, top + height]],
-                color,
-            )?;
-        }
         let (right, bottom) = (left + width, top + height);
-        let frame = [
-            [left, top],
-            [right, top],
-            [right, bottom],
-            [left, bottom],
-            [left, top],
-        ];
-        canvas.line(&frame, 2.0, INK)?;
+        let color = |part: f64| diverging(2.0 * part - 1.0);
+        draw_color_bar(canvas, [left, top], [right, bottom], color)?;
         let label = Label::new(0.82 * TEXT)
             .colored(INK)
             .anchored(Anchor::Middle);
@@ -235,8 +213,9 @@ impl<'a> FiberPlot<'a> {
 
 impl Drawing for FiberPlot<'_> {
     fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let title = format!("{}: fiber directions", self.section.name);
-        canvas.text(&title, [LEFT, 50.0], Label::new(1.15 * TEXT).bold())?;
+        let title = [self.section.name.as_str(), ": fiber directions"];
+        let room = f64::from(WIDTH) - LEFT - RIGHT;
+        draw_title(canvas, title, TITLE, [LEFT, 50.0], room)?;
         let line = format!(
             "flags in {} of {} cells{}",
             self.flags.len(),
@@ -272,7 +251,7 @@ impl Flag {
     }
 
     fn distance(&self, other: &Self) -> f64 {
-        (self.foot[0] - other.foot[0]).hypot(self.foot[1] - other.foot[1])
+        distance(self.foot, other.foot)
     }
 
     fn points_elsewhere(&self, other: &Self) -> bool {
@@ -329,17 +308,11 @@ fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
 
 /// Mean of the corners of a cell, or the node in its middle.
 fn center(section: &Section, cell: usize) -> [f64; 2] {
-    let cell: &SectionCell = &section.mesh.cells[cell];
-    let nodes = match cell.nodes().get(8) {
-        Some(middle) => std::slice::from_ref(middle),
-        None => &cell.nodes()[..cell.kind.corner_count()],
-    };
-    [0, 1].map(|axis| {
-        let places = nodes
-            .iter()
-            .map(|&node| section.mesh.nodes[node as usize][axis]);
-        places.sum::<f64>() / nodes.len() as f64
-    })
+    let cell = &section.mesh.cells[cell];
+    match cell.nodes().get(8) {
+        Some(&node) => section.mesh.nodes[node as usize],
+        None => section.mesh.middle(cell),
+    }
 }
 
 /// A flag with its foot at a place of the figure and its arrow at `angle` from +y.

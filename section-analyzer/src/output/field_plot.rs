@@ -4,6 +4,7 @@ use plotters::backend::DrawingBackend;
 use plotters::style::{BLACK, WHITE};
 use shared_geom::figure::{Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, tick_label};
 
+use super::figure_parts::{LEFT, TITLE, draw_title};
 use super::outline::{Side, SideRole, side_points, sides_by, widths};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use super::text::rounded;
@@ -28,8 +29,7 @@ use surface::Surface;
 
 /// Height of the frame at most [figure pixels].
 const HIGHEST: f64 = 1150.0;
-/// Room left and right of the frame [figure pixels].
-const LEFT: f64 = 190.0;
+/// Room right of the frame [figure pixels].
 const RIGHT: f64 = 70.0;
 /// Room above the frame, for the title and a line below it; height of a line more.
 const TOP: f64 = 155.0;
@@ -145,12 +145,10 @@ impl<'a> FieldPlot<'a> {
 
     fn draw_title<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let room = f64::from(WIDTH) - LEFT - RIGHT;
-        let title = Label::new(1.15 * TEXT).bold();
         let label = Label::new(0.88 * TEXT).colored(INK);
         let what = format!(": {}", self.field.title);
-        let left = room - canvas.text_width(&what, 1.2 * title.size);
-        let name = canvas.shortened(&self.section.name, title, left) + &what;
-        canvas.text(&name, [LEFT, 50.0], title)?;
+        let title = [self.section.name.as_str(), &what];
+        draw_title(canvas, title, TITLE, [LEFT, 50.0], room)?;
         for (words, y) in self.words.iter().zip([105.0, 155.0]) {
             canvas.text(&canvas.shortened(words, label, room), [LEFT, y], label)?;
         }

@@ -104,26 +104,20 @@ impl OutputFiles {
 
     /// Removes the files of `load` of an earlier run.
     pub fn remove_stresses(&self, load: &str) {
-        for file in [
+        remove([
             self.stress_report(load),
             self.stress_points(load),
             self.stress_cells(load),
             self.stress_nodes(load),
             self.stress_field(load),
-        ] {
-            // One that does not exist is no problem.
-            let _ = std::fs::remove_file(file);
-        }
-        for plot in STRESS_PLOTS {
-            let _ = std::fs::remove_file(self.stress_figure(load, plot));
-        }
+        ]);
+        remove(STRESS_PLOTS.map(|plot| self.stress_figure(load, plot)));
     }
 
     /// Removes the figure of the fibers of an earlier run, for a section that has
     /// none.
     pub fn remove_fibers(&self) {
-        // One that does not exist is no problem.
-        let _ = std::fs::remove_file(self.fibers());
+        remove([self.fibers()]);
     }
 
     /// The table of areas by region.
@@ -143,21 +137,25 @@ impl OutputFiles {
     /// Removes the results of an earlier run that an analysis that failed does not
     /// replace.
     pub fn remove_results(&self) {
-        self.remove_constants();
-        for file in [
+        remove([
             self.properties(),
             self.areas(),
+            self.constants(),
             self.warping(),
             self.warping_field(),
-        ] {
-            // One that does not exist is no problem.
-            let _ = std::fs::remove_file(file);
-        }
+        ]);
     }
 
     /// Removes the constants of restrained warping of an earlier run, for a section
     /// that has none.
     pub fn remove_constants(&self) {
-        let _ = std::fs::remove_file(self.constants());
+        remove([self.constants()]);
+    }
+}
+
+/// Removes files; one that does not exist is no problem.
+fn remove<const N: usize>(files: [PathBuf; N]) {
+    for file in files {
+        let _ = std::fs::remove_file(file);
     }
 }

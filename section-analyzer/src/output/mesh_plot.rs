@@ -6,22 +6,16 @@ use shared_geom::figure::{
     Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, category, tick_label,
 };
 
-use super::outline::{Side, SideRole, THINNEST, cell_points, side_points, sides, widths};
+use super::figure_parts::{
+    BELOW, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_title, fill_cell,
+};
+use super::outline::{Side, SideRole, cell_points, side_points, sides, widths};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use super::text::rounded;
 use crate::input::InputSummary;
 use crate::properties::Centers;
 use crate::section::Section;
 
-/// Height of the frame at most [figure pixels].
-const HIGHEST: f64 = 1250.0;
-/// Room left of the frame, for ticks and the name of the axis [figure pixels].
-const LEFT: f64 = 190.0;
-const RIGHT: f64 = 50.0;
-/// Room above the frame, for the title and a line below it [figure pixels].
-const TOP: f64 = 150.0;
-/// Room between frame and legend, for ticks and the name of the axis.
-const BELOW: f64 = 135.0;
 /// Height of a line of the legend [figure pixels].
 const LINE: f64 = 62.0;
 /// Cells narrower than this are drawn without the lines between them.
@@ -127,9 +121,8 @@ impl<'a> MeshPlot<'a> {
 
     fn draw_title<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let section = self.section;
-        let title = Label::new(1.15 * TEXT).bold();
-        let name = canvas.shortened(&section.name, title, f64::from(WIDTH) - LEFT - RIGHT);
-        canvas.text(&name, [LEFT, 50.0], title)?;
+        let room = f64::from(WIDTH) - LEFT - RIGHT;
+        draw_title(canvas, [&section.name, ""], TITLE, [LEFT, 50.0], room)?;
         let line = format!(
             "{} nodes, {} cells{}",
             section.mesh.nodes.len(),
@@ -157,13 +150,9 @@ impl<'a> MeshPlot<'a> {
         let section = self.section;
         let place = |node: u32| self.plane.place(section.mesh.nodes[node as usize]);
         for (cell, made_of) in section.mesh.cells.iter().zip(&section.cells) {
-            let mut points = cell_points(cell, &place);
             let color = category(self.color_of[made_of.material]);
-            canvas.polygon(&points, color)?;
-            if self.wall < THINNEST {
-                points.push(points[0]);
-                canvas.line(&points, THINNEST, color)?;
-            }
+            let is_thin = self.wall < THINNEST;
+            fill_cell(canvas, cell_points(cell, &place), color, is_thin)?;
         }
         if self.wall < THINNEST {
             return Ok(());

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use shared_geom::lagrange::line3;
 
-use crate::mesh::SectionCell;
+use crate::mesh::{SectionCell, distance, polygon_area};
 use crate::section::Section;
 
 /// Pieces in which a curved side is drawn.
@@ -13,9 +13,6 @@ const PIECES: usize = 8;
 /// Deviation of a middle node from the chord, relative to its length, below which
 /// a side is drawn straight.
 const STRAIGHT: f64 = 1e-4;
-
-/// Walls thinner than this cannot be seen: they are drawn as wide [figure pixels].
-pub(super) const THINNEST: f64 = 5.0;
 
 /// What lies on the two sides of a side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,7 +49,7 @@ pub(super) fn sides_by(cells: &[SectionCell], part: impl Fn(usize) -> usize) -> 
     let mut sides: Vec<Side> = Vec::new();
     let mut known: HashMap<[u32; 2], usize> = HashMap::new();
     for (index, cell) in cells.iter().enumerate() {
-        for (local, (ends, middle)) in cell_sides(cell).enumerate() {
+        for (local, (ends, middle)) in cell.kind.sides(cell.nodes()).enumerate() {
             let key = [ends[0].min(ends[1]), ends[0].max(ends[1])];
             if let Some(&side) = known.get(&key) {
                 let side = &mut sides[side];
@@ -77,15 +74,6 @@ pub(super) fn sides_by(cells: &[SectionCell], part: impl Fn(usize) -> usize) -> 
     sides
 }
 
-/// Ends and middle of each side of a cell, counterclockwise.
-fn cell_sides(cell: &SectionCell) -> impl Iterator<Item = ([u32; 2], Option<u32>)> + '_ {
-    let node = |local: usize| cell.nodes()[local];
-    (0..cell.kind.corner_count()).map(move |side| {
-        let (first, second, middle) = cell.kind.side(side);
-        ([node(first), node(second)], middle.map(node))
-    })
-}
-
 /// The points of a side, where `place` puts the nodes: two for a straight one.
 pub(super) fn side_points(
     ends: [u32; 2],
@@ -96,8 +84,8 @@ pub(super) fn side_points(
     let Some(m) = middle.map(place) else {
         return vec![a, b];
     };
-    let off = (m[0] - 0.5 * (a[0] + b[0])).hypot(m[1] - 0.5 * (a[1] + b[1]));
-    if off <= STRAIGHT * (b[0] - a[0]).hypot(b[1] - a[1]) {
+    let mean = [0, 1].map(|axis| 0.5 * (a[axis] + b[axis]));
+    if distance(m, mean) <= STRAIGHT * distance(a, b) {
         return vec![a, b];
     }
     let point = |piece: usize| {
@@ -110,7 +98,7 @@ pub(super) fn side_points(
 /// The corners of the polygon that a cell is drawn as.
 pub(super) fn cell_points(cell: &SectionCell, place: &impl Fn(u32) -> [f64; 2]) -> Vec<[f64; 2]> {
     let mut points = Vec::new();
-    for (ends, middle) in cell_sides(cell) {
+    for (ends, middle) in cell.kind.sides(cell.nodes()) {
         points.extend(side_points(ends, middle, place));
         // the last point of a side is the first of the next
         points.pop();
@@ -129,7 +117,7 @@ pub(super) fn widths(section: &Section, sides: &[Side]) -> (f64, f64) {
     let (mut area, mut width) = (0.0, 0.0);
     for cell in &section.mesh.cells {
         let mut points = cell_points(cell, &place);
-        let cell_area = polygon_area(&points);
+        let cell_area = polygon_area(points.iter().copied());
         points.push(points[0]);
         area += cell_area;
         width += 4.0 * cell_area / length(&points);
@@ -140,22 +128,10 @@ pub(super) fn widths(section: &Section, sides: &[Side]) -> (f64, f64) {
     )
 }
 
-fn length(points: &[[f64; 2]]) -> f64 {
+/// Length of a line through these points.
+pub(super) fn length(points: &[[f64; 2]]) -> f64 {
     let pieces = points.windows(2);
-    pieces
-        .map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]))
-        .sum()
-}
-
-/// Area of a polygon by its corners.
-pub(super) fn polygon_area(points: &[[f64; 2]]) -> f64 {
-    let next = points.iter().cycle().skip(1);
-    let doubled: f64 = points
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a[0] * b[1] - b[0] * a[1])
-        .sum();
-    0.5 * doubled.abs()
+    pieces.map(|pair| distance(pair[0], pair[1])).sum()
 }
 
 #[cfg(test)]

@@ -96,8 +96,8 @@ impl ResultWriter {
         }
     }
 
-    /// Ends a run that adds to the results or did not reach its goal, without a record; gives all
-    /// files written. Results of an earlier run are removed.
+    /// Ends a run that adds to the results or did not reach its goal, without a record;
+    /// gives all files written. Results of the run that it replaces are removed.
     pub fn abandon(self) -> Vec<PathBuf> {
         self.remove_earlier();
         self.written

@@ -107,7 +107,7 @@ pub(super) fn recovery(
         }
     }
     let cells = mesh.cells.iter().map(|cell| {
-        let centroid = mean_place(mesh, cell);
+        let centroid = mesh.middle(cell);
         CellState {
             centroid,
             tensors: tensors(cell.group, centroid),
@@ -126,15 +126,4 @@ pub(super) fn recovery(
         resultant: force,
         resultant_error: 0.0,
     }
-}
-
-fn mean_place(mesh: &SectionMesh, cell: &SectionCell) -> [f64; 2] {
-    let corners = &cell.nodes()[..cell.kind.corner_count()];
-    [0, 1].map(|axis| {
-        let sum: f64 = corners
-            .iter()
-            .map(|&node| mesh.nodes[node as usize][axis])
-            .sum();
-        sum / corners.len() as f64
-    })
 }

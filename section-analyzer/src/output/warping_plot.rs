@@ -7,7 +7,8 @@ use shared_geom::figure::{Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, W
 use shared_geom::mesh::CellKind;
 use shared_geom::wrench::COMPONENTS;
 
-use super::outline::{Side, SideRole, THINNEST, side_points, sides, widths};
+use super::figure_parts::{THINNEST, draw_color_bar, draw_title, fill_cell};
+use super::outline::{Side, SideRole, side_points, sides, widths};
 use super::plane::{Extent, INK, Plane};
 use crate::mesh::SectionCell;
 use crate::section::Section;
@@ -137,23 +138,15 @@ impl<'a> WarpingPlot<'a> {
         panel: &Panel<'_>,
         cell: &SectionCell,
     ) -> Result<(), FigureProblem> {
-        let nodes = cell
-            .nodes()
-            .iter()
-            .map(|&node| self.section.mesh.nodes[node as usize]);
-        let length = Extent::of(nodes).largest() * panel.plane.scale;
+        let length = Extent::of(self.section.mesh.places(cell)).largest() * panel.plane.scale;
         let pieces = ((length / PIECE).ceil() as usize).clamp(1, PIECES);
         let thin = self.wall * panel.plane.scale < THINNEST;
         for corners in reference_pieces(cell.kind, pieces) {
             let points: Vec<_> = corners.iter().map(|at| self.at(panel, cell, *at)).collect();
             let mean = points.iter().map(|point| point.1).sum::<f64>() / points.len() as f64;
             let color = diverging(panel.relative(mean));
-            let mut places: Vec<_> = points.iter().map(|point| point.0).collect();
-            canvas.polygon(&places, color)?;
-            if thin {
-                places.push(places[0]);
-                canvas.line(&places, THINNEST, color)?;
-            }
+            let places = points.iter().map(|point| point.0).collect();
+            fill_cell(canvas, places, color, thin)?;
         }
         Ok(())
     }
@@ -204,24 +197,11 @@ impl<'a> WarpingPlot<'a> {
     }
 
     fn draw_bar<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        const STEPS: u32 = 256;
         let (width, height) = canvas.size();
         let (left, right) = (0.3 * width, 0.7 * width);
         let (top, bottom) = (height - BAR + 30.0, height - BAR + 66.0);
-        let step = (right - left) / f64::from(STEPS);
-        for k in 0..STEPS {
-            let (a, b) = (left + f64::from(k) * step, left + f64::from(k + 1) * step);
-            let color = diverging((2.0 * f64::from(k) + 1.0) / f64::from(STEPS) - 1.0);
-            canvas.polygon(&[[a, top], [b, top], [b, bottom], [a, bottom]], color)?;
-        }
-        let frame = [
-            [left, top],
-            [right, top],
-            [right, bottom],
-            [left, bottom],
-            [left, top],
-        ];
-        canvas.line(&frame, 2.0, INK)?;
+        let color = |part: f64| diverging(2.0 * part - 1.0);
+        draw_color_bar(canvas, [left, top], [right, bottom], color)?;
         let label = Label::new(0.88 * TEXT)
             .colored(INK)
             .anchored(Anchor::Middle);
@@ -245,11 +225,12 @@ impl<'a> WarpingPlot<'a> {
 
 impl Drawing for WarpingPlot<'_> {
     fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let label = Label::new(1.1 * TEXT).bold();
-        let what = ": warping per unit internal force";
-        let room = f64::from(WIDTH) - 2.0 * EDGE - canvas.text_width(what, 1.2 * label.size);
-        let title = canvas.shortened(&self.section.name, label, room) + what;
-        canvas.text(&title, [EDGE, 45.0], label)?;
+        let title = [
+            self.section.name.as_str(),
+            ": warping per unit internal force",
+        ];
+        let room = f64::from(WIDTH) - 2.0 * EDGE;
+        draw_title(canvas, title, 1.1 * TEXT, [EDGE, 45.0], room)?;
         for component in 0..COMPONENTS.len() {
             self.draw_panel(canvas, component)?;
         }
@@ -343,6 +324,7 @@ fn reference_pieces(kind: CellKind, n: usize) -> Vec<Vec<[f64; 2]>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::polygon_area;
 
     /// The pieces of a reference cell have its area: 1/2 and 4.
     #[test]
@@ -352,7 +334,7 @@ mod tests {
                 let pieces = reference_pieces(kind, n);
                 let area: f64 = pieces
                     .iter()
-                    .map(|p| super::super::outline::polygon_area(p))
+                    .map(|corners| polygon_area(corners.iter().copied()))
                     .sum();
                 let expected = if kind.corner_count() == 3 { 0.5 } else { 4.0 };
                 assert!((area - expected).abs() < 1e-12, "{kind:?} {n} {area}");

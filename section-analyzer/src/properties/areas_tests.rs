@@ -23,14 +23,9 @@ fn section(mesh: &Mesh, is_second: impl Fn([f64; 2]) -> bool) -> Section {
         density,
     };
     mesh.groups = vec!["first".into(), "second".into()];
-    let nodes = mesh.nodes.clone();
-    for cell in &mut mesh.cells {
-        let corners = &cell.nodes()[..cell.kind.corner_count()];
-        let mean = |axis: usize| {
-            let places = corners.iter().map(|&node| nodes[node as usize][axis]);
-            places.sum::<f64>() / corners.len() as f64
-        };
-        cell.group = usize::from(is_second([mean(0), mean(1)]));
+    let middles: Vec<_> = mesh.cells.iter().map(|cell| mesh.middle(cell)).collect();
+    for (cell, middle) in mesh.cells.iter_mut().zip(middles) {
+        cell.group = usize::from(is_second(middle));
     }
     let cells = mesh.cells.iter().map(|cell| CellMaterial {
         material: cell.group,

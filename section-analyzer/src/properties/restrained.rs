@@ -175,8 +175,7 @@ fn integral(
     let mesh = &section.mesh;
     let mut sum = 0.0;
     for (index, cell) in mesh.cells.iter().enumerate() {
-        let places = cell.nodes().iter().map(|&node| mesh.nodes[node as usize]);
-        let places: Vec<_> = places.collect();
+        let places: Vec<_> = mesh.places(cell).collect();
         let of_cell = cell_points(cell.kind, &places).map(|point| {
             let at = Point {
                 place: [point.y, point.z],

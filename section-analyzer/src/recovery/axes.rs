@@ -9,8 +9,7 @@
 
 use nalgebra::{Matrix3, Vector6};
 
-/// Tensor index pairs of the order 11 22 33 23 13 12.
-const ORDER: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+use crate::material::MATERIAL_ORDER;
 
 /// Stress, order 11 22 33 23 13 12, in the axes that are the columns of `q`.
 pub(super) fn stress_in_axes(q: &Matrix3<f64>, stress: &Vector6<f64>) -> Vector6<f64> {
@@ -26,7 +25,7 @@ pub(super) fn strain_in_axes(q: &Matrix3<f64>, strain: &Vector6<f64>) -> Vector6
 /// The 3x3 tensor of six components, where `shear` of the last three stand twice.
 pub(super) fn tensor(components: &Vector6<f64>, shear: f64) -> Matrix3<f64> {
     let mut tensor = Matrix3::zeros();
-    for (&(i, j), value) in ORDER.iter().zip(components.iter()) {
+    for (&(i, j), value) in MATERIAL_ORDER.iter().zip(components.iter()) {
         let value = if i == j { *value } else { shear * value };
         tensor[(i, j)] = value;
         tensor[(j, i)] = value;
@@ -37,7 +36,7 @@ pub(super) fn tensor(components: &Vector6<f64>, shear: f64) -> Matrix3<f64> {
 fn turned(q: &Matrix3<f64>, components: &Vector6<f64>, shear: f64) -> Vector6<f64> {
     let tensor = q.transpose() * tensor(components, shear) * q;
     Vector6::from_fn(|row, _| {
-        let (i, j) = ORDER[row];
+        let (i, j) = MATERIAL_ORDER[row];
         let value = tensor[(i, j)];
         if i == j { value } else { value / shear }
     })

@@ -1,7 +1,7 @@
 //! The cell that holds a place.
 
 use crate::element::CellPoint;
-use crate::mesh::{SectionCell, SectionMesh};
+use crate::mesh::SectionMesh;
 use shared_geom::mesh::CellKind;
 
 /// How far outside the reference cell a place still counts as inside: round-off of
@@ -28,7 +28,7 @@ pub(super) struct Located {
 /// The cell that holds `place` (y, z); of several, on a common side, the first.
 pub(super) fn locate(mesh: &SectionMesh, place: [f64; 2]) -> Option<Located> {
     mesh.cells.iter().enumerate().find_map(|(index, cell)| {
-        let nodes = nodes_of(mesh, cell);
+        let nodes: Vec<_> = mesh.places(cell).collect();
         if !near_box(&nodes, place) {
             return None;
         }
@@ -36,11 +36,6 @@ pub(super) fn locate(mesh: &SectionMesh, place: [f64; 2]) -> Option<Located> {
         let cell = index;
         (outside(mesh.cells[index].kind, r, s) <= MARGIN).then_some(Located { cell, r, s })
     })
-}
-
-fn nodes_of(mesh: &SectionMesh, cell: &SectionCell) -> Vec<[f64; 2]> {
-    let nodes = cell.nodes().iter();
-    nodes.map(|&node| mesh.nodes[node as usize]).collect()
 }
 
 fn near_box(nodes: &[[f64; 2]], place: [f64; 2]) -> bool {
@@ -109,8 +104,13 @@ mod tests {
             let mesh = coupled_rectangle(kind).mesh;
             for (index, cell) in mesh.cells.iter().enumerate() {
                 for point in kind.rule() {
-                    let at =
-                        CellPoint::at(kind, &nodes_of(&mesh, cell), point.r, point.s, point.weight);
+                    let at = CellPoint::at(
+                        kind,
+                        &mesh.places(cell).collect::<Vec<_>>(),
+                        point.r,
+                        point.s,
+                        point.weight,
+                    );
                     let found = locate(&mesh, [at.y, at.z]).unwrap();
                     assert_eq!(found.cell, index);
                     assert!((found.r - point.r).abs() < 1e-11, "{kind:?}");

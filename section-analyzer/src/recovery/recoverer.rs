@@ -193,12 +193,10 @@ impl<'a> Recoverer<'a> {
     /// Places of the nodes of a cell from the centroid.
     fn places(&self, cell: usize) -> Vec<[f64; 2]> {
         let mesh = &self.section.mesh;
-        let nodes = mesh.cells[cell].nodes().iter();
-        let place = |&node: &u32| {
-            let [y, z] = mesh.nodes[node as usize];
-            [y - self.center[0], z - self.center[1]]
-        };
-        nodes.map(place).collect()
+        let places = mesh.places(&mesh.cells[cell]);
+        places
+            .map(|[y, z]| [y - self.center[0], z - self.center[1]])
+            .collect()
     }
 
     fn grid(&self, cell: usize) -> CellGrid {

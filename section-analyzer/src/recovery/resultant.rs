@@ -53,10 +53,8 @@ pub(super) fn centroid_and_size(section: &Section) -> ([f64; 2], f64) {
     let base = mesh.nodes[first.nodes()[0] as usize];
     let (mut area, mut moment) = (0.0, [0.0; 2]);
     for cell in &mesh.cells {
-        let nodes: Vec<[f64; 2]> = cell
-            .nodes()
-            .iter()
-            .map(|&node| mesh.nodes[node as usize])
+        let nodes: Vec<[f64; 2]> = mesh
+            .places(cell)
             .map(|[y, z]| [y - base[0], z - base[1]])
             .collect();
         for point in cell_points(cell.kind, &nodes) {

@@ -20,6 +20,36 @@ pub(crate) const PLY: EngineeringConstants = EngineeringConstants {
     nu23: 0.35,
 };
 
+/// A carbon ply with three different axes [Pa, -].
+pub(crate) const CARBON: EngineeringConstants = EngineeringConstants {
+    e1: 142e9,
+    e2: 9.8e9,
+    e3: 11.2e9,
+    g12: 6.0e9,
+    g13: 5.5e9,
+    g23: 4.8e9,
+    nu12: 0.3,
+    nu13: 0.34,
+    nu23: 0.42,
+};
+
+/// Numbers in [-1, 1] from a fixed linear congruential sequence (Knuth's MMIX).
+pub(crate) struct Random(pub u64);
+
+impl Random {
+    pub fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    pub fn point(&mut self) -> [f64; 2] {
+        [self.next(), self.next()]
+    }
+}
+
 /// A rectangle whose cells are plies of many directions: no coupling is zero.
 pub(crate) fn coupled_rectangle(kind: CellKind) -> Section {
     let mesh = Rectangle {

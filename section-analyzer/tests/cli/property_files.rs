@@ -38,6 +38,16 @@ fn good(place: &Workplace, arguments: &[&str]) -> Run {
     run
 }
 
+/// Shifts the first file into the second.
+fn shift(place: &Workplace, [from, out]: [&str; 2], to: &str) -> Run {
+    good(place, &["shift", from, "--to", to, "--out", out])
+}
+
+/// Rotates the first file into the second.
+fn rotate(place: &Workplace, [from, out]: [&str; 2], angle: &str) -> Run {
+    good(place, &["rotate", from, "--angle", angle, "--out", out])
+}
+
 /// Largest difference of two matrices, relative to sqrt(Aii Ajj).
 fn relative(a: &Matrix6<f64>, b: &Matrix6<f64>) -> f64 {
     let root = a.diagonal().map(f64::sqrt);
@@ -73,28 +83,8 @@ fn same(place: &Workplace, a: &str, b: &str, tolerance: f64) {
 #[test]
 fn shift_and_back_is_where_it_began() {
     let place = coupled();
-    good(
-        &place,
-        &[
-            "shift",
-            "a.json",
-            "--to",
-            "0.7 mm, -4e-4",
-            "--out",
-            "b.json",
-        ],
-    );
-    good(
-        &place,
-        &[
-            "shift",
-            "b.json",
-            "--to",
-            "-0.7 mm,0.4 mm",
-            "--out",
-            "c.json",
-        ],
-    );
+    shift(&place, ["a.json", "b.json"], "0.7 mm, -4e-4");
+    shift(&place, ["b.json", "c.json"], "-0.7 mm,0.4 mm");
     same(&place, "a.json", "c.json", 1e-14);
     let (a, b) = (properties(&place, "a.json"), properties(&place, "b.json"));
     assert!(relative(&a.stiffness, &b.stiffness) > 0.1);
@@ -104,14 +94,8 @@ fn shift_and_back_is_where_it_began() {
 #[test]
 fn rotate_and_back_is_where_it_began() {
     let place = coupled();
-    good(
-        &place,
-        &["rotate", "a.json", "--angle", "40 deg", "--out", "b.json"],
-    );
-    good(
-        &place,
-        &["rotate", "b.json", "--angle", "-40 deg", "--out", "c.json"],
-    );
+    rotate(&place, ["a.json", "b.json"], "40 deg");
+    rotate(&place, ["b.json", "c.json"], "-40 deg");
     same(&place, "a.json", "c.json", 1e-14);
     let (a, b) = (properties(&place, "a.json"), properties(&place, "b.json"));
     assert!(relative(&a.stiffness, &b.stiffness) > 0.1);
@@ -125,17 +109,7 @@ fn rotate_and_back_is_where_it_began() {
 #[test]
 fn a_shifted_file_is_that_of_the_moved_mesh() {
     let place = coupled();
-    good(
-        &place,
-        &[
-            "shift",
-            "a.json",
-            "--to",
-            "-0.7 mm, 0.4 mm",
-            "--out",
-            "b.json",
-        ],
-    );
+    shift(&place, ["a.json", "b.json"], "-0.7 mm, 0.4 mm");
     let mut mesh = place.read("two.msh");
     for (tag, y, z) in [
         (1, 0, 0),
@@ -173,14 +147,8 @@ fn a_shifted_file_is_that_of_the_moved_mesh() {
 #[test]
 fn provenance_keeps_the_source_and_says_what_was_done() {
     let place = coupled();
-    good(
-        &place,
-        &["shift", "a.json", "--to", "25 mm, 0", "--out", "b.json"],
-    );
-    good(
-        &place,
-        &["rotate", "b.json", "--angle", "0.5 rad", "--out", "c.json"],
-    );
+    shift(&place, ["a.json", "b.json"], "25 mm, 0");
+    rotate(&place, ["b.json", "c.json"], "0.5 rad");
     let (a, c) = (properties(&place, "a.json"), properties(&place, "c.json"));
     assert_eq!(c.provenance.input_hash, a.provenance.input_hash);
     assert!(a.provenance.history.is_empty());
@@ -218,10 +186,7 @@ fn provenance_keeps_the_source_and_says_what_was_done() {
 fn the_reference_point_moves_to_a_center() {
     let place = coupled();
     for center in ["tension-center", "shear-center", "mass-center"] {
-        good(
-            &place,
-            &["shift", "a.json", "--to", center, "--out", "b.json"],
-        );
+        shift(&place, ["a.json", "b.json"], center);
         let b = properties(&place, "b.json");
         let point = match center {
             "tension-center" => b.centers.tension,
@@ -239,10 +204,7 @@ fn the_reference_point_moves_to_a_center() {
 #[test]
 fn the_axes_turn_to_principal_ones() {
     let place = coupled();
-    good(
-        &place,
-        &["rotate", "a.json", "--angle", "25 deg", "--out", "t.json"],
-    );
+    rotate(&place, ["a.json", "t.json"], "25 deg");
     good(
         &place,
         &[
@@ -258,10 +220,7 @@ fn the_axes_turn_to_principal_ones() {
     assert_eq!(b.principal_axes.bending_angle, 0.0);
     let c = b.stiffness.try_inverse().unwrap();
     assert!(c[(4, 5)].abs() < 1e-10 * (c[(4, 4)] * c[(5, 5)]).sqrt());
-    good(
-        &place,
-        &["shift", "t.json", "--to", "mass-center", "--out", "m.json"],
-    );
+    shift(&place, ["t.json", "m.json"], "mass-center");
     good(
         &place,
         &[

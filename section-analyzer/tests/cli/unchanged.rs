@@ -151,3 +151,21 @@ fn files_that_are_no_longer_written_go() {
     assert!(!place.path("results/a.old.csv").exists());
     assert!(place.path("results/a.notes.csv").exists());
 }
+
+/// Without the record of the run before, as after one that broke off, nothing tells
+/// which files it wrote.
+#[test]
+fn constants_go_with_the_isotropic_material_also_without_a_record() {
+    let place = Workplace::with(&[], &[]);
+    analyze(&place, &[]);
+    let constants = place.path("results/a.constants.csv");
+    assert!(constants.exists());
+    std::fs::remove_file(place.path("results/a.analysis.json")).unwrap();
+    let plies = "e1 = 40\ne2 = 9\ne3 = 9\ng12 = 4\ng13 = 4\ng23 = 3\n\
+                 nu12 = 0.3\nnu13 = 0.3\nnu23 = 0.4";
+    let text = place.read("a.section.toml");
+    let text = text.replace("young = 210\npoisson = 0.3", plies);
+    place.write("a.section.toml", &text);
+    analyze(&place, &[]);
+    assert!(!constants.exists());
+}

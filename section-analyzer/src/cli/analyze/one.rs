@@ -213,7 +213,10 @@ fn write_tables(
     results.text(files.areas(), &areas_csv(&input.summary.areas))?;
     match restrained {
         Some(constants) => results.text(files.constants(), &constants_csv(constants)),
-        None => Ok(()),
+        None => {
+            files.remove_constants();
+            Ok(())
+        }
     }
 }
 

@@ -213,9 +213,7 @@ fn cells_close_the_surface() {
         let mut corners: HashSet<u32> = HashSet::new();
         for cell in &mesh.cells {
             corners.extend(cell.corners());
-            for side in 0..cell.kind.corner_count() {
-                let (a, b, _) = cell.kind.side(side);
-                let mut key = [cell.nodes()[a], cell.nodes()[b]];
+            for (mut key, _) in cell.kind.sides(cell.nodes()) {
                 key.sort_unstable();
                 *sides.entry(key).or_default() += 1;
             }

@@ -11,8 +11,7 @@
 use shared_geom::mesh::CellKind;
 
 use super::super::jacobian::Jacobian;
-use super::super::plane::distance;
-use super::super::section_mesh::{SectionCell, SectionMesh};
+use super::super::plane::{distance, polygon_area};
 
 /// The values of a cell with nodes at `places`, counterclockwise, in the order of
 /// [`super::ShapeMeasure::ALL`].
@@ -30,7 +29,7 @@ pub(super) fn values_of(jacobian: &Jacobian, kind: CellKind, places: &[[f64; 2]]
     };
     [
         least / largest,
-        ratio * longest * longest / area(corners).abs(),
+        ratio * longest * longest / polygon_area(corners.iter().copied()).abs(),
         smallest_angle,
         largest_angle,
         middle_offset(kind, places),
@@ -71,24 +70,4 @@ fn middle_offset(kind: CellKind, places: &[[f64; 2]]) -> f64 {
         }
     }
     largest
-}
-
-/// Area of a polygon, positive counterclockwise.
-fn area(corners: &[[f64; 2]]) -> f64 {
-    let origin = corners[0];
-    let from_origin = |p: [f64; 2]| [p[0] - origin[0], p[1] - origin[1]];
-    let triangles = corners.windows(2).skip(1).map(|pair| {
-        let [p, q] = [pair[0], pair[1]].map(from_origin);
-        0.5 * (p[0] * q[1] - p[1] * q[0])
-    });
-    triangles.sum()
-}
-
-/// Mean of the corners of a cell \[m\].
-pub(super) fn middle(mesh: &SectionMesh, cell: &SectionCell) -> [f64; 2] {
-    let corners = &cell.nodes()[..cell.kind.corner_count()];
-    [0, 1].map(|axis| {
-        let places = corners.iter().map(|&node| mesh.nodes[node as usize][axis]);
-        places.sum::<f64>() / corners.len() as f64
-    })
 }

@@ -7,6 +7,7 @@ use plotters::style::{BLACK, WHITE};
 use shared_geom::figure::{Canvas, FigureProblem};
 
 use super::surface::Sample;
+use crate::mesh::distance;
 
 /// Distance of the arrows [figure pixels].
 const SPACING: f64 = 64.0;
@@ -168,10 +169,6 @@ impl<T> BySquare<T> {
         squares.sort_by_key(|(square, _)| *square);
         squares.into_iter().flat_map(|(_, values)| values).collect()
     }
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
 /// An arrow around `middle`, black with a white rim.

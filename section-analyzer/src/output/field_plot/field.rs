@@ -88,13 +88,12 @@ impl Field {
     /// The node, or the middle of the corners for a cell of one value.
     fn place(&self, section: &Section, cell: usize, local: usize) -> [f64; 2] {
         let values = &self.values[cell];
-        let cell = &section.mesh.cells[cell];
-        let node = |local: usize| section.mesh.nodes[cell.nodes()[local] as usize];
-        if values.iter().any(|value| *value != values[0]) {
-            return node(local);
+        let mesh = &section.mesh;
+        let cell = &mesh.cells[cell];
+        match values.iter().any(|value| *value != values[0]) {
+            true => mesh.nodes[cell.nodes()[local] as usize],
+            false => mesh.middle(cell),
         }
-        let corners = cell.kind.corner_count();
-        [0, 1].map(|axis| (0..corners).map(|local| node(local)[axis]).sum::<f64>() / corners as f64)
     }
 }
 

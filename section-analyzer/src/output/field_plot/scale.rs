@@ -3,11 +3,11 @@
 use plotters::backend::DrawingBackend;
 use plotters::style::RGBColor;
 use shared_geom::figure::{
-    Anchor, Canvas, FigureProblem, Label, TEXT, Ticks, ValueTriangle, diverging, sequential,
-    tick_label,
+    Anchor, Canvas, FigureProblem, Label, TEXT, Ticks, diverging, sequential, tick_label,
 };
 
 use super::field::Quantity;
+use crate::output::figure_parts::draw_color_bar;
 use crate::output::plane::INK;
 
 /// Color of a field that is zero.
@@ -134,15 +134,8 @@ impl Scale {
             return Ok(());
         }
         let bottom = top + HEIGHT;
-        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
-        let values = [self.low, self.high, self.high, self.low];
-        let half = |[a, b, c]: [usize; 3]| ValueTriangle {
-            corners: [corners[a], corners[b], corners[c]],
-            values: [values[a], values[b], values[c]],
-        };
-        canvas.shade(&[half([0, 1, 2]), half([0, 2, 3])], |v| self.color(v))?;
-        let frame: Vec<_> = corners.iter().cycle().take(5).copied().collect();
-        canvas.line(&frame, 2.0, INK)?;
+        let color = |part: f64| self.color(self.low + part * (self.high - self.low));
+        draw_color_bar(canvas, [left, top], [right, bottom], color)?;
 
         let label = Label::new(0.88 * TEXT)
             .colored(INK)

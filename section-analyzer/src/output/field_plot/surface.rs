@@ -8,7 +8,8 @@ use shared_geom::mesh::CellKind;
 
 use super::arrows::grid_point;
 use super::field::Field;
-use crate::output::outline::{Side, SideRole, cell_points, polygon_area, side_points};
+use crate::mesh::polygon_area;
+use crate::output::outline::{Side, SideRole, cell_points, length, side_points};
 use crate::output::plane::Plane;
 use crate::section::Section;
 
@@ -74,8 +75,8 @@ impl Surface {
         let mut surface = Self::default();
         for (index, cell) in section.mesh.cells.iter().enumerate() {
             let mut places = [[0.0; 2]; 9];
-            for (place, &node) in places.iter_mut().zip(cell.nodes()) {
-                *place = plane.place(section.mesh.nodes[node as usize]);
+            for (place, of_node) in places.iter_mut().zip(section.mesh.places(cell)) {
+                *place = plane.place(of_node);
             }
             let count = pieces(cell.kind, &places[..cell.kind.node_count()]);
             let pattern = patterns
@@ -182,7 +183,7 @@ pub(super) fn region_widths(section: &Section, sides: &[Side]) -> Vec<f64> {
     let place = |node: u32| mesh.nodes[node as usize];
     let mut area = vec![0.0; mesh.groups.len()];
     for cell in &mesh.cells {
-        area[cell.group] += polygon_area(&cell_points(cell, &place));
+        area[cell.group] += polygon_area(cell_points(cell, &place));
     }
     let mut border = vec![0.0; mesh.groups.len()];
     for side in sides
@@ -190,12 +191,8 @@ pub(super) fn region_widths(section: &Section, sides: &[Side]) -> Vec<f64> {
         .filter(|side| !matches!(side.role, SideRole::Inner(_)))
     {
         let points = side_points(side.ends, side.middle, &place);
-        let length: f64 = points
-            .windows(2)
-            .map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]))
-            .sum();
         for cell in [Some(side.cell), side.other].into_iter().flatten() {
-            border[mesh.cells[cell].group] += length;
+            border[mesh.cells[cell].group] += length(&points);
         }
     }
     let width = |(area, border): (&f64, &f64)| 2.0 * area / border;
@@ -218,7 +215,7 @@ mod tests {
                 let area: f64 = pattern
                     .triangles
                     .iter()
-                    .map(|corners| polygon_area(&corners.map(|corner| places[corner])))
+                    .map(|corners| polygon_area(corners.map(|corner| places[corner])))
                     .sum();
                 let expected = if kind.corner_count() == 3 { 0.5 } else { 4.0 };
                 assert!((area - expected).abs() < 1e-12, "{kind:?} {count} {area}");
