@@ -5,8 +5,8 @@
 //! cargo run --example validation
 //! ```
 //!
-//! The records of a test that was renamed or removed stay until `validation` in the
-//! build folder is removed.
+//! A record counts if its test stands in the source of its suite and ran after the last
+//! change of it; all others are left from earlier builds and are passed over.
 //!
 //! With `-- --check` it writes nothing, and fails when a page lacks a comparison that
 //! was recorded, shows one that was not, or shows another expected value or tolerance.
@@ -21,6 +21,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use serde::Deserialize;
 
@@ -124,24 +125,52 @@ fn magnitude(error: f64) -> String {
     format!("< 1e{exponent:.0}")
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Makes or checks all pages.
+fn run() -> Result<(), Box<dyn Error>> {
     let only_check = std::env::args()
         .skip(1)
         .any(|argument| argument == "--check");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     for (suite, title, opening) in PAGES {
-        let rows = read(&records()?.join(suite))?;
+        let rows = read(&records()?.join(suite), &root.join("tests").join(suite))?;
         let page = root.join(format!("docs/src/validation-{suite}.md"));
         let text = text(suite, title, opening, &rows);
         if !only_check {
             std::fs::write(&page, &text)?;
         } else if lasting(&std::fs::read_to_string(&page)?) != lasting(&text) {
-            let advice = "is not that of the tests: run cargo run --example validation";
-            return Err(format!("{} {advice}", page.display()).into());
+            return Err(outdated(&page, &text)?.into());
         }
         println!("{}: {} rows", page.display(), rows.len());
     }
     Ok(())
+}
+
+/// Says which lines a page lacks, and which it has too many.
+fn outdated(page: &Path, text: &str) -> Result<String, Box<dyn Error>> {
+    let written = std::fs::read_to_string(page)?;
+    let (known, recorded) = (lasting(&written), lasting(text));
+    let mut message = format!("{} is not what the tests recorded\n", page.display());
+    let only = |mark: char, lines: &[Vec<&str>], others: &[Vec<&str>]| {
+        let lines = lines.iter().filter(|line| !others.contains(line));
+        let list: Vec<String> = lines
+            .map(|line| format!("  {mark} {}\n", line.join(" | ")))
+            .collect();
+        list.concat()
+    };
+    message += &only('-', &known, &recorded);
+    message += &only('+', &recorded, &known);
+    message += "help: cargo test, then cargo run --example validation";
+    Ok(message)
 }
 
 /// What a page must say on every machine: all but the columns of what was found and
@@ -167,8 +196,24 @@ fn records() -> Result<PathBuf, Box<dyn Error>> {
     Ok(build.join("validation"))
 }
 
+/// Whether the test of a record, `<module>.<test>.csv`, stands in the source of its
+/// suite and ran after the last change of it.
+fn is_current(record: &Path, source: &Path) -> Result<bool, Box<dyn Error>> {
+    let name = record.file_stem().and_then(|name| name.to_str());
+    let Some((module, test)) = name.and_then(|name| name.rsplit_once('.')) else {
+        return Ok(false);
+    };
+    let file = source.join(format!("{}.rs", module.replace('.', "/")));
+    let Ok(text) = std::fs::read_to_string(&file) else {
+        return Ok(false);
+    };
+    let ran = std::fs::metadata(record)?.modified()?;
+    let changed = std::fs::metadata(&file)?.modified()?;
+    Ok(text.contains(&format!("fn {test}(")) && ran >= changed)
+}
+
 /// All rows of a suite: tests in the order of their names, rows as recorded.
-fn read(folder: &Path) -> Result<Vec<Row>, Box<dyn Error>> {
+fn read(folder: &Path, source: &Path) -> Result<Vec<Row>, Box<dyn Error>> {
     let entries = std::fs::read_dir(folder)
         .map_err(|error| format!("{}: {error}; run the tests first", folder.display()))?;
     let files: Result<Vec<_>, _> = entries.map(|entry| entry.map(|e| e.path())).collect();
@@ -176,6 +221,9 @@ fn read(folder: &Path) -> Result<Vec<Row>, Box<dyn Error>> {
     files.sort();
     let mut rows = Vec::new();
     for file in files {
+        if !is_current(&file, source)? {
+            continue;
+        }
         for row in csv::Reader::from_path(file)?.deserialize() {
             merge(&mut rows, row?);
         }

@@ -118,7 +118,7 @@ fn check_orders(
 }
 
 /// The kind of cell in the words of the validation page.
-fn cells_of(kind: CellKind) -> String {
+pub fn cells_of(kind: CellKind) -> String {
     let shape = match kind.corner_count() {
         3 => "triangles",
         _ => "quadrilaterals",

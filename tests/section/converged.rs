@@ -12,9 +12,22 @@ use section_analyzer::section::{CellMaterial, Section};
 use serde_json::Value;
 use shared_geom::mesh::{CellKind, Mesh};
 
+use crate::closed_forms::cells_of;
 use crate::quads::{Quads, graded, joined, steps};
+use crate::record;
 use crate::reference_cases::{material, matrix, number, read_case};
 use crate::sections::{section_mesh, solved};
+
+pub const CONVERGED: &str = "Converged values of an independent program, from other meshes";
+
+/// Records the entry of the stiffness that is nearest to its bound.
+pub fn record_nearest(what: &str, error: &Matrix6<f64>, bound: &Matrix6<f64>) {
+    let ratio = error.component_div(bound);
+    // round-off does not choose between entries that symmetry makes equal
+    let nearest = ratio.iter().position(|&r| r >= 0.99 * ratio.max());
+    let nearest = nearest.expect("a largest entry");
+    record::largest(CONVERGED, what, "stiffness", error[nearest], bound[nearest]);
+}
 
 /// What the cells of a mesh are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +40,14 @@ enum Cells {
 const ALL: [Cells; 3] = [Cells::Eight, Cells::Nine, Cells::Mixed];
 
 impl Cells {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Eight => "8-node quadrilaterals",
+            Self::Nine => "9-node quadrilaterals",
+            Self::Mixed => "mixed cells",
+        }
+    }
+
     fn kind(self, index: usize) -> CellKind {
         let mixed = [
             CellKind::Triangle6,
@@ -70,7 +91,12 @@ fn check(name: &str, shape: &Quads, tag: impl Fn(usize) -> usize, tolerance: f64
     for cells in ALL {
         let mesh = shape.mesh(|index| cells.kind(index));
         let section = section(&case, &mesh, &tag);
-        check_stiffness(&format!("{name}, {cells:?}"), &section, &case, tolerance);
+        check_stiffness(
+            &format!("{name}, {}", cells.name()),
+            &section,
+            &case,
+            tolerance,
+        );
     }
 }
 
@@ -97,6 +123,8 @@ fn check_stiffness(what: &str, section: &Section, case: &Value, tolerance: f64) 
         error.max(),
         beyond.max()
     );
+    let bound = Matrix6::from_fn(|i, j| scaled(i, j, uncertainty[(i, j)]) + tolerance);
+    record_nearest(what, &error, &bound);
     assert!(
         beyond.max() <= tolerance,
         "{what}: {:.2e} beyond",
@@ -112,6 +140,7 @@ fn check_shear_center(what: &str, section: &Section, case: &Value, found: [f64; 
     for axis in 0..2 {
         let expected = number(&case["converged"]["shear_centre"][axis]);
         let error = (found[axis] - expected).abs() / size;
+        record::largest(CONVERGED, what, "shear center", error, limit);
         assert!(error < limit, "{what}: shear center off by {error:e}");
     }
 }
@@ -241,7 +270,12 @@ fn round_sections() {
         for (name, mesh) in meshes {
             let case = read_case(name);
             let section = section(&case, &mesh.expect("sound measures"), |_| 1);
-            check_stiffness(&format!("{name}, {kind:?}"), &section, &case, SMOOTH);
+            check_stiffness(
+                &format!("{name}, {}", cells_of(kind)),
+                &section,
+                &case,
+                SMOOTH,
+            );
         }
     }
 }

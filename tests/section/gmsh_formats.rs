@@ -15,7 +15,11 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, GroupSet, Mesh};
 
+use crate::record;
+
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/gmsh");
+
+const AREAS: &str = "Exact areas";
 
 const NEW: [&str; 3] = ["41a", "41le", "41be"];
 const OLD: [&str; 3] = ["22a", "22le", "22be"];
@@ -56,7 +60,9 @@ fn measures(mesh: &Mesh, expected_area: f64, expected_kinds: &[(CellKind, usize)
     let (area, kinds) = measured(mesh);
     assert_eq!(kinds, expected_kinds);
     // a sum of a few hundred numbers below one
-    assert!((area - expected_area).abs() < 1e-14, "area {area}");
+    let error = (area - expected_area).abs();
+    record::largest(AREAS, "meshes of gmsh in all formats", "area", error, 1e-14);
+    assert!(error < 1e-14, "area {area}");
 }
 
 /// Area of a plane mesh, and the number of cells of each kind that it has.
@@ -180,7 +186,17 @@ fn parameters_of_nodes_are_passed_over() {
     // a quarter of the unit circle; its nodes are rounded to 2^-10, half of which
     // times the arc bounds the error of the area
     let bound = 0.5 / 1024.0 * std::f64::consts::FRAC_PI_2;
-    assert!((area - std::f64::consts::FRAC_PI_4).abs() < bound, "{area}");
+    let exact = std::f64::consts::FRAC_PI_4;
+    let error = (area - exact).abs();
+    record::value(
+        AREAS,
+        "quarter of a circle",
+        "area",
+        [area, exact],
+        error,
+        bound,
+    );
+    assert!(error < bound, "{area}");
 }
 
 #[test]

@@ -21,6 +21,7 @@ use shared_geom::mesh::CellKind;
 use shared_geom::wrench;
 
 use crate::quads::{Quads, steps};
+use crate::record;
 use crate::sections::{scaled_error, section_mesh, solved};
 
 /// Sections for each property.
@@ -263,6 +264,14 @@ fn check<M: Strategy>(
         }
     });
     println!("{name}: {CASES} sections, at most {:.1e}", worst.get());
+    let case = format!("{CASES} random sections");
+    record::largest(
+        "The program itself, transported",
+        &case,
+        name,
+        worst.get(),
+        limit,
+    );
     outcome.unwrap_or_else(|failure| panic!("{failure}"));
 }
 
@@ -340,7 +349,12 @@ fn transport_error(section: &Section, (phi, d): (f64, [f64; 2])) -> f64 {
 #[test]
 fn moved_and_turned_sections_have_the_transported_matrices() {
     let motion = (-3.0..3.0, [-3.0..3.0, -3.0..3.0]);
-    check("transport", motion, transport_error, TRANSPORT);
+    check(
+        "moved and turned: matrices, centers, areas, warping",
+        motion,
+        transport_error,
+        TRANSPORT,
+    );
 }
 
 /// The indices below `count` in an order that `keys` scramble.
@@ -395,7 +409,12 @@ fn order_error(section: &Section, keys: Vec<u32>) -> f64 {
 
 #[test]
 fn another_order_of_nodes_and_cells_changes_nothing() {
-    check("order", vec(any::<u32>(), 29), order_error, ORDER);
+    check(
+        "renumbered: stiffness and mass",
+        vec(any::<u32>(), 29),
+        order_error,
+        ORDER,
+    );
 }
 
 /// Lengths times l and moduli times e: `K_ij` by `e l^2`, one more l for each moment;
@@ -428,5 +447,10 @@ fn units_error(section: &Section, (length, modulus): (f64, f64)) -> f64 {
 
 #[test]
 fn lengths_and_moduli_enter_as_powers() {
-    check("units", (-4.0..2.0, -3.0..12.0), units_error, UNITS);
+    check(
+        "other units: matrices, warping",
+        (-4.0..2.0, -3.0..12.0),
+        units_error,
+        UNITS,
+    );
 }

@@ -15,10 +15,18 @@ use section_analyzer::section::Section;
 use shared_geom::mesh::{CellKind, Mesh};
 
 use crate::quads::{Quads, graded, joined, steps};
+use crate::record;
 use crate::sections::{isotropic, of_two, relative_error, solved, uniform};
+
+/// Center lines, for the walls of t/h = 1/100 here.
+const THIN_WALLS: &str = "Formulas for thin walls";
+const SERIES: &str = "Saint-Venant's solutions";
 
 const YOUNG: f64 = 70e9;
 const NU: f64 = 0.3;
+
+const VLASOV: &str = "Vlasov's constant";
+const CENTER: &str = "shear-flow center y";
 
 fn constants(section: &Section) -> RestrainedWarping {
     let solution = solved(section);
@@ -103,8 +111,13 @@ fn thin_channel() {
     let center = -3.0 * B * B / (6.0 * B + H);
     let place = found.center;
     println!("channel: {error:.1e}, center {place:?} against {center}");
+    let of_constant = [gamma(&found), expected];
+    record::value(THIN_WALLS, "channel", VLASOV, of_constant, error, 0.01);
     assert!(error < 0.01, "{error:e}");
-    assert!(relative_error(place[0], center) < 0.01, "{place:?}");
+    let error = relative_error(place[0], center);
+    let compared = [place[0], center];
+    record::value(THIN_WALLS, "channel", CENTER, compared, error, 0.01);
+    assert!(error < 0.01, "{place:?}");
     assert!(place[1].abs() < 1e-9, "{place:?}");
     assert!(relative_error(found.stiffness, YOUNG * gamma(&found)) < 1e-14);
 }
@@ -131,9 +144,21 @@ fn thin_channel_of_two_materials() {
     let expected = YOUNG * T * (e * e * H.powi(3) / 12.0 + flanges + corners);
     let error = relative_error(found.stiffness, expected);
     println!("channel of two materials: {error:.1e}");
+    let case = "channel of two materials";
+    let stiffness = [found.stiffness, expected];
+    record::value(
+        THIN_WALLS,
+        case,
+        "warping stiffness",
+        stiffness,
+        error,
+        0.01,
+    );
     assert!(error < 0.01, "{error:e}");
     assert_eq!(found.constant, None);
-    assert!(relative_error(found.center[0], -e) < 0.01);
+    let error = relative_error(found.center[0], -e);
+    record::value(THIN_WALLS, case, CENTER, [found.center[0], -e], error, 0.01);
+    assert!(error < 0.01, "{error:e}");
 }
 
 /// `Gamma = t b^3 h^2 / 24`; the center is that of symmetry.
@@ -150,8 +175,11 @@ fn thin_i_section() {
         24,
     );
     let found = of_mesh(&mesh);
-    let error = relative_error(gamma(&found), T * B.powi(3) * H * H / 24.0);
+    let expected = T * B.powi(3) * H * H / 24.0;
+    let error = relative_error(gamma(&found), expected);
     println!("I: {error:.1e}");
+    let compared = [gamma(&found), expected];
+    record::value(THIN_WALLS, "I", VLASOV, compared, error, 0.01);
     assert!(error < 0.01, "{error:e}");
     assert!(found.center.iter().all(|x| x.abs() < 1e-9), "{found:?}");
 }
@@ -174,6 +202,8 @@ fn thin_z_section() {
     let expected = T * B.powi(3) * H * H / 12.0 * (B + 2.0 * H) / (2.0 * B + H);
     let error = relative_error(gamma(&found), expected);
     println!("Z: {error:.1e}");
+    let compared = [gamma(&found), expected];
+    record::value(THIN_WALLS, "Z", VLASOV, compared, error, 0.01);
     assert!(error < 0.01, "{error:e}");
     assert!(found.center.iter().all(|x| x.abs() < 1e-9), "{found:?}");
 }
@@ -193,8 +223,11 @@ fn thin_angle_warps_through_its_walls_only() {
         24,
     );
     let found = of_mesh(&mesh);
-    let error = relative_error(gamma(&found), T.powi(3) * (a.powi(3) + b.powi(3)) / 36.0);
+    let expected = T.powi(3) * (a.powi(3) + b.powi(3)) / 36.0;
+    let error = relative_error(gamma(&found), expected);
     println!("angle: {error:.1e}, center {:?}", found.center);
+    let compared = [gamma(&found), expected];
+    record::value(THIN_WALLS, "angle", VLASOV, compared, error, 0.01);
     assert!(error < 0.01, "{error:e}");
     assert!(
         found.center.iter().all(|x| x.abs() < T),
@@ -245,6 +278,9 @@ fn rectangles() {
         let error = (gamma(&found) - expected).abs() / strip;
         let thin = relative_error(expected, strip);
         println!("rectangle {ratio}: {error:.1e}, from the thin strip {thin:.1e}");
+        let case = format!("rectangle, width / depth = {ratio}");
+        let compared = [gamma(&found), expected];
+        record::value(SERIES, &case, VLASOV, compared, error, 1e-5);
         assert!(error < 1e-5, "rectangle {ratio}: {error:e}");
         if ratio >= 10.0 {
             assert!(thin < 5.0 / (ratio * ratio));
@@ -271,6 +307,9 @@ fn ellipses() {
         let expected = ((a * a - b * b) / (a * a + b * b)).powi(2) * product;
         let error = (gamma(&found) - expected).abs() / product;
         println!("ellipse {a} x {b}: {error:.1e}");
+        let case = format!("ellipse, semi-axes {a} and {b}");
+        let compared = [gamma(&found), expected];
+        record::value(SERIES, &case, VLASOV, compared, error, 1e-6);
         assert!(error < 1e-6, "ellipse {a} x {b}: {error:e}");
     }
 }
@@ -293,6 +332,14 @@ fn shear_flow_center_is_the_shear_center_of_one_material() {
     let (found, shear) = (constants(&section), solved(&section).centers.shear);
     for axis in 0..2 {
         let error = (found.center[axis] - shear[axis]).abs();
+        let quantity = "shear-flow center at the shear center";
+        record::largest(
+            "Betti's theorem",
+            "channel of unequal flanges",
+            quantity,
+            error,
+            1e-9,
+        );
         assert!(error < 1e-9, "{:?} against {shear:?}", found.center);
     }
     assert!(

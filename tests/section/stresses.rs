@@ -21,8 +21,12 @@ use serde_json::Value;
 use shared_geom::mesh::CellKind;
 use shared_geom::wrench;
 
+use crate::closed_forms::cells_of;
+use crate::record;
 use crate::reference_cases::{number, read_case, read_mesh, section};
 use crate::sections::{isotropic, relative_error, solved, uniform};
+
+const SAINT_VENANT: &str = "Saint-Venant's solutions";
 
 fn load(force: Vector6<f64>) -> LoadCase {
     LoadCase::at_point("load", &force, [0.0; 2])
@@ -79,6 +83,9 @@ fn check(name: &str) {
         let largest = compared.iter().fold(0.0_f64, |l, (_, e)| l.max(e.amax()));
         for (found, expected) in compared {
             let error = (found - expected).amax() / largest;
+            let source = "ANBA4 and a second solver, on the same mesh";
+            let quantity = "stresses under unit loads, both axes, points and cell means";
+            record::largest(source, name, quantity, error, 1e-8);
             assert!(error < 1e-8, "{name}, load {ours}: off by {error:e}");
         }
     }
@@ -117,6 +124,8 @@ fn resultants_are_the_load() {
                 .expect("a recovery");
             let error = recovery.resultant_error;
             println!("{name}, load {component}: {error:.1e}");
+            let source = "Equilibrium of the recovered stresses";
+            record::largest(source, name, "resultants under unit loads", error, 1e-12);
             assert!(error < 1e-12, "{name}, load {component}: {error:e}");
         }
     }
@@ -147,7 +156,10 @@ fn material_axes_turn_with_the_section() {
     let largest = largest.fold(0.0, f64::max);
     for (a, b) in here.points.iter().zip(&there.points) {
         let (a, b) = (&a.tensors, &b.tensors);
-        assert!((a.material_stress - b.material_stress).amax() < 1e-10 * largest);
+        let error = (a.material_stress - b.material_stress).amax() / largest;
+        let source = "The program itself, transported";
+        record::largest(source, "turned", "stresses in material axes", error, 1e-10);
+        assert!(error < 1e-10, "{error:e}");
         assert!((a.stress - b.stress).amax() > 1e-3 * a.stress.amax());
     }
 }
@@ -185,6 +197,8 @@ fn bending_is_exact() {
             let xx = axial / area + my * z / iy - mz * y / iz;
             let exact = Vector6::new(xx, 0.0, 0.0, 0.0, 0.0, 0.0);
             let error = (tensors.stress - exact).amax() / largest;
+            let quantity = "stresses under extension and bending, all cells";
+            record::largest(SAINT_VENANT, "rectangle", quantity, error, 1e-11);
             assert!(error < 1e-11, "{kind:?} {error:e}");
         };
         for point in &recovery.points {
@@ -221,6 +235,8 @@ fn shear_of_a_rectangle_is_the_projected_parabola() {
         let recovery = recoverer.recover(&load).expect("a recovery");
         let near = |found: f64, exact: f64, what: &str| {
             let error = (found - exact).abs() / mean;
+            let quantity = format!("projected parabola of shear stress, {what}");
+            record::largest(SAINT_VENANT, "rectangle", &quantity, error, 1e-11);
             assert!(error < 1e-11, "{kind:?}, {what}: {error:e}");
         };
         for cell in &recovery.cells {
@@ -288,12 +304,31 @@ fn torsion_of_a_square() {
         let errors = found.map(|tau| relative_error(tau, exact));
         for pair in errors.windows(2) {
             let order = (pair[0] / pair[1]).log2();
+            let quantity = format!(
+                "largest shear stress of torsion, order of {}",
+                cells_of(kind)
+            );
+            record::order(SAINT_VENANT, "square", &quantity, order, least_order);
             assert!(order > least_order, "{kind:?}: order {order}");
         }
+        let quantity = format!("largest shear stress a^3/T of torsion, {}", cells_of(kind));
+        let compared = [found[2], exact];
+        record::value(
+            SAINT_VENANT,
+            "square",
+            &quantity,
+            compared,
+            errors[2],
+            largest,
+        );
         assert!(errors[2] < largest, "{kind:?}: {:e}", errors[2]);
         // a stored numerical result, with its own tolerance
         let stored = stored_square_torsion();
-        assert!(relative_error(found[2], stored[0]) < stored[1], "{kind:?}");
+        let error = relative_error(found[2], stored[0]);
+        let compared = [found[2], stored[0]];
+        let source = "A stored numerical solution of square torsion, 0.1 % above the series";
+        record::value(source, "square", &quantity, compared, error, stored[1]);
+        assert!(error < stored[1], "{kind:?}");
     }
 }
 
@@ -343,6 +378,10 @@ fn reserve_factor_is_that_of_the_load() {
             .iter()
             .find(|f| f.worst.criterion == failure.worst.criterion);
         let index = same.expect("the same criterion").worst.index;
-        assert!((index - 1.0).abs() < 1e-10, "{:?} {index}", failure.worst);
+        let criterion = format!("{:?}: index at the reserve factor", failure.worst.criterion);
+        let error = (index - 1.0).abs();
+        let source = "Definition of the reserve factor";
+        record::value(source, name, &criterion, [index, 1.0], error, 1e-10);
+        assert!(error < 1e-10, "{:?} {index}", failure.worst);
     }
 }

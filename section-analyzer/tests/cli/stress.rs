@@ -69,6 +69,12 @@ fn command_line_gives_a_load() {
     let place = with("[load.pull]\naxial = 400\n");
     let point = ["--point", "2 mm", "1e-3", "--name", "corner", "--out", "r"];
     let arguments = ["stress", "a.section.toml", "--axial", "1 kN"];
+    let signed = [&arguments[..], &["--torsion", "-2 N m", "--shear-y", "-3"]].concat();
+    let signed = place.run(&[&signed[..], &["--name", "signed", "--out", "r"]].concat());
+    assert_eq!((signed.code, signed.err.as_str()), (0, ""));
+    let report = squeezed(&place.read("r/a.signed.stress.txt"));
+    assert!(report.contains("torsion -2.00000e0"), "{report}");
+    assert!(report.contains("shear y -3.00000e0"), "{report}");
     let run = place.run(&[&arguments[..], &point].concat());
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     assert!(!place.path("r/a.pull.stress.csv").exists());
