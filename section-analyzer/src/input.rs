@@ -39,7 +39,7 @@ mod strengths;
 mod summary;
 mod tables;
 
-pub use loads::{LOAD_KEYS, is_load_name};
+pub use loads::{LOAD_KEYS, checked_load, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
@@ -106,9 +106,7 @@ impl WrittenSection {
     fn read(document: &Document) -> Self {
         let root = document.root();
         document.declare_units(&root);
-        let name = root
-            .text("name")
-            .unwrap_or_else(|| name_of(Path::new(document.file())));
+        let name = name(&root).unwrap_or_else(|| name_of(Path::new(document.file())));
         let mesh = root.require_text("mesh", "the path of a gmsh file, from this file's folder");
         let mesh = mesh.map(|text| Written {
             text,
@@ -241,6 +239,15 @@ impl WrittenSection {
 fn centroids(mesh: &SectionMesh) -> Vec<[f64; 2]> {
     let centroid = |cell| AreaMoments::of_cell(mesh, cell, [0.0; 2]).centroid();
     mesh.cells.iter().map(centroid).collect()
+}
+
+/// The name of the section, which stands in the lines of reports.
+fn name(root: &Table<'_>) -> Option<String> {
+    let name = root.text("name")?;
+    if name.trim().is_empty() || name.contains(char::is_control) {
+        root.wrong("name", "a text of one line, without control characters");
+    }
+    Some(name)
 }
 
 /// The name of the declared unit of length.

@@ -1,6 +1,7 @@
 //! What can be wrong with a section input, beyond what any input file can have.
 
 use shared_geom::error::{Explain, nearest_name};
+use shared_geom::wrench::COMPONENTS;
 
 use crate::material::{MaterialProblem, StrengthProblem};
 
@@ -105,6 +106,22 @@ pub enum InputProblem {
     ZeroLoad {
         /// Name of the load case.
         load: String,
+    },
+    /// A load beyond all structures, whose stresses would have no value.
+    #[error(
+        "load \"{load}\" has {} of {value:e} about the origin of the mesh, expected at most \
+         {limit:e}",
+        COMPONENTS[*.component]
+    )]
+    HugeLoad {
+        /// Name of the load case.
+        load: String,
+        /// Component, in their order.
+        component: usize,
+        /// What was found \[N, N m\].
+        value: f64,
+        /// Largest size \[N, N m\].
+        limit: f64,
     },
     /// A name that is no part of a file name.
     #[error("load \"{load}\": expected a name of letters, digits, \"-\" and \"_\"")]
@@ -296,6 +313,10 @@ impl Explain for InputProblem {
                 (true, _) => "give \"tension\", \"compression\" and \"shear\"".to_owned(),
                 (false, _) => "give \"xt\", \"xc\", \"yt\", \"yc\" and \"s12\"".to_owned(),
             }),
+            Self::HugeLoad { .. } => Some(
+                "this is in SI units; check the unit and the \"point\" where the load acts"
+                    .to_owned(),
+            ),
             Self::LoadName { .. } => Some("the name becomes part of file names".to_owned()),
             _ => None,
         }

@@ -199,3 +199,21 @@ fn text_that_is_no_toml_is_told_with_its_line() {
         run.err
     );
 }
+
+#[test]
+fn a_name_of_several_lines_is_refused() {
+    let name = ("mesh = ", "name = \"a\\u001b[31m\\nb\"\nmesh = ");
+    Workplace::with(&[name], &[]).is_refused(&[
+        "error: a.section.toml:1: \"name\" is the text \"a\\u{1b}[31m\\nb\", expected a text of \
+         one line, without control characters",
+    ]);
+}
+
+/// What is left of such an angle after whole revolutions is round-off.
+#[test]
+fn angles_of_many_revolutions_are_refused() {
+    Workplace::with(&[("fiber_angle = 0", "fiber_angle = 1e20")], &[]).is_refused(&[
+        "error: a.section.toml:19: \"fiber_angle\" is 1e20, expected an angle of at most 1000 \
+         revolutions",
+    ]);
+}
