@@ -27,6 +27,7 @@ use crate::section::Section;
 
 mod angles;
 mod assign;
+mod extent;
 mod files;
 mod follow;
 mod groups;
@@ -141,6 +142,9 @@ impl WrittenSection {
             &place,
         ));
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
+        if let Some(Err(problem)) = section_mesh.map(extent::check) {
+            document.note(mesh_key.line, &problem);
+        }
         let centroids = section_mesh.map_or_else(Vec::new, centroids);
         let assignment = Assignment {
             document,
