@@ -27,6 +27,7 @@ use crate::section::Section;
 
 mod angles;
 mod assign;
+mod extent;
 mod files;
 mod follow;
 mod groups;
@@ -39,7 +40,7 @@ mod strengths;
 mod summary;
 mod tables;
 
-pub use loads::{LOAD_KEYS, is_load_name};
+pub use loads::{LOAD_KEYS, checked_load, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
@@ -106,9 +107,7 @@ impl WrittenSection {
     fn read(document: &Document) -> Self {
         let root = document.root();
         document.declare_units(&root);
-        let name = root
-            .text("name")
-            .unwrap_or_else(|| name_of(Path::new(document.file())));
+        let name = name(&root).unwrap_or_else(|| name_of(Path::new(document.file())));
         let mesh = root.require_text("mesh", "the path of a gmsh file, from this file's folder");
         let mesh = mesh.map(|text| Written {
             text,
@@ -143,6 +142,9 @@ impl WrittenSection {
             &place,
         ));
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
+        if let Some(Err(problem)) = section_mesh.map(extent::check) {
+            document.note(mesh_key.line, &problem);
+        }
         let centroids = section_mesh.map_or_else(Vec::new, centroids);
         let assignment = Assignment {
             document,
@@ -241,6 +243,15 @@ impl WrittenSection {
 fn centroids(mesh: &SectionMesh) -> Vec<[f64; 2]> {
     let centroid = |cell| AreaMoments::of_cell(mesh, cell, [0.0; 2]).centroid();
     mesh.cells.iter().map(centroid).collect()
+}
+
+/// The name of the section, which stands in the lines of reports.
+fn name(root: &Table<'_>) -> Option<String> {
+    let name = root.text("name")?;
+    if name.trim().is_empty() || name.contains(char::is_control) {
+        root.wrong("name", "a text of one line, without control characters");
+    }
+    Some(name)
 }
 
 /// The name of the declared unit of length.

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
 use crate::error::{Diagnostics, Explain, Place};
+use crate::files::read_bytes;
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
 mod problem;
@@ -22,6 +23,10 @@ pub use problem::DocumentProblem;
 pub use table::Table;
 
 use tree::{Entry, Lines};
+
+/// Errors of syntax that are told one by one: one slip makes a few of them, and a file
+/// of another kind has one on every line.
+const SYNTAX_SHOWN: usize = 8;
 
 /// A TOML file, its name, the units that it declares, and its problems.
 #[derive(Debug)]
@@ -50,12 +55,7 @@ impl Document {
     pub fn parse(text: &str, file: &str) -> Result<Self, Diagnostics> {
         let lines = Lines::of(text);
         let (root, errors) = DeTable::parse_recoverable(text);
-        let mut problems = Diagnostics::new();
-        for error in &errors {
-            let line = lines.at(error.span().map_or(0, |span| span.start));
-            let reason = error.message().to_owned();
-            problems.push(Place::line(file, line), &DocumentProblem::Syntax { reason });
-        }
+        let problems = syntax_problems(&errors, &lines, text, file);
         problems.into_result(Self {
             file: file.to_owned(),
             root: tree::entries(root.get_ref(), &lines),
@@ -144,12 +144,57 @@ impl Document {
     }
 }
 
+/// The errors of syntax, each with its line; of many, the first.
+fn syntax_problems(
+    errors: &[toml::de::Error],
+    lines: &Lines,
+    text: &str,
+    file: &str,
+) -> Diagnostics {
+    let mut problems = Diagnostics::new();
+    if let Some(what) = other_format(text).filter(|_| !errors.is_empty()) {
+        problems.push(Place::file(file), &DocumentProblem::OtherFormat { what });
+        return problems;
+    }
+    for error in errors.iter().take(SYNTAX_SHOWN) {
+        let line = lines.at(error.span().map_or(0, |span| span.start));
+        let reason = error.message().to_owned();
+        problems.push(Place::line(file, line), &DocumentProblem::Syntax { reason });
+    }
+    if let Some(error) = errors.get(SYNTAX_SHOWN) {
+        let line = lines.at(error.span().map_or(0, |span| span.start));
+        let count = errors.len() - SYNTAX_SHOWN;
+        problems.push(
+            Place::line(file, line),
+            &DocumentProblem::MoreSyntax { count },
+        );
+    }
+    problems
+}
+
+/// What a text without TOML is, told from its first letter that is no space.
+fn other_format(text: &str) -> Option<&'static str> {
+    let text = text.trim_start();
+    if text.starts_with("$MeshFormat") {
+        Some("a gmsh mesh")
+    } else if text.starts_with('{') {
+        Some("a JSON file, as property files are")
+    } else if text.starts_with('<') {
+        Some("an XML file")
+    } else {
+        None
+    }
+}
+
 /// Reads a text file.
 ///
 /// # Errors
 /// The file cannot be read or is no text, in words that a user can act on.
 pub fn read_text(path: &Path) -> Result<String, Diagnostics> {
-    std::fs::read_to_string(path).map_err(|error| {
+    let text = read_bytes(path).and_then(|bytes| {
+        String::from_utf8(bytes).map_err(|_| std::io::ErrorKind::InvalidData.into())
+    });
+    text.map_err(|error| {
         let reason = match error.kind() {
             std::io::ErrorKind::NotFound => "no such file".to_owned(),
             std::io::ErrorKind::PermissionDenied => "permission denied".to_owned(),

@@ -1,4 +1,4 @@
-//! Result folders and files, with errors that a user can act on.
+//! Files to read; result folders and files, with errors that a user can act on.
 
 use std::io;
 use std::path::Path;
@@ -51,6 +51,29 @@ pub fn make_folder(folder: &Path) -> Result<(), OutputProblem> {
     })
 }
 
+/// The content of the file at `path`. A device, which may have no end, is no file.
+///
+/// # Errors
+/// Those of the system.
+pub fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
+    if is_device(&std::fs::metadata(path)?) {
+        return Err(io::Error::other("it is a device, expected a file"));
+    }
+    std::fs::read(path)
+}
+
+#[cfg(unix)]
+fn is_device(metadata: &std::fs::Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    let kind = metadata.file_type();
+    kind.is_char_device() || kind.is_block_device()
+}
+
+#[cfg(not(unix))]
+fn is_device(_: &std::fs::Metadata) -> bool {
+    false
+}
+
 /// Writes a text file.
 ///
 /// # Errors
@@ -72,8 +95,9 @@ pub fn write_figure(
     size: (u32, u32),
     drawing: &impl Drawing,
 ) -> Result<(), OutputProblem> {
-    // Made first, since the words of the backend teach less than those of the system.
-    write_text(file, "")?;
+    // Made first, since the words of the backend teach less than those of the system;
+    // with a letter, since a full disk takes an empty file.
+    write_text(file, " ")?;
     Ok(figure::save(file, size, drawing)?)
 }
 
@@ -133,6 +157,36 @@ mod tests {
             .to_string();
         assert!(
             shown.ends_with("written: its folder does not exist"),
+            "{shown}"
+        );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_is_no_file() {
+        let shown = read_bytes(Path::new("/dev/zero")).unwrap_err().to_string();
+        assert_eq!(shown, "it is a device, expected a file");
+    }
+
+    /// A device of Linux that takes nothing stands for a full disk.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_disk_is_told_in_words() {
+        struct Empty;
+        impl Drawing for Empty {
+            fn draw<B: plotters::backend::DrawingBackend>(
+                &self,
+                _: &figure::Canvas<B>,
+            ) -> Result<(), FigureProblem> {
+                Ok(())
+            }
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a.png");
+        std::os::unix::fs::symlink("/dev/full", &file).unwrap();
+        let shown = write_figure(&file, (8, 8), &Empty).unwrap_err().to_string();
+        assert!(
+            shown.ends_with("a.png\" cannot be written: no space is left"),
             "{shown}"
         );
     }

@@ -93,7 +93,9 @@ fn written_load(
         [y, z] => [y, z],
         _ => [0.0; 2],
     };
-    Ok(Some(LoadCase::at_point(name, &force, point)))
+    let load = input::checked_load(LoadCase::at_point(name, &force, point));
+    load.map(Some)
+        .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))
 }
 
 /// What was recovered.

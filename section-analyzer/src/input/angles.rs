@@ -10,6 +10,10 @@ use super::problem::InputProblem;
 /// Problems of the rows of one table that are shown one by one.
 const ROWS_SHOWN: usize = 10;
 
+/// Largest angle, in any unit: what is left of a much larger one after whole
+/// revolutions has no digit that means anything.
+const LARGEST: f64 = 360_000.0;
+
 /// A table of angles by cell tag.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct AngleTable {
@@ -142,9 +146,9 @@ fn cell_and_angle(row: &str) -> Result<(u64, f64), InputProblem> {
     let angle: f64 = angle
         .parse()
         .map_err(|_| wrong("an angle in the second column"))?;
-    match angle.is_finite() {
+    match angle.abs() <= LARGEST {
         true => Ok((cell, angle)),
-        false => Err(wrong("a finite angle in the second column")),
+        false => Err(wrong("an angle of at most 360000 in the second column")),
     }
 }
 
@@ -174,7 +178,7 @@ mod tests {
             "error: a.csv:4: row \"x,2\" cannot be read, expected the number of a cell in the first column\n\
              error: a.csv:5: row \"3\" cannot be read, expected two columns, the number of a cell and its angle\n\
              error: a.csv:6: cell 1 has an angle on line 2 already, expected one row for each cell\n\
-             error: a.csv:7: row \"4,nan\" cannot be read, expected a finite angle in the second column\n\
+             error: a.csv:7: row \"4,nan\" cannot be read, expected an angle of at most 360000 in the second column\n\
              error: a.csv:8: row \"5,2 deg\" cannot be read, expected an angle in the second column"
         );
     }

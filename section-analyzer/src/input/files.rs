@@ -4,6 +4,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use shared_geom::document::Document;
+use shared_geom::files::read_bytes;
 use shared_geom::hash::sha256_of;
 
 use super::problem::InputProblem;
@@ -33,7 +34,7 @@ impl<'a> Files<'a> {
     /// The content of the file at `path`; a failure is noted at the line that
     /// names it.
     pub fn read(&mut self, what: &'static str, path: &Path, written: &Written) -> Option<&[u8]> {
-        match std::fs::read(path) {
+        match read_bytes(path) {
             Ok(bytes) => {
                 self.contents.push(bytes);
                 self.contents.last().map(Vec::as_slice)

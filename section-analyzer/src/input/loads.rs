@@ -17,6 +17,27 @@ pub const LOAD_KEYS: [(&str, Dimension); 6] = [
     ("bending_z", Dimension::MOMENT),
 ];
 
+/// Largest component \[N, N m\]: far beyond all structures, and such that the squares
+/// of its stresses are numbers.
+const LARGEST: f64 = 1e20;
+
+/// `load`, if none of its components is beyond all structures.
+///
+/// # Errors
+/// [`InputProblem::HugeLoad`].
+pub fn checked_load(load: LoadCase) -> Result<LoadCase, InputProblem> {
+    let is_huge = |value: &f64| value.is_nan() || value.abs() > LARGEST;
+    match load.force.iter().position(is_huge) {
+        Some(component) => Err(InputProblem::HugeLoad {
+            component,
+            value: load.force[component],
+            limit: LARGEST,
+            load: load.name,
+        }),
+        None => Ok(load),
+    }
+}
+
 /// Whether a load case can have this name: it becomes part of file names.
 pub fn is_load_name(name: &str) -> bool {
     let fits = |letter: char| letter.is_alphanumeric() || letter == '-' || letter == '_';
@@ -53,7 +74,8 @@ fn read_one(name: &str, table: &Table<'_>) -> Option<LoadCase> {
         table.note("", &InputProblem::ZeroLoad { load });
         return None;
     }
-    Some(LoadCase::at_point(load, &force, point?))
+    let load = checked_load(LoadCase::at_point(load, &force, point?));
+    load.map_err(|problem| table.note("", &problem)).ok()
 }
 
 /// Where the force acts (y, z) \[m\]; the reference point where not given.

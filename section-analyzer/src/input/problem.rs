@@ -1,6 +1,7 @@
 //! What can be wrong with a section input, beyond what any input file can have.
 
 use shared_geom::error::{Explain, nearest_name};
+use shared_geom::wrench::COMPONENTS;
 
 use crate::material::{MaterialProblem, StrengthProblem};
 
@@ -105,6 +106,46 @@ pub enum InputProblem {
     ZeroLoad {
         /// Name of the load case.
         load: String,
+    },
+    /// A section beyond all structures.
+    #[error("the section is {size:e} m across, expected {smallest:e} m to {largest:e} m")]
+    Size {
+        /// Its diagonal \[m\].
+        size: f64,
+        /// Smallest one \[m\].
+        smallest: f64,
+        /// Largest one \[m\].
+        largest: f64,
+    },
+    /// A section so far from the origin that nothing about it has digits left.
+    #[error(
+        "the section lies {distance:.3e} m from the origin of the mesh, {ratio:.1e} times its \
+         size, expected at most {limit:e} times: torsion about the origin would have no digits \
+         left"
+    )]
+    Far {
+        /// Distance of its middle \[m\].
+        distance: f64,
+        /// Distance over size \[-\].
+        ratio: f64,
+        /// Largest ratio \[-\].
+        limit: f64,
+    },
+    /// A load beyond all structures, whose stresses would have no value.
+    #[error(
+        "load \"{load}\" has {} of {value:e} about the origin of the mesh, expected at most \
+         {limit:e}",
+        COMPONENTS[*.component]
+    )]
+    HugeLoad {
+        /// Name of the load case.
+        load: String,
+        /// Component, in their order.
+        component: usize,
+        /// What was found \[N, N m\].
+        value: f64,
+        /// Largest size \[N, N m\].
+        limit: f64,
     },
     /// A name that is no part of a file name.
     #[error("load \"{load}\": expected a name of letters, digits, \"-\" and \"_\"")]
@@ -296,6 +337,15 @@ impl Explain for InputProblem {
                 (true, _) => "give \"tension\", \"compression\" and \"shear\"".to_owned(),
                 (false, _) => "give \"xt\", \"xc\", \"yt\", \"yc\" and \"s12\"".to_owned(),
             }),
+            Self::Size { .. } => Some("check \"length\" in [units]".to_owned()),
+            Self::Far { .. } => Some(
+                "move the mesh to its origin (in gmsh, Translate): results are about the origin"
+                    .to_owned(),
+            ),
+            Self::HugeLoad { .. } => Some(
+                "this is in SI units; check the unit and the \"point\" where the load acts"
+                    .to_owned(),
+            ),
             Self::LoadName { .. } => Some("the name becomes part of file names".to_owned()),
             _ => None,
         }

@@ -5,6 +5,10 @@ use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
 
+/// Largest angle \[rad\]: 1000 revolutions. What is left of a much larger one after whole
+/// revolutions has no digit that means anything.
+const LARGEST_ANGLE: f64 = 1000.0 * std::f64::consts::TAU;
+
 /// `[[region]]` as far as it could be read.
 #[derive(Debug, Clone)]
 pub(super) struct WrittenRegion {
@@ -70,9 +74,12 @@ fn angle(region: &Table<'_>, key: &'static str) -> Option<WrittenAngle> {
         return Some(WrittenAngle::Constant(0.0));
     }
     if !region.is_table(key) {
-        return region
-            .quantity(key, Dimension::ANGLE)
-            .map(WrittenAngle::Constant);
+        let angle = region.quantity(key, Dimension::ANGLE)?;
+        if angle.abs() > LARGEST_ANGLE {
+            region.wrong(key, "an angle of at most 1000 revolutions");
+            return None;
+        }
+        return Some(WrittenAngle::Constant(angle));
     }
     let table = region.table(key)?;
     let may_follow = key == "plane_angle";

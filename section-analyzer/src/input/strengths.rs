@@ -165,6 +165,7 @@ impl Limits<'_> {
             is_sound = false;
             let key = match &problem {
                 StrengthProblem::NotPositive { key, .. }
+                | StrengthProblem::Extreme { key, .. }
                 | StrengthProblem::InteractionOutOfRange { key, .. } => key,
                 StrengthProblem::OpenSurface { .. } => "f12",
             };

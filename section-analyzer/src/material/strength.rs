@@ -9,6 +9,10 @@ use shared_geom::error::Explain;
 /// default, lies on it.
 const OPEN_SURFACE: f64 = -1e-12;
 
+/// Smallest and largest limit \[unit of what is limited: Pa or -\]: far beyond all
+/// materials, and such that squares of stresses over strengths are numbers.
+const RANGE: (f64, f64) = (1e-15, 1e100);
+
 /// Interaction of the tensor criterion where none is given \[-\]: with it the criterion
 /// is that of von Mises for a material of equal strengths.
 pub const DEFAULT_INTERACTION: f64 = -0.5;
@@ -80,6 +84,14 @@ pub enum StrengthProblem {
         /// What was found, in SI units.
         value: f64,
     },
+    /// A limit beyond all materials.
+    #[error("{key} is {value:e}, expected {:e} to {:e}", RANGE.0, RANGE.1)]
+    Extreme {
+        /// Key of the limit.
+        key: &'static str,
+        /// What was found, in SI units.
+        value: f64,
+    },
     /// An interaction is out of its range.
     #[error("{key} is {value}, expected more than -1 and less than 1")]
     InteractionOutOfRange {
@@ -106,6 +118,10 @@ impl Explain for StrengthProblem {
                 "strengths are positive numbers, those in compression too; leave out what is \
                  not known"
             }
+            Self::Extreme { .. } => {
+                "this is the value in SI units; leave out what is not known, and give 1e30 for \
+                 what never fails"
+            }
             Self::InteractionOutOfRange { .. } => {
                 "it is F12 / sqrt(F11 F22), without a unit; -0.5 is the usual choice"
             }
@@ -127,14 +143,14 @@ impl DirectionalLimits {
     fn check(&self) -> Vec<StrengthProblem> {
         let values = self.tension.iter().chain(&self.compression);
         let values: Vec<f64> = values.chain(&self.shear).copied().collect();
-        not_positive(&DIRECTIONAL_KEYS, &values)
+        not_limits(&DIRECTIONAL_KEYS, &values)
     }
 }
 
 impl UniformLimits {
     fn check(&self) -> Vec<StrengthProblem> {
         let keys = ["tension", "compression", "shear"];
-        not_positive(&keys, &[self.tension, self.compression, self.shear])
+        not_limits(&keys, &[self.tension, self.compression, self.shear])
     }
 }
 
@@ -151,7 +167,7 @@ impl Strength {
                 problems
             }
             Self::Uniform(limits) => limits.check(),
-            Self::Yield(stress) => not_positive(&["yield"], &[*stress]),
+            Self::Yield(stress) => not_limits(&["yield"], &[*stress]),
         }
     }
 }
@@ -166,11 +182,18 @@ impl StrainLimit {
     }
 }
 
-fn not_positive(keys: &[&'static str], values: &[f64]) -> Vec<StrengthProblem> {
+fn not_limits(keys: &[&'static str], values: &[f64]) -> Vec<StrengthProblem> {
     let pairs = keys.iter().zip(values);
     pairs
-        .filter(|(_, value)| value.is_nan() || **value <= 0.0)
-        .map(|(&key, &value)| StrengthProblem::NotPositive { key, value })
+        .filter_map(|(&key, &value)| {
+            if value.is_nan() || value <= 0.0 {
+                Some(StrengthProblem::NotPositive { key, value })
+            } else if value < RANGE.0 || value > RANGE.1 {
+                Some(StrengthProblem::Extreme { key, value })
+            } else {
+                None
+            }
+        })
         .collect()
 }
 
@@ -238,6 +261,23 @@ mod tests {
             shear: 1.0,
         };
         assert_eq!(StrainLimit::Uniform(uniform).check().len(), 1);
+    }
+
+    /// Squares of stresses over such strengths have no value.
+    #[test]
+    fn limits_beyond_all_numbers_are_refused() {
+        let mut limits = LIMITS;
+        limits.tension[1] = 1e-150;
+        limits.compression[0] = 1e200;
+        let problems = ply(limits, [DEFAULT_INTERACTION; 3]);
+        let shown: Vec<_> = problems.iter().map(ToString::to_string).collect();
+        let expected = [
+            "yt is 1e-150, expected 1e-15 to 1e100",
+            "xc is 1e200, expected 1e-15 to 1e100",
+        ];
+        assert_eq!(shown, expected);
+        assert_eq!(Strength::Yield(5e-324).check().len(), 1);
+        assert_eq!(Strength::Yield(1e30).check(), []);
     }
 
     /// Three equal interactions f have the eigenvalues 1 - f, 1 - f, 1 + 2 f; the

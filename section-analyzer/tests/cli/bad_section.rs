@@ -199,3 +199,69 @@ fn text_that_is_no_toml_is_told_with_its_line() {
         run.err
     );
 }
+
+#[test]
+fn a_name_of_several_lines_is_refused() {
+    let name = ("mesh = ", "name = \"a\\u001b[31m\\nb\"\nmesh = ");
+    Workplace::with(&[name], &[]).is_refused(&[
+        "error: a.section.toml:1: \"name\" is the text \"a\\u{1b}[31m\\nb\", expected a text of \
+         one line, without control characters",
+    ]);
+}
+
+/// What is left of such an angle after whole revolutions is round-off.
+#[test]
+fn angles_of_many_revolutions_are_refused() {
+    Workplace::with(&[("fiber_angle = 0", "fiber_angle = 1e20")], &[]).is_refused(&[
+        "error: a.section.toml:19: \"fiber_angle\" is 1e20, expected an angle of at most 1000 \
+         revolutions",
+    ]);
+}
+
+/// About an origin at 1e9 sizes the torsional stiffness is the difference of numbers
+/// 1e18 times as large.
+#[test]
+fn a_mesh_far_from_its_origin_is_refused() {
+    let moved: Vec<_> = [
+        "1 0 0 0", "2 1 0 0", "3 2 0 0", "4 0 1 0", "5 1 1 0", "6 2 1 0",
+    ]
+    .map(|line| {
+        let [tag, y, z] = [0, 2, 4].map(|at| &line[at..=at]);
+        (
+            format!("\n{line}\n"),
+            format!("\n{tag} 100000000{y} {z} 0\n"),
+        )
+    })
+    .to_vec();
+    let place = Workplace::with(&[], &[]);
+    let mut mesh = place.read("two.msh");
+    for (from, to) in moved {
+        mesh = mesh.replacen(&from, &to, 1);
+    }
+    place.write("two.msh", &mesh);
+    // the middle at 1000000001 mm, the size sqrt(5) mm
+    place.is_refused(&[
+        "error: a.section.toml:1: the section lies 1.000e6 m from the origin of the mesh, 4.5e8 \
+         times its size, expected at most 1e5 times: torsion about the origin would have no \
+         digits left",
+        "  help: move the mesh to its origin (in gmsh, Translate): results are about the origin",
+    ]);
+}
+
+/// Its stiffness would be no number.
+#[test]
+fn a_section_beyond_all_structures_is_refused() {
+    let place = Workplace::with(&[], &[]);
+    let mesh = place.read("two.msh");
+    let tiny = mesh
+        .replace("2 1 0 0", "2 1e-80 0 0")
+        .replace("3 2 0 0", "3 2e-80 0 0")
+        .replace("4 0 1 0", "4 0 1e-80 0")
+        .replace("5 1 1 0", "5 1e-80 1e-80 0")
+        .replace("6 2 1 0", "6 2e-80 1e-80 0");
+    place.write("two.msh", &tiny);
+    let run = place.run(&["analyze", "a.section.toml"]);
+    let told = "error: a.section.toml:1: the section is 2.2";
+    assert!(run.err.starts_with(told), "{}", run.err);
+    assert_eq!(run.code, 2);
+}

@@ -171,6 +171,22 @@ fn wrong_loads_are_told() {
     }
 }
 
+/// The squares of their stresses would have no value. The force of 1 N at 1e30 m has a
+/// moment of 1e30 N m about the origin.
+#[test]
+fn loads_beyond_all_structures_are_told() {
+    with("[load.far]\naxial = \"1 N\"\npoint = [\"0 m\", \"1e30 m\"]\n").is_refused(&[
+        "error: a.section.toml:21: load \"far\" has bending y of 1e30 about the origin of the \
+         mesh, expected at most 1e20",
+        "  help: this is in SI units; check the unit and the \"point\" where the load acts",
+    ]);
+    let place = Workplace::with(&[], &[]);
+    let run = place.run(&["stress", "a.section.toml", "--axial", "1e300"]);
+    let told = "error: load \"load\" has axial of 1e300 about";
+    assert!(run.err.starts_with(told), "{}", run.err);
+    assert_eq!(run.code, 2);
+}
+
 #[test]
 fn wrong_strengths_are_told() {
     let refused = |strength: &str, expected: &[&str]| with(strength).is_refused(expected);

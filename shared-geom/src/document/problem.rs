@@ -18,6 +18,18 @@ pub enum DocumentProblem {
         /// The parser's words.
         reason: String,
     },
+    /// Further errors of syntax.
+    #[error("further errors of syntax from here on: {count}")]
+    MoreSyntax {
+        /// Errors that are not told one by one.
+        count: usize,
+    },
+    /// A file of another kind.
+    #[error("the file is {what}, expected an input file in TOML")]
+    OtherFormat {
+        /// What it is, in words.
+        what: &'static str,
+    },
     /// A key that no one knows.
     #[error("unknown key \"{key}\" in {table}")]
     UnknownKey {
@@ -91,6 +103,9 @@ impl Explain for DocumentProblem {
                     .map(|near| format!("did you mean \"{near}\"?"))
             }
             Self::Unit { problem, .. } => problem.help(),
+            Self::OtherFormat { .. } => {
+                Some("name the file ending in .toml that leads to it".to_owned())
+            }
             _ => None,
         }
     }

@@ -167,3 +167,38 @@ fn a_missing_file_is_named() {
         "error: no/such.toml: cannot be read: no such file"
     );
 }
+
+/// A long text of another kind must not bury its first error.
+#[test]
+fn errors_of_syntax_are_counted_after_the_first() {
+    let shown = Document::parse(&"a b\n".repeat(1000), "a.toml")
+        .unwrap_err()
+        .to_string();
+    assert!(
+        shown.starts_with("error: a.toml:1: not valid TOML"),
+        "{shown}"
+    );
+    assert!(
+        shown.contains("a.toml:9: further errors of syntax from here on: "),
+        "{shown}"
+    );
+    assert_eq!(shown.lines().count(), SYNTAX_SHOWN + 1);
+}
+
+#[test]
+fn a_file_of_another_kind_is_told_as_such() {
+    let texts = [
+        ("$MeshFormat\n4.1 0 8\n", "a gmsh mesh"),
+        (
+            "{\n \"format\": 1\n}\n",
+            "a JSON file, as property files are",
+        ),
+        ("<?xml version=\"1.0\"?>\n", "an XML file"),
+    ];
+    for (text, what) in texts {
+        let shown = Document::parse(text, "a.toml").unwrap_err().to_string();
+        let expected = format!("error: a.toml: the file is {what}, expected an input file in TOML");
+        assert!(shown.starts_with(&expected), "{shown}");
+        assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+    }
+}

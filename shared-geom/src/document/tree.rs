@@ -34,7 +34,7 @@ impl Kind {
     /// The word for it in messages, with the value where it is short.
     pub fn describe(&self) -> String {
         match self {
-            Self::Text(text) => format!("the text \"{text}\""),
+            Self::Text(text) => format!("the text \"{}\"", shown(text)),
             Self::Integer(number) => number.to_string(),
             Self::Number(number) if number.abs() >= 1e16 => format!("{number:e}"),
             Self::Number(number) => number.to_string(),
@@ -44,6 +44,26 @@ impl Kind {
             Self::Table(_) => "a table".to_owned(),
         }
     }
+}
+
+/// Letters of a text that a message shows.
+const LETTERS_SHOWN: usize = 60;
+
+/// A text for a message of one line: control characters by their code, and not all of
+/// a long one.
+fn shown(text: &str) -> String {
+    let mut letters = text.chars();
+    let mut shown = String::new();
+    for letter in letters.by_ref().take(LETTERS_SHOWN) {
+        match letter.is_control() {
+            true => shown.extend(letter.escape_default()),
+            false => shown.push(letter),
+        }
+    }
+    if letters.next().is_some() {
+        shown += "...";
+    }
+    shown
 }
 
 /// Byte offsets of the line beginnings.

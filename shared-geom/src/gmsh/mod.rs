@@ -66,7 +66,7 @@ where
 /// As [`read`]; also a file that cannot be read.
 pub fn read_file(path: &Path) -> Result<Mesh, Diagnostics> {
     let file = path.display().to_string();
-    match std::fs::read(path) {
+    match crate::files::read_bytes(path) {
         Ok(bytes) => read(&bytes, &file),
         Err(error) => {
             let problem = ReadProblem::Unreadable(error.to_string());

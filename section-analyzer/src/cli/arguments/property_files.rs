@@ -185,7 +185,12 @@ fn angle(text: &str) -> Result<f64, String> {
     if text.trim().parse::<f64>().is_ok() {
         return Err(format!("it has no unit, expected {EXPECTED}"));
     }
-    finite(quantity(text.trim(), Dimension::ANGLE, EXPECTED)?)
+    let angle = finite(quantity(text.trim(), Dimension::ANGLE, EXPECTED)?)?;
+    // round-off leaves no digit of a much larger one
+    match angle.abs() <= 1000.0 * std::f64::consts::TAU {
+        true => Ok(angle),
+        false => Err("expected at most 1000 revolutions".to_owned()),
+    }
 }
 
 fn quantity(text: &str, dimension: Dimension, expected: &str) -> Result<f64, String> {
@@ -248,6 +253,7 @@ mod tests {
         for (text, expected) in [
             ("30", "it has no unit, expected an angle"),
             ("thirty deg", "expected an angle with its unit"),
+            ("1e20 deg", "expected at most 1000 revolutions"),
             ("nan deg", "expected finite numbers"),
             ("3 mm", "\"mm\" measures a length, expected an angle"),
         ] {

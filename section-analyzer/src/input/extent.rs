@@ -1,0 +1,47 @@
+//! How large the section is, and how far from the origin of its mesh.
+
+use super::problem::InputProblem;
+use crate::mesh::SectionMesh;
+
+/// Smallest and largest size of a section \[m\]: far beyond all structures, and such that
+/// the sixth power of a length is a number.
+const SIZES: (f64, f64) = (1e-30, 1e30);
+
+/// Largest distance of a section from the origin, in sizes. Torsion about the origin
+/// holds the shear stiffness times the square of the distance: at 1e5 sizes, six
+/// digits of the torsional stiffness are left, at 1e8 none.
+const FARTHEST: f64 = 1e5;
+
+/// Whether the section of `mesh` has numbers about the origin of the mesh.
+///
+/// # Errors
+/// [`InputProblem::Size`], [`InputProblem::Far`].
+pub(super) fn check(mesh: &SectionMesh) -> Result<(), InputProblem> {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for &node in mesh.cells.iter().flat_map(|cell| cell.nodes()) {
+        for axis in 0..2 {
+            let place = mesh.nodes[node as usize][axis];
+            low[axis] = low[axis].min(place);
+            high[axis] = high[axis].max(place);
+        }
+    }
+    let size = (high[0] - low[0]).hypot(high[1] - low[1]);
+    if !(SIZES.0..=SIZES.1).contains(&size) {
+        let (smallest, largest) = SIZES;
+        return Err(InputProblem::Size {
+            size,
+            smallest,
+            largest,
+        });
+    }
+    let distance = (0.5 * (low[0] + high[0])).hypot(0.5 * (low[1] + high[1]));
+    if distance > FARTHEST * size {
+        let ratio = distance / size;
+        return Err(InputProblem::Far {
+            distance,
+            ratio,
+            limit: FARTHEST,
+        });
+    }
+    Ok(())
+}
