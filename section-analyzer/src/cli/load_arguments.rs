@@ -11,25 +11,25 @@ use crate::input::is_load_name;
 #[command(group(ArgGroup::new("component").multiple(true)))]
 pub(super) struct LoadArguments {
     /// Axial force
-    #[arg(long, value_name = "FORCE", group = "component", value_parser = force, allow_negative_numbers = true)]
+    #[arg(long, value_name = "FORCE", group = "component", value_parser = force, allow_hyphen_values = true)]
     axial: Option<f64>,
     /// Shear force along y
-    #[arg(long, value_name = "FORCE", group = "component", value_parser = force, allow_negative_numbers = true)]
+    #[arg(long, value_name = "FORCE", group = "component", value_parser = force, allow_hyphen_values = true)]
     shear_y: Option<f64>,
     /// Shear force along z
-    #[arg(long, value_name = "FORCE", group = "component", value_parser = force, allow_negative_numbers = true)]
+    #[arg(long, value_name = "FORCE", group = "component", value_parser = force, allow_hyphen_values = true)]
     shear_z: Option<f64>,
     /// Torque about x
-    #[arg(long, value_name = "MOMENT", group = "component", value_parser = moment, allow_negative_numbers = true)]
+    #[arg(long, value_name = "MOMENT", group = "component", value_parser = moment, allow_hyphen_values = true)]
     torsion: Option<f64>,
     /// Bending moment about y
-    #[arg(long, value_name = "MOMENT", group = "component", value_parser = moment, allow_negative_numbers = true)]
+    #[arg(long, value_name = "MOMENT", group = "component", value_parser = moment, allow_hyphen_values = true)]
     bending_y: Option<f64>,
     /// Bending moment about z
-    #[arg(long, value_name = "MOMENT", group = "component", value_parser = moment, allow_negative_numbers = true)]
+    #[arg(long, value_name = "MOMENT", group = "component", value_parser = moment, allow_hyphen_values = true)]
     bending_z: Option<f64>,
     /// Where the force acts, in m or with units; the origin of the mesh if not given
-    #[arg(long, value_names = ["Y", "Z"], num_args = 2, requires = "component", value_parser = length, allow_negative_numbers = true)]
+    #[arg(long, value_names = ["Y", "Z"], num_args = 2, requires = "component", value_parser = length, allow_hyphen_values = true)]
     pub point: Vec<f64>,
     /// Name of the load, in the names of its files
     #[arg(long, default_value = "load", requires = "component", value_parser = load_name)]

@@ -17,7 +17,7 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// The words that tell the figures of a load case.
 pub(super) const STRESS_PLOTS: [&str; 4] = ["stress_xx", "shear", "von_mises", "failure"];
 
-/// For each criterion that the limits of some material allow, its name and the index
+/// For each criterion that the limits of some material allow, its key and the index
 /// of each cell by its mean stress and strain; not a number where the limits of the
 /// cell's own material do not allow it. `limits` is parallel to the materials.
 pub fn failure_indices_of_cells(
@@ -43,7 +43,7 @@ pub fn failure_indices_of_cells(
 
 /// The figures of `recovery`, each with the word that tells it in the name of its
 /// file: `stress_xx`, `shear`, `von_mises`, and `failure` where there is a
-/// criterion. `failure` has for each criterion its name and the index of each cell,
+/// criterion. `failure` has for each criterion its key and the index of each cell,
 /// not a number in cells without strengths; the largest is shown.
 pub fn stress_plots<'a>(
     section: &'a Section,
@@ -90,10 +90,11 @@ fn largest_index(section: &Section, failure: &[(String, Vec<f64>)]) -> Field {
         indices.copied().fold(f64::NAN, f64::max)
     };
     let values: Vec<_> = (0..section.mesh.cells.len()).map(largest).collect();
-    let names = failure.iter().map(|(name, _)| name.replace('_', " "));
-    let names: Vec<_> = names.collect();
+    let is_used = |criterion: &Criterion| failure.iter().any(|(key, _)| key == criterion.key());
+    let used = Criterion::ALL.into_iter().filter(is_used);
+    let names: Vec<_> = used.map(Criterion::name).collect();
     let mut field = Field::of_cells(Quantity::Index, "largest failure index".to_owned(), &values);
-    field.note = format!("of each cell, by {}", names.join(", "));
+    field.note = format!("of each cell, by its mean stress: {}", names.join(", "));
     if values.iter().any(|value| value.is_nan()) {
         field.note += "; white: without strengths";
     }
