@@ -34,7 +34,8 @@ const SHORTEST: f64 = 0.06;
 /// Length of the head of an arrow at most [figure pixels].
 const HEAD: f64 = 17.0;
 
-/// Draws arrows at some of the samples, `rim` the lines around the section; the longest
+/// Draws arrows at some of the samples, `rim` the lines around the section and between
+/// its materials; the longest
 /// is that of a vector of the length `largest`.
 pub(super) fn draw<B: DrawingBackend>(
     canvas: &Canvas<B>,
