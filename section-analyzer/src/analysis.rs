@@ -66,7 +66,9 @@ pub fn analyze(section: &Section) -> Result<SectionSolution, Failure> {
         ..check_solution(&decoupled, &compliance, &resultant)
     };
     require_checks(section, &domain, &checks, weakest)?;
-    in_si(section, &domain, &decoupled, &compliance, checks)
+    let solution = in_si(section, &domain, &decoupled, &compliance, checks)?;
+    require_sound(&solution)?;
+    Ok(solution)
 }
 
 /// The checks that compare the solution with itself; the others are left at zero.
@@ -125,6 +127,7 @@ fn require_identities(errors: &[f64; 2]) -> Result<(), Failure> {
 fn factor_failure(section: &Section, domain: &Domain, error: FactorError) -> Failure {
     match error {
         FactorError::NotPositive(pivot) => loose(section, domain, pivot),
+        FactorError::NoStiffness => Failure::ComplianceNotPositive,
         FactorError::OutOfMemory => Failure::OutOfMemory {
             unknowns: domain.unknowns(),
         },
@@ -175,6 +178,27 @@ fn require_checks(
         }
     }
     Ok(())
+}
+
+/// Finite matrices, a stiffness that stores energy: in SI and about the origin of the
+/// mesh, which may be out of range though all is well in the units of the domain.
+fn require_sound(solution: &SectionSolution) -> Result<(), Failure> {
+    let SectionSolution {
+        stiffness, mass, ..
+    } = solution;
+    let finite = |matrix: &Matrix6<f64>| matrix.iter().all(|value| value.is_finite());
+    if !finite(stiffness) || !finite(&solution.compliance) {
+        return Err(Failure::NoScale { what: "stiffness" });
+    }
+    if !finite(mass) {
+        return Err(Failure::NoScale { what: "mass" });
+    }
+    let down = stiffness.diagonal().map(|value| 1.0 / value.sqrt());
+    let scaled = stiffness.component_mul(&(down * down.transpose()));
+    match scaled.cholesky() {
+        Some(_) => Ok(()),
+        None => Err(Failure::ComplianceNotPositive),
+    }
 }
 
 /// From the units of the domain to SI, from its origin to that of the mesh.

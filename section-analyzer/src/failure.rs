@@ -28,7 +28,7 @@ pub enum Failure {
     /// Size, area or stiffness is zero, infinite or not a number.
     #[error("the {what} of the section is zero or not finite")]
     NoScale {
-        /// `size`, `area` or `stiffness`.
+        /// `size`, `area`, `stiffness` or `mass`.
         what: &'static str,
     },
     /// A cell is inverted, or flat, or folded.
@@ -99,7 +99,9 @@ pub enum Failure {
         z: f64,
     },
     /// The generalized strains have no unique solution.
-    #[error("the compliance of the section is not positive definite")]
+    #[error(
+        "the section has no stiffness against one of the generalized strains, to working accuracy"
+    )]
     ComplianceNotPositive,
     /// The recovered stress does not add up to the internal force.
     #[error(
@@ -140,12 +142,14 @@ impl Explain for Failure {
             Self::Inaccurate { .. } | Self::Resultant { .. } => {
                 "look for nearly detached parts, cells of extreme aspect ratio, moduli many orders of magnitude apart, and a Poisson's ratio next to 0.5"
             }
+            Self::ComplianceNotPositive => {
+                "look for moduli many orders of magnitude apart, a shear modulus of nearly zero, and an origin of the mesh far from the section"
+            }
             Self::NodesOnOneLine => "a section needs an area: give the wall a thickness",
             Self::OutOfMemory { .. } => "coarsen the mesh, or use a machine with more memory",
             Self::CellsWithoutMaterial { .. }
             | Self::DanglingCell { .. }
-            | Self::NoScale { .. }
-            | Self::ComplianceNotPositive => return None,
+            | Self::NoScale { .. } => return None,
         };
         Some(text.to_owned())
     }

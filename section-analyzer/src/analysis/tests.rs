@@ -153,6 +153,25 @@ fn numbers_that_are_none_are_refused() {
     ));
 }
 
+/// Moduli that no number can hold in SI, though all is well in the units of the domain,
+/// and an origin so far away that the stiffness about it has no digits.
+#[test]
+fn results_beyond_all_numbers_are_refused() {
+    let mut section = of_quadrilaterals(&grid(0.0, 0.0), &GRID_CELLS);
+    for node in &mut section.mesh.nodes {
+        *node = node.map(|x| 1e80 * x);
+    }
+    assert_eq!(
+        analyze(&section).err(),
+        Some(Failure::NoScale { what: "stiffness" })
+    );
+    let section = of_quadrilaterals(&grid(1e9, 1e9), &GRID_CELLS);
+    assert_eq!(
+        analyze(&section).err(),
+        Some(Failure::ComplianceNotPositive)
+    );
+}
+
 /// A law that releases energy in shear: not positive definite, found by the factor.
 #[test]
 fn a_law_without_energy_is_refused() {

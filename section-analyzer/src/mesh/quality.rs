@@ -116,15 +116,17 @@ impl ShapeMeasure {
         }
     }
 
-    /// How near a value is to the limit of poor ones: 1 at the limit, more beyond.
-    fn severity(self, value: f64) -> f64 {
+    /// How bad a value is: its grade, 2 if poor and 0 if good, then how near it is to the
+    /// limit of poor ones, 1 at the limit.
+    fn severity(self, value: f64) -> (usize, f64) {
         let [poor, _] = self.limits();
-        match self {
+        let nearness = match self {
             Self::Jacobian | Self::SmallestAngle => poor / value,
             Self::Aspect | Self::Middle => value / poor,
             // corners up to 90 degrees are no matter
             Self::LargestAngle => (value - 0.5 * PI).max(0.0) / (poor - 0.5 * PI),
-        }
+        };
+        (Grade::Good as usize - self.grade(value) as usize, nearness)
     }
 
     fn worse(self, a: f64, b: f64) -> f64 {
@@ -248,7 +250,7 @@ impl MeshQuality {
             .map(|group| RegionQuality::empty(group))
             .collect();
         // severity, number of the cell, its worst value
-        let mut worst: Vec<(f64, usize, ShapeValue)> = Vec::new();
+        let mut worst: Vec<((usize, f64), usize, ShapeValue)> = Vec::new();
         for (number, cell) in mesh.cells.iter().enumerate() {
             let mut places = [[0.0; 2]; 9];
             for (place, of_node) in places.iter_mut().zip(mesh.places(cell)) {
@@ -269,14 +271,14 @@ impl MeshQuality {
         for region in &mut regions {
             region.finish();
         }
-        let named = |(severity, number, worst): (f64, usize, ShapeValue)| {
+        let named = |(_, number, worst): (_, usize, ShapeValue)| {
             let cell = &mesh.cells[number];
             NamedCell {
                 cell: cell.tag,
                 place: mesh.middle(cell),
                 group: mesh.groups.get(cell.group).cloned().unwrap_or_default(),
                 worst,
-                is_poor: severity > 1.0,
+                is_poor: worst.measure.grade(worst.value) == Grade::Poor,
             }
         };
         Self {
@@ -336,9 +338,9 @@ impl RegionQuality {
     }
 }
 
-/// The value nearest to its limit or farthest beyond, and how far.
-fn worst_of(values: &[f64; 5]) -> (f64, ShapeValue) {
-    let mut worst = (f64::NEG_INFINITY, ShapeMeasure::Jacobian, 1.0);
+/// The value of the worst grade, among these nearest to its limit or farthest beyond.
+fn worst_of(values: &[f64; 5]) -> ((usize, f64), ShapeValue) {
+    let mut worst = ((0, f64::NEG_INFINITY), ShapeMeasure::Jacobian, 1.0);
     for (measure, &value) in ShapeMeasure::ALL.into_iter().zip(values) {
         let severity = measure.severity(value);
         if severity > worst.0 {

@@ -106,7 +106,8 @@ pub fn areas_csv(areas: &AreaTable) -> String {
 }
 
 fn csv_row(row: &AreaProperties) -> Vec<String> {
-    let exact = |value: f64| format!("{value:e}");
+    // an empty sum is -0
+    let exact = |value: f64| format!("{:e}", value + 0.0);
     let [y, z] = row.centroid;
     let [first_y, first_z] = row.first;
     let (second, central) = (row.second, row.central);

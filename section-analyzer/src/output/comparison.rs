@@ -5,7 +5,7 @@ use shared_geom::section::SectionProperties;
 use shared_geom::wrench::COMPONENTS;
 
 use super::parts::joined;
-use super::text::{coordinate, number, table};
+use super::text::{ZERO, coordinate, number, table};
 use crate::properties::{Difference, Entry, Part};
 
 /// Most entries that the list of differences shows.
@@ -132,7 +132,7 @@ fn row(entry: &Entry, scale: f64) -> Vec<String> {
     let shown = |value: f64| match (entry.unit, scale > 0.0) {
         ("rad", _) => coordinate(value, 1.0),
         (_, true) => coordinate(value, scale),
-        (_, false) => number(value),
+        (_, false) => number(beside(value, entry)),
     };
     vec![
         entry.name.clone(),
@@ -141,6 +141,15 @@ fn row(entry: &Entry, scale: f64) -> Vec<String> {
         unit.to_owned(),
         relative(entry.relative),
     ]
+}
+
+/// A value, or zero where it is round-off beside what the difference is relative to.
+fn beside(value: f64, entry: &Entry) -> f64 {
+    let weight = ((entry.b - entry.a) / entry.relative).abs();
+    match value.abs() <= ZERO * weight {
+        true => 0.0,
+        false => value,
+    }
 }
 
 fn optional(table: String) -> String {
@@ -201,5 +210,29 @@ fn part(part: Part) -> &'static str {
         Part::Piezo => "electrodes",
         Part::Thermal => "temperature",
         Part::Damping => "damping",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1e-9 beside a stiffness of 1e6 is round-off, 1e-3 is not.
+    #[test]
+    fn round_off_of_a_different_number_is_shown_as_zero() {
+        let shown = |a: f64| {
+            let entry = Entry {
+                part: Part::Stiffness,
+                name: "axial-torsion".to_owned(),
+                a,
+                b: 2e6,
+                unit: "N m",
+                relative: (2e6 - a) / 1e6,
+            };
+            row(&entry, 0.0)[1].clone()
+        };
+        assert_eq!(shown(-1e-9), "0");
+        assert_eq!(shown(-1e-3), "-1.00000e-3");
+        assert_eq!(shown(2e6), "2.00000e6");
     }
 }

@@ -66,17 +66,17 @@ pub struct FieldPlot<'a> {
     wall: f64,
     /// Width of each region on the figure [figure pixels].
     regions: Vec<f64>,
-    /// Words on the load case; more words, if any.
-    words: [String; 2],
+    /// Lines of words below the title: on the load case, then more, if any.
+    words: Vec<String>,
 }
 
 impl<'a> FieldPlot<'a> {
-    /// The figure of `field` on `section`, under what `load` says.
+    /// The figure of `field` on `section`, under what the lines `load` say.
     pub(super) fn new(
         section: &'a Section,
         summary: &InputSummary,
         field: Field,
-        load: String,
+        load: Vec<String>,
     ) -> Self {
         let bare = Extent::of(section.mesh.nodes.iter().copied());
         let size = bare.largest();
@@ -89,9 +89,9 @@ impl<'a> FieldPlot<'a> {
         let notes = [field.note.clone(), walls.unwrap_or_default()];
         let notes = notes.into_iter().filter(|note| !note.is_empty());
         let notes = notes.collect::<Vec<_>>().join("; ");
-        if !notes.is_empty() {
-            plane.corner[1] += NOTE;
-        }
+        let mut words = load;
+        words.extend((!notes.is_empty()).then_some(notes));
+        plane.corner[1] += NOTE * words.len().saturating_sub(1) as f64;
         let regions = surface::region_widths(section, &sides);
         let [lowest, highest] = field.extremes(section);
         let ends = [lowest.value, highest.value];
@@ -107,7 +107,7 @@ impl<'a> FieldPlot<'a> {
             field,
             scale,
             sides,
-            words: [load, notes],
+            words,
         }
     }
 
@@ -149,7 +149,8 @@ impl<'a> FieldPlot<'a> {
         let what = format!(": {}", self.field.title);
         let title = [self.section.name.as_str(), &what];
         draw_title(canvas, title, TITLE, [LEFT, 50.0], room)?;
-        for (words, y) in self.words.iter().zip([105.0, 155.0]) {
+        for (row, words) in self.words.iter().enumerate() {
+            let y = 105.0 + NOTE * row as f64;
             canvas.text(&canvas.shortened(words, label, room), [LEFT, y], label)?;
         }
         Ok(())
@@ -175,10 +176,21 @@ impl<'a> FieldPlot<'a> {
             false => arrows::draw(
                 canvas,
                 &surface.samples,
-                &rim.outlines,
+                &[rim.outlines, self.material_borders()].concat(),
                 self.scale.highest(),
             ),
         }
+    }
+
+    /// Lines between materials: the walls around a core are walls of their own.
+    fn material_borders(&self) -> Vec<Vec<[f64; 2]>> {
+        let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
+        let material = |cell: usize| self.section.cells[cell].material;
+        sides_by(&self.section.mesh.cells, material)
+            .iter()
+            .filter(|side| matches!(side.role, SideRole::Interface))
+            .map(|side| side_points(side.ends, side.middle, &place))
+            .collect()
     }
 
     /// Lines between regions, where these are wide enough to be seen beside them.

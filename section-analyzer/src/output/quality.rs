@@ -2,7 +2,7 @@
 
 use super::text::table;
 use crate::input::InputSummary;
-use crate::mesh::quality::{MeshQuality, ShapeMeasure};
+use crate::mesh::quality::{Grade, MeshQuality, NamedCell, ShapeMeasure};
 use shared_geom::figure::tick_label;
 
 /// The worst values of the mesh in two lines.
@@ -35,7 +35,7 @@ pub(super) fn quality_in_short(summary: &InputSummary) -> String {
     )
 }
 
-/// The measures by region and in the whole mesh, and the worst cells.
+/// The measures by region and in the whole mesh, and the worst cells that are not good.
 pub(super) fn quality_by_region(summary: &InputSummary) -> String {
     let regions = regions(&summary.quality);
     let grades = grades(&summary.quality);
@@ -109,7 +109,8 @@ fn worst_cells(summary: &InputSummary) -> String {
         "",
     ];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
-    for cell in &summary.quality.worst {
+    let is_good = |cell: &&NamedCell| cell.worst.measure.grade(cell.worst.value) == Grade::Good;
+    for cell in summary.quality.worst.iter().filter(|cell| !is_good(cell)) {
         let [y, z] = cell
             .place
             .map(|x| tick_label(x / summary.length_factor, 0.0));
@@ -120,6 +121,9 @@ fn worst_cells(summary: &InputSummary) -> String {
             z,
             cell.worst.to_string(),
         ]);
+    }
+    if rows.len() == 1 {
+        return "All cells are good by every measure\n".to_owned();
     }
     format!(
         "Worst cells, at their centers in the unit of the mesh\n{}",

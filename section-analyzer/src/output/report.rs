@@ -8,7 +8,7 @@ use super::quality::{quality_by_region, quality_in_short};
 use super::restrained::restrained_warping;
 use super::text::{matrix, number, table};
 use crate::failure::Failure;
-use crate::input::InputSummary;
+use crate::input::{AngleSource, InputSummary};
 use crate::material::{ElasticLaw, Material};
 use crate::properties::{Anisotropic, RestrainedWarping};
 use crate::section::Section;
@@ -37,7 +37,7 @@ pub fn report(
         warnings(summary),
         CONVENTION.to_owned(),
         materials(&section.materials),
-        regions(summary),
+        regions(section, summary),
         quality_in_short(summary),
         format!(
             "Stiffness, internal force per generalized strain [N, N m, N m^2]\n{}",
@@ -68,7 +68,7 @@ pub fn failure_report(section: &Section, summary: &InputSummary, failure: &Failu
         head(section, summary),
         warnings(summary),
         materials(&section.materials),
-        regions(summary),
+        regions(section, summary),
         format!("No result\n  {failure}\n{help}"),
     ];
     joined(&parts)
@@ -80,7 +80,7 @@ pub fn input_report(section: &Section, summary: &InputSummary) -> String {
         head(section, summary),
         warnings(summary),
         materials(&section.materials),
-        regions(summary),
+        regions(section, summary),
         areas(&summary.areas),
         quality_by_region(summary),
     ];
@@ -163,7 +163,13 @@ fn law(law: &ElasticLaw) -> (&'static str, String) {
     }
 }
 
-fn regions(summary: &InputSummary) -> String {
+/// Isotropic materials have no directions: their angles are left out.
+fn regions(section: &Section, summary: &InputSummary) -> String {
+    let is_isotropic = |name: &str| {
+        let mut materials = section.materials.iter();
+        let found = materials.find(|material| material.name == name);
+        found.is_some_and(|material| matches!(material.law, ElasticLaw::Isotropic { .. }))
+    };
     let heading = [
         "region",
         "material",
@@ -175,11 +181,15 @@ fn regions(summary: &InputSummary) -> String {
     ];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     for (region, area) in summary.regions.iter().zip(&summary.areas.regions) {
+        let angle = |angle: &AngleSource| match is_isotropic(&region.material) {
+            true => "-".to_owned(),
+            false => angle.to_string(),
+        };
         rows.push(vec![
             region.group.clone(),
             region.material.clone(),
-            region.fiber_angle.to_string(),
-            region.plane_angle.to_string(),
+            angle(&region.fiber_angle),
+            angle(&region.plane_angle),
             area.cells.to_string(),
             number(area.area),
             number(area.mass),

@@ -1,7 +1,6 @@
 //! The figures of a load case: axial stress, shear stress, von Mises stress, and the
 //! failure index where there are strengths.
 
-use nalgebra::Vector6;
 use shared_geom::figure::tick_label;
 use shared_geom::wrench::COMPONENTS;
 
@@ -14,10 +13,13 @@ use crate::section::Section;
 /// A stress below this part of the largest of the load case is round-off.
 const NEGLIGIBLE: f64 = 1e-9;
 
+/// Letters on the load in one line of a figure at most.
+const LINE: usize = 85;
+
 /// The words that tell the figures of a load case.
 pub(super) const STRESS_PLOTS: [&str; 4] = ["stress_xx", "shear", "von_mises", "failure"];
 
-/// For each criterion that the limits of some material allow, its name and the index
+/// For each criterion that the limits of some material allow, its key and the index
 /// of each cell by its mean stress and strain; not a number where the limits of the
 /// cell's own material do not allow it. `limits` is parallel to the materials.
 pub fn failure_indices_of_cells(
@@ -43,7 +45,7 @@ pub fn failure_indices_of_cells(
 
 /// The figures of `recovery`, each with the word that tells it in the name of its
 /// file: `stress_xx`, `shear`, `von_mises`, and `failure` where there is a
-/// criterion. `failure` has for each criterion its name and the index of each cell,
+/// criterion. `failure` has for each criterion its key and the index of each cell,
 /// not a number in cells without strengths; the largest is shown.
 pub fn stress_plots<'a>(
     section: &'a Section,
@@ -90,10 +92,11 @@ fn largest_index(section: &Section, failure: &[(String, Vec<f64>)]) -> Field {
         indices.copied().fold(f64::NAN, f64::max)
     };
     let values: Vec<_> = (0..section.mesh.cells.len()).map(largest).collect();
-    let names = failure.iter().map(|(name, _)| name.replace('_', " "));
-    let names: Vec<_> = names.collect();
+    let is_used = |criterion: &Criterion| failure.iter().any(|(key, _)| key == criterion.key());
+    let used = Criterion::ALL.into_iter().filter(is_used);
+    let names: Vec<_> = used.map(Criterion::name).collect();
     let mut field = Field::of_cells(Quantity::Index, "largest failure index".to_owned(), &values);
-    field.note = format!("of each cell, by {}", names.join(", "));
+    field.note = format!("of each cell, by its mean stress: {}", names.join(", "));
     if values.iter().any(|value| value.is_nan()) {
         field.note += "; white: without strengths";
     }
@@ -130,39 +133,58 @@ fn at_nodes<T: Copy + Default>(recovery: &Recovery, take: impl Fn(&Tensors) -> T
     recovery.cell_nodes.iter().map(of_cell).collect()
 }
 
-/// `load case "gust": shear z 1200 N, torsion -35 N m`.
-fn load_words(recovery: &Recovery) -> String {
-    let words = force_words(&recovery.load.force);
-    format!("load case \"{}\": {words}", recovery.load.name)
-}
-
-fn force_words(force: &Vector6<f64>) -> String {
-    let words = |(component, value): (usize, &f64)| {
-        let unit = if component < 3 { "N" } else { "N m" };
-        format!(
-            "{} {} {unit}",
-            COMPONENTS[component],
-            tick_label(*value, 0.0)
-        )
-    };
-    let parts: Vec<_> = force
-        .iter()
-        .enumerate()
-        .filter(|(_, value)| **value != 0.0)
-        .map(words)
-        .collect();
-    match parts.is_empty() {
-        true => "no internal force".to_owned(),
-        false => parts.join(", "),
+/// `load case "gust": shear z 1200 N, torsion -35 N m`, in lines that fit.
+fn load_words(recovery: &Recovery) -> Vec<String> {
+    let mut lines = vec![format!("load case \"{}\":", recovery.load.name)];
+    let force = recovery.load.force.iter().enumerate();
+    let parts: Vec<_> = force.filter(|(_, value)| **value != 0.0).collect();
+    if parts.is_empty() {
+        lines[0] += " no internal force";
     }
+    for (count, (component, value)) in parts.iter().enumerate() {
+        let unit = if *component < 3 { "N" } else { "N m" };
+        let comma = if count + 1 < parts.len() { "," } else { "" };
+        let (name, value) = (COMPONENTS[*component], tick_label(**value, 0.0));
+        let words = format!("{name} {value} {unit}{comma}");
+        match lines.last_mut() {
+            Some(line) if line.len() + words.len() < LINE => *line += &format!(" {words}"),
+            _ => lines.push(words),
+        }
+    }
+    lines
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector6;
     use shared_geom::mesh::CellKind;
 
     use super::*;
     use crate::output::samples::{recovery, rectangle};
+
+    /// All components are told, in as many lines as that takes.
+    #[test]
+    fn load_is_told_in_lines_that_fit() {
+        let section = rectangle(CellKind::Triangle6);
+        let words = |force: [f64; 6]| {
+            let zero = |_, _| Vector6::zeros();
+            load_words(&recovery(&section, "gust", Vector6::from(force), zero))
+        };
+        assert_eq!(
+            words([0.0, 0.0, 1200.0, -35.0, 0.0, 0.0]),
+            ["load case \"gust\": shear z 1200 N, torsion -35 N m"]
+        );
+        assert_eq!(words([0.0; 6]), ["load case \"gust\": no internal force"]);
+        let lines = words([-20123.0, 1234.5, -123450.0, 12345.0, -23456.0, -34567.0]);
+        assert_eq!(
+            lines,
+            [
+                "load case \"gust\": axial -20123 N, shear y 1234.5 N, shear z -123450 N,",
+                "torsion 12345 N m, bending y -23456 N m, bending z -34567 N m"
+            ]
+        );
+        assert!(lines.iter().all(|line| line.len() <= LINE));
+    }
 
     /// The face +x: xy along y, xz along z.
     #[test]

@@ -6,16 +6,20 @@ use shared_geom::wrench::COMPONENTS;
 
 use super::strengths::strengths;
 use super::text::{ZERO, coordinate, number, table};
-use crate::material::MaterialLimits;
+use crate::material::{ElasticLaw, MaterialLimits};
 use crate::recovery::{Extreme, Range, Recovery, STRESS_NAMES, region_failures, region_stresses};
 use crate::section::Section;
 
 const CONVENTION: &str = "\
 Convention
   Stresses xx to xy are in section axes: x along the beam, y and z in the section. 11 to
-  12 are in material axes: 1 the fiber, 2 across it in the ply, 3 the normal of the wall.
+  12 are in material axes: 1 the fiber, 2 across it in the ply, 3 the normal of the wall;
+  isotropic materials have none.
   Moments are about the reference point, the origin of the mesh. SI units: N, m, Pa.
 ";
+
+/// Which of the 13 stresses are in material axes.
+const MATERIAL_AXES: std::ops::Range<usize> = 6..12;
 
 /// The report of the stresses of `section` under one load; `limits` are the strengths
 /// of its materials.
@@ -27,7 +31,7 @@ pub fn stress_report(section: &Section, limits: &[MaterialLimits], recovery: &Re
         ),
         CONVENTION.to_owned(),
         strengths(&section.materials, limits),
-        load(recovery),
+        load(recovery, size(section)),
         stresses(section, recovery),
         failures(section, limits, recovery),
     ];
@@ -35,11 +39,12 @@ pub fn stress_report(section: &Section, limits: &[MaterialLimits], recovery: &Re
     parts.join("\n")
 }
 
-fn load(recovery: &Recovery) -> String {
+/// `size` is the largest coordinate of a node \[m\].
+fn load(recovery: &Recovery, size: f64) -> String {
     let heading = ["", "load", "of the stresses", "generalized strain"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
-    let strain = without_round_off(&recovery.generalized_strain);
-    let resultant = without_round_off(&recovery.resultant);
+    let strain = without_round_off(&recovery.generalized_strain, size);
+    let resultant = without_round_off(&recovery.resultant, size.recip());
     for (i, component) in COMPONENTS.iter().enumerate() {
         rows.push(vec![
             (*component).to_owned(),
@@ -49,22 +54,21 @@ fn load(recovery: &Recovery) -> String {
         ]);
     }
     format!(
-        "Internal force [N, N m] and generalized strain [-, 1/m]\n{}  \
+        "Internal force about the reference point [N, N m] and generalized strain [-, 1/m]\n{}  \
          (the resultants of the stresses differ from the load by {:.1e} of it)\n",
         table(&rows, "lr"),
         recovery.resultant_error
     )
 }
 
-/// What is zero beside the largest component, shown as zero.
-fn without_round_off(values: &Vector6<f64>) -> Vector6<f64> {
-    let scale = values.amax();
-    values.map(|value| {
-        if value.abs() <= ZERO * scale {
-            0.0
-        } else {
-            value
-        }
+/// What is zero beside the largest component, shown as zero; the last three times
+/// `length` are comparable with the first three.
+fn without_round_off(values: &Vector6<f64>, length: f64) -> Vector6<f64> {
+    let weight = |i: usize| if i < 3 { 1.0 } else { length };
+    let compared = Vector6::from_fn(|i, _| (values[i] * weight(i)).abs());
+    let scale = compared.amax();
+    values.zip_map(&compared, |value, compared| {
+        if compared <= ZERO * scale { 0.0 } else { value }
     })
 }
 
@@ -73,16 +77,26 @@ fn stresses(section: &Section, recovery: &Recovery) -> String {
     let mut parts = Vec::new();
     for region in region_stresses(section, recovery) {
         let name = &section.mesh.groups[region.group];
+        let has_axes = has_material_axes(section, region.group);
         parts.push(format!(
             "Extreme stresses of region \"{name}\", at integration points [Pa, m]\n{}",
-            ranges(&region.points, "cell", size)
+            ranges(&region.points, has_axes, "cell", size)
         ));
         parts.push(format!(
             "Extreme stresses of region \"{name}\", smoothed at nodes [Pa, m]\n{}",
-            ranges(&region.nodes, "node", size)
+            ranges(&region.nodes, has_axes, "node", size)
         ));
     }
     parts.join("\n")
+}
+
+/// Whether a material of the region has axes of its own.
+fn has_material_axes(section: &Section, group: usize) -> bool {
+    let mut cells = section.mesh.cells.iter().zip(&section.cells);
+    cells.any(|(cell, made_of)| {
+        let law = &section.materials[made_of.material].law;
+        cell.group == group && !matches!(law, ElasticLaw::Isotropic { .. })
+    })
 }
 
 /// Largest coordinate of a node: what is zero beside it is shown as zero \[m\].
@@ -91,14 +105,18 @@ fn size(section: &Section) -> f64 {
     coordinates.fold(0.0, |size, x| x.abs().max(size))
 }
 
-fn ranges(ranges: &[Range; 13], what: &str, size: f64) -> String {
+/// Rows of the stresses, without those in material axes unless `has_axes`.
+fn ranges(ranges: &[Range; 13], has_axes: bool, what: &str, size: f64) -> String {
     let heading = ["", "smallest", what, "y", "z", "largest", what, "y", "z"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     let scale = ranges
         .iter()
         .map(|range| range.min.value.abs().max(range.max.value.abs()));
     let scale = scale.fold(0.0, f64::max);
-    for (range, name) in ranges.iter().zip(STRESS_NAMES) {
+    for (i, (range, name)) in ranges.iter().zip(STRESS_NAMES).enumerate() {
+        if MATERIAL_AXES.contains(&i) && !has_axes {
+            continue;
+        }
         let mut row = vec![name.to_owned()];
         row.extend(extreme(&range.min, scale, size));
         row.extend(extreme(&range.max, scale, size));

@@ -41,8 +41,7 @@ pub struct AreaTable {
 
 impl AreaTable {
     /// The table by physical surface, in the order of [`crate::mesh::SectionMesh::groups`].
-    #[cfg(test)]
-    pub(crate) fn by_group(section: &Section) -> Self {
+    pub fn by_group(section: &Section) -> Self {
         let groups: Vec<_> = section.mesh.cells.iter().map(|cell| cell.group).collect();
         Self::by_region(section, &section.mesh.groups, &groups)
     }

@@ -42,6 +42,8 @@ pub struct Pivot {
 pub enum FactorError {
     /// The matrix is not positive definite: at this pivot.
     NotPositive(Pivot),
+    /// The section has no stiffness against some generalized strain.
+    NoStiffness,
     /// No memory.
     OutOfMemory,
 }

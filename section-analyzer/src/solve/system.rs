@@ -61,10 +61,9 @@ impl CentralSystem {
 
         let rz: Matrix6<f64> = r.tr_mul(&z.columns(0, 6)).fixed_view::<6, 6>(0, 0).into();
         let schur = a - 0.5 * (rz + rz.transpose());
-        let not_positive = FactorError::NotPositive(factor.smallest_pivot());
         Ok(Self {
             condition,
-            schur: Cholesky::new(schur).ok_or(not_positive)?,
+            schur: Cholesky::new(schur).ok_or(FactorError::NoStiffness)?,
             r,
             z,
             factor,

@@ -172,7 +172,7 @@ fn report_says_what_went_in_and_in_which_axes() {
         "  mesh      strip.msh: 165 nodes, 32 quadrilaterals with 9 nodes",
         "  warning: material \"spare\" (line 10) is used by no region",
         "  Components: axial, shear y, shear z, torsion, bending y, bending z.",
-        "  section  aluminum  0 deg        0 deg           32  4.06451e-5   1.09027e-1",
+        "  section  aluminum  -            -               32  4.06451e-5   1.09027e-1",
         "  tension  0  0  an axial force here causes no bending",
         "  none above 1e-6",
     ] {

@@ -152,6 +152,14 @@ Cell quality by region, the worst value (and the mean)
   web     1.000 (1.000)  300.0 (300.0)   90.0 (90.0)  90.0 (90.0)      1 of 1
 ";
     assert!(run.out.contains(table), "{}", run.out);
+    // the square beside the strip is good, and none of the worst
+    let worst = "Worst cells, at their centers in the unit of the mesh\n  \
+                 cell  region  y [mm]  z [mm]\n  \
+                 12    web        151     0.5  aspect ratio 300.0, poor above 100\n\n";
+    assert!(run.out.contains(worst), "{}", run.out);
+    let run = Workplace::with(&[], &[]).run(&["check", "a.section.toml"]);
+    let good = "\n\nAll cells are good by every measure\n";
+    assert!(run.out.contains(good), "{}", run.out);
     let run = place.run(&["analyze", "a.section.toml"]);
     let words = "Cell quality\n  aspect ratios up to 300.0, corners of 90.0 to 90.0 deg,\n  least \
                  over largest Jacobian 1.00 or more: 1 cell is poor\n";

@@ -63,7 +63,7 @@ fn analyze_recovers_every_load_of_the_file() {
 }
 
 /// Another load than that of the file, with units, at another place: 1 kN at the
-/// corner (2, 1) mm bends by 0.5 N m about y and by -1 N m about z.
+/// corner (2, 1) mm bends by 1 N m about y and by -2 N m about z.
 #[test]
 fn command_line_gives_a_load() {
     let place = with("[load.pull]\naxial = 400\n");
@@ -87,6 +87,51 @@ fn command_line_gives_a_load() {
     let run = place.run(&["stress", "a.section.toml"]);
     assert_eq!(run.code, 0);
     assert!(place.path("results/a.pull.stress.csv").exists());
+}
+
+/// Negative values with units are values, not options.
+#[test]
+fn command_line_takes_negative_loads_with_units() {
+    let place = with("");
+    let run = place.run(&[
+        "stress",
+        "a.section.toml",
+        "--axial",
+        "-1 kN",
+        "--bending-z",
+        "-2e3 N mm",
+        "--point",
+        "-2 mm",
+        "-1e-3",
+    ]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let report = squeezed(&run.out);
+    for line in [
+        "axial -1.00000e3",
+        "bending y 1.00000e0",
+        "bending z -4.00000e0",
+    ] {
+        assert!(report.contains(line), "{}", run.out);
+    }
+}
+
+/// Isotropic materials have no axes of their own: no rows of stresses in them. Tension
+/// bends nothing: the curvatures are round-off, and shown as zero.
+#[test]
+fn report_leaves_out_what_means_nothing() {
+    let place = with("[load.pull]\naxial = 400\npoint = [1, 0.5]\n");
+    let run = place.run(&["stress", "a.section.toml"]);
+    let rows: Vec<_> = run.out.lines().map(squeezed).collect();
+    let is_shown = |name: &str| rows.iter().any(|row| row.starts_with(name));
+    assert!(is_shown("xx ") && is_shown("xy 0") && is_shown("von Mises "));
+    assert!(
+        !is_shown("11 ") && !is_shown("12 0") && !is_shown("12 -"),
+        "{}",
+        run.out
+    );
+    for component in ["shear y", "shear z", "torsion"] {
+        assert!(rows.contains(&format!("{component} 0 0 0")), "{}", run.out);
+    }
 }
 
 fn squeezed(text: &str) -> String {

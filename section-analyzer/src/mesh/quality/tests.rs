@@ -161,6 +161,16 @@ fn limit_of_the_middles() {
     );
 }
 
+/// A corner of 12 degrees is fair, though farther from its limit of 1 degree, as 12 to 1,
+/// than a Jacobian of 1 from 0.1, as 10 to 1: the cell is named for its corner.
+#[test]
+fn a_cell_is_named_for_its_worst_grade() {
+    let mut values = [1.0, 2.0, 12_f64.to_radians(), 0.5 * PI, 0.0];
+    assert_eq!(worst_of(&values).1.measure, ShapeMeasure::SmallestAngle);
+    values[2] = 0.5 * PI;
+    assert_eq!(worst_of(&values).0, (0, 0.1));
+}
+
 #[test]
 fn regions_are_counted_apart_and_the_worst_cells_named_in_order() {
     // eight strips of growing length, by turns in two regions

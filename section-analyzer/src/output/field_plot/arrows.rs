@@ -20,8 +20,10 @@ const NEAREST_SHALLOW: f64 = 1.3;
 const SHALLOW: f64 = 0.2;
 /// Radius of the means that arrows show [figure pixels].
 const MEAN: f64 = 0.4 * SPACING;
-/// A mean below this part of the mean length has no direction worth showing.
-const COHERENT: f64 = 0.25;
+/// A mean below this part of the mean length has no direction worth showing: where the
+/// two faces of a wall, or plies of opposite angles, shear against each other, it is the
+/// remainder of what nearly cancels, and depends on where exactly it is taken.
+const COHERENT: f64 = 0.5;
 /// What a pixel of depth is worth in pixels of distance from the grid.
 const DEEP: f64 = 4.0;
 /// Distance of the points of the rim [figure pixels].
@@ -33,7 +35,8 @@ const SHORTEST: f64 = 0.06;
 /// Length of the head of an arrow at most [figure pixels].
 const HEAD: f64 = 17.0;
 
-/// Draws arrows at some of the samples, `rim` the lines around the section; the longest
+/// Draws arrows at some of the samples, `rim` the lines around the section and between
+/// its materials; the longest
 /// is that of a vector of the length `largest`.
 pub(super) fn draw<B: DrawingBackend>(
     canvas: &Canvas<B>,

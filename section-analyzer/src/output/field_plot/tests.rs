@@ -80,7 +80,9 @@ fn largest_failure_index_is_shown_where_there_is_one() {
     let (word, text) = &drawn[3];
     assert_eq!(*word, "failure");
     assert!(text.contains("largest failure index (at most 1 means safe)"));
-    assert!(text.contains("of each cell, by max stress, tsai wu; white: without strengths"));
+    assert!(text.contains(
+        "of each cell, by its mean stress: max stress, Tsai-Wu; white: without strengths"
+    ));
     let cell = &section.mesh.cells[5];
     let corners = cell.nodes().iter().map(|&n| section.mesh.nodes[n as usize]);
     let [y, z] = corners.fold([0.0; 2], |sum, p| {
