@@ -127,8 +127,8 @@ impl Domain {
         })
     }
 
-    /// The same domain with its nodes in another order: `order` lists the present
-    /// nodes, each once.
+    /// The same domain with its nodes in another order, and the cells in that of their
+    /// nodes: `order` lists the present nodes, each once.
     pub fn renumbered(mut self, order: &[u32]) -> Self {
         let mut place = vec![0; order.len()];
         for (new, &old) in order.iter().enumerate() {
@@ -144,6 +144,9 @@ impl Domain {
                 *node = place[*node as usize];
             }
         }
+        // cells in the order of their nodes: sums over cells stay near in memory
+        self.cells
+            .sort_by_key(|cell| cell.nodes().iter().copied().min());
         self
     }
 
