@@ -2,6 +2,7 @@
 
 use super::boundary::Perimeter;
 use super::moments::{AreaMoments, SecondMoments};
+use crate::mesh::SectionCell;
 use crate::section::Section;
 
 /// Geometry and mass of a region, or of the whole section.
@@ -52,32 +53,56 @@ impl AreaTable {
     /// The sums of a thin region are taken about its own centroid and then moved to
     /// the reference point, so that none is a difference of large numbers.
     pub fn by_region(section: &Section, names: &[String], region_of_cell: &[usize]) -> Self {
-        let region = |(index, name): (usize, &String)| {
-            properties(section, name, |cell| {
-                region_of_cell.get(cell) == Some(&index)
-            })
-        };
+        let cells = measured(section);
+        let mut parts = vec![Vec::new(); names.len()];
+        for (cell, &region) in region_of_cell.iter().enumerate() {
+            if let Some(part) = parts.get_mut(region) {
+                part.push(cell);
+            }
+        }
+        let all: Vec<_> = (0..cells.len()).collect();
+        let regions = names.iter().zip(&parts);
         Self {
-            regions: names.iter().enumerate().map(region).collect(),
-            total: properties(section, "total", |_| true),
+            regions: regions
+                .map(|(name, part)| properties(section, name, &cells, part))
+                .collect(),
+            total: properties(section, "total", &cells, &all),
         }
     }
 }
 
-fn properties(section: &Section, name: &str, is_part: impl Fn(usize) -> bool) -> AreaProperties {
+/// Moments of a cell about its first node, which keeps the digits of a mesh far away.
+struct MeasuredCell {
+    node: [f64; 2],
+    moments: AreaMoments,
+}
+
+fn measured(section: &Section) -> Vec<MeasuredCell> {
     let mesh = &section.mesh;
-    let part = || (0..mesh.cells.len()).filter(|&cell| is_part(cell));
+    let cell = |cell: &SectionCell| {
+        let node = mesh.nodes[cell.nodes()[0] as usize];
+        let moments = AreaMoments::of_cell(mesh, cell, node);
+        MeasuredCell { node, moments }
+    };
+    mesh.cells.iter().map(cell).collect()
+}
+
+/// The properties of the cells `part`, by index.
+fn properties(
+    section: &Section,
+    name: &str,
+    cells: &[MeasuredCell],
+    part: &[usize],
+) -> AreaProperties {
     let sum_about = |point: [f64; 2]| {
         let mut sum = AreaMoments::default();
-        for cell in part() {
-            sum += AreaMoments::of_cell(mesh, &mesh.cells[cell], point);
+        for &cell in part {
+            let MeasuredCell { node, moments } = &cells[cell];
+            sum += moments.moved([node[0] - point[0], node[1] - point[1]]);
         }
         sum
     };
-    // a node of the region as first origin keeps the digits of a mesh far away
-    let base = part().next().map_or([0.0; 2], |cell| {
-        mesh.nodes[mesh.cells[cell].nodes()[0] as usize]
-    });
+    let base = part.first().map_or([0.0; 2], |&cell| cells[cell].node);
     let first_guess = placed(base, sum_about(base).centroid());
     let near = sum_about(first_guess);
     // again from there: the first guess has the round-off of places as far as `base`
@@ -86,17 +111,19 @@ fn properties(section: &Section, name: &str, is_part: impl Fn(usize) -> bool) ->
     let central = near.moved(correction.map(|shift| -shift));
     let about_reference = near.moved(first_guess);
     let density = |cell: usize| section.materials[section.cells[cell].material].density;
-    let mass = |cell| density(cell) * AreaMoments::of_cell(mesh, &mesh.cells[cell], base).area;
     AreaProperties {
         name: name.to_owned(),
-        cells: part().count(),
+        cells: part.len(),
         area: central.area,
         centroid,
         first: about_reference.first,
         second: about_reference.second,
         central: central.second,
-        perimeter: Perimeter::of(mesh, &is_part),
-        mass: part().map(mass).sum(),
+        perimeter: Perimeter::of(&section.mesh, part),
+        mass: part
+            .iter()
+            .map(|&cell| density(cell) * cells[cell].moments.area)
+            .sum(),
     }
 }
 

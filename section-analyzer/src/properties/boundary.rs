@@ -27,9 +27,9 @@ pub struct Perimeter {
 }
 
 impl Perimeter {
-    /// The boundary of the cells that `is_part` takes, by index.
-    pub fn of(mesh: &SectionMesh, is_part: impl Fn(usize) -> bool) -> Self {
-        let sides = Sides::new(mesh, is_part);
+    /// The boundary of the cells `part`, by index.
+    pub fn of(mesh: &SectionMesh, part: &[usize]) -> Self {
+        let sides = Sides::new(mesh, part);
         let mut perimeter = Self::default();
         for (length, area) in sides.loops(mesh) {
             // the part lies left of its boundary: around a hole this runs clockwise
@@ -69,12 +69,11 @@ struct Sides {
 }
 
 impl Sides {
-    fn new(mesh: &SectionMesh, is_part: impl Fn(usize) -> bool) -> Self {
-        let part = mesh.cells.iter().enumerate();
+    fn new(mesh: &SectionMesh, part: &[usize]) -> Self {
         let all: Vec<_> = part
-            .filter(|(index, _)| is_part(*index))
-            .flat_map(|(index, cell)| {
-                let corners = 0..cell.kind.corner_count();
+            .iter()
+            .flat_map(|&index| {
+                let corners = 0..mesh.cells[index].kind.corner_count();
                 corners.map(move |side| (ends(mesh, (index, side)), (index, side)))
             })
             .collect();
