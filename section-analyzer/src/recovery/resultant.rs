@@ -11,7 +11,8 @@
 
 use super::state::PointState;
 use crate::assembly::largest;
-use crate::element::{cell_points, rigid_displacement};
+use crate::element::rigid_displacement;
+use crate::properties::AreaMoments;
 use crate::section::Section;
 use nalgebra::{Vector3, Vector6};
 
@@ -51,19 +52,12 @@ pub(super) fn centroid_and_size(section: &Section) -> ([f64; 2], f64) {
     };
     // the first node as origin keeps the digits of a far away mesh
     let base = mesh.nodes[first.nodes()[0] as usize];
-    let (mut area, mut moment) = (0.0, [0.0; 2]);
+    let mut sum = AreaMoments::default();
     for cell in &mesh.cells {
-        let nodes: Vec<[f64; 2]> = mesh
-            .places(cell)
-            .map(|[y, z]| [y - base[0], z - base[1]])
-            .collect();
-        for point in cell_points(cell.kind, &nodes) {
-            area += point.area;
-            moment[0] += point.area * point.y;
-            moment[1] += point.area * point.z;
-        }
+        sum += AreaMoments::of_cell(mesh, cell, base);
     }
-    let center = [base[0] + moment[0] / area, base[1] + moment[1] / area];
+    let from_base = sum.centroid();
+    let center = [base[0] + from_base[0], base[1] + from_base[1]];
     let nodes = mesh.cells.iter().flat_map(|cell| cell.nodes());
     let distance = nodes.map(|&node| {
         let [y, z] = mesh.nodes[node as usize];
