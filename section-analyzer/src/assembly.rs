@@ -19,8 +19,7 @@ pub use mass::mass_per_length;
 pub use matrices::SectionMatrices;
 pub use pattern::Pattern;
 pub use rigid::{
-    ASSEMBLED_IDENTITIES, IDENTITIES, add_rigid_motions, check_assembled_identities,
-    check_identities, equilibrium, resultant,
+    ASSEMBLED_IDENTITIES, add_rigid_motions, check_assembled_identities, equilibrium, resultant,
 };
 pub use stress::{Rate, SectionForces, State, section_forces};
 

@@ -13,20 +13,9 @@
 
 use super::domain::Domain;
 use super::matrices::SectionMatrices;
-use super::stress::{Rate, State, section_forces};
 use crate::element::rigid_displacement;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 use sprs::CsMatI;
-
-/// The identities, as [`check_identities`] orders them.
-pub const IDENTITIES: [&str; 6] = [
-    "M H = L",
-    "C' H = R",
-    "C H = L T",
-    "E H = R T",
-    "L' H = A",
-    "R' H = A T",
-];
 
 /// The identities that join assembled matrices only, as
 /// [`check_assembled_identities`] orders them.
@@ -62,49 +51,11 @@ pub fn equilibrium() -> Matrix6<f64> {
 
 /// A rigid motion with all six parts, none a simple multiple of another: an
 /// identity that fails for any motion fails for this one.
-const GENERIC_MOTION: [f64; 6] = [1.0, -0.71, 0.43, 0.89, -0.61, 0.53];
+pub(super) const GENERIC_MOTION: [f64; 6] = [1.0, -0.71, 0.43, 0.89, -0.61, 0.53];
 
-/// Error of each of the [`IDENTITIES`], applied to a rigid motion with all six
-/// parts, relative to the largest entry of its right-hand side before T; that of
-/// E to the terms of its product.
-///
-/// E, R and A are the assembled ones, M, C and L act by integration.
-pub fn check_identities(domain: &Domain, matrices: &SectionMatrices) -> [f64; 6] {
-    let SectionMatrices { r, a, .. } = matrices;
-    let motion = Vector6::from(GENERIC_MOTION);
-    let turned = equilibrium().transpose() * motion;
-    let displacement = rigid_displacements(domain, &motion);
-
-    // cases: u' = H m, u = H m, psi = m, psi = T m
-    let mut rate = DMatrix::zeros(displacement.len(), 4);
-    let mut warping = DMatrix::zeros(displacement.len(), 4);
-    let mut strain = Matrix6::zeros();
-    rate.set_column(0, &displacement);
-    warping.set_column(1, &displacement);
-    strain.set_column(2, &motion);
-    strain.set_column(3, &turned);
-    let state = State {
-        rate: Rate::Given(&rate),
-        warping: Some(&warping),
-        strain: &strain,
-    };
-    let forces = section_forces(domain, state);
-    let (face, within) = (forces.face, forces.within);
-    let (r_motion, l_motion) = (r * motion, face.column(2));
-    let (a_motion, theta) = (a * motion, forces.resultant.column(0));
-    let [of_e, of_r] = check_assembled_identities(domain, matrices);
-    [
-        (face.column(0) - l_motion).amax() / l_motion.amax(),
-        (within.column(0) - &r_motion).amax() / r_motion.amax(),
-        (face.column(1) - face.column(3)).amax() / l_motion.amax(),
-        of_e,
-        (theta - a_motion).amax() / a_motion.amax(),
-        of_r,
-    ]
-}
-
-/// Error of each of the [`ASSEMBLED_IDENTITIES`], as [`check_identities`] measures
-/// them: no integration.
+/// Error of each of the [`ASSEMBLED_IDENTITIES`], applied to a rigid motion with all six
+/// parts, relative to the largest entry of its right-hand side before T; that of E to
+/// the terms of its product.
 pub fn check_assembled_identities(domain: &Domain, matrices: &SectionMatrices) -> [f64; 2] {
     let SectionMatrices { e, r, a } = matrices;
     let motion = Vector6::from(GENERIC_MOTION);
@@ -118,7 +69,7 @@ pub fn check_assembled_identities(domain: &Domain, matrices: &SectionMatrices) -
 }
 
 /// `H m`: displacement of the unknowns in one rigid motion.
-fn rigid_displacements(domain: &Domain, motion: &Vector6<f64>) -> DVector<f64> {
+pub(super) fn rigid_displacements(domain: &Domain, motion: &Vector6<f64>) -> DVector<f64> {
     let mut displacement = DVector::zeros(domain.unknowns());
     for (node, &[y, z]) in domain.nodes.iter().enumerate() {
         displacement
