@@ -10,7 +10,7 @@ use section_analyzer::material::{ElasticLaw, Material};
 use section_analyzer::mesh::SectionMesh;
 use section_analyzer::mesh::generate::Rectangle;
 use section_analyzer::section::{CellMaterial, Section};
-use section_analyzer::solve::{CentralSolution, CentralSystem, Pins, elimination_order};
+use section_analyzer::solve::{CentralSolution, CentralSystem, Pins, in_elimination_order};
 use shared_geom::error::Place;
 use shared_geom::mesh::CellKind;
 
@@ -49,10 +49,8 @@ fn section() -> Option<Section> {
 /// The section as the solver sees it, in the order of elimination.
 fn prepared(section: &Section) -> Option<(Domain, Pattern)> {
     let domain = Domain::new(section).ok()?;
-    let order = elimination_order(&Pattern::new(&domain))?;
-    let domain = domain.renumbered(&order);
     let pattern = Pattern::new(&domain);
-    Some((domain, pattern))
+    in_elimination_order(domain, &pattern)
 }
 
 fn stages(criterion: &mut Criterion) {

@@ -14,7 +14,7 @@ use crate::properties::{Centers, PrincipalAxes, invert_symmetric, scaled_differe
 use crate::section::Section;
 use crate::solution::{Checks, SectionSolution};
 use crate::solve::{
-    CentralSolution, CentralSystem, Decoupled, FactorError, Pins, Pivot, elimination_order,
+    CentralSolution, CentralSystem, Decoupled, FactorError, Pins, Pivot, in_elimination_order,
 };
 use nalgebra::{DMatrix, Matrix6, Vector3};
 use shared_geom::wrench;
@@ -40,7 +40,9 @@ pub fn analyze(section: &Section) -> Result<SectionSolution, Failure> {
     let domain = Domain::new(section)?;
     let pattern = Pattern::new(&domain);
     check_connected(section, &domain, &pattern)?;
-    let (domain, pattern) = in_elimination_order(domain, &pattern)?;
+    let unknowns = domain.unknowns();
+    let (domain, pattern) =
+        in_elimination_order(domain, &pattern).ok_or(Failure::OutOfMemory { unknowns })?;
 
     let matrices = SectionMatrices::assemble(&domain, &pattern)?;
     let identities = check_assembled_identities(&domain, &matrices);
@@ -87,15 +89,6 @@ fn check_solution(
         decoupling: scaled_difference(y, compliance, &down, &down),
         ..Checks::default()
     }
-}
-
-/// Numbers the nodes as they are eliminated.
-fn in_elimination_order(domain: Domain, pattern: &Pattern) -> Result<(Domain, Pattern), Failure> {
-    let unknowns = domain.unknowns();
-    let order = elimination_order(pattern).ok_or(Failure::OutOfMemory { unknowns })?;
-    let domain = domain.renumbered(&order);
-    let pattern = Pattern::new(&domain);
-    Ok((domain, pattern))
 }
 
 /// One part, joined node by node.

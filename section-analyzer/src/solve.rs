@@ -14,7 +14,7 @@ mod system;
 
 pub use central::CentralSolution;
 pub use decouple::Decoupled;
-pub use factor::{Factor, FactorError, Pivot, elimination_order};
+pub use factor::{Factor, FactorError, Pivot, elimination_order, in_elimination_order};
 pub use pins::Pins;
 pub use system::CentralSystem;
 

@@ -9,7 +9,7 @@
 //! neither matrix nor solutions need a second copy in another order.
 
 use super::pins::Pins;
-use crate::assembly::{Pattern, largest};
+use crate::assembly::{Domain, Pattern, largest};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::sparse::linalg::cholesky::simplicial::{
@@ -214,6 +214,14 @@ fn analyze(pattern: &Pattern) -> Option<SymbolicSupernodalCholesky<u32>> {
     let tree = prefactorize_symbolic_cholesky(&mut tree, &mut counts, upper, stack);
     let parameters = SymbolicSupernodalParams::default();
     factorize_supernodal_symbolic_cholesky(upper, tree, &counts, stack, parameters).ok()
+}
+
+/// `domain` with its nodes numbered as they are best eliminated, and its pattern;
+/// `pattern` is that of the present numbers. `None` without memory.
+pub fn in_elimination_order(domain: Domain, pattern: &Pattern) -> Option<(Domain, Pattern)> {
+    let domain = domain.renumbered(&elimination_order(pattern)?);
+    let pattern = Pattern::new(&domain);
+    Some((domain, pattern))
 }
 
 /// An order of the nodes that keeps the factor small (approximate minimum degree), as
