@@ -4,13 +4,13 @@
 use std::hint::black_box;
 
 use beam_dynamics::analysis::modes::modes;
-use beam_dynamics::analysis::steady::{equilibrium, frame_at};
+use beam_dynamics::analysis::steady::equilibrium;
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{ModesCase, Spin};
+use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
 use beam_dynamics::elements::joints::Clamp;
-use beam_dynamics::model::{NamingAxes, Node};
+use beam_dynamics::model::{Conditions, Node};
 use beam_dynamics::modes::EigenProblem;
 use beam_dynamics::solver::LinearSolver;
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -52,31 +52,32 @@ fn system() -> System {
 }
 
 fn stages(criterion: &mut Criterion) {
-    let system = system();
-    let spin = Spin::default();
-    let frame = frame_at(&spin, SPEED);
+    let model = Model::new("blade", system());
+    let system = &model.system;
+    let at_rest = Conditions::at_rest();
+    let turning = model.conditions(SPEED, 1.0, 0.0);
     let rest = system.rest();
-    let tangent = system.tangent(&rest, &frame);
+    let tangent = system.tangent(&rest, &turning);
     let Some(solver) = LinearSolver::new(tangent.by_unknowns.pattern()) else {
         return;
     };
-    let Ok(steady) = equilibrium(&system, &solver, &spin, (0.0, &rest), SPEED) else {
+    let Ok(steady) = equilibrium(&model, &solver, (&at_rest, &rest), &turning) else {
         return;
     };
-    let tangent = system.tangent(&steady.state, &frame);
+    let tangent = system.tangent(&steady.state, &turning);
 
     let mut group = criterion.benchmark_group("modes");
     group.bench_function("residual", |b| {
-        b.iter(|| black_box(system.residual(&rest, &frame)))
+        b.iter(|| black_box(system.residual(&rest, &turning)))
     });
     group.bench_function("tangent", |b| {
-        b.iter(|| black_box(system.tangent(&rest, &frame)))
+        b.iter(|| black_box(system.tangent(&rest, &turning)))
     });
     group.bench_function("factorization", |b| {
         b.iter(|| black_box(solver.factorize(tangent.by_unknowns.clone())));
     });
     group.bench_function("equilibrium", |b| {
-        b.iter(|| black_box(equilibrium(&system, &solver, &spin, (0.0, &rest), SPEED).is_ok()));
+        b.iter(|| black_box(equilibrium(&model, &solver, (&at_rest, &rest), &turning).is_ok()));
     });
     group.bench_function("eigenvalues", |b| {
         b.iter(|| {
@@ -88,16 +89,13 @@ fn stages(criterion: &mut Criterion) {
 }
 
 fn whole(criterion: &mut Criterion) {
-    let case = ModesCase {
-        name: "blade".to_owned(),
-        system: system(),
-        naming: vec![NamingAxes::default(); 2 * ELEMENTS + 1],
-        spin: Spin::default(),
+    let model = Model::new("blade", system());
+    let question = ModesQuestion {
         speeds: vec![0.0, SPEED],
         count: 10,
     };
     criterion.bench_function("modes at two speeds", |b| {
-        b.iter(|| black_box(modes(&case)))
+        b.iter(|| black_box(modes(&model, &question)))
     });
 }
 

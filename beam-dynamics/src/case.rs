@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::assembly::System;
-use crate::model::NamingAxes;
+use crate::model::{Conditions, Loading, NamingAxes, TurningFrame};
 
 /// How the model's frame turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,17 +24,72 @@ impl Default for Spin {
     }
 }
 
-/// Modes over rotor speed.
+/// A blade of a model, for what is asked of blades: naming, multiblade coordinates,
+/// output along the span.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BladeNodes {
+    /// Name of the blade.
+    pub name: String,
+    /// Place on the rotor, positive about the axis [rad].
+    pub azimuth: f64,
+    /// Nodes from the root to the tip.
+    pub nodes: Vec<usize>,
+}
+
+/// A checked model.
 #[derive(Debug)]
-pub struct ModesCase {
+pub struct Model {
     /// Name, for tables and plots.
     pub name: String,
-    /// The model.
+    /// The equations.
     pub system: System,
     /// Axes for naming, one a node.
     pub naming: Vec<NamingAxes>,
     /// What turns.
     pub spin: Spin,
+    /// Acceleration of gravity, in the model's frame [m/s^2].
+    pub gravity: Vector3<f64>,
+    /// Nodes of each beam, for drawing.
+    pub beams: Vec<[usize; 3]>,
+    /// Blades, in the order of the input.
+    pub blades: Vec<BladeNodes>,
+}
+
+impl Model {
+    /// A model without blades and gravity, turning about z, whose modes are named by
+    /// the model's axes.
+    pub fn new(name: impl Into<String>, system: System) -> Self {
+        Self {
+            name: name.into(),
+            naming: vec![NamingAxes::default(); system.nodes().len()],
+            system,
+            spin: Spin::default(),
+            gravity: Vector3::zeros(),
+            beams: Vec::new(),
+            blades: Vec::new(),
+        }
+    }
+
+    /// All that acts at a rotor speed [rad/s] with the constant and the proportional
+    /// loads at the given factors; gravity is a constant load.
+    pub fn conditions(&self, speed: f64, constant: f64, proportional: f64) -> Conditions {
+        Conditions {
+            frame: TurningFrame {
+                angular_velocity: speed * self.spin.axis,
+                center: self.spin.center,
+            },
+            loading: Loading {
+                gravity: constant * self.gravity,
+                constant,
+                proportional,
+            },
+        }
+    }
+}
+
+/// What is asked about modes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModesQuestion {
     /// Rotor speeds, ascending, without doubles [rad/s].
     pub speeds: Vec<f64>,
     /// Number of modes to report at each speed.

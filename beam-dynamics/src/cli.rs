@@ -8,6 +8,7 @@ use clap::Parser;
 use shared_geom::error::Explain;
 
 use crate::analysis::modes::modes;
+use crate::case::ModesQuestion;
 use crate::input::{self, Input};
 use crate::output;
 
@@ -36,6 +37,21 @@ struct SameResults {
 impl Explain for SameResults {
     fn help(&self) -> Option<String> {
         Some("give the files different names, or run them one by one".to_owned())
+    }
+}
+
+/// A file that does not ask what the command answers.
+#[derive(Debug, thiserror::Error)]
+#[error("{file}: has no [{table}], which says what is asked")]
+struct NotAsked {
+    file: String,
+    table: &'static str,
+    example: &'static str,
+}
+
+impl Explain for NotAsked {
+    fn help(&self) -> Option<String> {
+        Some(format!("add [{}] with {}", self.table, self.example))
     }
 }
 
@@ -123,16 +139,28 @@ fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal
     let Some(inputs) = read(files, terminal) else {
         return WRONG_INPUT;
     };
-    let codes = inputs
-        .iter()
-        .zip(&places)
-        .enumerate()
-        .map(|(number, (input, place))| {
+    let mut questions = Vec::with_capacity(inputs.len());
+    for (file, input) in files.iter().zip(&inputs) {
+        match &input.modes {
+            Some(question) => questions.push((input, question)),
+            None => terminal.tell(&NotAsked {
+                file: file.display().to_string(),
+                table: "modes",
+                example: "speeds = [0, 300] and count = 8",
+            }),
+        }
+    }
+    if questions.len() < inputs.len() {
+        return WRONG_INPUT;
+    }
+    let codes = questions.into_iter().zip(&places).enumerate().map(
+        |(number, ((input, question), place))| {
             if number > 0 {
                 terminal.show("\n\n");
             }
-            modes_of(input, place, terminal)
-        });
+            modes_of(input, question, place, terminal)
+        },
+    );
     codes.max().unwrap_or(DONE)
 }
 
@@ -146,8 +174,13 @@ fn place(file: &Path, out: Option<&Path>) -> (PathBuf, String) {
 }
 
 /// Analyzes one model, writes its results, and prints them.
-fn modes_of(input: &Input, (folder, name): &(PathBuf, String), terminal: &mut Terminal<'_>) -> u8 {
-    let outcome = modes(&input.case);
+fn modes_of(
+    input: &Input,
+    question: &ModesQuestion,
+    (folder, name): &(PathBuf, String),
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let outcome = modes(&input.model, question);
     let mut table = outcome.table;
     if let Some(failure) = &outcome.failure {
         table.remarks.push(format!("stopped early: {failure}"));
@@ -156,7 +189,7 @@ fn modes_of(input: &Input, (folder, name): &(PathBuf, String), terminal: &mut Te
     terminal.show(&output::result_text(&table, &input.measured));
     let mut code = DONE;
     if let Some(failure) = &outcome.failure {
-        let (reached, asked) = (table.speeds.len(), input.case.speeds.len());
+        let (reached, asked) = (table.speeds.len(), question.speeds.len());
         terminal.tell_text(&format!(
             "error: {name}: {failure}\n  help: {reached} of {asked} rotor speeds were reached, \
              and their results written"

@@ -2,18 +2,20 @@
 
 use std::fmt::Debug;
 
-use crate::model::{NodeMotion, TurningFrame};
+use crate::model::{Loading, NodeMotion, TurningFrame};
 
 pub mod beams;
 pub mod bodies;
 pub mod joints;
 
 mod local;
+mod observation;
 
 #[cfg(test)]
 mod jacobian_tests;
 
 pub use local::{LocalJacobian, LocalResidual};
+pub use observation::{Observations, Reaction, SectionState};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
 #[derive(Debug, Clone, Copy)]
@@ -24,6 +26,8 @@ pub struct Local<'a> {
     pub multipliers: &'a [f64],
     /// The frame of the model.
     pub frame: &'a TurningFrame,
+    /// Gravity and the factors of the loads.
+    pub loading: &'a Loading,
 }
 
 /// A part of the model that contributes to the equations of its nodes.
@@ -50,4 +54,8 @@ pub trait Element: Debug + Send + Sync {
     /// Adds the derivatives of the residual. The blocks that are added must be the
     /// same at every state, so that the pattern of the system is found once.
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian);
+
+    /// Tells what the element knows of a state beside its forces on the nodes: strains
+    /// and internal forces of sections, reactions of joints.
+    fn observe(&self, _at: &Local<'_>, _out: &mut Observations) {}
 }

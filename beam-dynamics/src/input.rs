@@ -11,7 +11,7 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 
 use crate::assembly::mechanism;
-use crate::case::ModesCase;
+use crate::case::{Model, ModesQuestion};
 use crate::result::Measured;
 
 mod beam_check;
@@ -47,8 +47,10 @@ pub const ENDING: &str = ".dynamics.toml";
 /// A checked input.
 #[derive(Debug)]
 pub struct Input {
-    /// What is to be analyzed.
-    pub case: ModesCase,
+    /// The model.
+    pub model: Model,
+    /// What is asked about modes; `None` without `[modes]`.
+    pub modes: Option<ModesQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
     /// What the model consists of.
@@ -68,7 +70,7 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let input = cards(&document, &name_of(path));
     let input = document.finish(input)?;
     let mut problems = Diagnostics::new();
-    for found in mechanism::find(&input.case.system) {
+    for found in mechanism::find(&input.model.system) {
         problems.push(Place::file(&file), &found);
     }
     problems.into_result(input)
@@ -93,7 +95,10 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     beams::read(&root, &mut draft);
     clamps::read(&root, &mut draft);
     bodies::read(&root, &mut draft);
-    let question = speeds::read(&root);
+    let question = match root.has("modes") {
+        true => speeds::read(&root).map(Some),
+        false => Some(None),
+    };
     let measured = measured::read(&root);
     root.finish();
 
@@ -105,22 +110,15 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
 fn finish(
     name: String,
     draft: Draft,
-    question: speeds::Question,
+    modes: Option<ModesQuestion>,
     measured: Measured,
 ) -> Option<Input> {
-    let summary = draft.summary(&question, &measured);
+    let summary = draft.summary(modes.as_ref(), &measured);
     let spin = draft.hub()?.spin();
-    let (system, naming) = draft.system()?;
-    let case = ModesCase {
-        name,
-        system,
-        naming,
-        spin,
-        speeds: question.speeds,
-        count: question.count,
-    };
+    let model = draft.model(name, spin)?;
     Some(Input {
-        case,
+        model,
+        modes,
         measured,
         summary,
     })

@@ -1,12 +1,14 @@
 //! What is constant during a run (nodes, numbering) and what changes (state).
 
 mod axes;
+mod conditions;
 mod frame;
 mod node;
 mod numbering;
 mod state;
 
 pub use axes::NamingAxes;
+pub use conditions::{Conditions, Loading};
 pub use frame::TurningFrame;
 pub use node::Node;
 pub use numbering::{Equation, NODE_UNKNOWNS, Numbering, Variable};

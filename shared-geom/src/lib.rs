@@ -5,14 +5,17 @@
 //! matrices are always ordered axial, shear y, shear z, torsion, bending y,
 //! bending z (see [`wrench`]).
 
+pub mod blade;
 pub mod document;
 pub mod error;
+pub mod exchange;
 pub mod figure;
 pub mod files;
 pub mod frame;
 pub mod gmsh;
 pub mod hash;
 pub mod lagrange;
+pub mod line;
 pub mod mesh;
 pub mod quadrature;
 pub mod rotation;

@@ -54,7 +54,7 @@ impl Chain {
     fn frequencies(&self, sweep: usize) -> (FrequencyTable, Measured) {
         let file = self.case(&format!("sweep_{sweep:02}.dynamics.toml"));
         let input = beam_dynamics::input::read(&file).unwrap();
-        let outcome = modes(&input.case);
+        let outcome = modes(&input.model, input.modes.as_ref().unwrap());
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         (outcome.table, input.measured)
     }

@@ -4,7 +4,7 @@
 //! of three-node finite-volume beams has the exact tip deflection and slope for any
 //! mesh (2e-11 there).
 
-use beam_dynamics::model::{Equation, TurningFrame};
+use beam_dynamics::model::{Conditions, Equation};
 use beam_dynamics::solver::LinearSolver;
 use nalgebra::Vector6;
 
@@ -19,7 +19,7 @@ fn a_tip_force_is_exact_for_any_mesh() {
         let mut beam = UniformBeam::slender(elements, Inertia::Lumped);
         beam.stiffness = Vector6::new(1e3, 50.0, 50.0, 2.0, 3.0, 3.0);
         let system = beam.system();
-        let tangent = system.tangent(&system.rest(), &TurningFrame::at_rest());
+        let tangent = system.tangent(&system.rest(), &Conditions::at_rest());
         let solver = LinearSolver::new(tangent.by_unknowns.pattern()).unwrap();
         let factorization = solver.factorize(tangent.by_unknowns).unwrap();
         let tip = system.numbering().node(2 * elements);

@@ -22,7 +22,7 @@ fn rotor(blades: usize, count: usize) -> FrequencyTable {
     let file = folder.path().join("rotor.dynamics.toml");
     std::fs::write(&file, text).unwrap();
     let input = beam_dynamics::input::read(&file).unwrap();
-    let outcome = modes(&input.case);
+    let outcome = modes(&input.model, &input.modes.unwrap());
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     outcome.table
 }
@@ -78,7 +78,8 @@ fn lost_digits_are_told() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("stiff.dynamics.toml");
     std::fs::write(&file, text).unwrap();
-    let outcome = modes(&beam_dynamics::input::read(&file).unwrap().case);
+    let input = beam_dynamics::input::read(&file).unwrap();
+    let outcome = modes(&input.model, &input.modes.unwrap());
     let told = outcome
         .table
         .remarks

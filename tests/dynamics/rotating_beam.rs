@@ -30,8 +30,8 @@ fn reference() -> Vec<[f64; 7]> {
 fn errors(elements: usize, inertia: Inertia) -> [f64; 3] {
     let rows = reference();
     let speeds: Vec<_> = rows.iter().map(|row| row[0]).collect();
-    let case = UniformBeam::slender(elements, inertia).case(&speeds, 8);
-    let outcome = beam_dynamics::analysis::modes::modes(&case);
+    let (model, question) = UniformBeam::slender(elements, inertia).case(&speeds, 8);
+    let outcome = beam_dynamics::analysis::modes::modes(&model, &question);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let mut worst = [0.0_f64; 3];
     for (s, row) in rows.iter().enumerate() {

@@ -2,14 +2,14 @@
 //! elements.
 
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{ModesCase, Spin};
+use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
     BeamGeometry, BeamInertia, BeamNode, ElasticBeam, lumped_bodies,
 };
 use beam_dynamics::elements::bodies::RigidBody;
 use beam_dynamics::elements::joints::Clamp;
-use beam_dynamics::model::{NamingAxes, Node};
+use beam_dynamics::model::Node;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 /// How the mass of the elements moves.
@@ -88,21 +88,22 @@ impl UniformBeam {
     }
 
     /// Modes at the given speeds of rotation about z through the root [rad/s].
-    pub fn case(&self, speeds: &[f64], count: usize) -> ModesCase {
-        ModesCase {
-            name: "uniform beam".to_owned(),
-            system: self.system(),
-            naming: vec![NamingAxes::default(); 2 * self.elements + 1],
-            spin: Spin::default(),
+    pub fn case(&self, speeds: &[f64], count: usize) -> (Model, ModesQuestion) {
+        let question = ModesQuestion {
             speeds: speeds.to_vec(),
             count,
-        }
+        };
+        (Model::new("uniform beam", self.system()), question)
     }
 }
 
 /// Angular frequencies of the modes named by a word at speed number `speed` [rad/s].
-pub fn frequencies(case: &ModesCase, speed: usize, word: &str) -> Vec<f64> {
-    let outcome = beam_dynamics::analysis::modes::modes(case);
+pub fn frequencies(
+    (model, question): &(Model, ModesQuestion),
+    speed: usize,
+    word: &str,
+) -> Vec<f64> {
+    let outcome = beam_dynamics::analysis::modes::modes(model, question);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     outcome
         .table

@@ -1,7 +1,7 @@
 //! Modes over rotor speed: equilibrium, linearization, eigenvalues, names.
 
 use crate::assembly::System;
-use crate::case::ModesCase;
+use crate::case::{Model, ModesQuestion};
 use crate::model::State;
 use crate::modes::{EigenProblem, Eigenpair, ModeMotion, align, assurances, follow, separate};
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
@@ -61,35 +61,43 @@ struct Mode {
     point: ModePoint,
 }
 
-/// Steady equilibrium and modes at each speed of `case`.
-pub fn modes(case: &ModesCase) -> ModesOutcome {
+/// A model and what is asked of it.
+#[derive(Clone, Copy)]
+struct Case<'a> {
+    model: &'a Model,
+    question: &'a ModesQuestion,
+}
+
+/// Steady equilibrium and modes at each speed of `question`.
+pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
+    let case = &Case { model, question };
     let mut branches = Branches::default();
     let mut table = FrequencyTable {
-        name: case.name.clone(),
+        name: model.name.clone(),
         speeds: Vec::new(),
         branches: Vec::new(),
         equilibria: Vec::new(),
         remarks: Vec::new(),
     };
     let failure = run(case, &mut branches, &mut table).err();
-    table.branches = branches.into_table(case.count, table.speeds.len());
+    table.branches = branches.into_table(case.question.count, table.speeds.len());
     ModesOutcome { table, failure }
 }
 
 fn run(
-    case: &ModesCase,
+    case: &Case<'_>,
     branches: &mut Branches,
     table: &mut FrequencyTable,
 ) -> Result<(), Failure> {
-    let solver = LinearSolver::new(case.system.pattern());
+    let solver = LinearSolver::new(case.model.system.pattern());
     let solver = solver.ok_or(Failure::Singular { speed: 0.0 })?;
     let mut last: Option<Modes> = None;
-    for &speed in &case.speeds {
-        let rest = (0.0, case.system.rest());
+    for &speed in &case.question.speeds {
+        let rest = (0.0, case.model.system.rest());
         let from = last
             .as_ref()
             .map_or(rest, |modes| (modes.speed, modes.state.clone()));
-        let steady = equilibrium(&case.system, &solver, &case.spin, (from.0, &from.1), speed)?;
+        let steady = steady(case, &solver, (from.0, &from.1), speed)?;
         let mut now = at_equilibrium(case, &solver, speed, &steady)?;
         let links = match &last {
             Some(before) => Some(links(case, &solver, before, &mut now, HALVINGS)?),
@@ -102,6 +110,17 @@ fn run(
         last = Some(now);
     }
     Ok(())
+}
+
+/// The equilibrium at a speed, from a state known at another.
+fn steady(
+    case: &Case<'_>,
+    solver: &LinearSolver,
+    from: (f64, &State),
+    speed: f64,
+) -> Result<Equilibrium, Box<NoEquilibrium>> {
+    let [there, here] = [from.0, speed].map(|speed| case.model.conditions(speed, 1.0, 0.0));
+    equilibrium(case.model, solver, (&there, from.1), &here)
 }
 
 fn report(steady: &Equilibrium) -> EquilibriumReport {
@@ -138,17 +157,17 @@ fn remarks(modes: &Modes) -> Vec<String> {
 
 /// Linearizes at an equilibrium and finds the lowest modes.
 fn at_equilibrium(
-    case: &ModesCase,
+    case: &Case<'_>,
     solver: &LinearSolver,
     speed: f64,
     steady: &Equilibrium,
 ) -> Result<Modes, Failure> {
-    let system: &System = &case.system;
-    let tangent = system.tangent(&steady.state, &steady.frame);
+    let system: &System = &case.model.system;
+    let tangent = system.tangent(&steady.state, &steady.conditions);
     let problem = EigenProblem::new(solver, &tangent, system.nodes().len());
     let problem = problem.ok_or(Failure::Singular { speed })?;
-    let (pairs, real) = problem.lowest(case.count + SPARE);
-    let pairs = &pairs[..pairs.len().min(case.count + SPARE)];
+    let (pairs, real) = problem.lowest(case.question.count + SPARE);
+    let pairs = &pairs[..pairs.len().min(case.question.count + SPARE)];
     let mut motions: Vec<_> = pairs
         .iter()
         .map(|pair| ModeMotion::new(pair, &tangent.by_rates))
@@ -157,13 +176,13 @@ fn at_equilibrium(
     let residual = pairs.iter().map(|pair| pair.residual);
     // At rest all terms of the equilibrium are round-off.
     let steady_residual = if speed == 0.0 { 0.0 } else { steady.residual };
-    separate(&mut motions, &frequencies, &case.naming);
+    separate(&mut motions, &frequencies, &case.model.naming);
     let mode = |(pair, motion): (&Eigenpair, ModeMotion)| {
         let magnitude = pair.growth.hypot(pair.angular_frequency);
         let point = ModePoint {
             frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
             damping_ratio: -pair.growth / magnitude,
-            shares: motion.shares(&case.naming),
+            shares: motion.shares(&case.model.naming),
             assurance: None,
         };
         Mode { motion, point }
@@ -186,14 +205,14 @@ fn larger(a: f64, b: f64) -> f64 {
 /// the way. Where some mode changes its shape too much in one step, the speed half
 /// way is computed as well.
 fn links(
-    case: &ModesCase,
+    case: &Case<'_>,
     solver: &LinearSolver,
     before: &Modes,
     now: &mut Modes,
     halvings: usize,
 ) -> Result<Vec<Option<(usize, f64)>>, Failure> {
     let direct = direct_links(before, now);
-    let reported = direct.iter().take(case.count);
+    let reported = direct.iter().take(case.question.count);
     let certain = reported
         .clone()
         .all(|link| link.is_some_and(|(_, mac)| mac >= FOLLOWED));
@@ -202,7 +221,7 @@ fn links(
     }
     let middle = 0.5 * (before.speed + now.speed);
     let from = (before.speed, &before.state);
-    let steady = equilibrium(&case.system, solver, &case.spin, from, middle)?;
+    let steady = steady(case, solver, from, middle)?;
     let mut between = at_equilibrium(case, solver, middle, &steady)?;
     let first = links(case, solver, before, &mut between, halvings - 1)?;
     let second = links(case, solver, &between, now, halvings - 1)?;

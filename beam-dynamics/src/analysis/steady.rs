@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use crate::assembly::{Residual, System};
-use crate::case::Spin;
-use crate::model::{Equation, NODE_UNKNOWNS, State, TurningFrame};
+use crate::case::Model;
+use crate::model::{Conditions, Equation, Loading, NODE_UNKNOWNS, State, TurningFrame};
 use crate::solver::{Equations, LinearSolver, Newton, NewtonReport, NewtonStatus, Worst, solve};
 
 /// Smallest step, as a part of the way to the wanted speed, before giving up.
@@ -14,7 +14,7 @@ const SMALLEST_STEP: f64 = 1.0 / 256.0;
 struct Steady<'a> {
     system: &'a System,
     solver: &'a LinearSolver,
-    frame: TurningFrame,
+    conditions: Conditions,
     state: State,
     /// Size of the model, by which displacements are measured [m].
     size: f64,
@@ -25,8 +25,8 @@ struct Steady<'a> {
 pub struct Equilibrium {
     /// The state, at rest in the turning frame.
     pub state: State,
-    /// The frame.
-    pub frame: TurningFrame,
+    /// What acts.
+    pub conditions: Conditions,
     /// Newton iterations, those of intermediate speeds included.
     pub iterations: usize,
     /// Largest residual relative to the largest term of its kind [-].
@@ -62,52 +62,63 @@ pub(super) fn rpm(speed: f64) -> String {
     }
 }
 
-/// The frame of `spin` at a speed [rad/s].
-pub fn frame_at(spin: &Spin, speed: f64) -> TurningFrame {
-    TurningFrame {
-        angular_velocity: speed * spin.axis,
-        center: spin.center,
+/// Conditions at a part of the way between two.
+fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
+    if part == 1.0 {
+        return *to;
+    }
+    let (a, b) = (&from.loading, &to.loading);
+    let mix = |a: f64, b: f64| a + part * (b - a);
+    Conditions {
+        frame: TurningFrame {
+            angular_velocity: from
+                .frame
+                .angular_velocity
+                .lerp(&to.frame.angular_velocity, part),
+            center: to.frame.center,
+        },
+        loading: Loading {
+            gravity: a.gravity.lerp(&b.gravity, part),
+            constant: mix(a.constant, b.constant),
+            proportional: mix(a.proportional, b.proportional),
+        },
     }
 }
 
-/// Finds the equilibrium at `speed` from a state known at the speed `from`, in steps
-/// that are halved where Newton's method fails.
+/// Finds the equilibrium under the conditions `to` from a state known under `from`, in
+/// steps that are halved where Newton's method fails.
 ///
 /// # Errors
 /// [`NoEquilibrium`] with the worst equation of the smallest step tried.
 pub fn equilibrium(
-    system: &System,
+    model: &Model,
     solver: &LinearSolver,
-    spin: &Spin,
-    from: (f64, &State),
-    speed: f64,
+    from: (&Conditions, &State),
+    to: &Conditions,
 ) -> Result<Equilibrium, Box<NoEquilibrium>> {
+    let system = &model.system;
     let (mut reached, mut state) = (0.0, from.1.clone());
     let mut step = 1.0;
     let mut iterations = 0;
     // `reached` and `step` are parts of the way: no step is below SMALLEST_STEP.
     loop {
         let next: f64 = f64::min(reached + step, 1.0);
-        let speed_there = if next == 1.0 {
-            speed
-        } else {
-            from.0 + next * (speed - from.0)
-        };
-        let frame = frame_at(spin, speed_there);
-        let mut steady = Steady::new(system, solver, frame, state.clone());
+        let conditions = between(from.0, to, next);
+        let mut steady = Steady::new(system, solver, conditions, state.clone());
         let report = solve(&mut steady, &Newton::default());
         iterations += report.history.len();
         if report.status != NewtonStatus::Converged {
             step *= 0.5;
-            if step < SMALLEST_STEP || speed == from.0 {
-                return Err(Box::new(no_equilibrium(system, speed_there, report)));
+            if step < SMALLEST_STEP || from.0 == to {
+                let speed = conditions.frame.angular_velocity.norm();
+                return Err(Box::new(no_equilibrium(system, speed, report)));
             }
         } else if next < 1.0 {
             (reached, state) = (next, steady.state);
         } else {
             return Ok(Equilibrium {
                 state: steady.state,
-                frame,
+                conditions,
                 iterations,
                 residual: report.worst.relative,
             });
@@ -133,7 +144,7 @@ impl<'a> Steady<'a> {
     fn new(
         system: &'a System,
         solver: &'a LinearSolver,
-        frame: TurningFrame,
+        conditions: Conditions,
         state: State,
     ) -> Self {
         let first = system
@@ -148,7 +159,7 @@ impl<'a> Steady<'a> {
         Self {
             system,
             solver,
-            frame,
+            conditions,
             state,
             size: if size > 0.0 { size } else { 1.0 },
         }
@@ -157,13 +168,13 @@ impl<'a> Steady<'a> {
 
 impl Equations for Steady<'_> {
     fn residual(&mut self) -> (Vec<f64>, Worst) {
-        let residual = self.system.residual(&self.state, &self.frame);
+        let residual = self.system.residual(&self.state, &self.conditions);
         let worst = worst(&residual, self.system.nodes().len());
         (residual.values, worst)
     }
 
     fn correction(&mut self, residual: &[f64]) -> Option<Vec<f64>> {
-        let tangent = self.system.tangent(&self.state, &self.frame);
+        let tangent = self.system.tangent(&self.state, &self.conditions);
         let factorization = self.solver.factorize(tangent.by_unknowns)?;
         let mut correction: Vec<_> = residual.iter().map(|value| -value).collect();
         factorization.solve(&mut correction)?;

@@ -14,7 +14,7 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::System;
-use crate::model::{NODE_UNKNOWNS, TurningFrame, Variable};
+use crate::model::{Conditions, NODE_UNKNOWNS, Variable};
 use shared_geom::error::Explain;
 
 /// Singular values below this part of the largest count as zero: the entries are of
@@ -119,7 +119,7 @@ fn rigid_motion(part: &Part, motion: usize, position: &Vector3<f64>) -> [Vector3
 /// `Phi_y H`: a row a constraint, six columns a part, each row scaled to one.
 fn constraints_by_rigid_motions(system: &System, parts: &[Part]) -> DMatrix<f64> {
     let numbering = system.numbering();
-    let tangent = system.tangent(&system.rest(), &TurningFrame::at_rest());
+    let tangent = system.tangent(&system.rest(), &Conditions::at_rest());
     let first = NODE_UNKNOWNS * numbering.nodes();
     // At least as many rows as columns, so that the decomposition shows the null space.
     let rows = numbering.multipliers().max(6 * parts.len());

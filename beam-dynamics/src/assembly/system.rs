@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::{Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State, TurningFrame};
+use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
 /// A model as a system of equations `F(y, y') = 0`.
 #[derive(Debug)]
@@ -61,10 +61,10 @@ impl System {
     /// Lets every element add its Jacobian once, and notes where.
     fn find_pattern(&mut self) {
         let state = State::at_rest(&self.nodes, &self.numbering);
-        let frame = TurningFrame::at_rest();
+        let conditions = Conditions::at_rest();
         let mut touched = Vec::with_capacity(self.elements.len());
         for index in 0..self.elements.len() {
-            let jacobian = self.local_jacobian(index, &state, &frame);
+            let jacobian = self.local_jacobian(index, &state, &conditions);
             let places: Vec<_> = jacobian
                 .touched()
                 .column_iter()
@@ -139,21 +139,27 @@ impl System {
         nodes.iter().map(|&node| state.nodes[node]).collect()
     }
 
-    fn local_jacobian(&self, index: usize, state: &State, frame: &TurningFrame) -> LocalJacobian {
+    fn local_jacobian(
+        &self,
+        index: usize,
+        state: &State,
+        conditions: &Conditions,
+    ) -> LocalJacobian {
         let element = &self.elements[index];
         let nodes = self.motions(index, state);
         let mut local = LocalJacobian::new(nodes.len(), element.multipliers());
         let at = Local {
             nodes: &nodes,
             multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
-            frame,
+            frame: &conditions.frame,
+            loading: &conditions.loading,
         };
         element.jacobian(&at, &mut local);
         local
     }
 
     /// The residual at a state.
-    pub fn residual(&self, state: &State, frame: &TurningFrame) -> Residual {
+    pub fn residual(&self, state: &State, conditions: &Conditions) -> Residual {
         let n = self.numbering.unknowns();
         let mut residual = Residual {
             values: vec![0.0; n],
@@ -165,7 +171,8 @@ impl System {
             let at = Local {
                 nodes: &nodes,
                 multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
-                frame,
+                frame: &conditions.frame,
+                loading: &conditions.loading,
             };
             element.residual(&at, &mut local);
             for (i, place) in self.places_of(index).into_iter().enumerate() {
@@ -177,11 +184,11 @@ impl System {
     }
 
     /// The Jacobian at a state, by the spatial variations of the unknowns.
-    pub fn tangent(&self, state: &State, frame: &TurningFrame) -> Tangent {
+    pub fn tangent(&self, state: &State, conditions: &Conditions) -> Tangent {
         let mut by_unknowns = Sparse::zero(Arc::clone(&self.pattern));
         let mut by_rates = Sparse::zero(Arc::clone(&self.pattern));
         for (index, scatter) in self.scatter.iter().enumerate() {
-            let local = self.local_jacobian(index, state, frame);
+            let local = self.local_jacobian(index, state, conditions);
             for &(i, j, place) in scatter {
                 by_unknowns.values_mut()[place] += local.by_unknowns()[(i, j)];
                 by_rates.values_mut()[place] += local.by_rates()[(i, j)];
@@ -191,6 +198,21 @@ impl System {
             by_unknowns,
             by_rates,
         }
+    }
+
+    /// What the elements tell of a state.
+    pub fn observe(&self, state: &State, conditions: &Conditions) -> Observations {
+        let mut observations = Observations::default();
+        for (index, element) in self.elements.iter().enumerate() {
+            let at = Local {
+                nodes: &self.motions(index, state),
+                multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
+                frame: &conditions.frame,
+                loading: &conditions.loading,
+            };
+            element.observe(&at, &mut observations);
+        }
+        observations
     }
 
     /// The equation at a place of the residual, in words: what and whose.

@@ -12,7 +12,7 @@ use super::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
 use super::joints::Clamp;
 use super::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::{NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
+use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
 
 const STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 2e-8;
@@ -101,11 +101,18 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
         let multipliers: Vec<_> = (0..element.multipliers())
             .map(|_| random.number())
             .collect();
-        let frame = TurningFrame {
-            angular_velocity: random.vector(1.0),
-            center: random.vector(1.0),
+        let conditions = Conditions {
+            frame: TurningFrame {
+                angular_velocity: random.vector(1.0),
+                center: random.vector(1.0),
+            },
+            loading: Loading {
+                gravity: random.vector(1.0),
+                constant: random.number(),
+                proportional: random.number(),
+            },
         };
-        check_at(element, &motion, &multipliers, &frame);
+        check_at(element, &motion, &multipliers, &conditions);
     }
 }
 
@@ -113,16 +120,17 @@ fn check_at(
     element: &dyn Element,
     motion: &[NodeMotion],
     multipliers: &[f64],
-    frame: &TurningFrame,
+    conditions: &Conditions,
 ) {
     let mut jacobian = LocalJacobian::new(motion.len(), multipliers.len());
     let at = Local {
         nodes: motion,
         multipliers,
-        frame,
+        frame: &conditions.frame,
+        loading: &conditions.loading,
     };
     element.jacobian(&at, &mut jacobian);
-    let [by_unknowns, by_rates] = differences(element, motion, multipliers, frame);
+    let [by_unknowns, by_rates] = differences(element, motion, multipliers, conditions);
     for (exact, difference) in [
         (jacobian.by_unknowns(), &by_unknowns),
         (jacobian.by_rates(), &by_rates),
@@ -147,14 +155,15 @@ fn differences(
     element: &dyn Element,
     motion: &[NodeMotion],
     multipliers: &[f64],
-    frame: &TurningFrame,
+    conditions: &Conditions,
 ) -> [DMatrix<f64>; 2] {
     let residual = |nodes: &[NodeMotion], multipliers: &[f64]| {
         let mut out = LocalResidual::new(nodes.len(), multipliers.len());
         let at = Local {
             nodes,
             multipliers,
-            frame,
+            frame: &conditions.frame,
+            loading: &conditions.loading,
         };
         element.residual(&at, &mut out);
         nalgebra::DVector::from_column_slice(out.values())

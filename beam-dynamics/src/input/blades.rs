@@ -10,6 +10,7 @@ use super::blade_line::{BladeLine, Piece};
 use super::draft::{Beam, Draft, Inertia};
 use super::problem::InputProblem;
 use super::properties::Properties;
+use crate::case::BladeNodes;
 use crate::elements::beams::{BeamGeometry, BeamNode};
 use crate::model::Node;
 
@@ -19,6 +20,7 @@ const MOST_ELEMENTS: usize = 1000;
 /// A blade as its card means it.
 struct Blade {
     name: String,
+    azimuth: f64,
     line: BladeLine,
     /// Properties of each piece.
     properties: Vec<Properties>,
@@ -75,6 +77,7 @@ fn blade(table: &Table<'_>, draft: &mut Draft, name: Option<&str>) -> Option<Bla
     };
     Some(Blade {
         name: name?.to_owned(),
+        azimuth: azimuth?,
         line,
         properties: properties?,
         inertia: inertia?,
@@ -261,4 +264,9 @@ fn add(blade: &Blade, table: &Table<'_>, draft: &mut Draft) {
     if blade.clamp_root {
         draft.add_clamp(nodes[0], table, "clamp_root");
     }
+    draft.add_blade(BladeNodes {
+        name: blade.name.clone(),
+        azimuth: blade.azimuth,
+        nodes,
+    });
 }

@@ -5,18 +5,19 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 
 use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
 use crate::assembly::System;
+use crate::case::{BladeNodes, Model, Spin};
 use crate::elements::Element;
 use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::Clamp;
-use crate::model::{NamingAxes, Node};
+use crate::model::Node;
 
 /// How the mass of a beam moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,6 +72,7 @@ pub(super) struct Draft {
     beams: Vec<Beam>,
     clamps: BTreeMap<usize, usize>,
     bodies: Vec<(String, usize, RigidInertia)>,
+    blades: Vec<BladeNodes>,
     labels: BTreeMap<(&'static str, String), usize>,
     /// Whether some beam or other user of a node could not be attached.
     loose_ends: bool,
@@ -91,6 +93,7 @@ impl Draft {
             beams: Vec::new(),
             clamps: BTreeMap::new(),
             bodies: Vec::new(),
+            blades: Vec::new(),
             labels: BTreeMap::new(),
             loose_ends: false,
             broken: false,
@@ -301,8 +304,13 @@ impl Draft {
         lumped_bodies(&beam.geometry, self.ends(beam), |_| beam.properties.mass)
     }
 
-    /// The equations of the model, and the axes by which each node's motion is named.
-    pub fn system(self) -> Option<(System, Vec<NamingAxes>)> {
+    /// Notes that the given nodes, from the root to the tip, are those of a blade.
+    pub fn add_blade(&mut self, blade: BladeNodes) {
+        self.blades.push(blade);
+    }
+
+    /// The checked model.
+    pub fn model(self, name: String, spin: Spin) -> Option<Model> {
         let naming = self.naming()?;
         let mut elements = Vec::new();
         for beam in &self.beams {
@@ -315,7 +323,15 @@ impl Draft {
             let label = format!("clamp of {}", self.nodes[node].label);
             elements.push(boxed(Clamp::new(label, node, &self.nodes[node])));
         }
-        Some((System::new(self.nodes, elements), naming))
+        Some(Model {
+            name,
+            beams: self.beams.iter().map(|beam| beam.nodes).collect(),
+            blades: self.blades,
+            system: System::new(self.nodes, elements),
+            naming,
+            spin,
+            gravity: Vector3::zeros(),
+        })
     }
 
     fn beam_elements(&self, beam: &Beam) -> Vec<Box<dyn Element>> {

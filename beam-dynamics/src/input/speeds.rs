@@ -6,6 +6,7 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
+use crate::case::ModesQuestion;
 
 /// Radians per second in one revolution per minute.
 pub(super) const RPM: f64 = PI / 30.0;
@@ -19,16 +20,8 @@ const MOST_MODES: usize = 10_000;
 /// Speeds closer than this part of the larger are the same speed.
 const SAME_SPEED: f64 = 1e-9;
 
-/// Rotor speeds and number of modes.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Question {
-    /// Ascending, without doubles \[rad/s\].
-    pub speeds: Vec<f64>,
-    pub count: usize,
-}
-
 /// Reads `[modes]`.
-pub(super) fn read(root: &Table<'_>) -> Option<Question> {
+pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
     let table = root.require_table("modes", "the rotor speeds: [modes] with \"speeds\"")?;
     let speeds = speeds(&table);
     let count = match table.has("count") {
@@ -36,7 +29,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Question> {
         false => Some(DEFAULT_COUNT),
     };
     table.finish();
-    Some(Question {
+    Some(ModesQuestion {
         speeds: speeds?,
         count: count?,
     })
@@ -121,7 +114,7 @@ mod tests {
     use super::*;
     use shared_geom::document::Document;
 
-    fn question(text: &str) -> Result<Question, String> {
+    fn question(text: &str) -> Result<ModesQuestion, String> {
         let document = Document::parse(&format!("[modes]\n{text}"), "a.toml").unwrap();
         let question = read(&document.root());
         document

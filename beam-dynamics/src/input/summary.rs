@@ -4,7 +4,8 @@ use std::fmt;
 
 use super::draft::Draft;
 use super::number::short_number;
-use super::speeds::{Question, RPM};
+use super::speeds::RPM;
+use crate::case::ModesQuestion;
 use crate::result::Measured;
 
 /// What a model consists of and what is asked of it.
@@ -32,8 +33,8 @@ pub struct Summary {
 
 impl Draft {
     /// Counts what the model consists of.
-    pub fn summary(&self, question: &Question, measured: &Measured) -> Summary {
-        let speeds = &question.speeds;
+    pub fn summary(&self, modes: Option<&ModesQuestion>, measured: &Measured) -> Summary {
+        let speeds = modes.map_or(&[][..], |modes| &modes.speeds);
         let ends = [speeds.first(), speeds.last()];
         Summary {
             nodes: self.nodes().len(),
@@ -41,7 +42,7 @@ impl Draft {
             bodies: self.body_count(),
             clamps: self.clamped().len(),
             mass: self.mass(),
-            modes: question.count,
+            modes: modes.map_or(0, |modes| modes.count),
             speed_range: ends.map(|speed| speed.copied().unwrap_or(0.0)),
             speeds: speeds.len(),
             measured: measured.points.len(),
@@ -63,21 +64,29 @@ impl fmt::Display for Summary {
                 write!(f, ", {}", counted(count, what))?;
             }
         }
-        write!(f, ", mass {} kg; ", short_number(self.mass, 4))?;
+        write!(f, ", mass {} kg", short_number(self.mass, 4))?;
+        if self.modes > 0 {
+            self.write_modes(f)?;
+        }
+        match self.measured {
+            0 => Ok(()),
+            count => write!(f, "; {}", counted(count, "measured point")),
+        }
+    }
+}
+
+impl Summary {
+    fn write_modes(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{} at {}, ",
+            "; {} at {}, ",
             counted(self.modes, "mode"),
             counted(self.speeds, "speed")
         )?;
         let [low, high] = self.speed_range.map(|speed| short_number(speed / RPM, 6));
         match self.speeds {
-            1 => write!(f, "{low} rpm")?,
-            _ => write!(f, "{low} to {high} rpm")?,
-        }
-        match self.measured {
-            0 => Ok(()),
-            count => write!(f, "; {}", counted(count, "measured point")),
+            1 => write!(f, "{low} rpm"),
+            _ => write!(f, "{low} to {high} rpm"),
         }
     }
 }

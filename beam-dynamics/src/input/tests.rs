@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 use nalgebra::Vector3;
 
 use super::{Input, name_of, read};
-use crate::model::{NamingAxes, TurningFrame};
+use crate::model::{Conditions, NamingAxes};
 use crate::result::ModeKind;
 
 /// A strip in SI units: 2 kg/m.
@@ -118,14 +118,15 @@ fn a_blade_becomes_nodes_beams_and_a_clamp() {
         summary.to_string(),
         "7 nodes, 3 beams, 1 clamp, mass 20 kg; 4 modes at 2 speeds, 0 to 300 rpm"
     );
-    let case = &found.case;
-    assert_eq!((case.name.as_str(), case.count), ("a", 4));
+    let case = found.modes.as_ref().unwrap();
+    let model = &found.model;
+    assert_eq!((model.name.as_str(), case.count), ("a", 4));
     assert_relative_eq!(
         case.speeds[1],
         10.0 * std::f64::consts::PI,
         max_relative = 1e-15
     );
-    let labels: Vec<_> = case
+    let labels: Vec<_> = model
         .system
         .nodes()
         .iter()
@@ -135,10 +136,10 @@ fn a_blade_becomes_nodes_beams_and_a_clamp() {
         labels,
         ["b/root", "b/1", "b/2", "b/3", "b/4", "b/5", "b/tip"]
     );
-    let tip = case.system.nodes()[6].position;
+    let tip = model.system.nodes()[6].position;
     let expected = Vector3::new(8.0 + 4.0 * 30_f64.to_radians().cos(), -2.0, 0.0);
     assert_relative_eq!(tip, expected, epsilon = 1e-14);
-    assert_eq!(case.naming[3], NamingAxes::default());
+    assert_eq!(model.naming[3], NamingAxes::default());
 }
 
 // A model at rest that is not loaded has no residual: kinks, twists and offsets
@@ -150,8 +151,8 @@ fn the_undeformed_state_is_free_of_internal_force() {
         "offsets = [[0, 0.1, 0], [0, 0.1, 0], [0, 0.1, 0.2]]\nproperties",
     );
     for cards in [BLADE, &beam] {
-        let system = input(&format!("{cards}{MODES}")).unwrap().case.system;
-        let residual = system.residual(&system.rest(), &TurningFrame::at_rest());
+        let system = input(&format!("{cards}{MODES}")).unwrap().model.system;
+        let residual = system.residual(&system.rest(), &Conditions::at_rest());
         let largest = residual.values.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         assert!(largest < 1e-7, "{largest}");
     }
@@ -164,13 +165,13 @@ fn azimuth_turns_the_whole_blade() {
     let turned = BLADE.replace("root =", "azimuth = 90\nprecone = 10\nroot =");
     let straight = BLADE.replace("root =", "precone = 10\nroot =");
     let [turned, straight] =
-        [turned, straight].map(|cards| input(&format!("{cards}{MODES}")).unwrap().case);
+        [turned, straight].map(|cards| input(&format!("{cards}{MODES}")).unwrap().model);
     let turn = |v: Vector3<f64>| Vector3::new(-v.y, v.x, v.z);
     let pairs = turned.system.nodes().iter().zip(straight.system.nodes());
     for (i, (a, b)) in pairs.enumerate() {
         assert_relative_eq!(a.position, turn(b.position), epsilon = 1e-14);
         for column in 0..3 {
-            let axis = |case: &super::ModesCase| case.naming[i].blade.column(column).into_owned();
+            let axis = |model: &super::Model| model.naming[i].blade.column(column).into_owned();
             assert_relative_eq!(axis(&turned), turn(axis(&straight)), epsilon = 1e-15);
         }
     }
@@ -204,7 +205,7 @@ fn explicit_beams_are_named_from_their_root() {
         .replace("[1, 0, 0]", "[0, 1, 0]\norientation = [0, 0, 90]")
         .replace("[2, 0, 0]", "[0, 2, 0]\norientation = [0, 0, 90]")
         .replace("[0, 0, 0]", "[0, 0, 0]\norientation = [0, 0, 90]");
-    let naming = input(&format!("{along_y}{MODES}")).unwrap().case.naming;
+    let naming = input(&format!("{along_y}{MODES}")).unwrap().model.naming;
     for axes in naming {
         assert_relative_eq!(
             axes.blade.column(0).into_owned(),
@@ -351,7 +352,7 @@ fn beams_need_three_nodes_in_order() {
     }
     let multiline = "[\"root\", \"\"\"mid\"\"\", 'tip'] # \"nodes\"";
     let found = input(&cards.replacen(nodes, multiline, 1)).unwrap();
-    assert_eq!(found.case.system.nodes().len(), 3);
+    assert_eq!(found.model.system.nodes().len(), 3);
 }
 
 #[test]
@@ -450,7 +451,7 @@ fn the_model_as_a_whole_is_checked() {
         &format!("{BEAM}{MODES}"),
         "[modes]",
         "[moods]",
-        "the file has no \"modes\"",
+        "did you mean \"modes\"?",
     );
 }
 

@@ -31,7 +31,7 @@ use shared_geom::rotation::{gibbs, skew};
 
 use super::geometry::{BeamGeometry, ReferencePoint};
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
+use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations, SectionState};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
 
@@ -242,6 +242,22 @@ impl Element for ElasticBeam {
                     }
                 }
             }
+        }
+    }
+
+    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        for (evaluation, xi) in self.points.iter().zip(EVALUATION_POINTS) {
+            let point = nodal.at_point(evaluation);
+            let strain = evaluation.strain(&point);
+            out.sections.push(SectionState {
+                beam: self.label.clone(),
+                xi,
+                position: point.p,
+                axes: point.r,
+                strain,
+                internal_force: evaluation.stiffness * strain,
+            });
         }
     }
 }

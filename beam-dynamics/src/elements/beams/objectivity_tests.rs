@@ -5,7 +5,7 @@ use shared_geom::rotation::vector;
 
 use super::{BeamGeometry, BeamNode, ElasticBeam};
 use crate::elements::{Element, Local, LocalResidual};
-use crate::model::{Equation, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion};
 
 /// A curved, twisted beam with offsets.
 fn beam() -> (ElasticBeam, [Node; 3]) {
@@ -73,11 +73,12 @@ fn nodal_forces_balance() {
     let (beam, nodes) = beam();
     let motion = deformed(&nodes);
     let mut out = LocalResidual::new(3, 0);
-    let frame = TurningFrame::at_rest();
+    let conditions = Conditions::at_rest();
     let at = Local {
         nodes: &motion,
         multipliers: &[],
-        frame: &frame,
+        frame: &conditions.frame,
+        loading: &conditions.loading,
     };
     beam.residual(&at, &mut out);
     let part = |node: usize, equation: Equation| {

@@ -16,7 +16,7 @@
 use nalgebra::{Matrix3, RowVector3, Vector3};
 use shared_geom::rotation::skew;
 
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
+use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations, Reaction};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, Variable};
 
@@ -98,5 +98,19 @@ impl Element for Clamp {
             out.add_constraint(3 + i, (0, Variable::Rotation), &row);
         }
         out.add((0, Moment), (0, Variable::Rotation), &stiffness);
+    }
+
+    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+        let lambda = at.multipliers;
+        let couples = self.axes(&at.nodes[0].rotation).into_iter().enumerate();
+        let moment = couples
+            .map(|(i, (a, b))| -lambda[3 + i] * a.cross(&b))
+            .sum();
+        out.reactions.push(Reaction {
+            joint: self.label.clone(),
+            node: self.nodes[0],
+            force: -Vector3::new(lambda[0], lambda[1], lambda[2]),
+            moment,
+        });
     }
 }

@@ -1,0 +1,42 @@
+//! What elements tell of a state.
+
+use nalgebra::{Matrix3, Vector3, Vector6};
+
+/// A beam section at an evaluation point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SectionState {
+    /// Name of the beam.
+    pub beam: String,
+    /// Place along the undeformed beam, -1 to 1 [-].
+    pub xi: f64,
+    /// Place of the reference line in the model's frame [m].
+    pub position: Vector3<f64>,
+    /// Section axes (columns) in the model's frame [-].
+    pub axes: Matrix3<f64>,
+    /// Generalized strain, section axes [-, 1/m].
+    pub strain: Vector6<f64>,
+    /// Internal force, section axes [N, N m].
+    pub internal_force: Vector6<f64>,
+}
+
+/// What a joint exerts on a node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reaction {
+    /// Name of the joint.
+    pub joint: String,
+    /// Number of the node on which it acts.
+    pub node: usize,
+    /// Force on the node, model's axes [N].
+    pub force: Vector3<f64>,
+    /// Moment on the node about the node, model's axes [N m].
+    pub moment: Vector3<f64>,
+}
+
+/// All that the elements tell, in their order.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Observations {
+    /// Sections of beams.
+    pub sections: Vec<SectionState>,
+    /// Reactions of joints.
+    pub reactions: Vec<Reaction>,
+}

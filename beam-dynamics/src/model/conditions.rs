@@ -1,0 +1,51 @@
+//! What surrounds a model: the turning frame, gravity, and how far loads are applied.
+
+use nalgebra::Vector3;
+
+use super::TurningFrame;
+
+/// Gravity and the factors of the loads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Loading {
+    /// Acceleration of gravity as it acts now, in the frame [m/s^2].
+    pub gravity: Vector3<f64>,
+    /// Factor of the loads that are constant during an analysis [-].
+    pub constant: f64,
+    /// Factor of the loads that grow in proportion [-].
+    pub proportional: f64,
+}
+
+impl Loading {
+    /// No load, no gravity.
+    pub fn none() -> Self {
+        Self {
+            gravity: Vector3::zeros(),
+            constant: 0.0,
+            proportional: 0.0,
+        }
+    }
+}
+
+/// All that acts on a model from outside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conditions {
+    /// The frame in which the model is written.
+    pub frame: TurningFrame,
+    /// Gravity and loads.
+    pub loading: Loading,
+}
+
+impl Conditions {
+    /// A frame at rest, no loads.
+    pub fn at_rest() -> Self {
+        Self::turning(TurningFrame::at_rest())
+    }
+
+    /// A turning frame, no loads.
+    pub fn turning(frame: TurningFrame) -> Self {
+        Self {
+            frame,
+            loading: Loading::none(),
+        }
+    }
+}

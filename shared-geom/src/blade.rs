@@ -1,0 +1,57 @@
+//! **The blade contract**: section properties at stations along a reference line, and
+//! the blade file.
+//!
+//! Components are ordered as in [`crate::wrench::COMPONENTS`], in section axes (twist
+//! included), about the reference line. SI units.
+
+use nalgebra::Matrix6;
+
+use crate::line::ReferenceLine;
+use crate::section::Provenance;
+
+/// A blade: its line, and the properties of its sections.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Blade {
+    /// Name, for messages and tables.
+    pub name: String,
+    /// Reference line with twist, in root axes.
+    pub line: ReferenceLine,
+    /// Stations in the order of their arc length, from the root to the tip; two at one
+    /// place are the properties on both sides of a jump.
+    pub stations: Vec<Station>,
+    /// Properties between stations.
+    pub interpolation: Interpolation,
+    /// Internal damping; `None` for none.
+    pub damping: Option<BladeDamping>,
+    /// Where the numbers come from.
+    pub provenance: Provenance,
+}
+
+/// Properties of the section at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Station {
+    /// Arc length from the root along the reference line [m].
+    pub arc_length: f64,
+    /// Stiffness, 6x6 symmetric positive definite [N, N m, N m^2].
+    pub stiffness: Matrix6<f64>,
+    /// Mass per length, 6x6 symmetric [kg/m, kg, kg m].
+    pub mass: Matrix6<f64>,
+}
+
+/// Properties between two stations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Entry by entry, linear in arc length.
+    Linear,
+    /// Those of the station on the inner side.
+    Constant,
+}
+
+/// Internal damping of all sections of a blade.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BladeDamping {
+    /// `D = time K` [s].
+    Proportional(f64),
+    /// `D = diag(times) K`, a time for each component [s].
+    Times([f64; 6]),
+}
