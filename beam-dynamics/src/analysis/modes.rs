@@ -164,7 +164,7 @@ fn at_equilibrium(
 ) -> Result<Modes, Failure> {
     let system: &System = &case.model.system;
     let tangent = system.tangent(&steady.state, &steady.conditions);
-    let problem = EigenProblem::new(solver, &tangent, system.nodes().len());
+    let problem = EigenProblem::new(solver, &tangent, system.nodes().len(), copies(case.model));
     let problem = problem.ok_or(Failure::Singular { speed })?;
     let (pairs, real) = problem.lowest(case.question.count + SPARE);
     let pairs = &pairs[..pairs.len().min(case.question.count + SPARE)];
@@ -181,7 +181,10 @@ fn at_equilibrium(
         let magnitude = pair.growth.hypot(pair.angular_frequency);
         let point = ModePoint {
             frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
-            damping_ratio: -pair.growth / magnitude,
+            damping_ratio: match magnitude > 0.0 {
+                true => -pair.growth / magnitude,
+                false => 0.0,
+            },
             shares: motion.shares(&case.model.naming),
             assurance: None,
         };
@@ -194,6 +197,11 @@ fn at_equilibrium(
         unstable: real.into_iter().filter(|growth| *growth > 0.0).collect(),
         residual: residual.fold(steady_residual, larger),
     })
+}
+
+/// Modes of one frequency that a model may have: both bending directions of every blade.
+fn copies(model: &Model) -> usize {
+    2 * model.blades.len().max(2)
 }
 
 /// The larger of two, or not a number when one of them is none.
