@@ -23,9 +23,9 @@ pub(super) const COPIES: f64 = 1e-6;
 const BESIDE: f64 = 1e-10;
 /// The shift of the inversion, in parts of the lowest frequency.
 const SHIFT: f64 = 0.3;
-/// Frequencies below this part of the lowest other one are zero: a zero of a motion
-/// without stiffness is double, and the round-off of 1e-11 or so splits it by its root.
-const ZERO: f64 = 3e-5;
+/// Frequencies below this part of the highest frequency of a node on its own are zero:
+/// stiffness is known to 1e-16 of its largest, frequencies to the root of that.
+const ZERO: f64 = 3e-8;
 /// The shift for the vectors of such motions, in parts of the lowest other frequency.
 const FREE_SHIFT: f64 = 1e-2;
 /// The first shift, in parts of the highest frequency of a node on its own.
@@ -63,6 +63,8 @@ pub struct EigenProblem<'a> {
     copies: usize,
     /// Magnitude below which an eigenvalue is zero [1/s].
     zero: f64,
+    /// Magnitude of the lowest that is not [1/s].
+    lowest: f64,
 }
 
 impl<'a> EigenProblem<'a> {
@@ -78,15 +80,17 @@ impl<'a> EigenProblem<'a> {
         nodes: usize,
         copies: usize,
     ) -> Option<Self> {
-        let coarse = Self::shifted(solver, tangent, nodes, copies, guess(tangent, nodes)?)?;
+        let highest = highest_of_a_node(tangent, nodes)?;
+        let coarse = Self::shifted(solver, tangent, nodes, copies, BELOW * highest)?;
         let shift = coarse.inverse.shift();
-        let lowest = lowest_oscillation(&coarse.inverse.coarse(), shift)?;
+        let zero = ZERO * highest;
+        let lowest = lowest_oscillation(&coarse.inverse.coarse(), 3.0 * zero)?;
         let mut problem = if (SHIFT / 10.0 * lowest..10.0 * SHIFT * lowest).contains(&shift) {
             coarse
         } else {
             Self::shifted(solver, tangent, nodes, copies, SHIFT * lowest)?
         };
-        problem.zero = ZERO * lowest;
+        (problem.zero, problem.lowest) = (zero, lowest);
         Some(problem)
     }
 
@@ -106,6 +110,7 @@ impl<'a> EigenProblem<'a> {
             size,
             copies,
             zero: 0.0,
+            lowest: 0.0,
         })
     }
 
@@ -159,7 +164,7 @@ impl<'a> EigenProblem<'a> {
         if count == 0 {
             return Vec::new();
         }
-        let mut pairs = self.vectors_beside(c64::new(self.zero / ZERO * FREE_SHIFT, 0.0), count);
+        let mut pairs = self.vectors_beside(c64::new(FREE_SHIFT * self.lowest, 0.0), count);
         for pair in &mut pairs {
             (pair.growth, pair.angular_frequency, pair.residual) = (0.0, 0.0, 0.0);
         }
@@ -240,9 +245,9 @@ impl<'a> EigenProblem<'a> {
     }
 }
 
-/// A shift below the frequencies of any mode: the highest frequency of a node on its
-/// own, `sqrt(|F_force,x| / |F_p,v|)`, times [`BELOW`]; `None` without mass or stiffness.
-fn guess(tangent: &Tangent, nodes: usize) -> Option<f64> {
+/// The highest frequency of a node on its own, `sqrt(|F_force,x| / |F_p,v|)` \[1/s\]; `None`
+/// without mass or stiffness.
+fn highest_of_a_node(tangent: &Tangent, nodes: usize) -> Option<f64> {
     let largest = |matrix: &Sparse, row: usize, column: usize| {
         let of_nodes = matrix
             .triplets()
@@ -257,14 +262,13 @@ fn guess(tangent: &Tangent, nodes: usize) -> Option<f64> {
     let stiffness = largest(&tangent.by_unknowns, Equation::Force.row(), place);
     let mass = largest(&tangent.by_rates, Equation::Momentum.row(), place);
     let highest = (stiffness / mass).sqrt();
-    (highest > 0.0 && highest.is_finite()).then_some(BELOW * highest)
+    (highest > 0.0 && highest.is_finite()).then_some(highest)
 }
 
-/// Magnitude of the lowest eigenvalue that is no zero, among rough ones that were found
-/// from `shift`.
-fn lowest_oscillation(values: &[c64], shift: f64) -> Option<f64> {
+/// Magnitude of the lowest eigenvalue above `zero`, among rough ones.
+fn lowest_oscillation(values: &[c64], zero: f64) -> Option<f64> {
     let sizes = values.iter().map(|s| s.norm());
-    let above = sizes.filter(|size| size.is_finite() && *size > 1e-3 * shift);
+    let above = sizes.filter(|size| size.is_finite() && *size > zero);
     above.min_by(f64::total_cmp)
 }
 
