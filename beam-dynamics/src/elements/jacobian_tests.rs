@@ -11,6 +11,7 @@ use shared_geom::wrench;
 use super::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
+use super::springs::{Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual};
 use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
 
@@ -291,5 +292,19 @@ fn hinge_with_offsets_spring_and_damper() {
         let undeformed = [&nodes[0], &nodes[1]];
         let hinge = Hinge::new("hinge", [0, 1], undeformed, &position, &axis, spring);
         check(&hinge, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn supports_that_turn_with_the_frame_and_that_stand_in_the_world() {
+    let mut random = Random(9);
+    let nodes = nodes(&mut random, 1);
+    let spring = [1.0, 2.0, 3.0, 0.5, 0.7, 0.9];
+    for damping in [[0.0; 6], [0.4, 0.3, 0.2, 0.6, 0.5, 0.1]] {
+        let law = SupportLaw::along(&random.rotation(1.0), &spring, &damping);
+        for stand in [Stand::Frame, Stand::World] {
+            let support = SupportSpring::new("support", 0, &nodes[0], law, stand);
+            check(&support, &nodes, &mut random);
+        }
     }
 }

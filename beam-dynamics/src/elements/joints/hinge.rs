@@ -33,7 +33,9 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
 use super::algebra::{Attachment, Direction, Orthogonality, Point, three};
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations, Reaction};
+use crate::elements::{
+    Element, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
+};
 use crate::model::Equation::Moment;
 use crate::model::{Node, NodeMotion, Variable};
 
@@ -54,6 +56,8 @@ pub struct Hinge {
     label: String,
     nodes: [usize; 2],
     attachments: [Attachment; 2],
+    /// The axis in the undeformed model.
+    axis: Vector3<f64>,
     spring: HingeSpring,
 }
 
@@ -84,6 +88,7 @@ impl Hinge {
             label: label.into(),
             nodes,
             attachments: undeformed.map(|node| Attachment::to(node, position, &axes)),
+            axis: axes.column(0).into_owned(),
             spring,
         }
     }
@@ -225,6 +230,14 @@ impl Element for Hinge {
         if !self.is_free() {
             self.spring_jacobian(&state, out);
         }
+    }
+
+    fn motions(&self) -> Vec<Motion> {
+        let zero = Vector3::zeros();
+        vec![Motion {
+            form: vec![[zero, -self.axis], [zero, self.axis]],
+            is_resisted: self.spring.stiffness > 0.0,
+        }]
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
