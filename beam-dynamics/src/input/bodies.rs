@@ -37,20 +37,25 @@ fn inertia(table: &Table<'_>, label: &str) -> Option<RigidInertia> {
         true => table.vector("offset", Dimension::LENGTH),
         false => Some(Vector3::zeros()),
     };
+    let moments = moments(table, label);
+    let central = Matrix3::from_diagonal(&moments?);
+    Some(RigidInertia::about_node(mass?, &offset?, &central))
+}
+
+/// Moments of inertia about three axes under `inertia`; zeros when absent.
+pub(super) fn moments(table: &Table<'_>, label: &str) -> Option<Vector3<f64>> {
     let moments = match table.has("inertia") {
         true => table.vector("inertia", Dimension::INERTIA),
         false => Some(Vector3::zeros()),
     };
-    let moments = moments.filter(|moments| {
+    moments.filter(|moments| {
         let possible = is_possible(moments);
         if !possible {
             let (body, found) = (label.to_owned(), (*moments).into());
             table.note("inertia", &InputProblem::ImpossibleInertia { body, found });
         }
         possible
-    });
-    let central = Matrix3::from_diagonal(&moments?);
-    Some(RigidInertia::about_node(mass?, &offset?, &central))
+    })
 }
 
 /// Moments of inertia are sums of two of the three non-negative `int x^2 dm`: none is
