@@ -14,6 +14,7 @@ use crate::assembly::mechanism;
 use crate::case::{Model, ModesQuestion};
 use crate::result::Measured;
 
+mod along;
 mod beam_check;
 mod beams;
 mod blade_line;

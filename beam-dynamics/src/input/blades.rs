@@ -5,6 +5,7 @@ use shared_geom::document::Table;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
+use super::along::Along;
 use super::beam_check::BeamCheck;
 use super::blade_line::{BladeLine, Piece};
 use super::draft::{Beam, Draft, Inertia};
@@ -252,7 +253,7 @@ fn add(blade: &Blade, table: &Table<'_>, draft: &mut Draft) {
                     orientation,
                 }),
             },
-            properties: blade.properties[laid.piece],
+            along: Along::constant(&blade.properties[laid.piece]),
             inertia: blade.inertia,
         };
         let words = format!("blade \"{}\", piece {}", blade.name, laid.piece + 1);

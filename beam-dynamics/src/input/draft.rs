@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 
+use super::along::Along;
 use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
@@ -39,13 +40,13 @@ impl Inertia {
     }
 }
 
-/// A beam of constant properties.
+/// A beam with its properties.
 #[derive(Debug, Clone)]
 pub(super) struct Beam {
     pub label: String,
     pub nodes: [usize; 3],
     pub geometry: BeamGeometry,
-    pub properties: Properties,
+    pub along: Along,
     pub inertia: Inertia,
 }
 
@@ -301,7 +302,9 @@ impl Draft {
     }
 
     fn lumped(&self, beam: &Beam) -> [RigidInertia; 3] {
-        lumped_bodies(&beam.geometry, self.ends(beam), |_| beam.properties.mass)
+        let ends = self.ends(beam);
+        beam.along
+            .with_mass(|mass| lumped_bodies(&beam.geometry, ends, mass))
     }
 
     /// Notes that the given nodes, from the root to the tip, are those of a blade.
@@ -339,16 +342,17 @@ impl Draft {
             label,
             nodes,
             geometry,
-            properties,
+            along,
             inertia,
         } = beam;
-        let stiffness = [properties.stiffness; 2];
+        let stiffness = along.stiffness;
         let elastic = ElasticBeam::new(label, *nodes, *geometry, self.ends(beam), stiffness);
         let mut elements = vec![boxed(elastic)];
         match inertia {
             Inertia::Consistent => {
-                let mass = |_| properties.mass;
-                let inertia = BeamInertia::new(label, *nodes, *geometry, self.ends(beam), mass);
+                let ends = self.ends(beam);
+                let inertia = along
+                    .with_mass(|mass| BeamInertia::along(label, *nodes, *geometry, ends, mass));
                 elements.push(boxed(inertia));
             }
             Inertia::Lumped => {
