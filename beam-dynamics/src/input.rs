@@ -71,7 +71,7 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let input = cards(&document, &name_of(path));
     let input = document.finish(input)?;
     let mut problems = Diagnostics::new();
-    for found in mechanism::find(&input.model.system) {
+    for found in mechanism::find(&input.model.system).mechanisms {
         problems.push(Place::file(&file), &found);
     }
     problems.into_result(input)

@@ -263,7 +263,7 @@ fn add(blade: &Blade, table: &Table<'_>, draft: &mut Draft) {
         }
     }
     if blade.clamp_root {
-        draft.add_clamp(nodes[0], table, "clamp_root");
+        draft.hold_root(nodes[0], table, "clamp_root");
     }
     draft.add_blade(BladeNodes {
         name: blade.name.clone(),

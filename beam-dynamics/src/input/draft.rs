@@ -17,7 +17,7 @@ use crate::case::{BladeNodes, Model, Spin};
 use crate::elements::Element;
 use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
-use crate::elements::joints::Clamp;
+use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::Node;
 
 /// How the mass of a beam moves.
@@ -73,6 +73,10 @@ pub(super) struct Draft {
     beams: Vec<Beam>,
     clamps: BTreeMap<usize, usize>,
     bodies: Vec<(String, usize, RigidInertia)>,
+    /// Hinges, rigid connections and supports.
+    joints: Vec<Box<dyn Element>>,
+    /// Node of a hub that is not held by the frame.
+    hub_node: Option<usize>,
     blades: Vec<BladeNodes>,
     labels: BTreeMap<(&'static str, String), usize>,
     /// Whether some beam or other user of a node could not be attached.
@@ -94,6 +98,8 @@ impl Draft {
             beams: Vec::new(),
             clamps: BTreeMap::new(),
             bodies: Vec::new(),
+            joints: Vec::new(),
+            hub_node: None,
             blades: Vec::new(),
             labels: BTreeMap::new(),
             loose_ends: false,
@@ -241,6 +247,61 @@ impl Draft {
         self.bodies.push((label, node, inertia));
     }
 
+    /// Adds an element that joins nodes, or supports one.
+    pub fn add_joint(&mut self, joint: Box<dyn Element>) {
+        self.used.extend(joint.nodes());
+        self.joints.push(joint);
+    }
+
+    /// Adds a hinge at `position` along `axis`, both in the model's frame; the second of
+    /// the nodes turns against the first.
+    pub fn add_hinge(
+        &mut self,
+        label: &str,
+        nodes: [usize; 2],
+        (position, axis): (Vector3<f64>, Vector3<f64>),
+        spring: HingeSpring,
+    ) {
+        let ends = nodes.map(|node| &self.nodes[node]);
+        let hinge = Hinge::new(label, nodes, ends, &position, &axis, spring);
+        self.add_joint(boxed(hinge));
+    }
+
+    /// Holds the second node to the first, at any distance.
+    pub fn add_rigid(&mut self, label: &str, nodes: [usize; 2]) {
+        let ends = nodes.map(|node| &self.nodes[node]);
+        self.add_joint(boxed(RigidConnection::new(label, nodes, ends)));
+    }
+
+    /// Hinges, rigid connections and supports so far.
+    pub fn joints(&self) -> impl Iterator<Item = &dyn Element> {
+        self.joints.iter().map(AsRef::as_ref)
+    }
+
+    /// The node of the hub when the hub moves; `None` when the frame holds it, so that
+    /// roots are clamped.
+    pub fn hub_node(&self) -> Option<usize> {
+        self.hub_node
+    }
+
+    /// Says which node is that of a hub that moves.
+    pub fn set_hub_node(&mut self, node: usize) {
+        self.used.insert(node);
+        self.hub_node = Some(node);
+    }
+
+    /// Holds the root of a blade by the hub: by the frame, or by the node of a hub that
+    /// moves. What holds the node already is noted under `key`.
+    pub fn hold_root(&mut self, node: usize, table: &Table<'_>, key: &str) {
+        match self.hub_node {
+            None => self.add_clamp(node, table, key),
+            Some(hub) => {
+                let label = format!("hub to {}", self.nodes[node].label);
+                self.add_rigid(&label, [hub, node]);
+            }
+        }
+    }
+
     /// Clamps a node; a node that is clamped already is noted under `key`.
     pub fn add_clamp(&mut self, node: usize, table: &Table<'_>, key: &str) {
         if let Some(&line) = self.clamps.get(&node) {
@@ -326,6 +387,7 @@ impl Draft {
             let label = format!("clamp of {}", self.nodes[node].label);
             elements.push(boxed(Clamp::new(label, node, &self.nodes[node])));
         }
+        elements.extend(self.joints);
         Some(Model {
             name,
             beams: self.beams.iter().map(|beam| beam.nodes).collect(),
