@@ -17,7 +17,6 @@ use crate::result::Measured;
 mod along;
 mod beam_check;
 mod beams;
-mod blade_line;
 mod blades;
 mod bodies;
 mod clamps;
@@ -36,6 +35,7 @@ mod summary;
 #[cfg(test)]
 mod tests;
 
+pub use blades::BladeProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
 pub use summary::Summary;
@@ -56,6 +56,8 @@ pub struct Input {
     pub measured: Measured,
     /// What the model consists of.
     pub summary: Summary,
+    /// What the reader must know of the files: defaults that were taken, plausibility.
+    pub remarks: Vec<String>,
 }
 
 /// Reads and checks the dynamics input at `path`, with the files that it names.
@@ -115,6 +117,7 @@ fn finish(
     measured: Measured,
 ) -> Option<Input> {
     let summary = draft.summary(modes.as_ref(), &measured);
+    let remarks = draft.remarks().to_vec();
     let spin = draft.hub()?.spin();
     let model = draft.model(name, spin)?;
     Some(Input {
@@ -122,5 +125,6 @@ fn finish(
         modes,
         measured,
         summary,
+        remarks,
     })
 }

@@ -78,6 +78,7 @@ pub(super) struct Draft {
     /// Node of a hub that is not held by the frame.
     hub_node: Option<usize>,
     blades: Vec<BladeNodes>,
+    remarks: Vec<String>,
     labels: BTreeMap<(&'static str, String), usize>,
     /// Whether some beam or other user of a node could not be attached.
     loose_ends: bool,
@@ -101,6 +102,7 @@ impl Draft {
             joints: Vec::new(),
             hub_node: None,
             blades: Vec::new(),
+            remarks: Vec::new(),
             labels: BTreeMap::new(),
             loose_ends: false,
             broken: false,
@@ -371,6 +373,16 @@ impl Draft {
     /// Notes that the given nodes, from the root to the tip, are those of a blade.
     pub fn add_blade(&mut self, blade: BladeNodes) {
         self.blades.push(blade);
+    }
+
+    /// Adds what the reader must know of a file that was read.
+    pub fn add_remarks(&mut self, remarks: Vec<String>) {
+        self.remarks.extend(remarks);
+    }
+
+    /// What the reader must know of the files that were read.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     /// The checked model.
