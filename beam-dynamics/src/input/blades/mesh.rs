@@ -135,8 +135,8 @@ mod tests {
     #[test]
     fn long_intervals_are_divided_evenly() {
         assert_eq!(ends(20.0, &[], &[0.0, 20.0]).at_stations().len(), 21);
-        let found = ends(10.0, &[], &[0.0, 1.2, 10.0]).at_stations();
-        assert_eq!(&found[..4], [0.0, 0.4, 0.8, 1.2]);
+        let found = ends(10.0, &[], &[0.0, 1.5, 10.0]).at_stations();
+        assert_eq!(&found[..4], [0.0, 0.5, 1.0, 1.5]);
     }
 
     #[test]
