@@ -1,5 +1,11 @@
 //! Results of an analysis, as values: what output writes.
 
+mod buckling;
+mod statics;
+
+pub use buckling::{BucklingMode, BucklingResult};
+pub use statics::{StaticResult, StaticStep};
+
 /// What a mode mainly does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ModeKind {
