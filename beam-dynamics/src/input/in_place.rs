@@ -5,6 +5,7 @@ use shared_geom::document::Table;
 use shared_geom::section::{Centers, Engineering, Provenance};
 use shared_geom::units::Dimension;
 
+use super::number::not_negative;
 use super::problem::InputProblem;
 use super::properties::{Properties, usable};
 
@@ -52,15 +53,6 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
         inertia_angle: 0.0,
     };
     usable(name, table, "", &written.section(name, provenance()))
-}
-
-fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-    let number = table.require_quantity(key, dimension)?;
-    if number >= 0.0 {
-        return Some(number);
-    }
-    table.wrong(key, &format!("{dimension}, zero or more"));
-    None
 }
 
 /// A point (y, z) of the section; the reference point when absent.
