@@ -1,6 +1,7 @@
 //! What is written of a result: tables for people and for programs, the comparison
 //! with measurements, and the fan plot. Output reads results; it computes nothing.
 
+mod blade_text;
 mod comparison;
 mod fan;
 mod files;
@@ -11,6 +12,7 @@ mod text;
 #[cfg(test)]
 mod samples;
 
+pub use blade_text::{blade_text, list};
 pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
 pub use files::{Written, result_text, write};
