@@ -29,6 +29,7 @@ mod nodes;
 mod number;
 mod problem;
 mod properties;
+mod shapes;
 mod speeds;
 mod summary;
 
