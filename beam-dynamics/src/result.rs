@@ -2,6 +2,12 @@
 
 use nalgebra::{Complex, Matrix3};
 
+mod buckling;
+mod statics;
+
+pub use buckling::{BucklingMode, BucklingResult};
+pub use statics::{StaticResult, StaticStep};
+
 /// What a mode mainly does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ModeKind {
