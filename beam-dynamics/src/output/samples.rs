@@ -1,5 +1,7 @@
 //! Made-up results for the tests of output.
 
+use nalgebra::Matrix3;
+
 use super::text::RPM;
 use crate::result::{
     EquilibriumReport, FrequencyTable, Measured, MeasuredPoint, ModeBranch, ModeKind, ModePoint,
@@ -10,9 +12,11 @@ fn point(frequency: f64, shares: Shares, assurance: Option<f64>) -> Option<ModeP
     Some(ModePoint {
         frequency,
         damping_ratio: 0.0,
+        growth: 0.0,
         shares,
         whirl: None,
         assurance,
+        shape: None,
     })
 }
 
@@ -30,6 +34,7 @@ fn report(iterations: usize, residual: f64) -> EquilibriumReport {
         iterations,
         residual,
         positions: vec![[0.0; 3]],
+        rotations: vec![Matrix3::identity()],
     }
 }
 
