@@ -1,8 +1,10 @@
 //! Modes: eigenvalues of the linearized system, what each mode does, and which mode
 //! at one speed is which at the next.
 
+mod dense;
 mod eigen;
 mod inverse;
+mod krylov;
 mod motion;
 mod separation;
 mod tracking;

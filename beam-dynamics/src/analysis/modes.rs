@@ -1,5 +1,7 @@
 //! Modes over rotor speed: equilibrium, linearization, eigenvalues, names.
 
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
 use crate::assembly::System;
 use crate::case::{Model, ModesQuestion};
 use crate::model::State;
@@ -84,6 +86,8 @@ pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
     ModesOutcome { table, failure }
 }
 
+/// Equilibria one after the other, each from the last; their modes, which take most of
+/// the time, side by side; then the modes are followed from speed to speed.
 fn run(
     case: &Case<'_>,
     branches: &mut Branches,
@@ -91,26 +95,45 @@ fn run(
 ) -> Result<(), Failure> {
     let solver = LinearSolver::new(case.model.system.pattern());
     let solver = solver.ok_or(Failure::Singular { speed: 0.0 })?;
+    let (equilibria, failure) = equilibria(case, &solver);
+    let found: Vec<_> = equilibria
+        .par_iter()
+        .map(|(speed, steady)| at_equilibrium(case, &solver, *speed, steady))
+        .collect();
     let mut last: Option<Modes> = None;
-    for &speed in &case.question.speeds {
-        let rest = (0.0, case.model.system.rest());
-        let from = last
-            .as_ref()
-            .map_or(rest, |modes| (modes.speed, modes.state.clone()));
-        let steady = steady(case, &solver, (from.0, &from.1), speed)?;
-        let mut now = at_equilibrium(case, &solver, speed, &steady)?;
+    for ((speed, steady), found) in equilibria.iter().zip(found) {
+        let mut now = found?;
         let links = match &last {
             Some(before) => Some(links(case, &solver, before, &mut now, HALVINGS)?),
             None => None,
         };
-        let with_shapes = case.question.shapes.contains(&speed);
+        let with_shapes = case.question.shapes.contains(speed);
         branches.add(&now, links.as_deref(), with_shapes);
-        table.speeds.push(speed);
-        table.equilibria.push(report(&steady));
+        table.speeds.push(*speed);
+        table.equilibria.push(report(steady));
         table.remarks.extend(remarks(&now));
         last = Some(now);
     }
-    Ok(())
+    failure.map_or(Ok(()), Err)
+}
+
+/// Equilibria at the speeds up to the first that has none, and why that has none.
+fn equilibria(
+    case: &Case<'_>,
+    solver: &LinearSolver,
+) -> (Vec<(f64, Equilibrium)>, Option<Failure>) {
+    let mut found: Vec<(f64, Equilibrium)> = Vec::with_capacity(case.question.speeds.len());
+    for &speed in &case.question.speeds {
+        let rest = (0.0, case.model.system.rest());
+        let from = found
+            .last()
+            .map_or(rest, |(speed, steady)| (*speed, steady.state.clone()));
+        match steady(case, solver, (from.0, &from.1), speed) {
+            Ok(steady) => found.push((speed, steady)),
+            Err(problem) => return (found, Some(problem.into())),
+        }
+    }
+    (found, None)
 }
 
 /// The equilibrium at a speed, from a state known at another.
@@ -171,7 +194,7 @@ fn at_equilibrium(
 ) -> Result<Modes, Failure> {
     let system: &System = &case.model.system;
     let tangent = system.tangent(&steady.state, &steady.conditions);
-    let problem = EigenProblem::new(solver, &tangent, system.nodes().len());
+    let problem = EigenProblem::new(solver, &tangent, system.nodes().len(), copies(case.model));
     let problem = problem.ok_or(Failure::Singular { speed })?;
     let (pairs, real) = problem.lowest(case.question.count + SPARE);
     let pairs = &pairs[..pairs.len().min(case.question.count + SPARE)];
@@ -188,7 +211,10 @@ fn at_equilibrium(
         let magnitude = pair.growth.hypot(pair.angular_frequency);
         let point = ModePoint {
             frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
-            damping_ratio: -pair.growth / magnitude,
+            damping_ratio: match magnitude > 0.0 {
+                true => -pair.growth / magnitude,
+                false => 0.0,
+            },
             growth: pair.growth,
             shares: motion.shares(&case.model.naming),
             assurance: None,
@@ -203,6 +229,11 @@ fn at_equilibrium(
         unstable: real.into_iter().filter(|growth| *growth > 0.0).collect(),
         residual: residual.fold(steady_residual, larger),
     })
+}
+
+/// Modes of one frequency that a model may have: both bending directions of every blade.
+fn copies(model: &Model) -> usize {
+    2 * model.blades.len().max(2)
 }
 
 /// The larger of two, or not a number when one of them is none.
