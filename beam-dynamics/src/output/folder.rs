@@ -98,6 +98,14 @@ impl<'a> Results<'a> {
         grid.write(&folder.join(file))?;
         Ok(format!("{}.{fields}/{file}", self.name))
     }
+
+    /// Writes a series into the folder `NAME.FIELDS`, beside its grids.
+    pub fn series(&mut self, fields: &str, file: &str, text: &str) -> Result<(), OutputProblem> {
+        let path = self.path(fields).join(file);
+        write_text(&path, text)?;
+        self.written.files.push(path);
+        Ok(())
+    }
 }
 
 fn remove_files(folder: &Path, is_stale: impl Fn(&str) -> bool) {

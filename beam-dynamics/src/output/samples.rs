@@ -18,7 +18,7 @@ mod fields;
 mod statics;
 
 pub use fields::{read_back, values};
-pub use statics::bent;
+pub use statics::{bent, column};
 
 /// Names of the files that were written.
 pub(super) fn names(written: &Written) -> Vec<String> {

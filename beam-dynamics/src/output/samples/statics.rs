@@ -1,4 +1,4 @@
-//! Made-up load paths.
+//! Made-up load paths and critical loads.
 
 use nalgebra::{Matrix3, Vector3, Vector6};
 use shared_geom::rotation::vector;
@@ -7,7 +7,7 @@ use super::nodes_at;
 use crate::case::BladeNodes;
 use crate::elements::{Reaction, SectionState};
 use crate::model::Node;
-use crate::result::{StaticResult, StaticStep};
+use crate::result::{BucklingMode, BucklingResult, StaticResult, StaticStep};
 
 /// Length of the sample \[m\].
 const LENGTH: f64 = 10.0;
@@ -89,5 +89,39 @@ pub fn bent(factors: &[f64]) -> StaticResult {
         }],
         steps: factors.iter().map(|factor| step(*factor)).collect(),
         remarks: vec!["made up".to_owned()],
+    }
+}
+
+/// The first four critical loads of a clamped column of 10 m along x, in turns toward y
+/// and z, with made-up factors.
+pub fn column() -> BucklingResult {
+    let mode = |number: usize, factor: f64| {
+        let wave = (number / 2) as f64 + 0.5;
+        let along = |k: u32| f64::from(k) / 8.0 * std::f64::consts::PI * wave;
+        let toward = [Vector3::z(), Vector3::y()][number % 2];
+        let largest = (0..9).map(|k| 1.0 - along(k).cos()).fold(0.0, f64::max);
+        let mut displacements: Vec<_> = (0..9)
+            .map(|k| (1.0 - along(k).cos()) / largest * toward)
+            .collect();
+        displacements.push(Vector3::zeros());
+        BucklingMode {
+            factor,
+            rotations: vec![Vector3::zeros(); displacements.len()],
+            displacements,
+            residual: 1e-12,
+        }
+    };
+    BucklingResult {
+        name: "column".to_owned(),
+        speed: 0.0,
+        nodes: nodes(),
+        beams: BEAMS.to_vec(),
+        base: Some(step(0.0)),
+        modes: [2.4674, -9.8696, 22.2066, 39.4784]
+            .into_iter()
+            .enumerate()
+            .map(|(number, factor)| mode(number, factor))
+            .collect(),
+        remarks: Vec::new(),
     }
 }
