@@ -10,14 +10,17 @@ pub mod beams;
 pub mod bodies;
 pub mod joints;
 pub mod loads;
+pub mod springs;
 
 mod local;
+mod motion;
 mod observation;
 
 #[cfg(test)]
 mod jacobian_tests;
 
 pub use local::{LocalJacobian, LocalResidual};
+pub use motion::Motion;
 pub use observation::{Observations, Reaction, SectionState};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
@@ -66,6 +69,12 @@ pub trait Element: Debug + Send + Sync {
     /// Adds the derivatives of the residual. The blocks that are added must be the
     /// same at every state, so that the pattern of the system is found once.
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian);
+
+    /// Relative motions of its nodes at the undeformed state that the element, beside its
+    /// constraints, resists by springs or leaves free on purpose.
+    fn motions(&self) -> Vec<Motion> {
+        Vec::new()
+    }
 
     /// Adds the derivative of the residual by the factor of the proportional loads.
     fn by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}

@@ -12,4 +12,4 @@ mod objectivity_tests;
 pub use distributed::{DistributedLoad, LineLoad};
 pub use elastic::ElasticBeam;
 pub use geometry::{BeamGeometry, BeamNode};
-pub use inertia::{BeamInertia, lumped_bodies};
+pub use inertia::{BeamInertia, MassAlong, lumped_bodies};

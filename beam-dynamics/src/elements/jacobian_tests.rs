@@ -10,8 +10,9 @@ use shared_geom::wrench;
 
 use super::beams::{BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam};
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
-use super::joints::Clamp;
+use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use super::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
+use super::springs::{Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual};
 use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
 
@@ -284,6 +285,58 @@ fn consistent_inertia_with_offsets_and_turned_sections() {
         let mass = |xi: f64| 0.5 * (1.0 - xi) * root + 0.5 * (1.0 + xi) * tip;
         let inertia = BeamInertia::new("inertia", [0, 1, 2], geometry, undeformed, mass);
         check(&inertia, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn partial_clamps() {
+    let mut random = Random(6);
+    let nodes = nodes(&mut random, 1);
+    for bits in 0..64_u32 {
+        let held = std::array::from_fn(|i| bits >> i & 1 == 1);
+        let axes = random.rotation(1.0);
+        let clamp = Clamp::partial("clamp", 0, &nodes[0], &axes, held);
+        assert_eq!(clamp.multipliers() as u32, bits.count_ones());
+        check(&clamp, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn rigid_connection() {
+    let mut random = Random(7);
+    let nodes = nodes(&mut random, 2);
+    let rigid = RigidConnection::new("rigid", [0, 1], [&nodes[0], &nodes[1]]);
+    check(&rigid, &nodes, &mut random);
+}
+
+#[test]
+fn hinge_with_offsets_spring_and_damper() {
+    let mut random = Random(8);
+    for (stiffness, damping) in [(0.0, 0.0), (1.3, 0.0), (0.0, 0.7), (1.3, 0.7)] {
+        let nodes = nodes(&mut random, 2);
+        let (position, axis) = (random.vector(1.0), random.vector(1.0));
+        let spring = HingeSpring {
+            stiffness,
+            damping,
+            angle: 0.3,
+        };
+        let undeformed = [&nodes[0], &nodes[1]];
+        let hinge = Hinge::new("hinge", [0, 1], undeformed, &position, &axis, spring);
+        check(&hinge, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn supports_that_turn_with_the_frame_and_that_stand_in_the_world() {
+    let mut random = Random(9);
+    let nodes = nodes(&mut random, 1);
+    let spring = [1.0, 2.0, 3.0, 0.5, 0.7, 0.9];
+    for damping in [[0.0; 6], [0.4, 0.3, 0.2, 0.6, 0.5, 0.1]] {
+        let law = SupportLaw::along(&random.rotation(1.0), &spring, &damping);
+        for stand in [Stand::Frame, Stand::World] {
+            let support = SupportSpring::new("support", 0, &nodes[0], law, stand);
+            check(&support, &nodes, &mut random);
+        }
     }
 }
 

@@ -42,6 +42,7 @@ fn point(frequency: f64, shares: Shares, assurance: Option<f64>) -> Option<ModeP
         damping_ratio: 0.0,
         growth: 0.0,
         shares,
+        whirl: None,
         assurance,
         shape: None,
     })
@@ -51,6 +52,7 @@ fn branch(name: &str, kind: ModeKind, points: Vec<Option<ModePoint>>) -> ModeBra
     ModeBranch {
         name: name.to_owned(),
         kind,
+        harmonic: None,
         points,
     }
 }
