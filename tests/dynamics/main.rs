@@ -8,3 +8,4 @@ mod equal_blades;
 mod record;
 mod rotating_beam;
 mod uniform_beam;
+mod wind_blades;

@@ -83,7 +83,8 @@ impl UniformBeam {
                     |_| mass,
                 ))),
                 Inertia::Lumped => {
-                    let bodies = lumped_bodies(&geometry, undeformed, &MassAlong::smooth(&|_| mass));
+                    let bodies =
+                        lumped_bodies(&geometry, undeformed, &MassAlong::smooth(&|_| mass));
                     for (node, body) in on.into_iter().zip(bodies) {
                         elements.push(Box::new(RigidBody::new(&name, node, body)));
                     }
