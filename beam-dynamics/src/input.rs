@@ -22,7 +22,9 @@ mod bodies;
 mod clamps;
 mod draft;
 mod hub;
+mod hub_support;
 mod in_place;
+mod joints;
 mod measured;
 mod naming;
 mod nodes;
@@ -30,6 +32,7 @@ mod number;
 mod problem;
 mod properties;
 mod speeds;
+mod springs;
 mod summary;
 
 #[cfg(test)]
@@ -54,6 +57,8 @@ pub struct Input {
     pub modes: Option<ModesQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
+    /// Names of the hinges that nothing but motion and loads holds.
+    pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
     /// What the reader must know of the files: defaults that were taken, plausibility.
@@ -71,11 +76,13 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let text = read_text(path)?;
     let document = Document::parse(&text, &file)?;
     let input = cards(&document, &name_of(path));
-    let input = document.finish(input)?;
+    let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
-    for found in mechanism::find(&input.model.system).mechanisms {
-        problems.push(Place::file(&file), &found);
+    let mobility = mechanism::find(&input.model.system);
+    for found in &mobility.mechanisms {
+        problems.push(Place::file(&file), found);
     }
+    input.free_hinges = mobility.free_hinges;
     problems.into_result(input)
 }
 
@@ -93,11 +100,15 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let hub = hub::read(&root);
 
     let mut draft = Draft::new(properties, hub);
+    hub_support::add(&root, &mut draft);
     nodes::read(&root, &mut draft);
     blades::read(&root, &mut draft);
     beams::read(&root, &mut draft);
     clamps::read(&root, &mut draft);
     bodies::read(&root, &mut draft);
+    joints::read_hinges(&root, &mut draft);
+    joints::read_rigid(&root, &mut draft);
+    springs::read(&root, &mut draft);
     let question = match root.has("modes") {
         true => speeds::read(&root).map(Some),
         false => Some(None),
@@ -124,6 +135,7 @@ fn finish(
         model,
         modes,
         measured,
+        free_hinges: Vec::new(),
         summary,
         remarks,
     })

@@ -59,22 +59,27 @@ pub(super) fn lump(table: &Table<'_>, label: &str) -> Option<Lump> {
         true => table.vector("offset", Dimension::LENGTH),
         false => Some(Vector3::zeros()),
     };
+    let moments = moments(table, label);
+    Some(Lump {
+        mass: mass?,
+        offset: offset?,
+        central: Matrix3::from_diagonal(&moments?),
+    })
+}
+
+/// Moments of inertia about three axes under `inertia`; zeros when absent.
+pub(super) fn moments(table: &Table<'_>, label: &str) -> Option<Vector3<f64>> {
     let moments = match table.has("inertia") {
         true => table.vector("inertia", Dimension::INERTIA),
         false => Some(Vector3::zeros()),
     };
-    let moments = moments.filter(|moments| {
+    moments.filter(|moments| {
         let possible = is_possible(moments);
         if !possible {
             let (body, found) = (label.to_owned(), (*moments).into());
             table.note("inertia", &InputProblem::ImpossibleInertia { body, found });
         }
         possible
-    });
-    Some(Lump {
-        mass: mass?,
-        offset: offset?,
-        central: Matrix3::from_diagonal(&moments?),
     })
 }
 

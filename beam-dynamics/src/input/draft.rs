@@ -295,7 +295,7 @@ impl Draft {
     /// Holds the root of a blade by the hub: by the frame, or by the node of a hub that
     /// moves. What holds the node already is noted under `key`.
     pub fn hold_root(&mut self, node: usize, table: &Table<'_>, key: &str) {
-        match self.hub_node {
+        match self.hub_node() {
             None => self.add_clamp(node, table, key),
             Some(hub) => {
                 let label = format!("hub to {}", self.nodes[node].label);
@@ -317,8 +317,8 @@ impl Draft {
 
     /// Notes what is wrong with the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
-        const CARDS: [&str; 2] = ["blade", "beam"];
-        let nothing = self.beams.is_empty() && !self.broken;
+        const CARDS: [&str; 5] = ["blade", "beam", "hinge", "rigid", "spring"];
+        let nothing = self.beams.is_empty() && self.joints.is_empty() && !self.broken;
         if nothing || !CARDS.iter().any(|card| root.has(card)) {
             // That [blade] should be [[blade]] has been told already.
             if !CARDS.iter().any(|card| root.is_table(card)) {

@@ -15,6 +15,7 @@ use shared_geom::section::{Centers, PrincipalAxes, Provenance, SectionProperties
 use shared_geom::units::Dimension;
 use shared_geom::wrench;
 
+use super::number::not_negative;
 use super::problem::InputProblem;
 use super::properties::{Properties, usable};
 
@@ -70,15 +71,6 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
         },
     };
     usable(name, table, "", &written.section(name))
-}
-
-fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-    let number = table.require_quantity(key, dimension)?;
-    if number >= 0.0 {
-        return Some(number);
-    }
-    table.wrong(key, &format!("{dimension}, zero or more"));
-    None
 }
 
 /// A point (y, z) of the section; the reference point when absent.
