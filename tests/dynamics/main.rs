@@ -11,3 +11,4 @@ mod record;
 mod rotating_beam;
 mod statics;
 mod uniform_beam;
+mod wind_blades;
