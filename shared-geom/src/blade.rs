@@ -74,3 +74,6 @@ pub enum BladeDamping {
     /// `D` of each station, 6x6 [N s, N m s, N m^2 s].
     Viscous(Vec<Matrix6<f64>>),
 }
+
+#[cfg(test)]
+mod tests;
