@@ -4,6 +4,8 @@ mod elastic;
 mod geometry;
 mod inertia;
 mod interpolation;
+mod strain_rate;
+mod viscous;
 
 #[cfg(test)]
 mod objectivity_tests;
@@ -11,3 +13,4 @@ mod objectivity_tests;
 pub use elastic::ElasticBeam;
 pub use geometry::{BeamGeometry, BeamNode};
 pub use inertia::{BeamInertia, lumped_bodies};
+pub use viscous::ViscousBeam;

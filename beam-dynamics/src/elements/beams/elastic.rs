@@ -41,7 +41,7 @@ const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189
 
 /// Nodes whose portions meet at each evaluation point: the force of the point acts
 /// with plus on the first and with minus on the second.
-const NEIGHBORS: [(usize, usize); 2] = [(0, 1), (1, 2)];
+pub(super) const NEIGHBORS: [(usize, usize); 2] = [(0, 1), (1, 2)];
 
 /// A geometrically exact elastic beam through three nodes.
 #[derive(Debug, Clone)]
