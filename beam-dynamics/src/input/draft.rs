@@ -14,7 +14,7 @@ use super::properties::{Catalog, Properties};
 use crate::assembly::System;
 use crate::case::{BladeNodes, Model, Spin};
 use crate::elements::Element;
-use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, lumped_bodies};
+use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, ViscousBeam, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::Node;
@@ -407,6 +407,11 @@ impl Draft {
         let stiffness = [properties.stiffness; 2];
         let elastic = ElasticBeam::new(label, *nodes, *geometry, self.ends(beam), stiffness);
         let mut elements = vec![boxed(elastic)];
+        if let Some(damping) = properties.damping {
+            let ends = self.ends(beam);
+            let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, [damping; 2]);
+            elements.push(boxed(viscous));
+        }
         match inertia {
             Inertia::Consistent => {
                 let mass = |_| properties.mass;

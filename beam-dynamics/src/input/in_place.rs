@@ -15,6 +15,7 @@ use shared_geom::section::{Centers, PrincipalAxes, Provenance, SectionProperties
 use shared_geom::units::Dimension;
 use shared_geom::wrench;
 
+use super::damping;
 use super::number::not_negative;
 use super::problem::InputProblem;
 use super::properties::{Properties, usable};
@@ -58,6 +59,7 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
         not_negative(table, "iz", Dimension::INERTIA_PER_LENGTH),
     ];
     let centers = ["tension_center", "shear_center", "mass_center"].map(|key| center(table, key));
+    let damping = damping::read(table);
     let [ea, gay, gaz, gj, eiy, eiz] = stiffness;
     let [m, iy, iz] = mass;
     let [tension, shear, mass_center] = centers;
@@ -70,7 +72,11 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
             mass: mass_center?,
         },
     };
-    usable(name, table, "", &written.section(name))
+    let section = SectionProperties {
+        damping: damping?,
+        ..written.section(name)
+    };
+    usable(name, table, "", &section)
 }
 
 /// A point (y, z) of the section; the reference point when absent.

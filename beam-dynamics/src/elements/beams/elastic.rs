@@ -107,6 +107,11 @@ impl ElasticBeam {
         EVALUATION_POINTS
     }
 
+    /// How the beam is attached to its nodes.
+    pub fn geometry(&self) -> BeamGeometry {
+        self.geometry
+    }
+
     /// Generalized strains at the two evaluation points, section axes, for the given
     /// motion of the three nodes [-, 1/m].
     pub fn strains(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
