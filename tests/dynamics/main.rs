@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod beam_statics;
+mod damping;
 mod equal_blades;
+mod joints;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;
