@@ -14,9 +14,9 @@ use crate::assembly::mechanism;
 use crate::case::{Model, ModesQuestion};
 use crate::result::Measured;
 
+mod along;
 mod beam_check;
 mod beams;
-mod blade_line;
 mod blades;
 mod bodies;
 mod clamps;
@@ -32,6 +32,7 @@ mod nodes;
 mod number;
 mod problem;
 mod properties;
+mod shapes;
 mod speeds;
 mod springs;
 mod summary;
@@ -39,6 +40,7 @@ mod summary;
 #[cfg(test)]
 mod tests;
 
+pub use blades::BladeProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
 pub use summary::Summary;
@@ -61,6 +63,8 @@ pub struct Input {
     pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
+    /// What the reader must know of the files: defaults that were taken, plausibility.
+    pub remarks: Vec<String>,
 }
 
 /// Reads and checks the dynamics input at `path`, with the files that it names.
@@ -126,6 +130,7 @@ fn finish(
     measured: Measured,
 ) -> Option<Input> {
     let summary = draft.summary(modes.as_ref(), &measured);
+    let remarks = draft.remarks().to_vec();
     let spin = draft.hub()?.spin();
     let model = draft.model(name, spin)?;
     Some(Input {
@@ -134,5 +139,6 @@ fn finish(
         measured,
         free_hinges: Vec::new(),
         summary,
+        remarks,
     })
 }

@@ -6,10 +6,12 @@ mod eigen;
 mod inverse;
 mod krylov;
 mod motion;
+mod multiblade;
 mod separation;
 mod tracking;
 
 pub use eigen::{EigenProblem, Eigenpair};
 pub use motion::ModeMotion;
+pub use multiblade::Rotor;
 pub use separation::{align, separate};
-pub use tracking::{assurances, follow};
+pub use tracking::{assurances, closeness, follow};

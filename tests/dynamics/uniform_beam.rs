@@ -5,7 +5,7 @@ use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
-    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, lumped_bodies,
+    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, MassAlong, lumped_bodies,
 };
 use beam_dynamics::elements::bodies::RigidBody;
 use beam_dynamics::elements::joints::Clamp;
@@ -83,7 +83,8 @@ impl UniformBeam {
                     |_| mass,
                 ))),
                 Inertia::Lumped => {
-                    let bodies = lumped_bodies(&geometry, undeformed, |_| mass);
+                    let bodies =
+                        lumped_bodies(&geometry, undeformed, &MassAlong::smooth(&|_| mass));
                     for (node, body) in on.into_iter().zip(bodies) {
                         elements.push(Box::new(RigidBody::new(&name, node, body)));
                     }
@@ -95,10 +96,7 @@ impl UniformBeam {
 
     /// Modes at the given speeds of rotation about z through the root [rad/s].
     pub fn case(&self, speeds: &[f64], count: usize) -> (Model, ModesQuestion) {
-        let question = ModesQuestion {
-            speeds: speeds.to_vec(),
-            count,
-        };
+        let question = ModesQuestion::new(speeds.to_vec(), count);
         (Model::new("uniform beam", self.system()), question)
     }
 }

@@ -5,7 +5,9 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use crate::assembly::System;
 use crate::case::{Model, ModesQuestion};
 use crate::model::State;
-use crate::modes::{EigenProblem, Eigenpair, ModeMotion, align, assurances, follow, separate};
+use crate::modes::{
+    EigenProblem, Eigenpair, ModeMotion, Rotor, align, assurances, closeness, follow, separate,
+};
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
 
@@ -19,6 +21,8 @@ const FOLLOWED: f64 = 0.8;
 /// Relative residual above which the reader is told that digits are lost: frequencies
 /// are then wrong in about the fifth digit.
 const TRUSTED: f64 = 1e-5;
+/// Share of the energy in one way of the blades moving together that names a mode.
+const PURE: f64 = 0.6;
 /// Halvings of a step in speed for following modes.
 const HALVINGS: usize = 5;
 
@@ -61,6 +65,17 @@ struct Modes {
 struct Mode {
     motion: ModeMotion,
     point: ModePoint,
+    /// `d (f^2) / d (Omega^2)` from the speed before, where the mode was followed from
+    /// there: nearly constant for a turning blade [Hz^2 s^2/rad^2].
+    slope: Option<f64>,
+}
+
+impl Mode {
+    /// Frequency to be expected at another speed [Hz].
+    fn expected(&self, from: f64, to: f64) -> Option<f64> {
+        let square = self.point.frequency.powi(2) + self.slope? * (to * to - from * from);
+        Some(square.max(0.0).sqrt())
+    }
 }
 
 /// A model and what is asked of it.
@@ -68,11 +83,17 @@ struct Mode {
 struct Case<'a> {
     model: &'a Model,
     question: &'a ModesQuestion,
+    rotor: Option<&'a Rotor>,
 }
 
 /// Steady equilibrium and modes at each speed of `question`.
 pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
-    let case = &Case { model, question };
+    let rotor = Rotor::new(&model.blades);
+    let case = &Case {
+        model,
+        question,
+        rotor: rotor.as_ref(),
+    };
     let mut branches = Branches::default();
     let mut table = FrequencyTable {
         name: model.name.clone(),
@@ -107,7 +128,8 @@ fn run(
             Some(before) => Some(links(case, &solver, before, &mut now, HALVINGS)?),
             None => None,
         };
-        branches.add(&now, links.as_deref());
+        let with_shapes = case.question.shapes.contains(speed);
+        branches.add(&now, links.as_deref(), with_shapes);
         table.speeds.push(*speed);
         table.equilibria.push(report(steady));
         table.remarks.extend(remarks(&now));
@@ -156,6 +178,12 @@ fn report(steady: &Equilibrium) -> EquilibriumReport {
             .iter()
             .map(|node| node.position.into())
             .collect(),
+        rotations: steady
+            .state
+            .nodes
+            .iter()
+            .map(|node| node.rotation)
+            .collect(),
     }
 }
 
@@ -199,7 +227,7 @@ fn at_equilibrium(
     let residual = pairs.iter().map(|pair| pair.residual);
     // At rest all terms of the equilibrium are round-off.
     let steady_residual = if speed == 0.0 { 0.0 } else { steady.residual };
-    separate(&mut motions, &frequencies, &case.model.naming);
+    separate(&mut motions, &frequencies, &case.model.naming, case.rotor);
     let mode = |(pair, motion): (&Eigenpair, ModeMotion)| {
         let magnitude = pair.growth.hypot(pair.angular_frequency);
         let point = ModePoint {
@@ -208,10 +236,19 @@ fn at_equilibrium(
                 true => -pair.growth / magnitude,
                 false => 0.0,
             },
+            growth: pair.growth,
             shares: motion.shares(&case.model.naming),
+            whirl: case
+                .rotor
+                .and_then(|rotor| rotor.whirl(&motion, &case.model.naming)),
             assurance: None,
+            shape: None,
         };
-        Mode { motion, point }
+        Mode {
+            motion,
+            point,
+            slope: None,
+        }
     };
     Ok(Modes {
         speed,
@@ -277,8 +314,22 @@ fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
     for (mode, motion) in now.found.iter_mut().zip(found) {
         mode.motion = motion;
     }
+    let expected: Vec<_> = before
+        .found
+        .iter()
+        .map(|mode| mode.expected(before.speed, now.speed))
+        .collect();
+    let weights = closeness(&expected, &frequencies);
+    let followed = follow(&macs, &weights);
+    let squares = now.speed.powi(2) - before.speed.powi(2);
+    for (i, next) in followed.iter().enumerate() {
+        if let Some(j) = *next {
+            let [from, to] = [&before.found[i], &now.found[j]].map(|mode| mode.point.frequency);
+            now.found[j].slope = Some((to * to - from * from) / squares);
+        }
+    }
     let linked = |(i, next): (usize, &Option<usize>)| next.map(|j| (j, macs[i][j]));
-    follow(&macs).iter().enumerate().map(linked).collect()
+    followed.iter().enumerate().map(linked).collect()
 }
 
 /// Modes while they are being followed.
@@ -292,7 +343,7 @@ struct Branches {
 
 impl Branches {
     /// Adds the modes of one more speed; `links` leads from the modes before.
-    fn add(&mut self, modes: &Modes, links: Option<&[Option<(usize, f64)>]>) {
+    fn add(&mut self, modes: &Modes, links: Option<&[Option<(usize, f64)>]>, with_shapes: bool) {
         let mut branch_of = vec![None; modes.found.len()];
         for (i, link) in links.unwrap_or(&[]).iter().enumerate() {
             if let Some((j, mac)) = link {
@@ -307,6 +358,7 @@ impl Branches {
                 let branch = link.map_or_else(|| self.begin(mode), |(branch, _)| branch);
                 let mut point = mode.point.clone();
                 point.assurance = link.map(|(_, mac)| mac);
+                point.shape = with_shapes.then(|| mode.motion.shape());
                 self.all[branch].points.resize(self.speeds, None);
                 self.all[branch].points.push(Some(point));
                 branch
@@ -315,13 +367,19 @@ impl Branches {
         self.speeds += 1;
     }
 
-    /// A branch that begins with `mode`, named by its kind and the next number of it.
+    /// A branch that begins with `mode`, named by its kind, the next number of it, and on
+    /// a rotor by how the blades move together.
     fn begin(&mut self, mode: &Mode) -> usize {
         let kind: ModeKind = ModeMotion::kind(&mode.point.shares);
-        let number = 1 + self.all.iter().filter(|branch| branch.kind == kind).count();
+        let whirl = mode.point.whirl.filter(|whirl| whirl.share >= PURE);
+        let harmonic = whirl.map(|whirl| whirl.harmonic);
+        let like = |branch: &&ModeBranch| branch.kind == kind && branch.harmonic == harmonic;
+        let number = 1 + self.all.iter().filter(like).count();
+        let together = whirl.map_or_else(String::new, |whirl| format!(" {}", whirl.word()));
         self.all.push(ModeBranch {
-            name: format!("{} {number}", kind.word()),
+            name: format!("{} {number}{together}", kind.word()),
             kind,
+            harmonic,
             points: Vec::new(),
         });
         self.all.len() - 1

@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 
+use super::along::Along;
 use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
@@ -39,13 +40,13 @@ impl Inertia {
     }
 }
 
-/// A beam of constant properties.
+/// A beam with its properties.
 #[derive(Debug, Clone)]
 pub(super) struct Beam {
     pub label: String,
     pub nodes: [usize; 3],
     pub geometry: BeamGeometry,
-    pub properties: Properties,
+    pub along: Along,
     pub inertia: Inertia,
 }
 
@@ -77,6 +78,7 @@ pub(super) struct Draft {
     /// Node of a hub that is not held by the frame.
     hub_node: Option<usize>,
     blades: Vec<BladeNodes>,
+    remarks: Vec<String>,
     labels: BTreeMap<(&'static str, String), usize>,
     /// Whether some beam or other user of a node could not be attached.
     loose_ends: bool,
@@ -100,6 +102,7 @@ impl Draft {
             joints: Vec::new(),
             hub_node: None,
             blades: Vec::new(),
+            remarks: Vec::new(),
             labels: BTreeMap::new(),
             loose_ends: false,
             broken: false,
@@ -362,12 +365,24 @@ impl Draft {
     }
 
     fn lumped(&self, beam: &Beam) -> [RigidInertia; 3] {
-        lumped_bodies(&beam.geometry, self.ends(beam), |_| beam.properties.mass)
+        let ends = self.ends(beam);
+        beam.along
+            .with_mass(|mass| lumped_bodies(&beam.geometry, ends, mass))
     }
 
     /// Notes that the given nodes, from the root to the tip, are those of a blade.
     pub fn add_blade(&mut self, blade: BladeNodes) {
         self.blades.push(blade);
+    }
+
+    /// Adds what the reader must know of a file that was read.
+    pub fn add_remarks(&mut self, remarks: Vec<String>) {
+        self.remarks.extend(remarks);
+    }
+
+    /// What the reader must know of the files that were read.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     /// The checked model.
@@ -401,21 +416,22 @@ impl Draft {
             label,
             nodes,
             geometry,
-            properties,
+            along,
             inertia,
         } = beam;
-        let stiffness = [properties.stiffness; 2];
+        let stiffness = along.stiffness;
         let elastic = ElasticBeam::new(label, *nodes, *geometry, self.ends(beam), stiffness);
         let mut elements = vec![boxed(elastic)];
-        if let Some(damping) = properties.damping {
+        if let Some(damping) = along.damping {
             let ends = self.ends(beam);
-            let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, [damping; 2]);
+            let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
             elements.push(boxed(viscous));
         }
         match inertia {
             Inertia::Consistent => {
-                let mass = |_| properties.mass;
-                let inertia = BeamInertia::new(label, *nodes, *geometry, self.ends(beam), mass);
+                let ends = self.ends(beam);
+                let inertia = along
+                    .with_mass(|mass| BeamInertia::along(label, *nodes, *geometry, ends, mass));
                 elements.push(boxed(inertia));
             }
             Inertia::Lumped => {

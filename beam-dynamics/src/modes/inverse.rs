@@ -82,11 +82,13 @@ impl Inverse {
     /// At least the `2 count` eigenvalues s nearest to the shift, conjugate pairs and up
     /// to `copies` of one value included, where there are so many.
     pub fn smallest(&self, count: usize, copies: usize) -> Vec<c64> {
-        let wanted = 2 * count + 8;
+        // One more pair, so that none is cut apart; the others only lead the iteration.
+        let sure = 2 * count + 2;
+        let wanted = sure + 8;
         let inverted = if self.size <= DENSE.max(3 * wanted) {
             self.all()
         } else {
-            largest(self, wanted, 2 * count, copies)
+            largest(self, wanted, sure, copies)
         };
         self.restored(inverted)
     }

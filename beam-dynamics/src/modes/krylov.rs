@@ -40,8 +40,8 @@ pub(super) trait Operator {
     fn multiply(&self, x: &mut Mat<f64>);
 }
 
-/// The `wanted` eigenvalues of largest magnitude, falling, the first `sure` of them
-/// found; copies up to `block` of one eigenvalue are told apart from one.
+/// The `sure` eigenvalues of largest magnitude, falling, from a space that is led by
+/// `wanted`, which are a few more; copies up to `block` of one eigenvalue are told apart from one.
 pub(super) fn largest(
     operator: &impl Operator,
     wanted: usize,
@@ -63,6 +63,7 @@ pub(super) fn largest(
         values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
         values.truncate(wanted);
         if is_whole || stand_still(&values, &before, sure) {
+            values.truncate(sure);
             return values;
         }
         before = values;
