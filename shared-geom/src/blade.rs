@@ -2,12 +2,24 @@
 //! the blade file.
 //!
 //! Components are ordered as in [`crate::wrench::COMPONENTS`], in section axes (twist
-//! included), about the reference line. SI units.
+//! included). The matrices of the stations stand at the reference point of the blade,
+//! which need not lie on its line; [`Blade::at`] gives them about the line. SI units.
 
-use nalgebra::Matrix6;
+use nalgebra::{Matrix6, Vector2};
 
 use crate::line::ReferenceLine;
 use crate::section::Provenance;
+
+mod check;
+mod evaluate;
+mod file;
+mod problem;
+mod remark;
+mod transform;
+
+pub use crate::line::Side;
+pub use file::{VERSION, parse, read, write};
+pub use problem::BladeProblem;
 
 /// A blade: its line, and the properties of its sections.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +28,9 @@ pub struct Blade {
     pub name: String,
     /// Reference line with twist, in root axes.
     pub line: ReferenceLine,
+    /// Where the matrices of the stations stand: (y, z) from the line, in section
+    /// axes [m]. Zero for those about the line.
+    pub reference_point: Vector2<f64>,
     /// Stations in the order of their arc length, from the root to the tip; two at one
     /// place are the properties on both sides of a jump.
     pub stations: Vec<Station>,
@@ -47,11 +62,13 @@ pub enum Interpolation {
     Constant,
 }
 
-/// Internal damping of all sections of a blade.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Internal damping of the sections of a blade.
+#[derive(Debug, Clone, PartialEq)]
 pub enum BladeDamping {
     /// `D = time K` [s].
     Proportional(f64),
     /// `D = diag(times) K`, a time for each component [s].
     Times([f64; 6]),
+    /// `D` of each station, 6x6 [N s, N m s, N m^2 s].
+    Viscous(Vec<Matrix6<f64>>),
 }

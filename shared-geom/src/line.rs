@@ -10,8 +10,19 @@
 //! ```
 //!
 //! so that before twist the chord lies in the plane of rotation wherever the line leads.
+//! A line given by its curvature has the axes that follow from it (see [`Course::Arcs`]).
+//!
+//! What is asked of a line many times is asked of its [`Curve`], which is prepared once.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
+
+mod arc;
+mod curve;
+mod problem;
+mod spline;
+
+pub use curve::Curve;
+pub use problem::LineProblem;
 
 /// How the line runs between its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,6 +31,9 @@ pub enum Course {
     Polyline,
     /// Natural cubic splines of y, z and twist over x.
     Spline,
+    /// Constant curvature and twist rate from point to point: `dQ/ds = Q [k]x`. The
+    /// line begins along x with the twist of its first point; the other points follow.
+    Arcs,
 }
 
 /// A point of a line as it was given.
@@ -38,4 +52,108 @@ pub struct ReferenceLine {
     pub points: Vec<LinePoint>,
     /// Its course between them.
     pub course: Course,
+    /// Of a line of arcs, one for each: twist rate about x and curvature about y and z
+    /// in section axes [1/m]. Empty for other lines.
+    pub curvature: Vec<Vector3<f64>>,
+    /// Of a line of arcs, the length of each [m]. Empty for other lines.
+    pub arc_length: Vec<f64>,
 }
+
+/// Which of two: what lies before a place, or behind it, seen from the root.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Toward the root.
+    Inner,
+    /// Toward the tip.
+    Outer,
+}
+
+/// A place on a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placed {
+    /// Place in root axes [m].
+    pub position: Vector3<f64>,
+    /// Section axes (columns) in root axes, twist included.
+    pub axes: Matrix3<f64>,
+    /// Twist, positive nose up [rad].
+    pub twist: f64,
+    /// Unit vector along the line, outward: the first of the axes.
+    pub tangent: Vector3<f64>,
+}
+
+impl ReferenceLine {
+    /// A line through `points`, straight or splined between them.
+    pub fn through(points: Vec<LinePoint>, course: Course) -> Self {
+        Self {
+            points,
+            course,
+            curvature: Vec::new(),
+            arc_length: Vec::new(),
+        }
+    }
+
+    /// A straight line of `length` [m] along x, without twist.
+    pub fn straight(length: f64) -> Self {
+        let point = |x| LinePoint {
+            position: Vector3::new(x, 0.0, 0.0),
+            twist: 0.0,
+        };
+        Self::through(vec![point(0.0), point(length)], Course::Polyline)
+    }
+
+    /// A line that begins at `root` along x, and goes on by arcs: the length of each
+    /// [m], its twist rate about x and its curvature about y and z in section
+    /// axes [1/m].
+    pub fn curved(root: LinePoint, arcs: &[(f64, Vector3<f64>)]) -> Self {
+        let mut line = Self {
+            points: vec![root],
+            course: Course::Arcs,
+            curvature: arcs.iter().map(|arc| arc.1).collect(),
+            arc_length: arcs.iter().map(|arc| arc.0).collect(),
+        };
+        line.points = arc::ends(&line);
+        line
+    }
+
+    /// The line prepared for many questions.
+    pub fn curve(&self) -> Curve {
+        Curve::new(self)
+    }
+
+    /// Length of the line along itself, to round-off [m].
+    pub fn length(&self) -> f64 {
+        self.curve().length()
+    }
+
+    /// Arc lengths of its points from the first [m].
+    pub fn arc_lengths(&self) -> Vec<f64> {
+        self.curve().arc_lengths().to_vec()
+    }
+
+    /// The place at arc length `s` [m], as [`Curve::at`].
+    pub fn at(&self, s: f64) -> Placed {
+        self.curve().at(s)
+    }
+
+    /// The same line with its sections turned by `angle` about it, nose up [rad].
+    pub fn twisted(&self, angle: f64) -> Self {
+        let mut turned = self.clone();
+        for point in &mut turned.points {
+            point.twist += angle;
+        }
+        let back = about_x(angle).transpose();
+        for curvature in &mut turned.curvature {
+            *curvature = back * *curvature;
+        }
+        turned
+    }
+}
+
+/// Rotation about x.
+pub(crate) fn about_x(angle: f64) -> Matrix3<f64> {
+    let (s, c) = angle.sin_cos();
+    Matrix3::new(1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c)
+}
+
+#[cfg(test)]
+mod tests;

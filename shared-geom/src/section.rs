@@ -10,11 +10,12 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, Vector2, Vector3, Vector6};
 use crate::wrench;
 
 mod check;
-mod file;
+pub(crate) mod file;
 mod history;
-mod json;
+pub(crate) mod json;
 
 pub use check::PropertyProblem;
+pub(crate) use check::{least_eigenvalue, matrix_problems};
 pub use file::{VERSION, parse, read, write};
 pub use history::{Change, Step};
 

@@ -149,6 +149,27 @@ impl SectionProperties {
     }
 }
 
+/// Everything that is wrong with a stiffness and a mass per length, as
+/// [`SectionProperties::problems`].
+pub(crate) fn matrix_problems(
+    stiffness_matrix: &Matrix6<f64>,
+    mass_matrix: &Matrix6<f64>,
+) -> Vec<PropertyProblem> {
+    let mut found = Vec::new();
+    stiffness(stiffness_matrix, &mut found);
+    mass(mass_matrix, &mut found);
+    found.into_iter().map(|p| p.1).collect()
+}
+
+/// Smallest eigenvalue of the symmetric part scaled to a unit diagonal; not a number
+/// for a matrix that holds one.
+pub(crate) fn least_eigenvalue(matrix: &Matrix6<f64>) -> f64 {
+    match matrix.iter().all(|entry| entry.is_finite()) {
+        true => smallest_scaled_eigenvalue(&dynamic(matrix)),
+        false => f64::NAN,
+    }
+}
+
 fn stiffness(k: &Matrix6<f64>, found: &mut Vec<FieldProblem>) {
     let field = "stiffness";
     if !symmetric(field, &dynamic(k), found) {

@@ -94,7 +94,7 @@ enum FileDamping {
 
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct FileProvenance {
+pub(crate) struct FileProvenance {
     program: String,
     version: String,
     input_hash: String,
@@ -237,14 +237,7 @@ impl From<&SectionProperties> for File {
                 Damping::StiffnessProportional(time) => FileDamping::StiffnessProportional(time),
                 Damping::Viscous(matrix) => FileDamping::Viscous(rows(&matrix)),
             }),
-            provenance: FileProvenance {
-                program: source.program.clone(),
-                version: source.version.clone(),
-                input_hash: source.input_hash.clone(),
-                nodes: source.nodes,
-                cells: source.cells,
-                history: source.history.iter().map(FileStep::from).collect(),
-            },
+            provenance: FileProvenance::from(source),
         }
     }
 }
@@ -316,14 +309,46 @@ impl File {
                 FileDamping::Viscous(matrix) => Damping::Viscous(matrix6(&matrix)),
             }),
             provenance: Provenance {
-                program: self.provenance.program,
-                version: self.provenance.version,
-                input_hash: self.provenance.input_hash,
-                nodes: self.provenance.nodes,
-                cells: self.provenance.cells,
                 history,
+                ..self.provenance.without_history()
             },
         }
+    }
+}
+
+impl From<&Provenance> for FileProvenance {
+    fn from(source: &Provenance) -> Self {
+        Self {
+            program: source.program.clone(),
+            version: source.version.clone(),
+            input_hash: source.input_hash.clone(),
+            nodes: source.nodes,
+            cells: source.cells,
+            history: source.history.iter().map(FileStep::from).collect(),
+        }
+    }
+}
+
+impl FileProvenance {
+    fn without_history(self) -> Provenance {
+        Provenance {
+            program: self.program,
+            version: self.version,
+            input_hash: self.input_hash,
+            nodes: self.nodes,
+            cells: self.cells,
+            history: Vec::new(),
+        }
+    }
+
+    /// The content; `None` when a step of the history is not exactly one change.
+    pub(crate) fn provenance(self) -> Option<Provenance> {
+        let steps: Option<_> = self.history.iter().map(FileStep::step).collect();
+        let history = steps?;
+        Some(Provenance {
+            history,
+            ..self.without_history()
+        })
     }
 }
 
@@ -358,11 +383,11 @@ impl FileStep {
     }
 }
 
-fn rows(matrix: &Matrix6<f64>) -> [[f64; 6]; 6] {
+pub(crate) fn rows(matrix: &Matrix6<f64>) -> [[f64; 6]; 6] {
     std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)]))
 }
 
-fn matrix6(rows: &[[f64; 6]; 6]) -> Matrix6<f64> {
+pub(crate) fn matrix6(rows: &[[f64; 6]; 6]) -> Matrix6<f64> {
     Matrix6::from_fn(|i, j| rows[i][j])
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::Value;
 
 /// The text of `value`, with rows of numbers and words on one line each.
-pub(super) fn layout(value: &Value) -> String {
+pub(crate) fn layout(value: &Value) -> String {
     let mut text = String::new();
     write_value(&mut text, value, 0);
     text.push('\n');

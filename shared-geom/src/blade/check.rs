@@ -1,0 +1,155 @@
+//! The checks of a blade.
+
+use super::{Blade, BladeDamping, BladeProblem, Interpolation, Side};
+use crate::section::{self, PropertyProblem};
+
+/// A station may lie beyond the end of the line by this part of its length: digits that
+/// a file left out.
+const BEYOND: f64 = 1e-6;
+
+impl Blade {
+    /// Everything that is wrong with the blade; empty when it is sound: a line that can
+    /// be followed, stations in order on it, and at each of them a stiffness that is
+    /// positive definite and a mass that is positive semidefinite.
+    ///
+    /// Between sound stations all is sound: a mean of positive definite matrices is
+    /// positive definite. See [`Blade::problems_at`] for a blade that was not checked.
+    pub fn problems(&self) -> Vec<BladeProblem> {
+        self.placed_problems().into_iter().map(|p| p.1).collect()
+    }
+
+    /// What is wrong with the stiffness at the arc lengths `places` [m], for places where
+    /// it is evaluated.
+    pub fn problems_at(&self, places: &[f64]) -> Vec<BladeProblem> {
+        let known = self.places();
+        let problem = |&place: &f64| {
+            let sides = [Side::Inner, Side::Outer].map(|side| self.at(place, side).0);
+            let [inner, outer] = sides.map(|k| section::least_eigenvalue(&k));
+            // Not a number is no good either, and counts as the least.
+            let value = match inner <= outer || inner.is_nan() {
+                true => inner,
+                false => outer,
+            };
+            let before = known.iter().rev().find(|s| **s <= place);
+            let behind = known.iter().find(|s| **s >= place);
+            let (inner, outer) = (before.or(behind)?, behind.or(before)?);
+            let good = value > 0.0;
+            (!good).then_some(BladeProblem::Indefinite {
+                place,
+                inner: *inner,
+                outer: *outer,
+                value,
+            })
+        };
+        places.iter().filter_map(problem).collect()
+    }
+
+    /// Each problem with the index of its station; `None` for the blade as a whole.
+    pub(super) fn placed_problems(&self) -> Vec<(Option<usize>, BladeProblem)> {
+        let mut found = Vec::new();
+        let line = self.line.problems();
+        let line_is_good = line.is_empty();
+        found.extend(line.into_iter().map(|problem| (None, problem.into())));
+        if self.stations.is_empty() {
+            found.push((None, BladeProblem::NoStations));
+        }
+        if !self.reference_point.iter().all(|x| x.is_finite()) {
+            let field = "reference_point";
+            found.push((None, BladeProblem::NotFinite { field }));
+        }
+        if line_is_good {
+            found.extend(self.off_line());
+        }
+        found.extend(self.out_of_order());
+        found.extend(self.unsound());
+        found.extend(self.damping_problems().map(|problem| (None, problem)));
+        found
+    }
+
+    fn off_line(&self) -> impl Iterator<Item = (Option<usize>, BladeProblem)> {
+        let length = self.length();
+        let margin = BEYOND * length;
+        let stations = self.stations.iter().enumerate();
+        stations.filter_map(move |(k, station)| {
+            let found = station.arc_length;
+            let on = (-margin..=length + margin).contains(&found);
+            let station = k + 1;
+            let problem = BladeProblem::OffLine {
+                station,
+                found,
+                length,
+            };
+            (!on).then_some((Some(k), problem))
+        })
+    }
+
+    fn out_of_order(&self) -> Vec<(Option<usize>, BladeProblem)> {
+        let places: Vec<_> = self.stations.iter().map(|s| s.arc_length).collect();
+        let is_constant = self.interpolation == Interpolation::Constant;
+        let problem = |k: usize| {
+            let (before, found, station) = (places[k - 1], places[k], k + 1);
+            if found < before {
+                return Some(BladeProblem::Order {
+                    station,
+                    found,
+                    before,
+                });
+            }
+            let place = found;
+            let doubled = found == before;
+            if doubled && k >= 2 && places[k - 2] == found {
+                return Some(BladeProblem::Third { station, place });
+            }
+            (doubled && is_constant).then_some(BladeProblem::Doubled { station, place })
+        };
+        let stations = 1..places.len();
+        stations
+            .filter_map(|k| Some((Some(k), problem(k)?)))
+            .collect()
+    }
+
+    /// Problems of the matrices of each station. A polar moment that is not the sum of
+    /// the other two is told by [`Blade::remarks`]: tables round it.
+    fn unsound(&self) -> impl Iterator<Item = (Option<usize>, BladeProblem)> {
+        let stations = self.stations.iter().enumerate();
+        stations.flat_map(|(k, station)| {
+            let problems = section::matrix_problems(&station.stiffness, &station.mass);
+            let hard =
+                |problem: &PropertyProblem| !matches!(problem, PropertyProblem::Polar { .. });
+            let (number, place) = (k + 1, station.arc_length);
+            problems.into_iter().filter(hard).map(move |problem| {
+                let problem = BladeProblem::Station {
+                    station: number,
+                    place,
+                    problem,
+                };
+                (Some(k), problem)
+            })
+        })
+    }
+
+    fn damping_problems(&self) -> impl Iterator<Item = BladeProblem> {
+        let field = "damping";
+        let negative = |time: &f64| match *time {
+            time if !time.is_finite() => Some(BladeProblem::NotFinite { field }),
+            found if found < 0.0 => Some(BladeProblem::NegativeDamping { found }),
+            _ => None,
+        };
+        let found: Vec<_> = match &self.damping {
+            None => Vec::new(),
+            Some(BladeDamping::Proportional(time)) => negative(time).into_iter().collect(),
+            Some(BladeDamping::Times(times)) => times.iter().filter_map(negative).collect(),
+            Some(BladeDamping::Viscous(all)) if all.len() != self.stations.len() => {
+                let (found, stations) = (all.len(), self.stations.len());
+                vec![BladeProblem::DampingCount { found, stations }]
+            }
+            Some(BladeDamping::Viscous(all)) => {
+                let bad = all.iter().flatten().any(|entry| !entry.is_finite());
+                bad.then_some(BladeProblem::NotFinite { field })
+                    .into_iter()
+                    .collect()
+            }
+        };
+        found.into_iter()
+    }
+}

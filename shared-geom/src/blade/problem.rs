@@ -1,0 +1,139 @@
+//! What a blade must satisfy before anyone computes with it.
+
+use crate::error::Explain;
+use crate::line::LineProblem;
+use crate::section::PropertyProblem;
+
+/// Why a blade is refused.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BladeProblem {
+    /// The text is not the JSON of a blade file.
+    #[error("not a blade file: {reason}")]
+    Malformed {
+        /// The parser's words.
+        reason: String,
+    },
+    /// The file is of a later version of the format.
+    #[error("written in version {found} of the blade-file format, expected at most {known}")]
+    Newer {
+        /// The version of the file.
+        found: u64,
+        /// The version that this program writes.
+        known: u64,
+    },
+    /// The file declares other units.
+    #[error("units are \"{found}\", expected \"SI\"")]
+    Units {
+        /// The word found.
+        found: String,
+    },
+    /// The line cannot be followed.
+    #[error(transparent)]
+    Line(#[from] LineProblem),
+    /// A blade without properties.
+    #[error("the blade has no station, expected one or more")]
+    NoStations,
+    /// A number that is not finite.
+    #[error("{field} holds a number that is not finite")]
+    NotFinite {
+        /// The field.
+        field: &'static str,
+    },
+    /// Stations that do not lead outward.
+    #[error(
+        "station {station} lies at {found} m, and the station before at {before} m: stations lead from the root to the tip"
+    )]
+    Order {
+        /// Number of the station, from one.
+        station: usize,
+        /// Its arc length [m].
+        found: f64,
+        /// The arc length before [m].
+        before: f64,
+    },
+    /// Three stations at one place.
+    #[error("station {station} is the third at {place} m: a jump has two")]
+    Third {
+        /// Number of the station, from one.
+        station: usize,
+        /// Its arc length [m].
+        place: f64,
+    },
+    /// Two stations at one place, of constant properties.
+    #[error(
+        "station {station} lies at {place} m as the one before, and with constant interpolation every station is a jump"
+    )]
+    Doubled {
+        /// Number of the station, from one.
+        station: usize,
+        /// Its arc length [m].
+        place: f64,
+    },
+    /// A station that is not on the line.
+    #[error("station {station} lies at {found} m, and the line is {length} m long")]
+    OffLine {
+        /// Number of the station, from one.
+        station: usize,
+        /// Its arc length [m].
+        found: f64,
+        /// Length of the line [m].
+        length: f64,
+    },
+    /// Properties of a station that cannot be.
+    #[error("station {station} at {place} m: {problem}")]
+    Station {
+        /// Number of the station, from one.
+        station: usize,
+        /// Its arc length [m].
+        place: f64,
+        /// What is wrong.
+        problem: PropertyProblem,
+    },
+    /// Stiffness that is not positive definite between stations.
+    #[error(
+        "stiffness is not positive definite at {place} m, between the stations at {inner} m and {outer} m: its smallest scaled eigenvalue is {value:.3e}"
+    )]
+    Indefinite {
+        /// Arc length of the place [m].
+        place: f64,
+        /// Arc length of the station on the inner side [m].
+        inner: f64,
+        /// Arc length of the station on the outer side [m].
+        outer: f64,
+        /// Smallest eigenvalue of the matrix scaled to a unit diagonal [-].
+        value: f64,
+    },
+    /// A damping time below zero.
+    #[error("damping is {found} s, expected zero or more")]
+    NegativeDamping {
+        /// The time [s].
+        found: f64,
+    },
+    /// Damping matrices for another number of stations.
+    #[error("damping has {found} matrices, expected one for each of the {stations} stations")]
+    DampingCount {
+        /// Matrices found.
+        found: usize,
+        /// Stations.
+        stations: usize,
+    },
+}
+
+impl Explain for BladeProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Newer { .. } => Some("use a newer version of this program".to_owned()),
+            Self::Units { .. } => Some("blade files in JSON are always SI".to_owned()),
+            Self::Line(problem) => problem.help(),
+            Self::Station { problem, .. } => problem.help(),
+            Self::Third { .. } => Some(
+                "of stations at one place the first is the inner, the second the outer side of a jump"
+                    .to_owned(),
+            ),
+            Self::OffLine { .. } => {
+                Some("arc lengths count from the root along the line".to_owned())
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! What a line must satisfy before anyone follows it.
+
+use super::{Course, ReferenceLine};
+use crate::error::Explain;
+
+/// Smallest part of a step of the line that leads out of the direction of z: less has
+/// no level chord [-].
+const LEVEL: f64 = 1e-6;
+
+/// Why a line is refused.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LineProblem {
+    /// Too few points.
+    #[error("the line has {found} points, expected two or more")]
+    Points {
+        /// Points found.
+        found: usize,
+    },
+    /// A number that is not finite.
+    #[error("point {point} of the line holds a number that is not finite")]
+    NotFinite {
+        /// Number of the point, from one.
+        point: usize,
+    },
+    /// A point at the place of the one before.
+    #[error("point {point} of the line lies where point {} lies", .point - 1)]
+    SamePlace {
+        /// Number of the point, from one.
+        point: usize,
+    },
+    /// A splined line that leads back.
+    #[error(
+        "point {point} of the line lies at x = {found} m, and the point before at {before} m: a splined line leads outward"
+    )]
+    Backward {
+        /// Number of the point, from one.
+        point: usize,
+        /// Its abscissa [m].
+        found: f64,
+        /// The abscissa before [m].
+        before: f64,
+    },
+    /// A line along z, about which the chord cannot be level.
+    #[error("the line leads along z from point {} to point {point}: its chord has no direction", .point - 1)]
+    Vertical {
+        /// Number of the outer point, from one.
+        point: usize,
+    },
+    /// An arc without length.
+    #[error("arc {arc} of the line is {found} m long, expected more than zero")]
+    ArcLength {
+        /// Number of the arc, from one.
+        arc: usize,
+        /// Its length [m].
+        found: f64,
+    },
+    /// Lists of different lengths.
+    #[error(
+        "the line has {points} points, {curvatures} curvatures and {lengths} lengths of arcs, expected one point more than arcs"
+    )]
+    Lists {
+        /// Points.
+        points: usize,
+        /// Curvatures.
+        curvatures: usize,
+        /// Lengths.
+        lengths: usize,
+    },
+}
+
+impl Explain for LineProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Backward { .. } => Some(
+                "list the points from the root to the tip, or take course = \"polyline\""
+                    .to_owned(),
+            ),
+            Self::Vertical { .. } => {
+                Some("give the line by its curvature, or turn the root axes".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
+
+impl ReferenceLine {
+    /// Everything that is wrong with the line; empty when it can be followed.
+    pub fn problems(&self) -> Vec<LineProblem> {
+        let mut found: Vec<_> = self.not_finite().collect();
+        let points = self.points.len();
+        let (curvatures, lengths) = (self.curvature.len(), self.arc_length.len());
+        let arcs = match self.course {
+            Course::Arcs => points.saturating_sub(1),
+            _ => 0,
+        };
+        if points < 2 {
+            found.push(LineProblem::Points { found: points });
+        } else if curvatures != arcs || lengths != arcs {
+            found.push(LineProblem::Lists {
+                points,
+                curvatures,
+                lengths,
+            });
+        }
+        if !found.is_empty() {
+            return found;
+        }
+        match self.course {
+            Course::Polyline => found.extend(self.same_places().chain(self.vertical())),
+            Course::Spline => found.extend(self.backward()),
+            Course::Arcs => found.extend(self.without_length()),
+        }
+        found
+    }
+
+    fn not_finite(&self) -> impl Iterator<Item = LineProblem> {
+        let bad = |i: usize| {
+            let point = &self.points[i];
+            let arc = i.checked_sub(1).and_then(|arc| self.curvature.get(arc));
+            let mut numbers = point.position.iter().chain(arc.into_iter().flatten());
+            !point.twist.is_finite() || numbers.any(|number| !number.is_finite())
+        };
+        let bad = (0..self.points.len()).filter(move |&i| bad(i));
+        bad.map(|i| LineProblem::NotFinite { point: i + 1 })
+    }
+
+    fn same_places(&self) -> impl Iterator<Item = LineProblem> {
+        let pairs = self.points.windows(2).enumerate();
+        let same = pairs.filter(|(_, pair)| pair[0].position == pair[1].position);
+        same.map(|(i, _)| LineProblem::SamePlace { point: i + 2 })
+    }
+
+    fn vertical(&self) -> impl Iterator<Item = LineProblem> {
+        let pairs = self.points.windows(2).enumerate();
+        let vertical = pairs.filter(|(_, pair)| {
+            let step = pair[1].position - pair[0].position;
+            step.norm() > 0.0 && step.x.hypot(step.y) <= LEVEL * step.norm()
+        });
+        vertical.map(|(i, _)| LineProblem::Vertical { point: i + 2 })
+    }
+
+    fn backward(&self) -> impl Iterator<Item = LineProblem> {
+        let pairs = self.points.windows(2).enumerate();
+        pairs.filter_map(|(i, pair)| {
+            let (before, found) = (pair[0].position.x, pair[1].position.x);
+            let point = i + 2;
+            let problem = LineProblem::Backward {
+                point,
+                found,
+                before,
+            };
+            (found <= before).then_some(problem)
+        })
+    }
+
+    fn without_length(&self) -> impl Iterator<Item = LineProblem> {
+        let arcs = self.arc_length.iter().enumerate();
+        let bad = arcs.filter(|(_, length)| !(length.is_finite() && **length > 0.0));
+        bad.map(|(i, &found)| LineProblem::ArcLength { arc: i + 1, found })
+    }
+}
