@@ -12,8 +12,10 @@ use crate::error::{Diagnostics, Place};
 
 pub mod frame;
 mod header;
+mod plain;
 mod problem;
 mod text;
+mod windio;
 
 pub use header::Header;
 pub use problem::ExchangeProblem;
@@ -166,7 +168,20 @@ struct Door {
 }
 
 /// The formats, in the order in which a text is tried.
-const DOORS: &[Door] = &[];
+const DOORS: &[Door] = &[
+    Door {
+        format: Format::WindIo1,
+        recognize: windio::is_version_1,
+        read: Some(windio::read),
+        write: Some(windio::write_version_1),
+    },
+    Door {
+        format: Format::WindIo2,
+        recognize: windio::is_version_2,
+        read: Some(windio::read),
+        write: Some(windio::write_version_2),
+    },
+];
 
 /// The format of `text`, told from its content.
 pub fn recognize(text: &str) -> Option<Format> {

@@ -28,6 +28,8 @@ pub(super) struct Plain {
     pub stations: Vec<Station>,
     /// Length of the line [m].
     pub length: f64,
+    /// From our axes to those of BeamDyn, at each point: see [`turns`] [rad].
+    pub turns: Vec<f64>,
     /// What changed, in words.
     pub lost: Vec<String>,
 }
@@ -35,12 +37,14 @@ pub(super) struct Plain {
 impl Plain {
     /// Of `blade`.
     pub fn of(blade: &Blade) -> Self {
+        let blade = &blade.on_line();
         let mut lost = Vec::new();
         let line = through_points(&blade.line, &mut lost);
         let arcs = line.arc_lengths();
         let length = line.length();
         Self {
             point_parts: parts(&arcs, length),
+            turns: turns(&line),
             points: line.points,
             course: line.course,
             stations: growing(blade, length, &mut lost),
@@ -51,7 +55,11 @@ impl Plain {
 
     /// Arc lengths of the stations, as parts of the length [-].
     pub fn station_parts(&self) -> Vec<f64> {
-        let arcs: Vec<_> = self.stations.iter().map(|station| station.arc_length).collect();
+        let arcs: Vec<_> = self
+            .stations
+            .iter()
+            .map(|station| station.arc_length)
+            .collect();
         parts(&arcs, self.length)
     }
 }
@@ -80,6 +88,23 @@ pub(super) fn stated_course(text: &str) -> Option<Course> {
         }
     };
     text.lines().take(HEAD).find_map(stated)
+}
+
+/// The angle about the tangent from our axes without twist, whose y axis is level
+/// (without component along z of the root), to those of BeamDyn and windIO, whose x axis
+/// (our z) has none along y of the root, at each point of a line [rad]:
+///
+/// ```text
+/// delta = -asin(t_y t_z / (sqrt(t_x^2 + t_y^2) sqrt(t_x^2 + t_z^2)))
+/// ```
+pub(super) fn turns(line: &ReferenceLine) -> Vec<f64> {
+    let curve = line.curve();
+    let turn = |&s: &f64| {
+        let t = curve.at(s).tangent;
+        let turn = -(t.y * t.z / (t.x.hypot(t.y) * t.x.hypot(t.z))).asin();
+        if turn.is_finite() { turn } else { 0.0 }
+    };
+    curve.arc_lengths().iter().map(turn).collect()
 }
 
 fn parts(arcs: &[f64], length: f64) -> Vec<f64> {
@@ -114,8 +139,14 @@ fn through_points(line: &ReferenceLine, lost: &mut Vec<String>) -> ReferenceLine
         points.extend(line.points.get(i + 1));
         from += length;
     }
-    let grows = points.windows(2).all(|two| two[1].position.x > two[0].position.x);
-    let course = if grows { Course::Spline } else { Course::Polyline };
+    let grows = points
+        .windows(2)
+        .all(|two| two[1].position.x > two[0].position.x);
+    let course = if grows {
+        Course::Spline
+    } else {
+        Course::Polyline
+    };
     let plain = ReferenceLine::through(points, course);
     let off = plain.length() - line.length();
     lost.push(format!(
@@ -160,7 +191,10 @@ fn held(stations: &[Station], length: f64) -> Vec<Station> {
             arc_length: end,
             ..*station
         };
-        let both = [Some(*station), (end.arc_length > station.arc_length).then_some(end)];
+        let both = [
+            Some(*station),
+            (end.arc_length > station.arc_length).then_some(end),
+        ];
         both.into_iter().flatten()
     });
     both.collect()

@@ -1,11 +1,11 @@
 //! A blade from the tables of either version.
 
-use nalgebra::{Matrix6, Vector3};
+use nalgebra::{Matrix6, Vector2, Vector3};
 
-use super::super::frame::Convention;
-use super::super::plain::stated_course;
-use super::super::problem::Problems;
 use super::super::Reading;
+use super::super::frame::Convention;
+use super::super::plain::{stated_course, turns};
+use super::super::problem::Problems;
 use super::fields::{Column, SAME, interval};
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::hash::sha256_of_content;
@@ -72,6 +72,7 @@ pub(super) fn reading(
     let blade = Blade {
         name,
         line,
+        reference_point: Vector2::zeros(),
         stations: parts.iter().map(station).collect(),
         interpolation: Interpolation::Linear,
         damping: tables.times.as_ref().and_then(damping),
@@ -106,11 +107,13 @@ fn line(tables: &Tables, text: &str, remarks: &mut Vec<String>) -> ReferenceLine
     let axes = Convention::BeamDyn.axes();
     let point = |&part: &f64| LinePoint {
         position: axes * Vector3::new(x.at(part), y.at(part), z.at(part)),
-        twist: -tables.twist.at(part),
+        twist: 0.0,
     };
     let points: Vec<_> = parts.iter().map(point).collect();
     let course = stated_course(text).unwrap_or_else(|| {
-        let grows = points.windows(2).all(|two| two[1].position.x > two[0].position.x);
+        let grows = points
+            .windows(2)
+            .all(|two| two[1].position.x > two[0].position.x);
         let (course, words) = match grows {
             true => (Course::Spline, "a cubic spline"),
             false => (Course::Polyline, "straight lines"),
@@ -121,7 +124,12 @@ fn line(tables: &Tables, text: &str, remarks: &mut Vec<String>) -> ReferenceLine
         ));
         course
     });
-    ReferenceLine::through(points, course)
+    let mut line = ReferenceLine::through(points, course);
+    let twists: Vec<_> = turns(&line).into_iter().zip(&parts).collect();
+    for (point, (turn, &part)) in line.points.iter_mut().zip(twists) {
+        point.twist = turn - tables.twist.at(part);
+    }
+    line
 }
 
 /// All places of the grids, growing; those that differ by round-off are one.

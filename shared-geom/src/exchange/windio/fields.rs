@@ -34,11 +34,17 @@ impl Column {
 pub(super) fn interval(grid: &[f64], part: f64) -> (usize, f64) {
     let last = grid.len().saturating_sub(2);
     let behind = grid.iter().position(|&place| place > part);
-    let i = behind.map_or(last, |behind| behind.saturating_sub(1)).min(last);
+    let i = behind
+        .map_or(last, |behind| behind.saturating_sub(1))
+        .min(last);
     let (Some(&from), Some(&to)) = (grid.get(i), grid.get(i + 1)) else {
         return (i, 0.0);
     };
-    let v = if to > from { (part - from) / (to - from) } else { 1.0 };
+    let v = if to > from {
+        (part - from) / (to - from)
+    } else {
+        1.0
+    };
     (i, v.clamp(0.0, 1.0))
 }
 
@@ -109,7 +115,9 @@ pub(super) fn grid(node: &Node, what: &str, problems: &mut Problems) -> Option<V
         problems.push(at.line, &bad(found, "at least two places"));
         return None;
     }
-    let outside = grid.iter().find(|&&place| !(-SAME..=1.0 + SAME).contains(&place));
+    let outside = grid
+        .iter()
+        .find(|&&place| !(-SAME..=1.0 + SAME).contains(&place));
     if let Some(place) = outside {
         problems.push(at.line, &bad(place.to_string(), "places from 0 to 1"));
         return None;

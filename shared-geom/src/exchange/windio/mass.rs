@@ -15,11 +15,26 @@ pub(super) const NAMES: [&str; 7] = ["mass", "cm_x", "cm_y", "i_edge", "i_flap",
 /// The matrix of the seven numbers.
 pub(super) fn matrix([m, x, y, edge, flap, polar, product]: [f64; 7]) -> Matrix6<f64> {
     from_upper(&[
-        m, 0.0, 0.0, 0.0, 0.0, -m * y, //
-        m, 0.0, 0.0, 0.0, m * x, //
-        m, m * y, -m * x, 0.0, //
-        edge, -product, 0.0, //
-        flap, 0.0, //
+        m,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -m * y, //
+        m,
+        0.0,
+        0.0,
+        0.0,
+        m * x, //
+        m,
+        m * y,
+        -m * x,
+        0.0, //
+        edge,
+        -product,
+        0.0, //
+        flap,
+        0.0, //
         polar,
     ])
 }

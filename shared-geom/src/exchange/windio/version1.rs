@@ -46,7 +46,10 @@ fn matrices(six: &Node, key: &str, problems: &mut Problems) -> Option<Matrices> 
     let grid = fields::grid(node, key, problems);
     let values = required(node, key, "values", problems)?;
     let Value::List(rows) = &values.value else {
-        problems.push(values.line, &fields::not_a_list(values, &format!("values of {key}")));
+        problems.push(
+            values.line,
+            &fields::not_a_list(values, &format!("values of {key}")),
+        );
         return None;
     };
     let what = format!("a station of {key}");

@@ -19,7 +19,12 @@ pub(super) fn tables(root: &Node, problems: &mut Problems) -> Option<Tables> {
     let axis = axis.and_then(|node| fields::axis(node, problems));
     let twist = twist(blade, problems);
     let structure = required(blade, "components.blade", "structure", problems)?;
-    let properties = required(structure, "components.blade.structure", PROPERTIES, problems)?;
+    let properties = required(
+        structure,
+        "components.blade.structure",
+        PROPERTIES,
+        problems,
+    )?;
     let stiffness = required(properties, PROPERTIES, "stiffness_matrix", problems);
     let mut remarks = Vec::new();
     let stiffness = stiffness.and_then(|node| stiffnesses(node, &mut remarks, problems));
@@ -78,11 +83,17 @@ fn stiffnesses(
         entries.push(entry);
     }
     if !absent.is_empty() {
-        remarks.push(format!("{what}: {} not given, taken as zero", absent.join(", ")));
+        remarks.push(format!(
+            "{what}: {} not given, taken as zero",
+            absent.join(", ")
+        ));
     }
     let entries: Vec<Vec<f64>> = entries.into_iter().collect::<Option<_>>()?;
     let station = |i: usize| {
-        let upper: Vec<f64> = entries.iter().filter_map(|entry| entry.get(i).copied()).collect();
+        let upper: Vec<f64> = entries
+            .iter()
+            .filter_map(|entry| entry.get(i).copied())
+            .collect();
         from_upper(&upper)
     };
     let matrices = (0..grid.len()).map(station).collect();

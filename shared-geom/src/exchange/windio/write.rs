@@ -3,13 +3,13 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use nalgebra::Matrix6;
+use nalgebra::{Matrix6, Vector2};
 
+use super::super::Writing;
 use super::super::frame::Convention;
 use super::super::header::Header;
 use super::super::plain::{Plain, course_name};
 use super::super::text::upper;
-use super::super::Writing;
 use super::mass;
 use crate::blade::{Blade, BladeDamping};
 
@@ -30,11 +30,13 @@ pub(super) fn version_1(blade: &Blade, name: &str) -> Writing {
     text += "components:\n    blade:\n        elastic_properties_mb:\n            six_x_six:\n";
     let margin = " ".repeat(16);
     text += &axis(&plain, &margin);
-    let twist: Vec<_> = plain.points.iter().map(|point| -point.twist).collect();
-    text += &column("twist", &margin, &plain.point_parts, &twist);
+    text += &column("twist", &margin, &plain.point_parts, &twist(&plain));
     let grid = plain.station_parts();
     for (key, matrices) in [
-        ("stiff_matrix", matrices(&plain, |station| station.stiffness)),
+        (
+            "stiff_matrix",
+            matrices(&plain, |station| station.stiffness),
+        ),
         ("inertia_matrix", matrices(&plain, |station| station.mass)),
     ] {
         let _ = writeln!(text, "{margin}{key}:\n{margin}    grid: {}", list(&grid));
@@ -50,17 +52,21 @@ pub(super) fn version_1(blade: &Blade, name: &str) -> Writing {
 pub(super) fn version_2(blade: &Blade, name: &str) -> Writing {
     let plain = Plain::of(blade);
     let mut lost = plain.lost.clone();
-    let mut text = head(blade, &plain, name);
+    let mut text = head(blade, &plain, name) + "windIO_version: '2.0'\n";
     text += "components:\n    blade:\n";
     text += &axis(&plain, &" ".repeat(8));
     text += "        outer_shape:\n";
-    let twist: Vec<_> = plain.points.iter().map(|point| (-point.twist).to_degrees()).collect();
+    let twist: Vec<_> = twist(&plain).into_iter().map(f64::to_degrees).collect();
     text += &column("twist", &" ".repeat(12), &plain.point_parts, &twist);
     text += "        structure:\n            elastic_properties:\n";
     let margin = " ".repeat(16);
     let grid = plain.station_parts();
     let stiffness = matrices(&plain, |station| station.stiffness);
-    let _ = writeln!(text, "{margin}stiffness_matrix:\n{margin}    grid: {}", list(&grid));
+    let _ = writeln!(
+        text,
+        "{margin}stiffness_matrix:\n{margin}    grid: {}",
+        list(&grid)
+    );
     for i in 0..6 {
         for j in i..6 {
             let values: Vec<_> = stiffness.iter().map(|k| k[(i, j)]).collect();
@@ -68,7 +74,11 @@ pub(super) fn version_2(blade: &Blade, name: &str) -> Writing {
         }
     }
     let inertia = matrices(&plain, |station| station.mass);
-    let _ = writeln!(text, "{margin}inertia_matrix:\n{margin}    grid: {}", list(&grid));
+    let _ = writeln!(
+        text,
+        "{margin}inertia_matrix:\n{margin}    grid: {}",
+        list(&grid)
+    );
     let seven: Vec<_> = inertia.iter().map(mass::values).collect();
     for (i, key) in mass::NAMES.iter().enumerate() {
         let values: Vec<_> = seven.iter().map(|seven| seven[i]).collect();
@@ -77,8 +87,13 @@ pub(super) fn version_2(blade: &Blade, name: &str) -> Writing {
     let _ = writeln!(
         text,
         "{margin}structural_damping:\n{margin}    mu: {}",
-        list(&times(blade))
+        list(&times(blade).unwrap_or_default())
     );
+    if blade.damping.is_some() && times(blade).is_none() {
+        lost.push(
+            "internal damping by matrices: windIO has one time for each component".to_owned(),
+        );
+    }
     lost.extend(lost_mass(&inertia, &grid));
     finish(name, text, lost)
 }
@@ -104,6 +119,12 @@ fn head(blade: &Blade, plain: &Plain, name: &str) -> String {
 /// A text that no reader takes for anything else.
 fn quoted(text: &str) -> String {
     format!("'{}'", text.replace('\'', "''"))
+}
+
+/// The twist of windIO, nose down [rad].
+fn twist(plain: &Plain) -> Vec<f64> {
+    let twists = plain.points.iter().zip(&plain.turns);
+    twists.map(|(point, turn)| turn - point.twist).collect()
 }
 
 fn axis(plain: &Plain, margin: &str) -> String {
@@ -153,20 +174,22 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Damping times in the order of BeamDyn [s].
-fn times(blade: &Blade) -> [f64; 6] {
+/// Damping times in the order of BeamDyn [s]; `None` for damping by matrices.
+fn times(blade: &Blade) -> Option<[f64; 6]> {
     let ours = match blade.damping {
         None => [0.0; 6],
         Some(BladeDamping::Proportional(time)) => [time; 6],
-        Some(BladeDamping::Times(times)) => times,
+        Some(BladeDamping::Times(times)) if blade.reference_point == Vector2::zeros() => times,
+        Some(_) => return None,
     };
-    Convention::BeamDyn.values_from_ours(&ours)
+    Some(Convention::BeamDyn.values_from_ours(&ours))
 }
 
 fn damping_in_words(blade: &Blade) -> String {
-    match blade.damping {
+    match &blade.damping {
         Some(BladeDamping::Proportional(time)) => format!("{time} s times K"),
-        _ => format!("times {:?} s", times(blade)),
+        Some(BladeDamping::Times(times)) => format!("times {times:?} s"),
+        _ => "matrices".to_owned(),
     }
 }
 

@@ -86,7 +86,9 @@ pub(super) fn parse(text: &str) -> Result<Node, (usize, ExchangeProblem)> {
         if let Event::DocumentEnd = event {
             break;
         }
-        builder.take(event, line).map_err(|problem| (line, problem))?;
+        builder
+            .take(event, line)
+            .map_err(|problem| (line, problem))?;
     }
     let cut = || ExchangeProblem::CutShort {
         what: "the YAML text".to_owned(),
@@ -133,13 +135,21 @@ impl Builder {
             Event::SequenceEnd | Event::MappingEnd => self.close(),
             Event::Scalar(text, _, anchor, _) => {
                 let value = Value::Text(text.into_owned());
-                let node = Rc::new(Node { line, value, depth: 1 });
+                let node = Rc::new(Node {
+                    line,
+                    value,
+                    depth: 1,
+                });
                 self.insert(anchor, node)
             }
             Event::Alias(anchor) => {
                 let node = self.anchors.get(&anchor).cloned();
                 let node = node.ok_or_else(|| {
-                    wrong("an alias", "one that holds itself", "the name of a value before it")
+                    wrong(
+                        "an alias",
+                        "one that holds itself",
+                        "the name of a value before it",
+                    )
                 })?;
                 self.insert(0, node)
             }
@@ -189,9 +199,9 @@ impl Builder {
             (Value::List(list), _) => list.push(node),
             (Value::Table(entries), Some(key)) => entries.push((key, node)),
             (Value::Table(entries), None) => {
-                let key = node.text().ok_or_else(|| {
-                    wrong("a key", &node.kind(), "a word")
-                })?;
+                let key = node
+                    .text()
+                    .ok_or_else(|| wrong("a key", &node.kind(), "a word"))?;
                 if entries.iter().any(|(name, _)| name == key) {
                     let what = format!("key \"{}\"", shortened(key));
                     return Err(wrong(&what, "it twice in one table", "each key once"));

@@ -1,0 +1,1 @@
+//! windIO files: round trips, reference data, bad input.
