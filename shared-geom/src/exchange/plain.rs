@@ -8,12 +8,12 @@ use crate::line::{Course, LinePoint, ReferenceLine};
 /// change by about as much, and tables with 17 digits still have growing places.
 const RAMP: f64 = 1e-9;
 
-/// Angle of an arc between two points that stand for it [rad]: a cubic spline through
-/// them is off by some 1e-9 of their distance.
-const ARC_ANGLE: f64 = 0.02;
+/// Angle of an arc between two points that stand for it [rad]: inside an arc a cubic
+/// spline through them is off by some 1e-9 of their distance, next to its ends by 1e-4.
+const ARC_ANGLE: f64 = 0.005;
 
-/// Most points that stand for one arc.
-const ARC_POINTS: f64 = 200.0;
+/// Fewest and most points that stand for one arc.
+const ARC_POINTS: [f64; 2] = [8.0, 200.0];
 
 /// What is left of a blade.
 #[derive(Debug, Clone, PartialEq)]
@@ -128,7 +128,7 @@ fn through_points(line: &ReferenceLine, lost: &mut Vec<String>) -> ReferenceLine
     let mut from = 0.0;
     for (i, (length, curvature)) in line.arc_length.iter().zip(&line.curvature).enumerate() {
         let count = (length * curvature.norm() / ARC_ANGLE).ceil();
-        let count = count.clamp(1.0, ARC_POINTS) as usize;
+        let count = count.clamp(ARC_POINTS[0], ARC_POINTS[1]) as usize;
         for k in 1..count {
             let placed = curve.at(from + length * k as f64 / count as f64);
             points.push(LinePoint {
@@ -148,14 +148,25 @@ fn through_points(line: &ReferenceLine, lost: &mut Vec<String>) -> ReferenceLine
         Course::Polyline
     };
     let plain = ReferenceLine::through(points, course);
-    let off = plain.length() - line.length();
     lost.push(format!(
-        "a line of constant curvature: written as {} points with a {} between them, {off:.1e} m \
-         longer",
+        "a line of constant curvature: written as {} points with a {} between them, off by up to \
+         {:.1e} m",
         plain.points.len(),
         course_name(course),
+        apart(&plain, line),
     ));
     plain
+}
+
+/// How far `line` lies from `other` half way between its points [m].
+fn apart(line: &ReferenceLine, other: &ReferenceLine) -> f64 {
+    let (line, other) = (line.curve(), other.curve());
+    let middles = line
+        .arc_lengths()
+        .windows(2)
+        .map(|two| 0.5 * (two[0] + two[1]));
+    let off = middles.map(|s| (line.at(s).position - other.at(s).position).norm());
+    off.fold(0.0, f64::max)
 }
 
 /// Stations behind each other: constant pieces get a station at both ends, and of two
@@ -191,11 +202,13 @@ fn held(stations: &[Station], length: f64) -> Vec<Station> {
             arc_length: end,
             ..*station
         };
-        let both = [
-            Some(*station),
-            (end.arc_length > station.arc_length).then_some(end),
-        ];
-        both.into_iter().flatten()
+        // What begins at the tip has no length.
+        let pieces = if end.arc_length > station.arc_length {
+            2
+        } else {
+            0
+        };
+        [*station, end].into_iter().take(pieces)
     });
     both.collect()
 }
