@@ -81,7 +81,7 @@ fn stages(criterion: &mut Criterion) {
     });
     group.bench_function("eigenvalues", |b| {
         b.iter(|| {
-            let problem = EigenProblem::new(&solver, &tangent, system.nodes().len());
+            let problem = EigenProblem::new(&solver, &tangent, system.nodes().len(), 4);
             black_box(problem.map(|problem| problem.lowest(10)))
         });
     });

@@ -95,3 +95,28 @@ pub struct ModesQuestion {
     /// Number of modes to report at each speed.
     pub count: usize,
 }
+
+/// What is asked about equilibria under loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StaticQuestion {
+    /// Rotor speed [rad/s].
+    pub speed: f64,
+    /// Factor of the proportional loads at the end [-].
+    pub to: f64,
+    /// Equal steps in which the loads grow, each cut where it must; `None`: as large as
+    /// the iteration allows.
+    pub steps: Option<usize>,
+    /// Whether the path is followed by its length, past limit points.
+    pub arc_length: bool,
+    /// Steps along the path at most.
+    pub most_steps: usize,
+}
+
+/// What is asked about critical loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BucklingQuestion {
+    /// Rotor speed [rad/s].
+    pub speed: f64,
+    /// Number of critical loads to report.
+    pub count: usize,
+}

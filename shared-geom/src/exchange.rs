@@ -10,11 +10,17 @@ use crate::blade::Blade;
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
 
+mod beamdyn;
+mod csv;
+mod dymore;
 pub mod frame;
 mod header;
+mod own;
 mod plain;
 mod problem;
+mod stations;
 mod text;
+mod vabs;
 mod windio;
 
 pub use header::Header;
@@ -50,8 +56,10 @@ pub struct Options {
 pub enum Format {
     /// Our own blade files, JSON and TOML.
     Helicoid,
-    /// BeamDyn of OpenFAST: primary file with key points, and blade file.
+    /// BeamDyn of OpenFAST 5: primary file with key points, and blade file.
     BeamDyn,
+    /// The same in the layout of OpenFAST 3 and 4.
+    BeamDyn4,
     /// HAWC2 structural file.
     Hawc2,
     /// windIO, first version.
@@ -70,9 +78,10 @@ pub enum Format {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Helicoid,
         Self::BeamDyn,
+        Self::BeamDyn4,
         Self::Hawc2,
         Self::WindIo1,
         Self::WindIo2,
@@ -87,6 +96,7 @@ impl Format {
         match self {
             Self::Helicoid => "helicoid",
             Self::BeamDyn => "beamdyn",
+            Self::BeamDyn4 => "beamdyn4",
             Self::Hawc2 => "hawc2",
             Self::WindIo1 => "windio1",
             Self::WindIo2 => "windio2",
@@ -102,6 +112,7 @@ impl Format {
         match self {
             Self::Helicoid => "Helicoid blade file",
             Self::BeamDyn => "BeamDyn (OpenFAST) blade",
+            Self::BeamDyn4 => "BeamDyn blade for OpenFAST 3 and 4",
             Self::Hawc2 => "HAWC2 structural file",
             Self::WindIo1 => "windIO blade, version 1",
             Self::WindIo2 => "windIO blade, version 2",
@@ -131,7 +142,7 @@ impl Format {
             Self::Helicoid => &[".json", ".toml"],
             Self::BeamDyn => &[".inp"],
             Self::Hawc2 => &[".st"],
-            Self::WindIo1 => &[],
+            Self::WindIo1 | Self::BeamDyn4 => &[],
             Self::WindIo2 => &[".yaml", ".yml"],
             Self::Dymore => &[".dym"],
             Self::Vabs => &[".k"],
@@ -170,6 +181,37 @@ struct Door {
 /// The formats, in the order in which a text is tried.
 const DOORS: &[Door] = &[
     Door {
+        format: Format::Helicoid,
+        recognize: own::recognize,
+        read: Some(own::read),
+        write: Some(own::write),
+    },
+    Door {
+        format: Format::Csv,
+        recognize: csv::recognize,
+        read: Some(csv::read),
+        write: Some(csv::write),
+    },
+    Door {
+        format: Format::BeamDyn,
+        recognize: beamdyn::recognize,
+        read: Some(beamdyn::read),
+        write: Some(beamdyn::write),
+    },
+    // Read by the one before: the reader takes both layouts.
+    Door {
+        format: Format::BeamDyn4,
+        recognize: |_| false,
+        read: Some(beamdyn::read),
+        write: Some(beamdyn::write_four),
+    },
+    Door {
+        format: Format::Vabs,
+        recognize: vabs::recognize,
+        read: Some(vabs::read),
+        write: Some(vabs::write),
+    },
+    Door {
         format: Format::WindIo1,
         recognize: windio::is_version_1,
         read: Some(windio::read),
@@ -180,6 +222,13 @@ const DOORS: &[Door] = &[
         recognize: windio::is_version_2,
         read: Some(windio::read),
         write: Some(windio::write_version_2),
+    },
+    // The last: a table of numbers without any word.
+    Door {
+        format: Format::Dymore,
+        recognize: dymore::recognize,
+        read: Some(dymore::read),
+        write: Some(dymore::write),
     },
 ];
 
@@ -239,3 +288,10 @@ fn readable() -> Vec<&'static str> {
     let read = DOORS.iter().filter(|door| door.read.is_some());
     read.map(|door| door.format.title()).collect()
 }
+
+#[cfg(test)]
+mod refusal_tests;
+#[cfg(test)]
+mod samples;
+#[cfg(test)]
+mod tests;

@@ -7,7 +7,7 @@
 
 use nalgebra::{Complex, Vector3};
 
-use super::Eigenpair;
+use super::{Eigenpair, Rotor};
 use crate::assembly::Sparse;
 use crate::model::{Equation, NODE_UNKNOWNS, NamingAxes, Variable};
 use crate::result::{ModeKind, Shares};
@@ -79,6 +79,17 @@ impl ModeMotion {
             }
         }
         energies
+    }
+
+    /// Energies of `q_a` and `q_b` in each way in which the blades of a rotor move
+    /// together, in the order of [`Rotor::harmonics`].
+    pub(super) fn harmonics(
+        &self,
+        other: &Self,
+        rotor: &Rotor,
+        axes: &[NamingAxes],
+    ) -> Vec<Complex<f64>> {
+        rotor.energies(&self.motion, &other.momentum, axes)
     }
 
     /// The sum of `modes`, each times its factor.

@@ -11,6 +11,7 @@ fn point(frequency: f64, shares: Shares, assurance: Option<f64>) -> Option<ModeP
         frequency,
         damping_ratio: 0.0,
         shares,
+        whirl: None,
         assurance,
     })
 }
@@ -19,6 +20,7 @@ fn branch(name: &str, kind: ModeKind, points: Vec<Option<ModePoint>>) -> ModeBra
     ModeBranch {
         name: name.to_owned(),
         kind,
+        harmonic: None,
         points,
     }
 }
