@@ -14,6 +14,7 @@ mod beamdyn;
 mod csv;
 mod dymore;
 pub mod frame;
+mod hawc2;
 mod header;
 mod own;
 mod plain;
@@ -141,7 +142,7 @@ impl Format {
         match self {
             Self::Helicoid => &[".json", ".toml"],
             Self::BeamDyn => &[".inp"],
-            Self::Hawc2 => &[".st"],
+            Self::Hawc2 => &[".htc", ".st"],
             Self::WindIo1 | Self::BeamDyn4 => &[],
             Self::WindIo2 => &[".yaml", ".yml"],
             Self::Dymore => &[".dym"],
@@ -210,6 +211,12 @@ const DOORS: &[Door] = &[
         recognize: vabs::recognize,
         read: Some(vabs::read),
         write: Some(vabs::write),
+    },
+    Door {
+        format: Format::Hawc2,
+        recognize: hawc2::recognize,
+        read: Some(hawc2::read),
+        write: Some(hawc2::write),
     },
     Door {
         format: Format::WindIo1,
