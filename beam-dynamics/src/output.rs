@@ -8,6 +8,7 @@ mod folder;
 mod grid;
 mod panel;
 mod rows;
+mod shapes;
 mod statics;
 mod structure;
 mod table_csv;
@@ -21,6 +22,7 @@ mod samples;
 pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
 pub use files::{Written, result_text, write};
+pub use shapes::{ShapePlot, write_shapes};
 pub use statics::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,
     reaction_csv, static_text, write_static,

@@ -15,9 +15,11 @@ use crate::result::{
 };
 
 mod fields;
+mod shapes;
 mod statics;
 
 pub use fields::{read_back, values};
+pub use shapes::{shaped, tip_motion};
 pub use statics::{bent, column};
 
 /// Names of the files that were written.
