@@ -19,7 +19,7 @@ const MOST: usize = 12;
 const COLUMNS: usize = 3;
 /// Height of a row of plots \[figure pixels\].
 const ROW: f64 = 330.0;
-const HEAD: f64 = 210.0;
+const HEAD: f64 = 160.0;
 const FOOT: f64 = 110.0;
 const LINE: f64 = 4.5;
 const THIN: f64 = 2.0;
@@ -101,6 +101,12 @@ impl Shown {
         points.any(|point| point.1[component].norm() > FAINT)
     }
 
+    /// Whether a component moves in phase with the largest one.
+    fn is_real(&self, component: usize) -> bool {
+        let mut points = self.along.points.iter();
+        points.any(|point| point.1[component].re.abs() > FAINT)
+    }
+
     /// Whether a component moves out of phase with the largest one.
     fn is_complex(&self, component: usize) -> bool {
         let mut points = self.along.points.iter();
@@ -120,7 +126,7 @@ impl Shown {
                     .map(|(arc, motion)| [*arc, pick(&motion[component])])
                     .collect()
             };
-            if self.has(component) {
+            if self.is_real(component) {
                 panel.curve(canvas, &part(|z| z.re), LINE, COLORS[component])?;
             }
             if self.is_complex(component) {
