@@ -129,7 +129,7 @@ impl Drawing for BucklingPlot {
         draw_title(canvas, &self.title, [40.0, 44.0])?;
         let legend = [
             ("equilibrium".to_owned(), LINE, GRAY),
-            ("shape, of any size".to_owned(), LINE, CATEGORIES[5]),
+            ("shape, in arbitrary size".to_owned(), LINE, CATEGORIES[5]),
         ];
         draw_legend(canvas, [40.0, 104.0], &legend)?;
         let mut top = HEAD;
