@@ -13,6 +13,7 @@ mod shapes;
 mod statics;
 mod structure;
 mod table_csv;
+mod table_modes;
 mod table_text;
 mod text;
 mod views;
@@ -32,4 +33,5 @@ pub use statics::{
     reaction_csv, static_text, write_static,
 };
 pub use table_csv::frequency_csv;
-pub use table_text::{CONVENTION, frequency_text};
+pub use table_modes::mode_csv;
+pub use table_text::{CONVENTION, convention, frequency_text};
