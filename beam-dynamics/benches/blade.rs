@@ -111,6 +111,7 @@ fn twenty_speeds(model: &Model, threads: usize) -> Option<Duration> {
     let question = ModesQuestion {
         speeds: (0..20).map(|k| SPEED * k as f64 / 19.0).collect(),
         count: MODES,
+        damping: beam_dynamics::case::ModalDamping::Found,
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.ok()?;

@@ -93,6 +93,7 @@ fn whole(criterion: &mut Criterion) {
     let question = ModesQuestion {
         speeds: vec![0.0, SPEED],
         count: 10,
+        damping: beam_dynamics::case::ModalDamping::Found,
     };
     criterion.bench_function("modes at two speeds", |b| {
         b.iter(|| black_box(modes(&model, &question)))

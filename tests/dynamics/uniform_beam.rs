@@ -99,6 +99,7 @@ impl UniformBeam {
         let question = ModesQuestion {
             speeds: speeds.to_vec(),
             count,
+            damping: beam_dynamics::case::ModalDamping::Found,
         };
         (Model::new("uniform beam", self.system()), question)
     }
