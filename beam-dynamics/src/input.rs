@@ -33,6 +33,7 @@ mod nodes;
 mod number;
 mod problem;
 mod properties;
+mod shapes;
 mod speeds;
 mod springs;
 mod summary;

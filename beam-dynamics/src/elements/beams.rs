@@ -1,5 +1,6 @@
 //! Geometrically exact three-node beam by finite volumes, and its inertia.
 
+mod distributed;
 mod elastic;
 mod geometry;
 mod inertia;
@@ -8,6 +9,7 @@ mod interpolation;
 #[cfg(test)]
 mod objectivity_tests;
 
+pub use distributed::{DistributedLoad, LineLoad};
 pub use elastic::ElasticBeam;
 pub use geometry::{BeamGeometry, BeamNode};
 pub use inertia::{BeamInertia, MassAlong, lumped_bodies};

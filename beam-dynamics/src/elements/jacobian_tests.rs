@@ -8,9 +8,10 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::wrench;
 
-use super::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
+use super::beams::{BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam};
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
+use super::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 use super::springs::{Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual};
 use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
@@ -140,6 +141,7 @@ fn check_at(
         let error = (exact - difference).amax() / scale;
         assert!(error < TOLERANCE, "{}: {error:e}", element.label());
     }
+    check_factor(element, motion, multipliers, conditions);
     // Nothing that changes is outside the declared pattern.
     let sizes = by_unknowns.abs() + by_rates.abs();
     for (size, touched) in sizes.iter().zip(jacobian.touched()) {
@@ -149,6 +151,35 @@ fn check_at(
             element.label()
         );
     }
+}
+
+/// The derivative by the factor of the proportional loads, by central differences.
+fn check_factor(
+    element: &dyn Element,
+    motion: &[NodeMotion],
+    multipliers: &[f64],
+    conditions: &Conditions,
+) {
+    let evaluate = |step: f64, derivative: bool| {
+        let mut loading = conditions.loading;
+        loading.proportional += step;
+        let at = Local {
+            nodes: motion,
+            multipliers,
+            frame: &conditions.frame,
+            loading: &loading,
+        };
+        let mut out = LocalResidual::new(motion.len(), multipliers.len());
+        match derivative {
+            true => element.by_factor(&at, &mut out),
+            false => element.residual(&at, &mut out),
+        }
+        nalgebra::DVector::from_column_slice(out.values())
+    };
+    let difference = (evaluate(STEP, false) - evaluate(-STEP, false)) / (2.0 * STEP);
+    let exact = evaluate(0.0, true);
+    let error = (&exact - difference).amax() / exact.amax().max(1.0);
+    assert!(error < TOLERANCE, "{}: {error:e}", element.label());
 }
 
 /// Derivatives by unknowns and by rates, by central differences.
@@ -306,5 +337,68 @@ fn supports_that_turn_with_the_frame_and_that_stand_in_the_world() {
             let support = SupportSpring::new("support", 0, &nodes[0], law, stand);
             check(&support, &nodes, &mut random);
         }
+    }
+}
+
+/// Dead and follower loads, constant and proportional.
+fn kinds() -> [(Turning, LoadFactor); 3] {
+    [
+        (Turning::Dead, LoadFactor::Proportional),
+        (Turning::Follower, LoadFactor::Proportional),
+        (Turning::Follower, LoadFactor::Constant),
+    ]
+}
+
+#[test]
+fn loads_on_nodes() {
+    let mut random = Random(6);
+    let nodes = nodes(&mut random, 1);
+    for (turning, factor) in kinds() {
+        let load = NodalForce {
+            force: random.vector(1.0),
+            moment: random.vector(1.0),
+            offset: random.vector(0.5),
+            turning,
+            factor,
+        };
+        check(
+            &NodalLoad::new("load", 0, &nodes[0], load),
+            &nodes,
+            &mut random,
+        );
+    }
+}
+
+#[test]
+fn loads_along_beams_with_offsets_and_turned_sections() {
+    let mut random = Random(7);
+    for (turning, factor) in kinds() {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let [a, b, c, d] = [(); 4].map(|()| random.vector(1.0));
+        let load = |xi: f64| [a + b * xi, c + d * (xi - 0.2).max(0.0)];
+        let kind = (turning, factor);
+        let load =
+            DistributedLoad::new("load", [0, 1, 2], geometry, undeformed, kind, &[0.2], load);
+        check(&load, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn imposed_motions_of_any_components() {
+    let mut random = Random(8);
+    let nodes = nodes(&mut random, 1);
+    for mask in 1..64_u32 {
+        let mut some = |i: u32| (mask >> i & 1 == 1).then(|| random.number());
+        let motion = ImposedMotion {
+            displacement: [some(0), some(1), some(2)],
+            rotation: [some(3), some(4), some(5)],
+            axes: random.rotation(1.0),
+            factor: LoadFactor::Proportional,
+        };
+        let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
+        assert_eq!(imposed.multipliers(), mask.count_ones() as usize);
+        check(&imposed, &nodes, &mut random);
     }
 }

@@ -9,6 +9,8 @@
 //! h  = m p' + omega x S                   k = S x p' + J omega       (about p)
 //! momentum          - int_k h ds
 //! angular momentum  - int_k [(p - x_k) x h + k] ds
+//! force balance       int_k m a_g ds                       a_g: acceleration of gravity
+//! moment balance      int_k [(p - x_k) x m a_g + S x a_g] ds
 //! ```
 //!
 //! with mass m, first moment S and inertia J per length, turned with the section.
@@ -19,6 +21,7 @@
 //! d p'    = N_j (d v_j - [f_j]x d omega_j - [omega_j]x [f_j]x theta_j)
 //! d h     = m d p' - [S]x d omega - [omega]x [S]x theta
 //! d k     = [p']x [S]x theta + [S]x d p' + (J [omega]x - [J omega]x) theta + J d omega
+//! d[(p - x_k) x m a_g + S x a_g] = -[m a_g]x (d p - d x_k) + [a_g]x [S]x theta
 //! ```
 //!
 //! References: [Masarati], consistent and lumped inertia of the finite-volume beam.
@@ -32,7 +35,7 @@ use super::geometry::BeamGeometry;
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::elements::bodies::RigidInertia;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::Equation::{AngularMomentum, Momentum};
+use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 
 /// Gauss points a portion: products of two quadratic shape functions, an arm and a
@@ -277,6 +280,10 @@ impl Element for BeamInertia {
             let angular = arm.cross(&motion.h) + motion.k;
             out.add(mass.portion, Momentum, &(-mass.length * motion.h));
             out.add(mass.portion, AngularMomentum, &(-mass.length * angular));
+            let weight = mass.length * mass.mass * at.loading.gravity;
+            let turning = mass.length * motion.s.cross(&at.loading.gravity);
+            out.add(mass.portion, Force, &weight);
+            out.add(mass.portion, Moment, &(arm.cross(&weight) + turning));
         }
     }
 
@@ -290,6 +297,9 @@ impl Element for BeamInertia {
                 let omega_j = at.nodes[j].angular_velocity_in_space(at.frame);
                 let by = mass.variation(&motion, j, &theta[j], &nodal.f[j], &omega_j, at.frame);
                 mass.add_variation(&nodal, &motion, j, &by, out);
+                let [position, rotation] = mass.weight_variation(at, &nodal, &motion, j, &theta[j]);
+                out.add((mass.portion, Moment), (j, Variable::Position), &position);
+                out.add((mass.portion, Moment), (j, Variable::Rotation), &rotation);
             }
         }
     }
@@ -341,6 +351,25 @@ impl MassPoint {
             k: (skew(&motion.velocity) * s + inertia) * turn + s * velocity + motion.j * omega,
             p,
         })
+    }
+
+    /// Variations of the moment of the weight about the node of the portion by position
+    /// and rotation of node `j`, whose rotation turns the section by `theta`.
+    fn weight_variation(
+        &self,
+        at: &Local<'_>,
+        nodal: &NodalKinematics,
+        motion: &Motion,
+        j: usize,
+        theta: &Matrix3<f64>,
+    ) -> [Matrix3<f64>; 2] {
+        let gravity = self.length * skew(&at.loading.gravity);
+        let own = if j == self.portion { 1.0 } else { 0.0 };
+        let n = self.shape.n[j];
+        [
+            -(n - own) * self.mass * gravity,
+            gravity * (n * self.mass * skew(&nodal.f[j]) + skew(&motion.s) * theta),
+        ]
     }
 
     /// Adds `-d int h` and `-d int [(p - x_k) x h + k]` for node `j`.
