@@ -335,7 +335,7 @@ fn what_is_wrong_with_a_table_is_told_with_its_line() {
         ),
         (
             good.replace("s,A,w", "radius,A,w"),
-            "help: columns: radius, A, w",
+            "has no column \"s\" (for \"arc_length\")",
         ),
         (
             good.replace("\n\n10", "\n-1"),
