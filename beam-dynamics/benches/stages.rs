@@ -81,7 +81,7 @@ fn stages(criterion: &mut Criterion) {
     });
     group.bench_function("eigenvalues", |b| {
         b.iter(|| {
-            let problem = EigenProblem::new(&solver, &tangent, system.nodes().len());
+            let problem = EigenProblem::new(&solver, &tangent, system.nodes().len(), 4);
             black_box(problem.map(|problem| problem.lowest(10)))
         });
     });
@@ -90,10 +90,7 @@ fn stages(criterion: &mut Criterion) {
 
 fn whole(criterion: &mut Criterion) {
     let model = Model::new("blade", system());
-    let question = ModesQuestion {
-        speeds: vec![0.0, SPEED],
-        count: 10,
-    };
+    let question = ModesQuestion::new(vec![0.0, SPEED], 10);
     criterion.bench_function("modes at two speeds", |b| {
         b.iter(|| black_box(modes(&model, &question)))
     });

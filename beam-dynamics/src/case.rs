@@ -94,4 +94,57 @@ pub struct ModesQuestion {
     pub speeds: Vec<f64>,
     /// Number of modes to report at each speed.
     pub count: usize,
+    /// Speeds, among `speeds`, at which the shapes of the modes are handed out [rad/s].
+    pub shapes: Vec<f64>,
+    /// Whether these shapes are animated as field files.
+    pub animate: bool,
+}
+
+impl ModesQuestion {
+    /// The lowest `count` modes at each of `speeds` \[rad/s\], without shapes.
+    pub fn new(speeds: Vec<f64>, count: usize) -> Self {
+        Self {
+            speeds,
+            count,
+            shapes: Vec::new(),
+            animate: false,
+        }
+    }
+
+    /// The first and the last speed: where shapes are shown unless speeds are chosen
+    /// \[rad/s\].
+    pub fn ends(&self) -> Vec<f64> {
+        let last = self.speeds.last().filter(|_| self.speeds.len() > 1);
+        self.speeds
+            .first()
+            .into_iter()
+            .chain(last)
+            .copied()
+            .collect()
+    }
+}
+
+/// What is asked about equilibria under loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StaticQuestion {
+    /// Rotor speed [rad/s].
+    pub speed: f64,
+    /// Factor of the proportional loads at the end [-].
+    pub to: f64,
+    /// Equal steps in which the loads grow, each cut where it must; `None`: as large as
+    /// the iteration allows.
+    pub steps: Option<usize>,
+    /// Whether the path is followed by its length, past limit points.
+    pub arc_length: bool,
+    /// Steps along the path at most.
+    pub most_steps: usize,
+}
+
+/// What is asked about critical loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BucklingQuestion {
+    /// Rotor speed [rad/s].
+    pub speed: f64,
+    /// Number of critical loads to report.
+    pub count: usize,
 }

@@ -2,19 +2,25 @@
 
 use std::fmt::Debug;
 
+use nalgebra::Vector3;
+
 use crate::model::{Loading, NodeMotion, TurningFrame};
 
 pub mod beams;
 pub mod bodies;
 pub mod joints;
+pub mod loads;
+pub mod springs;
 
 mod local;
+mod motion;
 mod observation;
 
 #[cfg(test)]
 mod jacobian_tests;
 
 pub use local::{LocalJacobian, LocalResidual};
+pub use motion::Motion;
 pub use observation::{Observations, Reaction, SectionState};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
@@ -28,6 +34,15 @@ pub struct Local<'a> {
     pub frame: &'a TurningFrame,
     /// Gravity and the factors of the loads.
     pub loading: &'a Loading,
+}
+
+/// A small motion of an element's nodes, and the change of its multipliers.
+#[derive(Debug, Clone, Copy)]
+pub struct Along<'a> {
+    /// Displacement [m] and rotation [rad] of each node.
+    pub nodes: &'a [[Vector3<f64>; 2]],
+    /// Change of each multiplier [N, N m].
+    pub multipliers: &'a [f64],
 }
 
 /// A part of the model that contributes to the equations of its nodes.
@@ -54,6 +69,37 @@ pub trait Element: Debug + Send + Sync {
     /// Adds the derivatives of the residual. The blocks that are added must be the
     /// same at every state, so that the pattern of the system is found once.
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian);
+
+    /// Relative motions of its nodes at the undeformed state that the element, beside its
+    /// constraints, resists by springs or leaves free on purpose.
+    fn motions(&self) -> Vec<Motion> {
+        Vec::new()
+    }
+
+    /// Adds the derivative of the residual by the factor of the proportional loads.
+    fn by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
+
+    /// Adds the growth of the Jacobian with the factor of the proportional loads at
+    /// fixed geometry: with the internal forces and multipliers that change `along` a
+    /// small motion, and with the loads themselves. For an element whose forces are
+    /// linear in its multipliers and that has no others, this is what stands here.
+    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        if self.multipliers() == 0 {
+            return;
+        }
+        let sums = at.multipliers.iter().zip(along.multipliers);
+        let multipliers: Vec<_> = sums.map(|(now, change)| now + change).collect();
+        let later = Local {
+            multipliers: &multipliers,
+            ..*at
+        };
+        let of = |at: &Local<'_>| {
+            let mut jacobian = LocalJacobian::new(at.nodes.len(), self.multipliers());
+            self.jacobian(at, &mut jacobian);
+            jacobian
+        };
+        out.add_difference(&of(&later), &of(at));
+    }
 
     /// Tells what the element knows of a state beside its forces on the nodes: strains
     /// and internal forces of sections, reactions of joints.

@@ -14,27 +14,33 @@ use crate::assembly::mechanism;
 use crate::case::{Model, ModesQuestion};
 use crate::result::Measured;
 
+mod along;
 mod beam_check;
 mod beams;
-mod blade_line;
 mod blades;
 mod bodies;
 mod clamps;
+mod damping;
 mod draft;
 mod hub;
+mod hub_support;
 mod in_place;
+mod joints;
 mod measured;
 mod naming;
 mod nodes;
 mod number;
 mod problem;
 mod properties;
+mod shapes;
 mod speeds;
+mod springs;
 mod summary;
 
 #[cfg(test)]
 mod tests;
 
+pub use blades::BladeProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
 pub use summary::Summary;
@@ -53,8 +59,12 @@ pub struct Input {
     pub modes: Option<ModesQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
+    /// Names of the hinges that nothing but motion and loads holds.
+    pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
+    /// What the reader must know of the files: defaults that were taken, plausibility.
+    pub remarks: Vec<String>,
 }
 
 /// Reads and checks the dynamics input at `path`, with the files that it names.
@@ -68,11 +78,13 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let text = read_text(path)?;
     let document = Document::parse(&text, &file)?;
     let input = cards(&document, &name_of(path));
-    let input = document.finish(input)?;
+    let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
-    for found in mechanism::find(&input.model.system) {
-        problems.push(Place::file(&file), &found);
+    let mobility = mechanism::find(&input.model.system);
+    for found in &mobility.mechanisms {
+        problems.push(Place::file(&file), found);
     }
+    input.free_hinges = mobility.free_hinges;
     problems.into_result(input)
 }
 
@@ -90,11 +102,15 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let hub = hub::read(&root);
 
     let mut draft = Draft::new(properties, hub);
+    hub_support::add(&root, &mut draft);
     nodes::read(&root, &mut draft);
     blades::read(&root, &mut draft);
     beams::read(&root, &mut draft);
     clamps::read(&root, &mut draft);
     bodies::read(&root, &mut draft);
+    joints::read_hinges(&root, &mut draft);
+    joints::read_rigid(&root, &mut draft);
+    springs::read(&root, &mut draft);
     let question = match root.has("modes") {
         true => speeds::read(&root).map(Some),
         false => Some(None),
@@ -114,12 +130,15 @@ fn finish(
     measured: Measured,
 ) -> Option<Input> {
     let summary = draft.summary(modes.as_ref(), &measured);
+    let remarks = draft.remarks().to_vec();
     let spin = draft.hub()?.spin();
     let model = draft.model(name, spin)?;
     Some(Input {
         model,
         modes,
         measured,
+        free_hinges: Vec::new(),
         summary,
+        remarks,
     })
 }

@@ -1,13 +1,17 @@
 //! Modes: eigenvalues of the linearized system, what each mode does, and which mode
 //! at one speed is which at the next.
 
+mod dense;
 mod eigen;
 mod inverse;
+mod krylov;
 mod motion;
+mod multiblade;
 mod separation;
 mod tracking;
 
 pub use eigen::{EigenProblem, Eigenpair};
 pub use motion::ModeMotion;
+pub use multiblade::Rotor;
 pub use separation::{align, separate};
-pub use tracking::{assurances, follow};
+pub use tracking::{assurances, closeness, follow};

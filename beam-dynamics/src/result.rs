@@ -1,5 +1,13 @@
 //! Results of an analysis, as values: what output writes.
 
+use nalgebra::{Complex, Matrix3};
+
+mod buckling;
+mod statics;
+
+pub use buckling::{BucklingMode, BucklingResult};
+pub use statics::{StaticResult, StaticStep};
+
 /// What a mode mainly does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ModeKind {
@@ -35,6 +43,60 @@ impl ModeKind {
 /// one [-].
 pub type Shares = [f64; 4];
 
+/// How the blades of a rotor move together in a mode.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Whirl {
+    /// Waves around the rotor, running in the direction of rotation where positive.
+    pub harmonic: i32,
+    /// Number of blades.
+    pub blades: usize,
+    /// Share of the kinetic energy in this way of moving [-].
+    pub share: f64,
+}
+
+/// Direction of a motion around the rotor as seen from the fixed system.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// With the rotation.
+    Forward,
+    /// Against the rotation.
+    Backward,
+}
+
+impl Whirl {
+    /// The way of moving in a word, as seen in the turning axes.
+    pub fn word(&self) -> String {
+        let waves = self.harmonic.unsigned_abs() as usize;
+        let several = |word: &str| match waves {
+            1 => word.to_owned(),
+            _ => format!("{word} x{waves}"),
+        };
+        match self.harmonic {
+            0 => "collective".to_owned(),
+            _ if 2 * waves == self.blades => "differential".to_owned(),
+            1.. => several("progressive"),
+            _ => several("regressive"),
+        }
+    }
+
+    /// Frequency of a mode of `frequency` in the turning axes as the fixed system sees it
+    /// at a rotor speed, both [Hz], `|f + h n|`, and which way it runs around; none for
+    /// collective and differential modes, which do not run.
+    pub fn in_fixed_system(&self, frequency: f64, speed: f64) -> Option<(f64, Direction)> {
+        let waves = self.harmonic.unsigned_abs() as usize;
+        if waves == 0 || 2 * waves == self.blades {
+            return None;
+        }
+        let seen = frequency + f64::from(self.harmonic) * speed;
+        let forward = (seen >= 0.0) == (self.harmonic > 0);
+        let direction = match forward {
+            true => Direction::Forward,
+            false => Direction::Backward,
+        };
+        Some((seen.abs(), direction))
+    }
+}
+
 /// One mode at one speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModePoint {
@@ -42,11 +104,29 @@ pub struct ModePoint {
     pub frequency: f64,
     /// Damping ratio `-Re(s) / |s|` [-].
     pub damping_ratio: f64,
+    /// Real part of s: positive where the motion grows [1/s].
+    pub growth: f64,
     /// What the mode does at this speed [-].
     pub shares: Shares,
+    /// How the blades move together; `None` without a rotor of equal blades.
+    pub whirl: Option<Whirl>,
     /// Modal assurance criterion with the same mode at the speed before; `None` where
     /// the mode begins [-].
     pub assurance: Option<f64>,
+    /// How the nodes move, at the speeds at which this was asked for.
+    pub shape: Option<ModeShape>,
+}
+
+/// Motion of the nodes in a mode, of unit kinetic energy and with its largest entry
+/// real: at the phase p each node is displaced by `Re(displacement e^(i p))` and turned
+/// by the small rotation `Re(rotation e^(i p))` from its equilibrium, in the axes of
+/// the model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeShape {
+    /// Displacement of each node [m].
+    pub displacements: Vec<[Complex<f64>; 3]>,
+    /// Rotation of each node [rad].
+    pub rotations: Vec<[Complex<f64>; 3]>,
 }
 
 /// One mode, followed over the speeds.
@@ -57,6 +137,9 @@ pub struct ModeBranch {
     pub name: String,
     /// Kind at the first speed of the branch.
     pub kind: ModeKind,
+    /// Waves around the rotor at the first speed; `None` without a rotor of equal blades
+    /// and where no way of moving together prevails.
+    pub harmonic: Option<i32>,
     /// The mode at each speed; `None` where it is not among those computed.
     pub points: Vec<Option<ModePoint>>,
 }
@@ -70,6 +153,8 @@ pub struct EquilibriumReport {
     pub residual: f64,
     /// Position of each node [m].
     pub positions: Vec<[f64; 3]>,
+    /// Orientation of each node: columns are its axes in the model's frame [-].
+    pub rotations: Vec<Matrix3<f64>>,
 }
 
 /// Frequencies over rotor speed.

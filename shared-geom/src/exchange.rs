@@ -10,11 +10,21 @@ use crate::blade::Blade;
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
 
+mod beamdyn;
+mod csv;
+mod dymore;
 pub mod frame;
+mod hawc2;
 mod header;
+mod own;
+mod plain;
 mod problem;
+mod stations;
 mod text;
+mod vabs;
+mod windio;
 
+pub use frame::Convention;
 pub use header::Header;
 pub use problem::ExchangeProblem;
 
@@ -48,8 +58,10 @@ pub struct Options {
 pub enum Format {
     /// Our own blade files, JSON and TOML.
     Helicoid,
-    /// BeamDyn of OpenFAST: primary file with key points, and blade file.
+    /// BeamDyn of OpenFAST 5: primary file with key points, and blade file.
     BeamDyn,
+    /// The same in the layout of OpenFAST 3 and 4.
+    BeamDyn4,
     /// HAWC2 structural file.
     Hawc2,
     /// windIO, first version.
@@ -68,9 +80,10 @@ pub enum Format {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Helicoid,
         Self::BeamDyn,
+        Self::BeamDyn4,
         Self::Hawc2,
         Self::WindIo1,
         Self::WindIo2,
@@ -85,6 +98,7 @@ impl Format {
         match self {
             Self::Helicoid => "helicoid",
             Self::BeamDyn => "beamdyn",
+            Self::BeamDyn4 => "beamdyn4",
             Self::Hawc2 => "hawc2",
             Self::WindIo1 => "windio1",
             Self::WindIo2 => "windio2",
@@ -100,6 +114,7 @@ impl Format {
         match self {
             Self::Helicoid => "Helicoid blade file",
             Self::BeamDyn => "BeamDyn (OpenFAST) blade",
+            Self::BeamDyn4 => "BeamDyn blade for OpenFAST 3 and 4",
             Self::Hawc2 => "HAWC2 structural file",
             Self::WindIo1 => "windIO blade, version 1",
             Self::WindIo2 => "windIO blade, version 2",
@@ -128,13 +143,39 @@ impl Format {
         match self {
             Self::Helicoid => &[".json", ".toml"],
             Self::BeamDyn => &[".inp"],
-            Self::Hawc2 => &[".st"],
-            Self::WindIo1 => &[],
+            Self::Hawc2 => &[".htc", ".st"],
+            Self::WindIo1 | Self::BeamDyn4 => &[],
             Self::WindIo2 => &[".yaml", ".yml"],
             Self::Dymore => &[".dym"],
             Self::Vabs => &[".k"],
             Self::MbDyn => &[".mbd", ".mbdyn"],
             Self::Csv => &[".csv"],
+        }
+    }
+
+    /// The axes of its sections, and with them the order of its components.
+    pub fn convention(self) -> Convention {
+        match self {
+            Self::Helicoid | Self::Csv => Convention::Helicoid,
+            Self::BeamDyn | Self::BeamDyn4 | Self::WindIo1 | Self::WindIo2 => Convention::BeamDyn,
+            Self::Hawc2 => Convention::Hawc2,
+            Self::Dymore | Self::Vabs | Self::MbDyn => Convention::Vabs,
+        }
+    }
+
+    /// The point about which its matrices stand, in words.
+    pub fn reference_point(self) -> &'static str {
+        match self {
+            Self::Helicoid | Self::Csv => "the reference line, or the point that the file states",
+            Self::BeamDyn | Self::BeamDyn4 => "the reference line through the key points",
+            Self::WindIo1 | Self::WindIo2 => "the reference axis",
+            Self::Hawc2 => {
+                "the line c2_def for offsets and mass; the elastic center, in axes turned by \
+                 the structural pitch, for fully populated stiffness"
+            }
+            Self::Dymore => "the curve of the beam",
+            Self::Vabs => "the origin of the section, through which the reference line goes",
+            Self::MbDyn => "the reference line of the beam elements",
         }
     }
 
@@ -166,7 +207,64 @@ struct Door {
 }
 
 /// The formats, in the order in which a text is tried.
-const DOORS: &[Door] = &[];
+const DOORS: &[Door] = &[
+    Door {
+        format: Format::Helicoid,
+        recognize: own::recognize,
+        read: Some(own::read),
+        write: Some(own::write),
+    },
+    Door {
+        format: Format::Csv,
+        recognize: csv::recognize,
+        read: Some(csv::read),
+        write: Some(csv::write),
+    },
+    Door {
+        format: Format::BeamDyn,
+        recognize: beamdyn::recognize,
+        read: Some(beamdyn::read),
+        write: Some(beamdyn::write),
+    },
+    // Read by the one before: the reader takes both layouts.
+    Door {
+        format: Format::BeamDyn4,
+        recognize: |_| false,
+        read: Some(beamdyn::read),
+        write: Some(beamdyn::write_four),
+    },
+    Door {
+        format: Format::Vabs,
+        recognize: vabs::recognize,
+        read: Some(vabs::read),
+        write: Some(vabs::write),
+    },
+    Door {
+        format: Format::Hawc2,
+        recognize: hawc2::recognize,
+        read: Some(hawc2::read),
+        write: Some(hawc2::write),
+    },
+    Door {
+        format: Format::WindIo1,
+        recognize: windio::is_version_1,
+        read: Some(windio::read),
+        write: Some(windio::write_version_1),
+    },
+    Door {
+        format: Format::WindIo2,
+        recognize: windio::is_version_2,
+        read: Some(windio::read),
+        write: Some(windio::write_version_2),
+    },
+    // The last: a table of numbers without any word.
+    Door {
+        format: Format::Dymore,
+        recognize: dymore::recognize,
+        read: Some(dymore::read),
+        write: Some(dymore::write),
+    },
+];
 
 /// The format of `text`, told from its content.
 pub fn recognize(text: &str) -> Option<Format> {
@@ -174,20 +272,31 @@ pub fn recognize(text: &str) -> Option<Format> {
     door.map(|door| door.format)
 }
 
-/// Reads a blade from a file of any format that is read.
+/// Whether the file at `path` holds one section, of which a blade needs a length.
+pub fn is_section(path: &Path) -> bool {
+    read_text(path).is_ok_and(|text| vabs::recognize(&text) || own::is_section(&text))
+}
+
+/// Reads a blade from a file of any format that is read, and checks it.
+///
+/// # Errors
+/// A file that cannot be read, a format that is not known, and everything that is wrong
+/// with the content or with the blade (see [`Blade::problems`]).
+pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
+    let (_, reading) = read_with(path, &Options::default())?;
+    let mut problems = Diagnostics::new();
+    for problem in reading.blade.problems() {
+        problems.push(Place::file(path.display().to_string()), &problem);
+    }
+    problems.into_result(reading)
+}
+
+/// Reads a blade with what the file itself does not say; gives the format too. The
+/// blade is not checked beyond what its file must be.
 ///
 /// # Errors
 /// A file that cannot be read, a format that is not known, and everything that is wrong
 /// with the content.
-pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
-    read_with(path, &Options::default()).map(|(_, reading)| reading)
-}
-
-/// Reads a blade as [`read`] does, with what the file itself does not say; gives the
-/// format too.
-///
-/// # Errors
-/// As [`read`].
 pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Diagnostics> {
     let text = read_text(path)?;
     let unknown = || {
@@ -202,7 +311,13 @@ pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Di
         };
         Diagnostics::one(Place::file(path.display().to_string()), &problem)
     })?;
-    Ok((door.format, read(&text, path, options)?))
+    let mut reading = read(&text, path, options)?;
+    for remark in reading.blade.remarks() {
+        if !reading.remarks.contains(&remark) {
+            reading.remarks.push(remark);
+        }
+    }
+    Ok((door.format, reading))
 }
 
 /// The files of `blade` in another format, `name` being that of the first without its
@@ -224,3 +339,10 @@ fn readable() -> Vec<&'static str> {
     let read = DOORS.iter().filter(|door| door.read.is_some());
     read.map(|door| door.format.title()).collect()
 }
+
+#[cfg(test)]
+mod refusal_tests;
+#[cfg(test)]
+mod samples;
+#[cfg(test)]
+mod tests;

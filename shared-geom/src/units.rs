@@ -54,6 +54,16 @@ impl Dimension {
     pub const INERTIA_PER_LENGTH: Self = Self::of(1, 1, 0, 0);
     /// Moment of inertia, in kg m^2 inside.
     pub const INERTIA: Self = Self::of(2, 1, 0, 0);
+    /// Force per displacement, in N/m inside.
+    pub const SPRING_STIFFNESS: Self = Self::of(0, 1, -2, 0);
+    /// Force per velocity, in N s/m inside.
+    pub const DAMPER: Self = Self::of(0, 1, -1, 0);
+    /// Moment per angular velocity in radians per time, in N m s inside.
+    pub const TURNING_DAMPER: Self = Self::of(2, 1, -1, 0);
+    /// Axial and shear viscosity of a section, in N s inside.
+    pub const FORCE_TIME: Self = Self::of(1, 1, -1, 0);
+    /// Bending and torsional viscosity of a section, in N m^2 s inside.
+    pub const BENDING_TIME: Self = Self::of(3, 1, -1, 0);
 
     const fn of(length: i8, mass: i8, time: i8, angle: i8) -> Self {
         Self {
@@ -95,6 +105,9 @@ impl fmt::Display for Dimension {
             Self::MASS_PER_LENGTH => "a mass per length",
             Self::INERTIA_PER_LENGTH => "a moment of inertia per length",
             Self::INERTIA => "a moment of inertia",
+            Self::SPRING_STIFFNESS => "a force per displacement",
+            Self::DAMPER => "a force per velocity",
+            Self::TURNING_DAMPER => "a moment per angular velocity",
             _ => return self.write_units(f),
         };
         f.write_str(word)
@@ -365,7 +378,7 @@ pub const DECLARABLE: [(&str, Dimension); 9] = [
 ///
 /// A declared quantity uses its unit. What is not declared follows from length,
 /// time, force and mass: quantities with a force in them (mass to the power one,
-/// time to minus two) use the unit of force, others that of mass; a missing one
+/// time to minus two, or to minus one as in dampers) use the unit of force, others that of mass; a missing one
 /// of the two is consistent with the other. Angles are degrees and rotation
 /// speeds rpm unless declared.
 #[derive(Debug, Clone, PartialEq)]
@@ -413,11 +426,11 @@ impl Units {
             angle: a,
         } = dimension;
         let rest = angle.powi(i32::from(a));
-        if m == 1 && t == -2 {
+        if m == 1 && matches!(t, -2 | -1) {
             let force = force
                 .or(mass.map(|mass| mass * acceleration))
                 .unwrap_or(1.0);
-            return force * length.powi(i32::from(l) - 1) * rest;
+            return force * length.powi(i32::from(l) - 1) * time.powi(i32::from(t) + 2) * rest;
         }
         let mass = mass
             .or(force.map(|force| force / acceleration))

@@ -1,7 +1,7 @@
 //! A rotor of equal blades: every frequency of one blade as often as there are blades.
 
 use beam_dynamics::analysis::modes::modes;
-use beam_dynamics::result::{FrequencyTable, ModeKind};
+use beam_dynamics::result::{Direction, FrequencyTable, ModeKind, Whirl};
 
 /// Blades on a rigid hub, 4 elements of 9 nodes each: with 4 blades the 432 unknowns
 /// exceed the size for dense eigenvalues.
@@ -60,6 +60,45 @@ fn every_frequency_comes_once_a_blade_and_is_followed() {
             }
         }
     }
+}
+
+/// The copies of each frequency on a rigid hub are the ways in which the blades move
+/// together, each once and pure: collective, progressive, regressive, and differential
+/// where the number is even. What blade k does in mode h is `exp(-i h psi_k)` times what
+/// the first does, so that the shares are one to round-off of the vectors.
+#[test]
+fn copies_are_collective_cyclic_and_differential() {
+    for (blades, ways) in [(2, vec![0, 1]), (3, vec![-1, 0, 1]), (4, vec![-1, 0, 1, 2])] {
+        let table = rotor(blades, 6 * blades);
+        for speed in 0..2 {
+            let found = table.at_speed(speed);
+            for copies in found.chunks(blades).take(6) {
+                let whirls: Vec<_> = copies.iter().map(|mode| mode.1.whirl.unwrap()).collect();
+                let mut harmonics: Vec<_> = whirls.iter().map(|whirl| whirl.harmonic).collect();
+                harmonics.sort_unstable();
+                assert_eq!(harmonics, ways, "{blades} blades");
+                for whirl in whirls {
+                    assert!(whirl.share > 1.0 - 1e-6, "{}", whirl.share);
+                }
+            }
+        }
+        let names: Vec<_> = table.branches.iter().map(|branch| &branch.name).collect();
+        assert!(
+            names.iter().any(|name| *name == "flap 1 collective"),
+            "{names:?}"
+        );
+    }
+    // Seen from the fixed system: 10 Hz at 3 rev/s, and 2 Hz, which is overtaken.
+    let whirl = |harmonic| Whirl {
+        harmonic,
+        blades: 4,
+        share: 1.0,
+    };
+    let seen = |harmonic, f| whirl(harmonic).in_fixed_system(f, 3.0);
+    assert_eq!(seen(1, 10.0), Some((13.0, Direction::Forward)));
+    assert_eq!(seen(-1, 10.0), Some((7.0, Direction::Backward)));
+    assert_eq!(seen(-1, 2.0), Some((1.0, Direction::Forward)));
+    assert_eq!((seen(0, 10.0), seen(2, 10.0)), (None, None));
 }
 
 /// A tip piece a million times as stiff as the blade: the answer has few digits, and

@@ -3,8 +3,14 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod beam_statics;
+mod buckling;
+mod chain;
+mod damping;
 mod equal_blades;
+mod joints;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;
+mod statics;
 mod uniform_beam;
+mod wind_blades;

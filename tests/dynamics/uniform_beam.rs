@@ -1,11 +1,11 @@
-//! A uniform straight beam along x, clamped at its root, as a chain of three-node
+//! A uniform straight beam along x, clamped at its root or free, as a chain of three-node
 //! elements.
 
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
-    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, lumped_bodies,
+    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, MassAlong, lumped_bodies,
 };
 use beam_dynamics::elements::bodies::RigidBody;
 use beam_dynamics::elements::joints::Clamp;
@@ -24,6 +24,8 @@ pub enum Inertia {
 pub struct UniformBeam {
     pub elements: usize,
     pub inertia: Inertia,
+    /// Whether the root is held.
+    pub clamped: bool,
     pub stiffness: Vector6<f64>,
     pub mass: Vector6<f64>,
 }
@@ -33,6 +35,7 @@ impl UniformBeam {
         Self {
             elements,
             inertia,
+            clamped: true,
             stiffness: Vector6::new(1e8, 1e8, 1e8, 1.0, 1.0, 1.0),
             mass: Vector6::new(1.0, 1.0, 1.0, 2e-8, 1e-8, 1e-8),
         }
@@ -56,7 +59,10 @@ impl UniformBeam {
         };
         let stiffness = Matrix6::from_diagonal(&self.stiffness);
         let mass = Matrix6::from_diagonal(&self.mass);
-        let mut elements: Vec<Box<dyn Element>> = vec![Box::new(Clamp::new("root", 0, &nodes[0]))];
+        let mut elements: Vec<Box<dyn Element>> = Vec::new();
+        if self.clamped {
+            elements.push(Box::new(Clamp::new("root", 0, &nodes[0])));
+        }
         for e in 0..self.elements {
             let on = [2 * e, 2 * e + 1, 2 * e + 2];
             let undeformed = on.map(|i| &nodes[i]);
@@ -77,7 +83,8 @@ impl UniformBeam {
                     |_| mass,
                 ))),
                 Inertia::Lumped => {
-                    let bodies = lumped_bodies(&geometry, undeformed, |_| mass);
+                    let bodies =
+                        lumped_bodies(&geometry, undeformed, &MassAlong::smooth(&|_| mass));
                     for (node, body) in on.into_iter().zip(bodies) {
                         elements.push(Box::new(RigidBody::new(&name, node, body)));
                     }
@@ -89,10 +96,7 @@ impl UniformBeam {
 
     /// Modes at the given speeds of rotation about z through the root [rad/s].
     pub fn case(&self, speeds: &[f64], count: usize) -> (Model, ModesQuestion) {
-        let question = ModesQuestion {
-            speeds: speeds.to_vec(),
-            count,
-        };
+        let question = ModesQuestion::new(speeds.to_vec(), count);
         (Model::new("uniform beam", self.system()), question)
     }
 }

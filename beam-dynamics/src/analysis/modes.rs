@@ -1,9 +1,13 @@
 //! Modes over rotor speed: equilibrium, linearization, eigenvalues, names.
 
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
 use crate::assembly::System;
 use crate::case::{Model, ModesQuestion};
 use crate::model::State;
-use crate::modes::{EigenProblem, Eigenpair, ModeMotion, align, assurances, follow, separate};
+use crate::modes::{
+    EigenProblem, Eigenpair, ModeMotion, Rotor, align, assurances, closeness, follow, separate,
+};
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
 
@@ -17,6 +21,8 @@ const FOLLOWED: f64 = 0.8;
 /// Relative residual above which the reader is told that digits are lost: frequencies
 /// are then wrong in about the fifth digit.
 const TRUSTED: f64 = 1e-5;
+/// Share of the energy in one way of the blades moving together that names a mode.
+const PURE: f64 = 0.6;
 /// Halvings of a step in speed for following modes.
 const HALVINGS: usize = 5;
 
@@ -59,6 +65,17 @@ struct Modes {
 struct Mode {
     motion: ModeMotion,
     point: ModePoint,
+    /// `d (f^2) / d (Omega^2)` from the speed before, where the mode was followed from
+    /// there: nearly constant for a turning blade [Hz^2 s^2/rad^2].
+    slope: Option<f64>,
+}
+
+impl Mode {
+    /// Frequency to be expected at another speed [Hz].
+    fn expected(&self, from: f64, to: f64) -> Option<f64> {
+        let square = self.point.frequency.powi(2) + self.slope? * (to * to - from * from);
+        Some(square.max(0.0).sqrt())
+    }
 }
 
 /// A model and what is asked of it.
@@ -66,11 +83,17 @@ struct Mode {
 struct Case<'a> {
     model: &'a Model,
     question: &'a ModesQuestion,
+    rotor: Option<&'a Rotor>,
 }
 
 /// Steady equilibrium and modes at each speed of `question`.
 pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
-    let case = &Case { model, question };
+    let rotor = Rotor::new(&model.blades);
+    let case = &Case {
+        model,
+        question,
+        rotor: rotor.as_ref(),
+    };
     let mut branches = Branches::default();
     let mut table = FrequencyTable {
         name: model.name.clone(),
@@ -84,6 +107,8 @@ pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
     ModesOutcome { table, failure }
 }
 
+/// Equilibria one after the other, each from the last; their modes, which take most of
+/// the time, side by side; then the modes are followed from speed to speed.
 fn run(
     case: &Case<'_>,
     branches: &mut Branches,
@@ -91,25 +116,45 @@ fn run(
 ) -> Result<(), Failure> {
     let solver = LinearSolver::new(case.model.system.pattern());
     let solver = solver.ok_or(Failure::Singular { speed: 0.0 })?;
+    let (equilibria, failure) = equilibria(case, &solver);
+    let found: Vec<_> = equilibria
+        .par_iter()
+        .map(|(speed, steady)| at_equilibrium(case, &solver, *speed, steady))
+        .collect();
     let mut last: Option<Modes> = None;
-    for &speed in &case.question.speeds {
-        let rest = (0.0, case.model.system.rest());
-        let from = last
-            .as_ref()
-            .map_or(rest, |modes| (modes.speed, modes.state.clone()));
-        let steady = steady(case, &solver, (from.0, &from.1), speed)?;
-        let mut now = at_equilibrium(case, &solver, speed, &steady)?;
+    for ((speed, steady), found) in equilibria.iter().zip(found) {
+        let mut now = found?;
         let links = match &last {
             Some(before) => Some(links(case, &solver, before, &mut now, HALVINGS)?),
             None => None,
         };
-        branches.add(&now, links.as_deref());
-        table.speeds.push(speed);
-        table.equilibria.push(report(&steady));
+        let with_shapes = case.question.shapes.contains(speed);
+        branches.add(&now, links.as_deref(), with_shapes);
+        table.speeds.push(*speed);
+        table.equilibria.push(report(steady));
         table.remarks.extend(remarks(&now));
         last = Some(now);
     }
-    Ok(())
+    failure.map_or(Ok(()), Err)
+}
+
+/// Equilibria at the speeds up to the first that has none, and why that has none.
+fn equilibria(
+    case: &Case<'_>,
+    solver: &LinearSolver,
+) -> (Vec<(f64, Equilibrium)>, Option<Failure>) {
+    let mut found: Vec<(f64, Equilibrium)> = Vec::with_capacity(case.question.speeds.len());
+    for &speed in &case.question.speeds {
+        let rest = (0.0, case.model.system.rest());
+        let from = found
+            .last()
+            .map_or(rest, |(speed, steady)| (*speed, steady.state.clone()));
+        match steady(case, solver, (from.0, &from.1), speed) {
+            Ok(steady) => found.push((speed, steady)),
+            Err(problem) => return (found, Some(problem.into())),
+        }
+    }
+    (found, None)
 }
 
 /// The equilibrium at a speed, from a state known at another.
@@ -132,6 +177,12 @@ fn report(steady: &Equilibrium) -> EquilibriumReport {
             .nodes
             .iter()
             .map(|node| node.position.into())
+            .collect(),
+        rotations: steady
+            .state
+            .nodes
+            .iter()
+            .map(|node| node.rotation)
             .collect(),
     }
 }
@@ -164,7 +215,7 @@ fn at_equilibrium(
 ) -> Result<Modes, Failure> {
     let system: &System = &case.model.system;
     let tangent = system.tangent(&steady.state, &steady.conditions);
-    let problem = EigenProblem::new(solver, &tangent, system.nodes().len());
+    let problem = EigenProblem::new(solver, &tangent, system.nodes().len(), copies(case.model));
     let problem = problem.ok_or(Failure::Singular { speed })?;
     let (pairs, real) = problem.lowest(case.question.count + SPARE);
     let pairs = &pairs[..pairs.len().min(case.question.count + SPARE)];
@@ -176,16 +227,28 @@ fn at_equilibrium(
     let residual = pairs.iter().map(|pair| pair.residual);
     // At rest all terms of the equilibrium are round-off.
     let steady_residual = if speed == 0.0 { 0.0 } else { steady.residual };
-    separate(&mut motions, &frequencies, &case.model.naming);
+    separate(&mut motions, &frequencies, &case.model.naming, case.rotor);
     let mode = |(pair, motion): (&Eigenpair, ModeMotion)| {
         let magnitude = pair.growth.hypot(pair.angular_frequency);
         let point = ModePoint {
             frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
-            damping_ratio: -pair.growth / magnitude,
+            damping_ratio: match magnitude > 0.0 {
+                true => -pair.growth / magnitude,
+                false => 0.0,
+            },
+            growth: pair.growth,
             shares: motion.shares(&case.model.naming),
+            whirl: case
+                .rotor
+                .and_then(|rotor| rotor.whirl(&motion, &case.model.naming)),
             assurance: None,
+            shape: None,
         };
-        Mode { motion, point }
+        Mode {
+            motion,
+            point,
+            slope: None,
+        }
     };
     Ok(Modes {
         speed,
@@ -194,6 +257,11 @@ fn at_equilibrium(
         unstable: real.into_iter().filter(|growth| *growth > 0.0).collect(),
         residual: residual.fold(steady_residual, larger),
     })
+}
+
+/// Modes of one frequency that a model may have: both bending directions of every blade.
+fn copies(model: &Model) -> usize {
+    2 * model.blades.len().max(2)
 }
 
 /// The larger of two, or not a number when one of them is none.
@@ -246,8 +314,22 @@ fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
     for (mode, motion) in now.found.iter_mut().zip(found) {
         mode.motion = motion;
     }
+    let expected: Vec<_> = before
+        .found
+        .iter()
+        .map(|mode| mode.expected(before.speed, now.speed))
+        .collect();
+    let weights = closeness(&expected, &frequencies);
+    let followed = follow(&macs, &weights);
+    let squares = now.speed.powi(2) - before.speed.powi(2);
+    for (i, next) in followed.iter().enumerate() {
+        if let Some(j) = *next {
+            let [from, to] = [&before.found[i], &now.found[j]].map(|mode| mode.point.frequency);
+            now.found[j].slope = Some((to * to - from * from) / squares);
+        }
+    }
     let linked = |(i, next): (usize, &Option<usize>)| next.map(|j| (j, macs[i][j]));
-    follow(&macs).iter().enumerate().map(linked).collect()
+    followed.iter().enumerate().map(linked).collect()
 }
 
 /// Modes while they are being followed.
@@ -261,7 +343,7 @@ struct Branches {
 
 impl Branches {
     /// Adds the modes of one more speed; `links` leads from the modes before.
-    fn add(&mut self, modes: &Modes, links: Option<&[Option<(usize, f64)>]>) {
+    fn add(&mut self, modes: &Modes, links: Option<&[Option<(usize, f64)>]>, with_shapes: bool) {
         let mut branch_of = vec![None; modes.found.len()];
         for (i, link) in links.unwrap_or(&[]).iter().enumerate() {
             if let Some((j, mac)) = link {
@@ -276,6 +358,7 @@ impl Branches {
                 let branch = link.map_or_else(|| self.begin(mode), |(branch, _)| branch);
                 let mut point = mode.point.clone();
                 point.assurance = link.map(|(_, mac)| mac);
+                point.shape = with_shapes.then(|| mode.motion.shape());
                 self.all[branch].points.resize(self.speeds, None);
                 self.all[branch].points.push(Some(point));
                 branch
@@ -284,13 +367,19 @@ impl Branches {
         self.speeds += 1;
     }
 
-    /// A branch that begins with `mode`, named by its kind and the next number of it.
+    /// A branch that begins with `mode`, named by its kind, the next number of it, and on
+    /// a rotor by how the blades move together.
     fn begin(&mut self, mode: &Mode) -> usize {
         let kind: ModeKind = ModeMotion::kind(&mode.point.shares);
-        let number = 1 + self.all.iter().filter(|branch| branch.kind == kind).count();
+        let whirl = mode.point.whirl.filter(|whirl| whirl.share >= PURE);
+        let harmonic = whirl.map(|whirl| whirl.harmonic);
+        let like = |branch: &&ModeBranch| branch.kind == kind && branch.harmonic == harmonic;
+        let number = 1 + self.all.iter().filter(like).count();
+        let together = whirl.map_or_else(String::new, |whirl| format!(" {}", whirl.word()));
         self.all.push(ModeBranch {
-            name: format!("{} {number}", kind.word()),
+            name: format!("{} {number}{together}", kind.word()),
             kind,
+            harmonic,
             points: Vec::new(),
         });
         self.all.len() - 1

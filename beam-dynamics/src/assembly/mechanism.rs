@@ -10,8 +10,12 @@
 //!
 //! so that the mechanisms are the null space of a small matrix, whatever the
 //! stiffness of the beams. Rotations are scaled by the size of the part.
+//!
+//! Motions that elements resist by springs are further rows. Those that hinges leave
+//! free on purpose are no mechanisms: what is free also with these rows (all hinges
+//! locked) has been forgotten; what is free only without them is the freedom of hinges.
 
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector, RowDVector, Vector3};
 
 use super::System;
 use crate::model::{Conditions, NODE_UNKNOWNS, Variable};
@@ -20,6 +24,8 @@ use shared_geom::error::Explain;
 /// Singular values below this part of the largest count as zero: the entries are of
 /// order one, their round-off is 1e-16.
 const ZERO: f64 = 1e-9;
+/// Part of a unit motion of the model that counts as moving.
+const VISIBLE: f64 = 1e-6;
 
 /// A part of the model that can move freely.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -50,6 +56,15 @@ impl Explain for Mechanism {
     }
 }
 
+/// How a model can move without resistance, undeformed and unloaded.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Mobility {
+    /// Motions that nothing resists and no hinge allows; none in a sound model.
+    pub mechanisms: Vec<Mechanism>,
+    /// Names of the hinges that can turn.
+    pub free_hinges: Vec<String>,
+}
+
 /// A rigid part: its nodes, a point near their middle and its size.
 struct Part {
     nodes: Vec<usize>,
@@ -58,22 +73,41 @@ struct Part {
     size: f64,
 }
 
-/// Every free mechanism of the undeformed, unloaded model; empty for a sound one.
-pub fn find(system: &System) -> Vec<Mechanism> {
+/// How the undeformed, unloaded model can move.
+pub fn find(system: &System) -> Mobility {
     let parts = rigid_parts(system);
     if parts.is_empty() {
-        return Vec::new();
+        return Mobility::default();
     }
-    let constraints = constraints_by_rigid_motions(system, &parts);
-    let free = null_space(&constraints);
-    if free.ncols() == 0 {
-        return Vec::new();
+    let mut rows = constraints_by_rigid_motions(system, &parts);
+    let mut free = Vec::new();
+    for element in system.elements() {
+        for motion in element.motions() {
+            let row = row_of(system, &parts, (element.nodes(), &motion.form));
+            match motion.is_resisted {
+                true => rows.push(row),
+                false => free.push((element.label(), row)),
+            }
+        }
     }
-    let described = parts.iter().enumerate().filter_map(|(i, part)| {
-        let motions = free.rows(6 * i, 6).into_owned();
-        (motions.amax() > 1e-6).then(|| describe(system, part, &motions))
+    let unlocked = null_space(&rows, 6 * parts.len());
+    if unlocked.ncols() == 0 {
+        return Mobility::default();
+    }
+    let turns = |row: &RowDVector<f64>| (row * &unlocked).amax() > VISIBLE;
+    let free_hinges = free.iter().filter(|(_, row)| turns(row));
+    let free_hinges = free_hinges.map(|(label, _)| (*label).to_owned()).collect();
+    rows.extend(free.into_iter().map(|(_, row)| row));
+    let forgotten = null_space(&rows, 6 * parts.len());
+    let mechanisms = parts.iter().enumerate().filter_map(|(i, part)| {
+        let motions = forgotten.rows(6 * i, 6).into_owned();
+        let moves = motions.ncols() > 0 && motions.amax() > VISIBLE;
+        moves.then(|| describe(system, part, &motions))
     });
-    described.collect()
+    Mobility {
+        mechanisms: mechanisms.collect(),
+        free_hinges,
+    }
 }
 
 /// Nodes connected through elements without constraints.
@@ -117,59 +151,100 @@ fn rigid_motion(part: &Part, motion: usize, position: &Vector3<f64>) -> [Vector3
 }
 
 /// `Phi_y H`: a row a constraint, six columns a part, each row scaled to one.
-fn constraints_by_rigid_motions(system: &System, parts: &[Part]) -> DMatrix<f64> {
+fn constraints_by_rigid_motions(system: &System, parts: &[Part]) -> Vec<RowDVector<f64>> {
     let numbering = system.numbering();
     let tangent = system.tangent(&system.rest(), &Conditions::at_rest());
     let first = NODE_UNKNOWNS * numbering.nodes();
-    // At least as many rows as columns, so that the decomposition shows the null space.
-    let rows = numbering.multipliers().max(6 * parts.len());
-    let mut matrix = DMatrix::zeros(rows, 6 * parts.len());
-    let mut part_of = vec![0; numbering.nodes()];
-    for (i, part) in parts.iter().enumerate() {
-        part.nodes.iter().for_each(|&node| part_of[node] = i);
-    }
+    let part_of = part_of_nodes(numbering.nodes(), parts);
+    let mut rows = vec![RowDVector::zeros(6 * parts.len()); numbering.multipliers()];
     for (row, column, value) in tangent.by_unknowns.triplets() {
         if row < first || column >= first {
             continue;
         }
         let (node, place) = (column / NODE_UNKNOWNS, column % NODE_UNKNOWNS);
-        let part = &parts[part_of[node]];
-        for motion in 0..6 {
-            let [displacement, rotation] =
-                rigid_motion(part, motion, &system.nodes()[node].position);
-            let entry = match place {
-                0..3 => displacement[place] * part.size,
-                3..6 => rotation[place - Variable::Rotation.column()],
-                _ => 0.0,
-            };
-            matrix[(row - first, 6 * part_of[node] + motion)] += value * entry;
+        let mut form = [Vector3::zeros(); 2];
+        if place < Variable::Momentum.column() {
+            form[place / 3][place % 3] = value;
+            let position = &system.nodes()[node].position;
+            let part = part_of[node];
+            add_form(
+                &mut rows[row - first],
+                (part, &parts[part]),
+                position,
+                &form,
+            );
         }
     }
-    for mut row in matrix.row_iter_mut() {
-        let size = row.amax();
-        if size > 0.0 {
-            row /= size;
-        }
-    }
-    matrix
+    rows.iter_mut().for_each(scale_to_one);
+    rows
 }
 
-/// Orthonormal basis of the null space, one column each.
-fn null_space(matrix: &DMatrix<f64>) -> DMatrix<f64> {
-    let decomposition = matrix.clone().svd(false, true);
+/// Number of the part of each node.
+fn part_of_nodes(nodes: usize, parts: &[Part]) -> Vec<usize> {
+    let mut part_of = vec![0; nodes];
+    for (i, part) in parts.iter().enumerate() {
+        part.nodes.iter().for_each(|&node| part_of[node] = i);
+    }
+    part_of
+}
+
+/// A linear form of the motions of `nodes`, by the rigid motions of the parts.
+fn row_of(
+    system: &System,
+    parts: &[Part],
+    (nodes, form): (&[usize], &[[Vector3<f64>; 2]]),
+) -> RowDVector<f64> {
+    let part_of = part_of_nodes(system.nodes().len(), parts);
+    let mut row = RowDVector::zeros(6 * parts.len());
+    for (&node, form) in nodes.iter().zip(form) {
+        let (part, position) = (part_of[node], &system.nodes()[node].position);
+        add_form(&mut row, (part, &parts[part]), position, form);
+    }
+    scale_to_one(&mut row);
+    row
+}
+
+/// Adds `d . u + r . theta` of a node at `position` in part number `part.0`.
+fn add_form(
+    row: &mut RowDVector<f64>,
+    (number, part): (usize, &Part),
+    position: &Vector3<f64>,
+    [d, r]: &[Vector3<f64>; 2],
+) {
+    for motion in 0..6 {
+        let [displacement, rotation] = rigid_motion(part, motion, position);
+        row[6 * number + motion] += part.size * d.dot(&displacement) + r.dot(&rotation);
+    }
+}
+
+fn scale_to_one(row: &mut RowDVector<f64>) {
+    let size = row.amax();
+    if size > 0.0 {
+        *row /= size;
+    }
+}
+
+/// Orthonormal basis of the null space of rows of `columns` numbers, one column each.
+fn null_space(rows: &[RowDVector<f64>], columns: usize) -> DMatrix<f64> {
+    // At least as many rows as columns, so that the decomposition shows the null space.
+    let mut matrix = DMatrix::zeros(rows.len().max(columns), columns);
+    for (i, row) in rows.iter().enumerate() {
+        matrix.set_row(i, row);
+    }
+    let decomposition = matrix.svd(false, true);
     let largest = decomposition.singular_values.amax();
     let Some(v_t) = decomposition.v_t else {
-        return DMatrix::zeros(matrix.ncols(), 0);
+        return DMatrix::zeros(columns, 0);
     };
     let values = decomposition.singular_values.iter().enumerate();
     let free: Vec<DVector<f64>> = values
         .filter(|(_, value)| **value <= ZERO * largest.max(1.0))
         .map(|(i, _)| v_t.row(i).transpose())
         .collect();
-    if free.is_empty() {
-        return DMatrix::zeros(matrix.ncols(), 0);
+    match free.is_empty() {
+        true => DMatrix::zeros(columns, 0),
+        false => DMatrix::from_columns(&free),
     }
-    DMatrix::from_columns(&free)
 }
 
 /// The free motions of one part in words. Unit motions that lie in the null space
@@ -258,9 +333,9 @@ mod tests {
         let nodes = vec![node("root", 0.0), node("mid", 1.0), node("tip", 2.0)];
         let clamp: Box<dyn Element> = Box::new(Clamp::new("clamp", 0, &nodes[0]));
         let held = System::new(nodes.clone(), vec![beam(&nodes), clamp]);
-        assert_eq!(find(&held), []);
+        assert_eq!(find(&held), Mobility::default());
         let free = System::new(nodes.clone(), vec![beam(&nodes)]);
-        let found = find(&free);
+        let found = find(&free).mechanisms;
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].motions.len(), 6);
         assert_eq!(found[0].nodes, 3);
@@ -276,7 +351,7 @@ mod tests {
         ];
         let clamp: Box<dyn Element> = Box::new(Clamp::new("clamp", 0, &nodes[0]));
         let system = System::new(nodes.clone(), vec![beam(&nodes), clamp]);
-        let found = find(&system);
+        let found = find(&system).mechanisms;
         assert_eq!(found.len(), 1);
         let shown = found[0].to_string();
         assert!(

@@ -7,6 +7,8 @@ use crate::elements::bodies::NodeBalance;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
+mod growth;
+
 /// A model as a system of equations `F(y, y') = 0`.
 #[derive(Debug)]
 pub struct System {

@@ -1,13 +1,18 @@
 //! Geometrically exact three-node beam by finite volumes, and its inertia.
 
+mod distributed;
 mod elastic;
 mod geometry;
 mod inertia;
 mod interpolation;
+mod strain_rate;
+mod viscous;
 
 #[cfg(test)]
 mod objectivity_tests;
 
+pub use distributed::{DistributedLoad, LineLoad};
 pub use elastic::ElasticBeam;
 pub use geometry::{BeamGeometry, BeamNode};
-pub use inertia::{BeamInertia, lumped_bodies};
+pub use inertia::{BeamInertia, MassAlong, lumped_bodies};
+pub use viscous::ViscousBeam;

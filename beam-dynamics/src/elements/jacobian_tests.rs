@@ -8,9 +8,13 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::wrench;
 
-use super::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
+use super::beams::{
+    BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam, ViscousBeam,
+};
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
-use super::joints::Clamp;
+use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
+use super::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
+use super::springs::{Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual};
 use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
 
@@ -139,6 +143,7 @@ fn check_at(
         let error = (exact - difference).amax() / scale;
         assert!(error < TOLERANCE, "{}: {error:e}", element.label());
     }
+    check_factor(element, motion, multipliers, conditions);
     // Nothing that changes is outside the declared pattern.
     let sizes = by_unknowns.abs() + by_rates.abs();
     for (size, touched) in sizes.iter().zip(jacobian.touched()) {
@@ -148,6 +153,35 @@ fn check_at(
             element.label()
         );
     }
+}
+
+/// The derivative by the factor of the proportional loads, by central differences.
+fn check_factor(
+    element: &dyn Element,
+    motion: &[NodeMotion],
+    multipliers: &[f64],
+    conditions: &Conditions,
+) {
+    let evaluate = |step: f64, derivative: bool| {
+        let mut loading = conditions.loading;
+        loading.proportional += step;
+        let at = Local {
+            nodes: motion,
+            multipliers,
+            frame: &conditions.frame,
+            loading: &loading,
+        };
+        let mut out = LocalResidual::new(motion.len(), multipliers.len());
+        match derivative {
+            true => element.by_factor(&at, &mut out),
+            false => element.residual(&at, &mut out),
+        }
+        nalgebra::DVector::from_column_slice(out.values())
+    };
+    let difference = (evaluate(STEP, false) - evaluate(-STEP, false)) / (2.0 * STEP);
+    let exact = evaluate(0.0, true);
+    let error = (&exact - difference).amax() / exact.amax().max(1.0);
+    assert!(error < TOLERANCE, "{}: {error:e}", element.label());
 }
 
 /// Derivatives by unknowns and by rates, by central differences.
@@ -253,5 +287,133 @@ fn consistent_inertia_with_offsets_and_turned_sections() {
         let mass = |xi: f64| 0.5 * (1.0 - xi) * root + 0.5 * (1.0 + xi) * tip;
         let inertia = BeamInertia::new("inertia", [0, 1, 2], geometry, undeformed, mass);
         check(&inertia, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn partial_clamps() {
+    let mut random = Random(6);
+    let nodes = nodes(&mut random, 1);
+    for bits in 0..64_u32 {
+        let held = std::array::from_fn(|i| bits >> i & 1 == 1);
+        let axes = random.rotation(1.0);
+        let clamp = Clamp::partial("clamp", 0, &nodes[0], &axes, held);
+        assert_eq!(clamp.multipliers() as u32, bits.count_ones());
+        check(&clamp, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn rigid_connection() {
+    let mut random = Random(7);
+    let nodes = nodes(&mut random, 2);
+    let rigid = RigidConnection::new("rigid", [0, 1], [&nodes[0], &nodes[1]]);
+    check(&rigid, &nodes, &mut random);
+}
+
+#[test]
+fn hinge_with_offsets_spring_and_damper() {
+    let mut random = Random(8);
+    for (stiffness, damping) in [(0.0, 0.0), (1.3, 0.0), (0.0, 0.7), (1.3, 0.7)] {
+        let nodes = nodes(&mut random, 2);
+        let (position, axis) = (random.vector(1.0), random.vector(1.0));
+        let spring = HingeSpring {
+            stiffness,
+            damping,
+            angle: 0.3,
+        };
+        let undeformed = [&nodes[0], &nodes[1]];
+        let hinge = Hinge::new("hinge", [0, 1], undeformed, &position, &axis, spring);
+        check(&hinge, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn supports_that_turn_with_the_frame_and_that_stand_in_the_world() {
+    let mut random = Random(9);
+    let nodes = nodes(&mut random, 1);
+    let spring = [1.0, 2.0, 3.0, 0.5, 0.7, 0.9];
+    for damping in [[0.0; 6], [0.4, 0.3, 0.2, 0.6, 0.5, 0.1]] {
+        let law = SupportLaw::along(&random.rotation(1.0), &spring, &damping);
+        for stand in [Stand::Frame, Stand::World] {
+            let support = SupportSpring::new("support", 0, &nodes[0], law, stand);
+            check(&support, &nodes, &mut random);
+        }
+    }
+}
+
+#[test]
+fn viscous_beam_with_offsets_and_turned_sections() {
+    let mut random = Random(10);
+    for _ in 0..4 {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let damping = [random.stiffness(), random.stiffness()];
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let beam = ViscousBeam::new("beam", [0, 1, 2], geometry, undeformed, damping);
+        check(&beam, &nodes, &mut random);
+    }
+}
+
+/// Dead and follower loads, constant and proportional.
+fn kinds() -> [(Turning, LoadFactor); 3] {
+    [
+        (Turning::Dead, LoadFactor::Proportional),
+        (Turning::Follower, LoadFactor::Proportional),
+        (Turning::Follower, LoadFactor::Constant),
+    ]
+}
+
+#[test]
+fn loads_on_nodes() {
+    let mut random = Random(6);
+    let nodes = nodes(&mut random, 1);
+    for (turning, factor) in kinds() {
+        let load = NodalForce {
+            force: random.vector(1.0),
+            moment: random.vector(1.0),
+            offset: random.vector(0.5),
+            turning,
+            factor,
+        };
+        check(
+            &NodalLoad::new("load", 0, &nodes[0], load),
+            &nodes,
+            &mut random,
+        );
+    }
+}
+
+#[test]
+fn loads_along_beams_with_offsets_and_turned_sections() {
+    let mut random = Random(7);
+    for (turning, factor) in kinds() {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let [a, b, c, d] = [(); 4].map(|()| random.vector(1.0));
+        let load = |xi: f64| [a + b * xi, c + d * (xi - 0.2).max(0.0)];
+        let kind = (turning, factor);
+        let load =
+            DistributedLoad::new("load", [0, 1, 2], geometry, undeformed, kind, &[0.2], load);
+        check(&load, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn imposed_motions_of_any_components() {
+    let mut random = Random(8);
+    let nodes = nodes(&mut random, 1);
+    for mask in 1..64_u32 {
+        let mut some = |i: u32| (mask >> i & 1 == 1).then(|| random.number());
+        let motion = ImposedMotion {
+            displacement: [some(0), some(1), some(2)],
+            rotation: [some(3), some(4), some(5)],
+            axes: random.rotation(1.0),
+            factor: LoadFactor::Proportional,
+        };
+        let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
+        assert_eq!(imposed.multipliers(), mask.count_ones() as usize);
+        check(&imposed, &nodes, &mut random);
     }
 }

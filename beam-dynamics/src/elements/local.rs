@@ -116,6 +116,14 @@ impl LocalJacobian {
         }
     }
 
+    /// Adds the difference of two Jacobians of one element.
+    pub fn add_difference(&mut self, later: &Self, before: &Self) {
+        self.by_unknowns += &later.by_unknowns - &before.by_unknowns;
+        self.by_rates += &later.by_rates - &before.by_rates;
+        self.touched
+            .zip_apply(&later.touched, |touched, other| *touched |= other);
+    }
+
     fn add_at(&mut self, place: (usize, usize), value: f64, rate: bool) {
         self.touched[place] = true;
         if rate {

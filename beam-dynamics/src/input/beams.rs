@@ -5,6 +5,7 @@ use shared_geom::document::Table;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
+use super::along::Along;
 use super::beam_check::BeamCheck;
 use super::draft::{Beam, Draft, Inertia};
 use super::problem::InputProblem;
@@ -46,7 +47,7 @@ fn beam(table: &Table<'_>, draft: &mut Draft, label: String) -> Option<Beam> {
         label,
         nodes: nodes?,
         geometry: geometry?,
-        properties: properties?,
+        along: Along::constant(&properties?),
         inertia: inertia?,
     })
 }

@@ -1,225 +1,183 @@
-//! Blades: a card for a whole line of beams.
+//! Blades: a card for whole lines of beams, their roots and their masses.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 use shared_geom::document::Table;
-use shared_geom::rotation::vector;
-use shared_geom::units::Dimension;
 
 use super::beam_check::BeamCheck;
-use super::blade_line::{BladeLine, Piece};
 use super::draft::{Beam, Draft, Inertia};
-use super::problem::InputProblem;
-use super::properties::Properties;
 use crate::case::BladeNodes;
 use crate::elements::beams::{BeamGeometry, BeamNode};
+use crate::elements::bodies::RigidInertia;
 use crate::model::Node;
 
-/// Beams of one piece: more are a slip of the pen.
-const MOST_ELEMENTS: usize = 1000;
+mod hinges;
+mod laid;
+mod masses;
+mod mesh;
+mod piece_line;
+mod pieces;
+mod problem;
+mod seats;
+mod source;
+mod stations;
 
-/// A blade as its card means it.
-struct Blade {
-    name: String,
-    azimuth: f64,
-    line: BladeLine,
-    /// Properties of each piece.
-    properties: Vec<Properties>,
+pub use problem::BladeProblem;
+
+use hinges::BladeHinge;
+use laid::Laid;
+use masses::PointMass;
+use seats::Seat;
+use source::Source;
+
+/// How the root of a blade is held.
+enum Root {
+    /// Clamped to the hub.
+    Clamped,
+    /// Not at all by this card.
+    Free,
+    /// By hinges, from the hub outward.
+    Hinged(Vec<BladeHinge>),
+}
+
+/// The blades of a card.
+struct Card {
+    seats: Vec<Seat>,
+    laid: Laid,
     inertia: Inertia,
-    clamp_root: bool,
+    root: Root,
+    /// Number of the node that carries it, and the inertia about that node.
+    masses: Vec<(usize, RigidInertia)>,
 }
 
 /// Adds every `[[blade]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for table in root.tables("blade") {
-        let name = table.require_text("name", "the name of the blade");
-        let is_new = name
-            .as_ref()
-            .is_some_and(|name| draft.take_label("blade", name, &table));
-        let blade = blade(&table, draft, name.as_deref());
+        let places = seats::places(&table);
+        let mut are_new = true;
+        for (name, _) in places.iter().flatten() {
+            are_new &= draft.take_label("blade", name, &table);
+        }
+        let card = card(&table, draft, places.as_ref());
         table.finish();
-        match (blade, name) {
-            (Some(blade), _) if is_new => add(&blade, &table, draft),
-            (None, Some(name)) => draft.note_broken_blade(&name),
-            _ => draft.note_broken(),
+        match card {
+            Some(card) if are_new => {
+                for seat in &card.seats {
+                    add(&card, seat, &table, draft);
+                }
+            }
+            Some(_) => draft.note_broken(),
+            None => note_broken(places, &table, draft),
         }
     }
 }
 
-fn blade(table: &Table<'_>, draft: &mut Draft, name: Option<&str>) -> Option<Blade> {
-    let words = format!("blade \"{}\"", name.unwrap_or_default());
-    let root = match table.has("root") {
-        true => table.vector("root", Dimension::LENGTH),
-        false => Some(Vector3::zeros()),
+/// Notes the names of blades that could not be read.
+fn note_broken(places: Option<seats::Places>, table: &Table<'_>, draft: &mut Draft) {
+    draft.note_broken();
+    let names = places.into_iter().flatten().map(|place| place.0);
+    for name in names.chain(table.text("name")) {
+        draft.note_broken_blade(&name);
+    }
+}
+
+fn card(table: &Table<'_>, draft: &mut Draft, places: Option<&seats::Places>) -> Option<Card> {
+    let name = match table.has("name") {
+        true => table.text("name").unwrap_or_default(),
+        false => String::new(),
     };
-    let azimuth = angle(table, "azimuth");
-    let precone = shallow(table, "precone");
-    let pitch = angle(table, "pitch");
+    let seats = seats::read(table, draft, places);
     let inertia = Inertia::read(table);
-    let clamp_root = match table.has("clamp_root") {
-        true => table.boolean("clamp_root"),
-        false => Some(true),
-    };
-    let is_named = table.has("properties");
-    let default = Fallback {
-        is_named,
-        properties: is_named
-            .then(|| draft.find_properties(table, &words))
-            .flatten(),
-    };
-    let (pieces, properties) = pieces(table, draft, &words, default);
-    let axes = axes(table, draft, azimuth?)?;
-    let precone = vector::to_rotation(&Vector3::new(0.0, -precone?, 0.0));
-    let line = BladeLine {
-        root: draft.hub()?.at_azimuth(root?, azimuth?),
-        axes: axes * precone,
-        pitch: pitch?,
-        pieces: pieces?,
-    };
-    Some(Blade {
-        name: name?.to_owned(),
-        azimuth: azimuth?,
-        line,
-        properties: properties?,
+    let root = root(table, &name);
+    let masses = masses::read(table);
+    let source = source::read(table, draft, &name)?;
+    let (laid, masses) = lay(&source, &masses?, table)?;
+    Some(Card {
+        seats: seats?,
+        laid,
         inertia: inertia?,
-        clamp_root: clamp_root?,
+        root: root?,
+        masses,
     })
 }
 
-/// Properties of the pieces that name none.
-#[derive(Clone, Copy)]
-struct Fallback {
-    /// Whether the blade names any.
-    is_named: bool,
-    /// Those that it names; `None` when they are wrong.
-    properties: Option<Properties>,
-}
-
-/// Axes of the blade at its azimuth, before precone.
-fn axes(table: &Table<'_>, draft: &Draft, azimuth: f64) -> Option<Matrix3<f64>> {
-    let axes = draft.hub()?.blade_axes(azimuth);
-    if axes.is_none() {
-        table.note("azimuth", &InputProblem::AxisAlongSpan);
-    }
-    axes
-}
-
-fn angle(table: &Table<'_>, key: &str) -> Option<f64> {
-    match table.has(key) {
-        true => table.quantity(key, Dimension::ANGLE),
-        false => Some(0.0),
-    }
-}
-
-/// An angle of less than a quarter turn; a line that leads back inward is a mistake.
-fn shallow(table: &Table<'_>, key: &'static str) -> Option<f64> {
-    let found = angle(table, key)?.to_degrees();
-    if found.abs() < 90.0 {
-        return Some(found.to_radians());
-    }
-    table.note(key, &InputProblem::SteepAngle { key, found });
-    None
-}
-
-/// Geometry and properties of every piece; each is `None` when one of them is wrong.
-fn pieces(
-    blade: &Table<'_>,
-    draft: &mut Draft,
-    words: &str,
-    default: Fallback,
-) -> (Option<Vec<Piece>>, Option<Vec<Properties>>) {
-    let tables = blade.tables("piece");
-    if tables.is_empty() {
-        let name = blade.text("name").unwrap_or_default();
-        blade.note("piece", &InputProblem::NoPieces { blade: name });
-        return (None, None);
-    }
-    let read: Vec<_> = tables
-        .iter()
-        .enumerate()
-        .map(|(number, table)| {
-            let words = format!("{words}, piece {}", number + 1);
-            let properties = piece_properties(table, draft, &words, default);
-            let piece = piece(table);
-            table.finish();
-            (piece, properties)
-        })
-        .collect();
-    let (pieces, properties): (Vec<_>, Vec<_>) = read.into_iter().unzip();
-    (
-        pieces.into_iter().collect(),
-        properties.into_iter().collect(),
-    )
-}
-
-fn piece_properties(
+/// Nodes and beams of a blade, and its masses on them.
+fn lay(
+    source: &Source,
+    masses: &[PointMass],
     table: &Table<'_>,
-    draft: &mut Draft,
-    words: &str,
-    default: Fallback,
-) -> Option<Properties> {
-    if table.has("properties") {
-        return draft.find_properties(table, words);
-    }
-    if !default.is_named {
-        let piece = words.to_owned();
-        table.note("properties", &InputProblem::NoProperties { piece });
-    }
-    default.properties
+) -> Option<(Laid, Vec<(usize, RigidInertia)>)> {
+    let length = source.length();
+    let places: Vec<_> = masses
+        .iter()
+        .map(|mass| mass.place(length, table))
+        .collect();
+    let places: Vec<f64> = places.into_iter().collect::<Option<_>>()?;
+    let laid = source.lay(&places, table)?;
+    let on_nodes = masses.iter().zip(&places);
+    let on_nodes = on_nodes.map(|(mass, place)| mass.on_node(*place, source, &laid));
+    let masses = on_nodes.collect();
+    Some((laid, masses))
 }
 
-fn piece(table: &Table<'_>) -> Option<Piece> {
-    let length = table.require_positive("length", Dimension::LENGTH);
-    let elements = table.require_count("elements").filter(|&found| {
-        let (key, limit) = ("elements", MOST_ELEMENTS);
-        if found > limit {
-            table.note(key, &InputProblem::TooMany { key, found, limit });
-        }
-        found <= limit
-    });
-    let sweep = shallow(table, "sweep");
-    let dihedral = shallow(table, "dihedral");
-    let twist = twist(table);
-    Some(Piece {
-        length: length?,
-        elements: elements?,
-        sweep: sweep?,
-        dihedral: dihedral?,
-        twist: twist?,
+fn root(table: &Table<'_>, name: &str) -> Option<Root> {
+    let hinges = match table.has("hinges") {
+        true => Some(hinges::read(table)?),
+        false => None,
+    };
+    if !table.has("clamp_root") {
+        return Some(match hinges {
+            Some(hinges) if !hinges.is_empty() => Root::Hinged(hinges),
+            _ => Root::Clamped,
+        });
+    }
+    let clamped = table.boolean("clamp_root")?;
+    if hinges.is_some_and(|hinges| !hinges.is_empty()) {
+        let blade = name.to_owned();
+        table.note("clamp_root", &BladeProblem::HingesAndClamp { blade });
+        return None;
+    }
+    Some(match clamped {
+        true => Root::Clamped,
+        false => Root::Free,
     })
 }
 
-/// Twist at both ends; one number is that of both.
-fn twist(table: &Table<'_>) -> Option<[f64; 2]> {
-    if !table.has("twist") {
-        return Some([0.0; 2]);
+/// Adds nodes, beams, masses and the root of one blade to the model.
+fn add(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) {
+    let nodes = add_nodes(card, seat, table, draft);
+    if nodes.len() != card.laid.nodes.len() {
+        // A name was taken, which has been noted.
+        return draft.note_loose_end();
     }
-    let numbers = table.quantities("twist", Dimension::ANGLE)?;
-    match numbers[..] {
-        [both] => Some([both; 2]),
-        [inner, outer] => Some([inner, outer]),
-        _ => {
-            let (key, found) = ("twist", numbers.len());
-            let expected = "one angle, or those at both ends";
-            table.note(
-                key,
-                &InputProblem::Count {
-                    key,
-                    found,
-                    expected,
-                },
-            );
-            None
-        }
+    if !add_beams(card, seat, &nodes, table, draft) {
+        return draft.note_loose_end();
     }
+    for (number, (node, inertia)) in card.masses.iter().enumerate() {
+        let label = format!("{}/mass {}", seat.name, number + 1);
+        draft.add_body(label, nodes[*node], *inertia);
+    }
+    match &card.root {
+        Root::Clamped => draft.hold_root(nodes[0], table, "clamp_root"),
+        Root::Free => {}
+        Root::Hinged(hinges) => match hinges::offsets(table, hinges, seat.radius) {
+            Some(offsets) => hinges::add((hinges, &offsets), seat, nodes[0], table, draft),
+            None => draft.note_loose_end(),
+        },
+    }
+    draft.add_blade(BladeNodes {
+        name: seat.name.clone(),
+        azimuth: seat.azimuth,
+        nodes,
+    });
 }
 
-/// Adds nodes, beams and the clamp of a blade to the model.
-fn add(blade: &Blade, table: &Table<'_>, draft: &mut Draft) {
-    let laid = blade.line.lay();
-    let last = laid.nodes.len() - 1;
-    let mut nodes = Vec::with_capacity(laid.nodes.len());
-    for (number, (position, rotation)) in laid.nodes.iter().enumerate() {
-        let name = |end: &dyn std::fmt::Display| format!("{}/{end}", blade.name);
+/// Adds the nodes of a blade; fewer than there are when a name is taken.
+fn add_nodes(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) -> Vec<usize> {
+    let last = card.laid.nodes.len() - 1;
+    let axes = seat.blade_axes();
+    let mut nodes = Vec::with_capacity(card.laid.nodes.len());
+    for (number, laid) in card.laid.nodes.iter().enumerate() {
+        let name = |end: &dyn std::fmt::Display| format!("{}/{end}", seat.name);
         let (label, alias) = match number {
             0 => (name(&"root"), Some(name(&0))),
             _ if number == last => (name(&"tip"), Some(name(&number))),
@@ -227,10 +185,10 @@ fn add(blade: &Blade, table: &Table<'_>, draft: &mut Draft) {
         };
         let node = Node {
             label,
-            position: *position,
-            rotation: *rotation,
+            position: seat.root + axes * laid.position,
+            rotation: axes * laid.axes,
         };
-        let Some(index) = draft.add_node(node, table, Some(blade.line.axes)) else {
+        let Some(index) = draft.add_node(node, table, Some(seat.axes)) else {
             continue;
         };
         if let Some(alias) = alias {
@@ -238,13 +196,21 @@ fn add(blade: &Blade, table: &Table<'_>, draft: &mut Draft) {
         }
         nodes.push(index);
     }
-    if nodes.len() != laid.nodes.len() {
-        // A name was taken, which has been noted.
-        return draft.note_loose_end();
-    }
-    for (number, laid) in laid.beams.iter().enumerate() {
+    nodes
+}
+
+/// Adds the beams of a blade; false when one cannot be, which is noted.
+fn add_beams(
+    card: &Card,
+    seat: &Seat,
+    nodes: &[usize],
+    table: &Table<'_>,
+    draft: &mut Draft,
+) -> bool {
+    let key = if table.has("piece") { "piece" } else { "file" };
+    for (number, laid) in card.laid.beams.iter().enumerate() {
         let beam = Beam {
-            label: format!("{}/beam {}", blade.name, number + 1),
+            label: format!("{}/beam {}", seat.name, number + 1),
             nodes: std::array::from_fn(|k| nodes[2 * number + k]),
             geometry: BeamGeometry {
                 nodes: laid.orientations.map(|orientation| BeamNode {
@@ -252,21 +218,14 @@ fn add(blade: &Blade, table: &Table<'_>, draft: &mut Draft) {
                     orientation,
                 }),
             },
-            properties: blade.properties[laid.piece],
-            inertia: blade.inertia,
+            along: laid.along.clone(),
+            inertia: card.inertia,
         };
-        let words = format!("blade \"{}\", piece {}", blade.name, laid.piece + 1);
-        match BeamCheck::new(&words, &beam, draft.nodes()).note_on(table, "piece") {
-            true => draft.add_beam(beam),
-            false => return draft.note_loose_end(),
+        let words = format!("blade \"{}\"{}", seat.name, laid.part);
+        if !BeamCheck::new(&words, &beam, draft.nodes()).note_on(table, key) {
+            return false;
         }
+        draft.add_beam(beam);
     }
-    if blade.clamp_root {
-        draft.add_clamp(nodes[0], table, "clamp_root");
-    }
-    draft.add_blade(BladeNodes {
-        name: blade.name.clone(),
-        azimuth: blade.azimuth,
-        nodes,
-    });
+    true
 }

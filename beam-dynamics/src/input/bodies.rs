@@ -22,35 +22,65 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
         let words = format!("body \"{label}\"");
         let name = table.require_text("node", "the name of a node");
         let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
-        let inertia = inertia(table, &label);
+        let lump = lump(table, &label);
         table.finish();
-        match (node, inertia) {
-            (Some(node), Some(inertia)) if is_new => draft.add_body(label, node, inertia),
+        match (node, lump) {
+            (Some(node), Some(lump)) if is_new => {
+                draft.add_body(label, node, lump.inertia(&Vector3::zeros()));
+            }
             _ => draft.note_broken(),
         }
     }
 }
 
-fn inertia(table: &Table<'_>, label: &str) -> Option<RigidInertia> {
+/// A concentrated mass with its center, in the axes of what carries it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Lump {
+    /// Mass \[kg\].
+    mass: f64,
+    /// Place of its center \[m\].
+    offset: Vector3<f64>,
+    /// Inertia about that center \[kg m^2\].
+    central: Matrix3<f64>,
+}
+
+impl Lump {
+    /// The inertia about a node, when what carries the mass is at `place` as seen from
+    /// the node \[m\].
+    pub fn inertia(&self, place: &Vector3<f64>) -> RigidInertia {
+        RigidInertia::about_node(self.mass, &(place + self.offset), &self.central)
+    }
+}
+
+/// Reads `mass`, `offset` and `inertia`.
+pub(super) fn lump(table: &Table<'_>, label: &str) -> Option<Lump> {
     let mass = table.require_positive("mass", Dimension::MASS);
     let offset = match table.has("offset") {
         true => table.vector("offset", Dimension::LENGTH),
         false => Some(Vector3::zeros()),
     };
+    let moments = moments(table, label);
+    Some(Lump {
+        mass: mass?,
+        offset: offset?,
+        central: Matrix3::from_diagonal(&moments?),
+    })
+}
+
+/// Moments of inertia about three axes under `inertia`; zeros when absent.
+pub(super) fn moments(table: &Table<'_>, label: &str) -> Option<Vector3<f64>> {
     let moments = match table.has("inertia") {
         true => table.vector("inertia", Dimension::INERTIA),
         false => Some(Vector3::zeros()),
     };
-    let moments = moments.filter(|moments| {
+    moments.filter(|moments| {
         let possible = is_possible(moments);
         if !possible {
             let (body, found) = (label.to_owned(), (*moments).into());
             table.note("inertia", &InputProblem::ImpossibleInertia { body, found });
         }
         possible
-    });
-    let central = Matrix3::from_diagonal(&moments?);
-    Some(RigidInertia::about_node(mass?, &offset?, &central))
+    })
 }
 
 /// Moments of inertia are sums of two of the three non-negative `int x^2 dm`: none is

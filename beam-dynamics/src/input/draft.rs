@@ -8,15 +8,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 
+use super::along::Along;
 use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
 use crate::assembly::System;
 use crate::case::{BladeNodes, Model, Spin};
 use crate::elements::Element;
-use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, lumped_bodies};
+use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, ViscousBeam, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
-use crate::elements::joints::Clamp;
+use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::Node;
 
 /// How the mass of a beam moves.
@@ -39,13 +40,13 @@ impl Inertia {
     }
 }
 
-/// A beam of constant properties.
+/// A beam with its properties.
 #[derive(Debug, Clone)]
 pub(super) struct Beam {
     pub label: String,
     pub nodes: [usize; 3],
     pub geometry: BeamGeometry,
-    pub properties: Properties,
+    pub along: Along,
     pub inertia: Inertia,
 }
 
@@ -72,7 +73,12 @@ pub(super) struct Draft {
     beams: Vec<Beam>,
     clamps: BTreeMap<usize, usize>,
     bodies: Vec<(String, usize, RigidInertia)>,
+    /// Hinges, rigid connections and supports.
+    joints: Vec<Box<dyn Element>>,
+    /// Node of a hub that is not held by the frame.
+    hub_node: Option<usize>,
     blades: Vec<BladeNodes>,
+    remarks: Vec<String>,
     labels: BTreeMap<(&'static str, String), usize>,
     /// Whether some beam or other user of a node could not be attached.
     loose_ends: bool,
@@ -93,7 +99,10 @@ impl Draft {
             beams: Vec::new(),
             clamps: BTreeMap::new(),
             bodies: Vec::new(),
+            joints: Vec::new(),
+            hub_node: None,
             blades: Vec::new(),
+            remarks: Vec::new(),
             labels: BTreeMap::new(),
             loose_ends: false,
             broken: false,
@@ -240,6 +249,61 @@ impl Draft {
         self.bodies.push((label, node, inertia));
     }
 
+    /// Adds an element that joins nodes, or supports one.
+    pub fn add_joint(&mut self, joint: Box<dyn Element>) {
+        self.used.extend(joint.nodes());
+        self.joints.push(joint);
+    }
+
+    /// Adds a hinge at `position` along `axis`, both in the model's frame; the second of
+    /// the nodes turns against the first.
+    pub fn add_hinge(
+        &mut self,
+        label: &str,
+        nodes: [usize; 2],
+        (position, axis): (Vector3<f64>, Vector3<f64>),
+        spring: HingeSpring,
+    ) {
+        let ends = nodes.map(|node| &self.nodes[node]);
+        let hinge = Hinge::new(label, nodes, ends, &position, &axis, spring);
+        self.add_joint(boxed(hinge));
+    }
+
+    /// Holds the second node to the first, at any distance.
+    pub fn add_rigid(&mut self, label: &str, nodes: [usize; 2]) {
+        let ends = nodes.map(|node| &self.nodes[node]);
+        self.add_joint(boxed(RigidConnection::new(label, nodes, ends)));
+    }
+
+    /// Hinges, rigid connections and supports so far.
+    pub fn joints(&self) -> impl Iterator<Item = &dyn Element> {
+        self.joints.iter().map(AsRef::as_ref)
+    }
+
+    /// The node of the hub when the hub moves; `None` when the frame holds it, so that
+    /// roots are clamped.
+    pub fn hub_node(&self) -> Option<usize> {
+        self.hub_node
+    }
+
+    /// Says which node is that of a hub that moves.
+    pub fn set_hub_node(&mut self, node: usize) {
+        self.used.insert(node);
+        self.hub_node = Some(node);
+    }
+
+    /// Holds the root of a blade by the hub: by the frame, or by the node of a hub that
+    /// moves. What holds the node already is noted under `key`.
+    pub fn hold_root(&mut self, node: usize, table: &Table<'_>, key: &str) {
+        match self.hub_node() {
+            None => self.add_clamp(node, table, key),
+            Some(hub) => {
+                let label = format!("hub to {}", self.nodes[node].label);
+                self.add_rigid(&label, [hub, node]);
+            }
+        }
+    }
+
     /// Clamps a node; a node that is clamped already is noted under `key`.
     pub fn add_clamp(&mut self, node: usize, table: &Table<'_>, key: &str) {
         if let Some(&line) = self.clamps.get(&node) {
@@ -253,8 +317,8 @@ impl Draft {
 
     /// Notes what is wrong with the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
-        const CARDS: [&str; 2] = ["blade", "beam"];
-        let nothing = self.beams.is_empty() && !self.broken;
+        const CARDS: [&str; 5] = ["blade", "beam", "hinge", "rigid", "spring"];
+        let nothing = self.beams.is_empty() && self.joints.is_empty() && !self.broken;
         if nothing || !CARDS.iter().any(|card| root.has(card)) {
             // That [blade] should be [[blade]] has been told already.
             if !CARDS.iter().any(|card| root.is_table(card)) {
@@ -301,12 +365,24 @@ impl Draft {
     }
 
     fn lumped(&self, beam: &Beam) -> [RigidInertia; 3] {
-        lumped_bodies(&beam.geometry, self.ends(beam), |_| beam.properties.mass)
+        let ends = self.ends(beam);
+        beam.along
+            .with_mass(|mass| lumped_bodies(&beam.geometry, ends, mass))
     }
 
     /// Notes that the given nodes, from the root to the tip, are those of a blade.
     pub fn add_blade(&mut self, blade: BladeNodes) {
         self.blades.push(blade);
+    }
+
+    /// Adds what the reader must know of a file that was read.
+    pub fn add_remarks(&mut self, remarks: Vec<String>) {
+        self.remarks.extend(remarks);
+    }
+
+    /// What the reader must know of the files that were read.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     /// The checked model.
@@ -323,6 +399,7 @@ impl Draft {
             let label = format!("clamp of {}", self.nodes[node].label);
             elements.push(boxed(Clamp::new(label, node, &self.nodes[node])));
         }
+        elements.extend(self.joints);
         Some(Model {
             name,
             beams: self.beams.iter().map(|beam| beam.nodes).collect(),
@@ -339,16 +416,22 @@ impl Draft {
             label,
             nodes,
             geometry,
-            properties,
+            along,
             inertia,
         } = beam;
-        let stiffness = [properties.stiffness; 2];
+        let stiffness = along.stiffness;
         let elastic = ElasticBeam::new(label, *nodes, *geometry, self.ends(beam), stiffness);
         let mut elements = vec![boxed(elastic)];
+        if let Some(damping) = along.damping {
+            let ends = self.ends(beam);
+            let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
+            elements.push(boxed(viscous));
+        }
         match inertia {
             Inertia::Consistent => {
-                let mass = |_| properties.mass;
-                let inertia = BeamInertia::new(label, *nodes, *geometry, self.ends(beam), mass);
+                let ends = self.ends(beam);
+                let inertia = along
+                    .with_mass(|mass| BeamInertia::along(label, *nodes, *geometry, ends, mass));
                 elements.push(boxed(inertia));
             }
             Inertia::Lumped => {

@@ -1,10 +1,11 @@
-//! The hub: what the model turns about, and where azimuth zero is.
+//! The hub: what the model turns about, where azimuth zero is, and whether it moves.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
+use super::hub_support::MovingHub;
 use super::problem::InputProblem;
 use crate::case::Spin;
 
@@ -17,6 +18,8 @@ const SMALLEST_SINE: f64 = 1e-3;
 pub(super) struct Hub {
     axis: Vector3<f64>,
     center: Vector3<f64>,
+    /// What carries it; `None` for a hub that the frame holds.
+    moving: Option<MovingHub>,
 }
 
 /// Reads `[hub]`; `None` when it is wrong, the z axis through the origin when absent.
@@ -25,6 +28,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Hub> {
     let mut hub = Hub {
         axis: default.axis,
         center: default.center,
+        moving: None,
     };
     if !root.has("hub") {
         return Some(hub);
@@ -39,8 +43,9 @@ pub(super) fn read(root: &Table<'_>) -> Option<Hub> {
     if table.has("center") {
         center = table.vector("center", Dimension::LENGTH);
     }
+    let moving = MovingHub::read(&table);
     table.finish();
-    (hub.axis, hub.center) = (axis?, center?);
+    (hub.axis, hub.center, hub.moving) = (axis?, center?, moving?);
     Some(hub)
 }
 
@@ -61,6 +66,21 @@ impl Hub {
             axis: self.axis,
             center: self.center,
         }
+    }
+
+    /// What carries the hub; `None` when the frame holds it.
+    pub fn moving(&self) -> Option<&MovingHub> {
+        self.moving.as_ref()
+    }
+
+    /// Axes of the hub (columns): those of a blade at azimuth zero where there is one,
+    /// in any case with z along the axis.
+    pub fn axes(&self) -> Matrix3<f64> {
+        self.blade_axes(0.0).unwrap_or_else(|| {
+            let across = Vector3::y() - self.axis * self.axis.y;
+            let x = across.normalize();
+            Matrix3::from_columns(&[x, self.axis.cross(&x), self.axis])
+        })
     }
 
     /// Axes of a blade (columns) at `azimuth` \[rad\]: x out along the span, z along
@@ -134,6 +154,7 @@ mod tests {
         let hub = Hub {
             axis: Vector3::z(),
             center: Vector3::new(1.0, 0.0, 0.0),
+            moving: None,
         };
         let axes = hub.blade_axes(FRAC_PI_2).unwrap();
         let expected = Matrix3::from_columns(&[Vector3::y(), -Vector3::x(), Vector3::z()]);
@@ -147,8 +168,11 @@ mod tests {
         let hub = Hub {
             axis: -Vector3::x(),
             center: Vector3::zeros(),
+            moving: None,
         };
         assert_eq!(hub.blade_axes(0.0), None);
+        let own = Matrix3::from_columns(&[Vector3::y(), -Vector3::z(), -Vector3::x()]);
+        assert_eq!(hub.axes(), own);
         assert_eq!(hub.naming_axes(&Vector3::x()), Matrix3::identity());
     }
 }

@@ -2,9 +2,11 @@
 
 use nalgebra::Vector2;
 use shared_geom::document::Table;
-use shared_geom::section::{Centers, Engineering, Provenance};
+use shared_geom::section::{Centers, Engineering, Provenance, SectionProperties};
 use shared_geom::units::Dimension;
 
+use super::damping;
+use super::number::not_negative;
 use super::problem::InputProblem;
 use super::properties::{Properties, usable};
 
@@ -37,6 +39,7 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
         not_negative(table, "iz", Dimension::INERTIA_PER_LENGTH),
     ];
     let centers = ["tension_center", "shear_center", "mass_center"].map(|key| center(table, key));
+    let damping = damping::read(table);
     let [ea, gay, gaz, gj, eiy, eiz] = stiffness;
     let [m, iy, iz] = mass;
     let [tension, shear, mass_center] = centers;
@@ -51,16 +54,11 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
         stiffness_angle: 0.0,
         inertia_angle: 0.0,
     };
-    usable(name, table, "", &written.section(name, provenance()))
-}
-
-fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-    let number = table.require_quantity(key, dimension)?;
-    if number >= 0.0 {
-        return Some(number);
-    }
-    table.wrong(key, &format!("{dimension}, zero or more"));
-    None
+    let section = SectionProperties {
+        damping: damping?,
+        ..written.section(name, provenance())
+    };
+    usable(name, table, "", &section)
 }
 
 /// A point (y, z) of the section; the reference point when absent.

@@ -1,14 +1,14 @@
 //! Axes by which the motion of each node is named.
 //!
 //! A node of a blade takes the axes of the blade's root, and so does every node that
-//! beams connect with it. Where no blade is near, the span is the section axis x at
+//! beams and joints connect with it. Where no blade is near, the span is the section axis x at
 //! the clamped node of the connected beams, or else at their first node.
 
 use std::collections::BTreeMap;
 
 use nalgebra::Matrix3;
 
-use super::draft::{Beam, Draft};
+use super::draft::Draft;
 use crate::model::NamingAxes;
 
 impl Draft {
@@ -49,19 +49,17 @@ impl Draft {
         Some(axes)
     }
 
-    /// For each node the first node that beams connect it with.
+    /// For each node the first node that beams and joints connect it with.
     fn connected(&self) -> Vec<usize> {
         let mut group: Vec<usize> = (0..self.nodes().len()).collect();
-        let mut spread = |beams: &mut dyn Iterator<Item = &Beam>| {
+        let of_beams = self.beams().iter().map(|beam| beam.nodes.to_vec());
+        let of_joints = self.joints().map(|joint| joint.nodes().to_vec());
+        let links: Vec<_> = of_beams.chain(of_joints).collect();
+        let mut spread = |links: &mut dyn Iterator<Item = &Vec<usize>>| {
             let mut changed = false;
-            for beam in beams {
-                let least = beam
-                    .nodes
-                    .map(|node| group[node])
-                    .into_iter()
-                    .min()
-                    .unwrap_or(0);
-                for node in beam.nodes {
+            for nodes in links {
+                let least = nodes.iter().map(|&node| group[node]).min().unwrap_or(0);
+                for &node in nodes {
                     changed |= group[node] != least;
                     group[node] = least;
                 }
@@ -69,7 +67,7 @@ impl Draft {
             changed
         };
         // Forward and back, so that a chain is done at once in either order.
-        while spread(&mut self.beams().iter()) | spread(&mut self.beams().iter().rev()) {}
+        while spread(&mut links.iter()) | spread(&mut links.iter().rev()) {}
         group
     }
 

@@ -79,6 +79,9 @@ pub enum InputProblem {
         /// The field of the property file to remove.
         field: &'static str,
     },
+    /// Internal damping that is given in no way or in two.
+    #[error("\"damping\" needs a \"time\" or a \"matrix\", and not both")]
+    OneDamping,
     /// A list of another length.
     #[error("\"{key}\" lists {found}, expected {expected}")]
     Count {
@@ -213,6 +216,47 @@ pub enum InputProblem {
         /// The three moments \[kg m^2\].
         found: [f64; 3],
     },
+    /// A joint of a node with itself.
+    #[error("{joint} joins \"{node}\" to itself, expected two nodes")]
+    JoinedToItself {
+        /// The joint, in words.
+        joint: String,
+        /// Name of the node.
+        node: String,
+    },
+    /// The angle of a relaxed spring that does not exist.
+    #[error("\"angle\" is that of the relaxed spring, but the hinge has none")]
+    NoSpring,
+    /// Properties of a hub that cannot move.
+    #[error("\"{key}\" is that of a hub that moves, but this one has no \"support\"")]
+    HeldHub {
+        /// The key.
+        key: &'static str,
+    },
+    /// A damper where a hub is held.
+    #[error("\"{direction}\" has a damping but no stiffness: the hub is held there")]
+    DampedClamp {
+        /// The direction.
+        direction: &'static str,
+    },
+    /// A spring that stands in the world beside the axis.
+    #[error(
+        "spring \"{spring}\" stands in the world, but node \"{node}\" is not on the axis of the hub"
+    )]
+    OffAxis {
+        /// Name of the spring.
+        spring: String,
+        /// Name of the node.
+        node: String,
+    },
+    /// A spring that stands in the world and is not the same about the axis.
+    #[error(
+        "spring \"{spring}\" stands in the world, but is not the same in all directions about the axis of the hub"
+    )]
+    Anisotropic {
+        /// Name of the spring.
+        spring: String,
+    },
     /// No rotor speed.
     #[error("\"speeds\" is empty, expected at least one rotor speed")]
     NoSpeeds,
@@ -229,6 +273,14 @@ pub enum InputProblem {
     SpeedTwice {
         /// The speed \[rpm\].
         rpm: f64,
+    },
+    /// A speed for shapes that is not analyzed.
+    #[error("\"shape_speeds\" has the speed {} rpm, expected some of \"speeds\"", six(*.rpm))]
+    ShapeSpeed {
+        /// The speed \[rpm\].
+        rpm: f64,
+        /// The nearest one that is analyzed \[rpm\].
+        nearest: f64,
     },
     /// A range of speeds that does not rise.
     #[error("\"speeds\" runs from {} to {} rpm, expected a rising range", six(*.from), six(*.to))]
@@ -296,6 +348,9 @@ impl Explain for InputProblem {
                     "remove \"{field}\" from the property file to go without"
                 ));
             }
+            Self::ShapeSpeed { nearest, .. } => {
+                return Some(format!("the nearest is {} rpm", six(*nearest)));
+            }
             Self::UnusedNode { .. } => "name it in a [[beam]], or remove it",
             Self::AxisAlongSpan => {
                 "azimuth 0 is where x lies across the axis: turn the model, for example axis = [0, 0, 1]"
@@ -308,6 +363,14 @@ impl Explain for InputProblem {
             }
             Self::AcrossLine { .. } => {
                 "give the nodes an \"orientation\", or the beam \"section_axes\", with x along the beam, from the first node to the last"
+            }
+            Self::NoSpring => "give the hinge a \"stiffness\", or turn its second node",
+            Self::HeldHub { .. } => {
+                "add support = { in_plane = ... }: directions that it does not name are held"
+            }
+            Self::DampedClamp { .. } => "name the direction in \"support\", 0 for no spring",
+            Self::OffAxis { .. } | Self::Anisotropic { .. } => {
+                "in turning axes such a support is not constant: stands_in = \"frame\" turns with the model"
             }
             Self::Wrung { .. } => "divide the beam into shorter ones",
             Self::NoProperties { .. } => "name the properties in [[blade]] or in the piece",

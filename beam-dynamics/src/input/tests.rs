@@ -450,7 +450,7 @@ fn the_model_as_a_whole_is_checked() {
     // A model without a question is sound; a misspelled question is not.
     assert!(input(BEAM).unwrap().modes.is_none());
     let shown = refused(&format!("{BEAM}{MODES}").replace("[modes]", "[mode]"));
-    assert!(shown.contains("did you mean \"modes\"?"), "{shown}");
+    assert!(shown.contains("unknown key \"mode\""), "{shown}");
 }
 
 #[test]

@@ -11,8 +11,8 @@
 use faer::c64;
 
 use super::inverse::Inverse;
-use crate::assembly::Tangent;
-use crate::model::NODE_UNKNOWNS;
+use crate::assembly::{Sparse, Tangent};
+use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 use crate::solver::{ComplexFactorization, LinearSolver};
 
 /// Values within this part of each other are copies of one value: far above the
@@ -21,6 +21,15 @@ pub(super) const COPIES: f64 = 1e-6;
 /// The matrix is inverted this part beside the eigenvalue: near enough that one
 /// iteration suffices, far enough that the factorization keeps its digits.
 const BESIDE: f64 = 1e-10;
+/// The shift of the inversion, in parts of the lowest frequency.
+const SHIFT: f64 = 0.3;
+/// Frequencies below this part of the highest frequency of a node on its own are zero:
+/// stiffness is known to 1e-16 of its largest, frequencies to the root of that.
+const ZERO: f64 = 3e-8;
+/// The shift for the vectors of such motions, in parts of the lowest other frequency.
+const FREE_SHIFT: f64 = 1e-2;
+/// The first shift, in parts of the highest frequency of a node on its own.
+const BELOW: f64 = 1e-5;
 /// Inverse iterations; the first already leaves other modes smaller by 1e-10 over
 /// their distance.
 const ITERATIONS: usize = 3;
@@ -50,26 +59,78 @@ pub struct EigenProblem<'a> {
     inverse: Inverse,
     /// Unknowns of the nodes.
     size: usize,
+    /// Copies of one value that are looked for.
+    copies: usize,
+    /// Magnitude below which an eigenvalue is zero [1/s].
+    zero: f64,
+    /// Magnitude of the lowest that is not [1/s].
+    lowest: f64,
 }
 
 impl<'a> EigenProblem<'a> {
-    /// Prepares the eigenvalues of `tangent`, whose first `nodes` times twelve
-    /// unknowns are those of nodes; `None` when `F_y` is singular.
-    pub fn new(solver: &'a LinearSolver, tangent: &'a Tangent, nodes: usize) -> Option<Self> {
-        let factorization = solver.factorize(tangent.by_unknowns.clone())?;
+    /// Prepares the eigenvalues of `tangent`, whose first `nodes` times twelve unknowns
+    /// are those of nodes, with up to `copies` of one value; `None` when the system has
+    /// no eigenvalues to speak of: nothing that moves has mass and stiffness.
+    ///
+    /// The shift is a part of the lowest frequency, which a coarse look from a shift
+    /// below all frequencies finds.
+    pub fn new(
+        solver: &'a LinearSolver,
+        tangent: &'a Tangent,
+        nodes: usize,
+        copies: usize,
+    ) -> Option<Self> {
+        let highest = highest_of_a_node(tangent, nodes)?;
+        let coarse = Self::shifted(solver, tangent, nodes, copies, BELOW * highest)?;
+        let shift = coarse.inverse.shift();
+        let zero = ZERO * highest;
+        let lowest = lowest_oscillation(&coarse.inverse.coarse(), 3.0 * zero)?;
+        let mut problem = if (SHIFT / 10.0 * lowest..10.0 * SHIFT * lowest).contains(&shift) {
+            coarse
+        } else {
+            Self::shifted(solver, tangent, nodes, copies, SHIFT * lowest)?
+        };
+        (problem.zero, problem.lowest) = (zero, lowest);
+        Some(problem)
+    }
+
+    /// Prepares the real eigenvalues nearest to zero of `by_unknowns + s by_rates`,
+    /// whatever the two matrices are; `None` when the first is singular.
+    pub fn about_zero(
+        solver: &'a LinearSolver,
+        tangent: &'a Tangent,
+        nodes: usize,
+        copies: usize,
+    ) -> Option<Self> {
+        Self::shifted(solver, tangent, nodes, copies, 0.0)
+    }
+
+    fn shifted(
+        solver: &'a LinearSolver,
+        tangent: &'a Tangent,
+        nodes: usize,
+        copies: usize,
+        shift: f64,
+    ) -> Option<Self> {
+        let matrix = tangent.by_unknowns.plus(shift, &tangent.by_rates);
         let size = NODE_UNKNOWNS * nodes;
         Some(Self {
             solver,
             tangent,
-            inverse: Inverse::new(factorization, &tangent.by_rates, size)?,
+            inverse: Inverse::new(solver.factorize(matrix)?, &tangent.by_rates, size, shift)?,
             size,
+            copies,
+            zero: 0.0,
+            lowest: 0.0,
         })
     }
 
-    /// The `count` eigenpairs of smallest angular frequency above zero, ascending,
-    /// where there are so many; and the real eigenvalues found on the way.
+    /// The `count` eigenpairs of smallest angular frequency, ascending, where there are
+    /// so many, those without stiffness first; and the real eigenvalues found on the way.
     pub fn lowest(&self, count: usize) -> (Vec<Eigenpair>, Vec<f64>) {
-        let values = self.inverse.smallest(count);
+        let values = self.inverse.smallest(count, self.copies);
+        let (zeros, values): (Vec<_>, Vec<_>) =
+            values.into_iter().partition(|s| s.norm() <= self.zero);
         let is_real = |s: &&c64| s.im.abs() <= OSCILLATING * s.norm();
         let mut real: Vec<_> = values.iter().filter(is_real).map(|s| s.re).collect();
         real.sort_by(f64::total_cmp);
@@ -79,20 +140,56 @@ impl<'a> EigenProblem<'a> {
             .collect();
         above.sort_by(|a, b| a.im.total_cmp(&b.im));
         above.truncate(count);
-        let mut pairs = Vec::with_capacity(above.len());
-        while pairs.len() < above.len() {
-            let rest = &above[pairs.len()..];
+        // A motion without stiffness is a double zero.
+        let mut pairs = self.free(zeros.len().div_ceil(2).min(count));
+        let free = pairs.len();
+        while pairs.len() - free < above.len() {
+            let rest = &above[pairs.len() - free..];
             let near = |s: &&c64| (**s - rest[0]).norm() <= COPIES * rest[0].norm();
             let copies = rest.iter().take_while(near).count().max(1);
             pairs.extend(self.vectors(&rest[..copies]));
         }
+        pairs.truncate(count);
         (pairs, real)
+    }
+
+    /// The real eigenvalues of smallest magnitude with their vectors, at most `count`.
+    pub fn real(&self, count: usize) -> Vec<Eigenpair> {
+        let mut values = self.inverse.smallest(count, self.copies);
+        values.retain(|s| s.im.abs() <= OSCILLATING.sqrt() * s.norm());
+        values.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
+        values.truncate(count);
+        let mut pairs: Vec<Eigenpair> = Vec::with_capacity(values.len());
+        while pairs.len() < values.len() {
+            let rest = &values[pairs.len()..];
+            let near = |s: &&c64| (**s - rest[0]).norm() <= COPIES * rest[0].norm();
+            let copies = rest.iter().take_while(near).count().max(1);
+            let reals: Vec<_> = rest[..copies].iter().map(|s| c64::new(s.re, 0.0)).collect();
+            pairs.extend(self.vectors(&reals));
+        }
+        pairs
+    }
+
+    /// Motions without stiffness: from a shift far below the lowest frequency.
+    fn free(&self, count: usize) -> Vec<Eigenpair> {
+        if count == 0 {
+            return Vec::new();
+        }
+        let mut pairs = self.vectors_beside(c64::new(FREE_SHIFT * self.lowest, 0.0), count);
+        for pair in &mut pairs {
+            (pair.growth, pair.angular_frequency, pair.residual) = (0.0, 0.0, 0.0);
+        }
+        pairs
     }
 
     /// Independent vectors of a value and its copies.
     fn vectors(&self, copies: &[c64]) -> Vec<Eigenpair> {
         let mean = copies.iter().sum::<c64>() / copies.len() as f64;
-        let beside = mean * (1.0 + BESIDE);
+        self.vectors_beside(mean * (1.0 + BESIDE), copies.len())
+    }
+
+    /// The `count` eigenpairs nearest to `beside`.
+    fn vectors_beside(&self, beside: c64, count: usize) -> Vec<Eigenpair> {
         let Tangent {
             by_unknowns,
             by_rates,
@@ -100,16 +197,11 @@ impl<'a> EigenProblem<'a> {
         let solved = self
             .solver
             .factorize_complex(by_unknowns, beside, by_rates)
-            .and_then(|matrix| self.iterate(&matrix, copies.len()));
+            .and_then(|matrix| self.iterate(&matrix, count));
         // Where the inversion overflows there is no vector: the mode moves nothing.
-        let nothing = || {
-            (
-                vec![vec![c64::new(0.0, 0.0); self.size]; copies.len()],
-                None,
-            )
-        };
+        let nothing = || (vec![vec![c64::new(0.0, 0.0); self.size]; count], None);
         let (vectors, amplification) = solved.unwrap_or_else(nothing);
-        let s = amplification.map_or(mean, |amplification| beside - amplification.inv());
+        let s = amplification.map_or(beside, |amplification| beside - amplification.inv());
         let pair = |vector: Vec<c64>| Eigenpair {
             growth: s.re,
             angular_frequency: s.im,
@@ -162,6 +254,33 @@ impl<'a> EigenProblem<'a> {
         }
         product
     }
+}
+
+/// The highest frequency of a node on its own, `sqrt(|F_force,x| / |F_p,v|)` \[1/s\]; `None`
+/// without mass or stiffness.
+fn highest_of_a_node(tangent: &Tangent, nodes: usize) -> Option<f64> {
+    let largest = |matrix: &Sparse, row: usize, column: usize| {
+        let of_nodes = matrix
+            .triplets()
+            .filter(|(i, j, _)| i.max(j) < &(NODE_UNKNOWNS * nodes));
+        let block = of_nodes.filter(|(i, j, _)| {
+            (row..row + 3).contains(&(i % NODE_UNKNOWNS))
+                && (column..column + 3).contains(&(j % NODE_UNKNOWNS))
+        });
+        block.map(|(_, _, value)| value.abs()).fold(0.0, f64::max)
+    };
+    let place = Variable::Position.column();
+    let stiffness = largest(&tangent.by_unknowns, Equation::Force.row(), place);
+    let mass = largest(&tangent.by_rates, Equation::Momentum.row(), place);
+    let highest = (stiffness / mass).sqrt();
+    (highest > 0.0 && highest.is_finite()).then_some(highest)
+}
+
+/// Magnitude of the lowest eigenvalue above `zero`, among rough ones.
+fn lowest_oscillation(values: &[c64], zero: f64) -> Option<f64> {
+    let sizes = values.iter().map(|s| s.norm());
+    let above = sizes.filter(|size| size.is_finite() && *size > zero);
+    above.min_by(f64::total_cmp)
 }
 
 /// Vectors of copies, and the factor by which the last iteration made them grow.

@@ -4,18 +4,24 @@
 //!
 //! With `G_ij = q_i^H M q_j` and the weighted energies `W_ij = q_i^H P_w M q_j`,
 //! weights 1, 2, 3, 4 of the four kinds, the pure combinations are the eigenvectors of
-//! `W c = w G c`.
+//! `W c = w G c`. On a rotor the ways in which the blades move together have weights
+//! too, parts of one, so that collective, progressive and regressive modes come apart.
 
 use nalgebra::{Complex, DMatrix, SVD};
 
-use super::ModeMotion;
 use super::eigen::COPIES;
+use super::{ModeMotion, Rotor};
 use crate::model::NamingAxes;
 
 /// Replaces modes of equal frequency by pure ones; `frequencies` ascend.
-pub fn separate(modes: &mut [ModeMotion], frequencies: &[f64], axes: &[NamingAxes]) {
+pub fn separate(
+    modes: &mut [ModeMotion],
+    frequencies: &[f64],
+    axes: &[NamingAxes],
+    rotor: Option<&Rotor>,
+) {
     for copies in groups(frequencies) {
-        if let Some(pure) = pure_combinations(&modes[copies.clone()], axes) {
+        if let Some(pure) = pure_combinations(&modes[copies.clone()], axes, rotor) {
             modes[copies].clone_from_slice(&pure);
         }
     }
@@ -70,16 +76,27 @@ fn groups(frequencies: &[f64]) -> Vec<std::ops::Range<usize>> {
 }
 
 /// `None` when the modes are not independent.
-fn pure_combinations(modes: &[ModeMotion], axes: &[NamingAxes]) -> Option<Vec<ModeMotion>> {
+fn pure_combinations(
+    modes: &[ModeMotion],
+    axes: &[NamingAxes],
+    rotor: Option<&Rotor>,
+) -> Option<Vec<ModeMotion>> {
     let n = modes.len();
     let gram = hermitian(&DMatrix::from_fn(n, n, |i, j| modes[i].product(&modes[j])));
     let weighted = hermitian(&DMatrix::from_fn(n, n, |i, j| {
         let energies = modes[i].energies(&modes[j], axes);
-        energies
+        let kinds = energies
             .iter()
             .zip([1.0, 2.0, 3.0, 4.0])
-            .map(|(e, w)| e * w)
-            .sum()
+            .map(|(e, w)| e * w);
+        let together = rotor.map_or_else(Vec::new, |r| modes[i].harmonics(&modes[j], r, axes));
+        // Weights below one, apart by as much as the number of blades allows.
+        let step = 0.7 / together.len().max(1) as f64;
+        let ways = together
+            .iter()
+            .zip(1..)
+            .map(|(e, k)| e * step * f64::from(k));
+        kinds.chain(ways).sum()
     }));
     // W c = w L L^H c with c = L^-H d: (L^-1 W L^-H) d = w d.
     let inverse = gram.cholesky()?.l().try_inverse()?;

@@ -6,12 +6,19 @@
 //! MAC = |q_a^H M q_b| |q_b^H M q_a| / (|q_a^H M q_a| |q_b^H M q_b|)
 //! ```
 //!
-//! is one for equal shapes and near zero for different ones.
+//! is one for equal shapes and near zero for different ones. Where two modes exchange
+//! their shapes, the assurance of both is about one half with either; then the frequency
+//! decides that is nearer to the one expected from the slope over speed.
 
 use super::ModeMotion;
 
-/// Least assurance for which two modes are taken for the same one.
-const SAME: f64 = 0.5;
+/// Least assurance, weighted by the closeness of the frequency, for which two modes are
+/// taken for the same one.
+const SAME: f64 = 0.4;
+/// Relative distance from the expected frequency at which the closeness is one half.
+const HALF: f64 = 0.05;
+/// Least closeness: a shape that is the same is the same mode at any frequency.
+const FAR: f64 = 0.6;
 
 /// Assurance of each mode of `before` (rows) with each of `after` (columns).
 pub fn assurances(before: &[ModeMotion], after: &[ModeMotion]) -> Vec<Vec<f64>> {
@@ -26,13 +33,36 @@ pub fn assurances(before: &[ModeMotion], after: &[ModeMotion]) -> Vec<Vec<f64>> 
     before.iter().map(row).collect()
 }
 
+/// Closeness of each frequency after (columns) to that expected of each mode before
+/// (rows), from one down to a least; one where nothing is expected.
+///
+/// ```text
+/// closeness = FAR + (1 - FAR) / (1 + (distance / HALF)^2),   distance = |f / expected - 1|
+/// ```
+pub fn closeness(expected: &[Option<f64>], after: &[f64]) -> Vec<Vec<f64>> {
+    let weight = |expected: f64, frequency: f64| {
+        let scale = expected.max(frequency).max(f64::MIN_POSITIVE);
+        let distance = (frequency - expected).abs() / scale / HALF;
+        FAR + (1.0 - FAR) / (1.0 + distance * distance)
+    };
+    let row = |expected: &Option<f64>| {
+        let of = |f: &f64| expected.map_or(1.0, |expected| weight(expected, *f));
+        after.iter().map(of).collect()
+    };
+    expected.iter().map(row).collect()
+}
+
 /// For each mode before, the mode after that continues it: pairs are taken by falling
-/// assurance, each mode once, while it is at least one half.
-pub fn follow(assurances: &[Vec<f64>]) -> Vec<Option<usize>> {
+/// assurance times closeness, each mode once, while it is enough.
+pub fn follow(assurances: &[Vec<f64>], closeness: &[Vec<f64>]) -> Vec<Option<usize>> {
     let mut pairs: Vec<_> = assurances
         .iter()
         .enumerate()
-        .flat_map(|(i, row)| row.iter().enumerate().map(move |(j, &mac)| (mac, i, j)))
+        .zip(closeness)
+        .flat_map(|((i, row), near)| {
+            let weighted = row.iter().zip(near).map(|(mac, near)| mac * near);
+            weighted.enumerate().map(move |(j, weight)| (weight, i, j))
+        })
         .filter(|pair| pair.0 >= SAME)
         .collect();
     pairs.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
@@ -57,6 +87,17 @@ mod tests {
             vec![0.8, 0.7, 0.0],
             vec![0.0, 0.0, 0.3],
         ];
-        assert_eq!(follow(&macs), [Some(1), Some(0), None]);
+        let nothing_expected = closeness(&[None; 3], &[1.0; 3]);
+        assert_eq!(follow(&macs, &nothing_expected), [Some(1), Some(0), None]);
+    }
+
+    // Two modes that exchange their shapes: by assurance alone either could be either; the
+    // frequencies 10 and 12 were expected to be 12.1 and 10.1.
+    #[test]
+    fn the_slope_decides_between_equal_shapes() {
+        let macs = vec![vec![0.52, 0.48], vec![0.48, 0.52]];
+        let near = closeness(&[Some(12.1), Some(10.1)], &[10.0, 12.0]);
+        assert_eq!(follow(&macs, &near), [Some(1), Some(0)]);
+        assert_eq!(closeness(&[Some(3.0)], &[3.0]), [[1.0]]);
     }
 }

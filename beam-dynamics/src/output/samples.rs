@@ -1,17 +1,52 @@
 //! Made-up results for the tests of output.
 
+#![allow(clippy::unwrap_used, reason = "test code")]
+
+use std::path::PathBuf;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::Written;
 use super::text::RPM;
+use crate::model::Node;
 use crate::result::{
     EquilibriumReport, FrequencyTable, Measured, MeasuredPoint, ModeBranch, ModeKind, ModePoint,
     Shares,
 };
 
+mod fields;
+mod shapes;
+mod statics;
+
+pub use fields::{read_back, values};
+pub use shapes::{shaped, tip_motion};
+pub use statics::{bent, column};
+
+/// Names of the files that were written.
+pub(super) fn names(written: &Written) -> Vec<String> {
+    let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+    written.files.iter().map(name).collect()
+}
+
+/// Nodes `n0`, `n1`, ... at these places, their axes along those of the model.
+pub(super) fn nodes_at(places: &[[f64; 3]]) -> Vec<Node> {
+    let node = |(k, place): (usize, &[f64; 3])| Node {
+        label: format!("n{k}"),
+        position: Vector3::from(*place),
+        rotation: Matrix3::identity(),
+    };
+    places.iter().enumerate().map(node).collect()
+}
+
 fn point(frequency: f64, shares: Shares, assurance: Option<f64>) -> Option<ModePoint> {
     Some(ModePoint {
         frequency,
         damping_ratio: 0.0,
+        growth: 0.0,
         shares,
+        whirl: None,
         assurance,
+        shape: None,
     })
 }
 
@@ -19,6 +54,7 @@ fn branch(name: &str, kind: ModeKind, points: Vec<Option<ModePoint>>) -> ModeBra
     ModeBranch {
         name: name.to_owned(),
         kind,
+        harmonic: None,
         points,
     }
 }
@@ -28,6 +64,7 @@ fn report(iterations: usize, residual: f64) -> EquilibriumReport {
         iterations,
         residual,
         positions: vec![[0.0; 3]],
+        rotations: vec![Matrix3::identity()],
     }
 }
 
@@ -125,6 +162,43 @@ pub(super) fn swept_tip(count: usize) -> FrequencyTable {
         name: "swept tip, 15 deg".to_owned(),
         branches: branches.collect(),
         equilibria: vec![report(3, 1e-12); count],
+        speeds,
+        remarks: Vec::new(),
+    }
+}
+
+/// Twenty-four damped modes at eleven speeds: four families of kinds whose frequencies
+/// rise at different rates.
+pub(super) fn crowded() -> FrequencyTable {
+    let speeds: Vec<_> = (0..11).map(|k| 3.0 * f64::from(k) / RPM).collect();
+    let kinds = [
+        ("flap", ModeKind::Flap, 0.6, 1.9),
+        ("lag", ModeKind::Lag, 0.8, 0.6),
+        ("torsion", ModeKind::Torsion, 6.0, 0.1),
+        ("coupled", ModeKind::Coupled, 3.0, 1.2),
+    ];
+    let branches = (0..24_usize).map(|i| {
+        let (word, kind, first, slope) = kinds[i % 4];
+        let number = (i / 4 + 1) as f64;
+        let points = speeds.iter().map(|speed| {
+            let rest = first * number.powf(1.4);
+            let mut point = point(
+                (rest * rest + slope * speed * speed).sqrt(),
+                [0.25; 4],
+                None,
+            );
+            if let Some(point) = &mut point {
+                point.damping_ratio = 0.003 * number + 0.004 * slope * speed;
+                point.growth = -point.damping_ratio * point.frequency;
+            }
+            point
+        });
+        branch(&format!("{word} {}", i / 4 + 1), kind, points.collect())
+    });
+    FrequencyTable {
+        name: "crowded rotor".to_owned(),
+        branches: branches.collect(),
+        equilibria: vec![report(3, 1e-12); speeds.len()],
         speeds,
         remarks: Vec::new(),
     }

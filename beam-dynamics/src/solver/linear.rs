@@ -8,9 +8,10 @@
 use std::sync::Arc;
 
 use faer::prelude::Solve;
+use faer::reborrow::ReborrowMut;
 use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{ColMut, c64};
+use faer::{ColMut, Mat, MatMut, c64};
 
 use crate::assembly::{Pattern, Sparse};
 
@@ -149,26 +150,37 @@ impl Factorization {
     /// Solves `A x = b`, `b` being replaced by x, with one step of refinement;
     /// `None` when the solution is not finite.
     pub fn solve(&self, b: &mut [f64]) -> Option<()> {
-        let mut x = b.to_vec();
-        self.solve_once(&mut x);
-        let mut residual = b.to_vec();
-        let negative: Vec<_> = x.iter().map(|value| -value).collect();
-        self.matrix.multiply_add(&negative, &mut residual);
-        self.solve_once(&mut residual);
-        for ((b, x), correction) in b.iter_mut().zip(&x).zip(&residual) {
-            *b = x + correction;
-        }
-        b.iter().all(|value| value.is_finite()).then_some(())
+        let mut columns = Mat::from_fn(b.len(), 1, |i, _| b[i]);
+        self.solve_columns(&mut columns)?;
+        b.iter_mut()
+            .enumerate()
+            .for_each(|(i, value)| *value = columns[(i, 0)]);
+        Some(())
     }
 
-    fn solve_once(&self, b: &mut [f64]) {
-        for (value, scale) in b.iter_mut().zip(&self.row_scale) {
-            *value *= scale;
+    /// Solves `A X = B` as [`Self::solve`] does, column by column.
+    pub fn solve_columns(&self, b: &mut Mat<f64>) -> Option<()> {
+        let mut x = b.clone();
+        self.solve_once(x.as_mut());
+        for (row, column, value) in self.matrix.triplets() {
+            for j in 0..b.ncols() {
+                b[(row, j)] -= value * x[(column, j)];
+            }
         }
-        self.lu
-            .solve_in_place(ColMut::from_slice_mut(b).as_mat_mut());
-        for (value, scale) in b.iter_mut().zip(&self.column_scale) {
-            *value *= scale;
+        self.solve_once(b.as_mut());
+        *b += &x;
+        b.is_all_finite().then_some(())
+    }
+
+    fn solve_once(&self, mut b: MatMut<'_, f64>) {
+        for j in 0..b.ncols() {
+            let scaled = b.rb_mut().col_mut(j).iter_mut().zip(&self.row_scale);
+            scaled.for_each(|(value, scale)| *value *= scale);
+        }
+        self.lu.solve_in_place(b.rb_mut());
+        for j in 0..b.ncols() {
+            let scaled = b.rb_mut().col_mut(j).iter_mut().zip(&self.column_scale);
+            scaled.for_each(|(value, scale)| *value *= scale);
         }
     }
 }

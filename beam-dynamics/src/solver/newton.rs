@@ -33,6 +33,9 @@ pub struct Newton {
     pub correction: f64,
     /// Iterations at most.
     pub iterations: usize,
+    /// Size of a correction that is no way to the solution sought, but may be one to
+    /// another [-].
+    pub largest: f64,
 }
 
 impl Default for Newton {
@@ -40,6 +43,7 @@ impl Default for Newton {
         Self {
             correction: 1e-9,
             iterations: 30,
+            largest: BEYOND_REASON,
         }
     }
 }
@@ -75,8 +79,7 @@ pub struct NewtonReport {
     pub worst: Worst,
 }
 
-/// A correction of this size, in parts of the system or radians, is no way to the
-/// solution sought, but may be one to another.
+/// A correction of this size, in parts of the system or radians, leads elsewhere.
 const BEYOND_REASON: f64 = 10.0;
 
 /// Solves `equations` from their present state.
@@ -94,7 +97,7 @@ pub fn solve(equations: &mut impl Equations, limits: &Newton) -> NewtonReport {
             worst,
             correction: size,
         });
-        if !size.is_finite() || size > BEYOND_REASON {
+        if !size.is_finite() || size > limits.largest {
             break;
         }
         equations.correct(&correction);

@@ -16,7 +16,7 @@
 
 use std::path::Path;
 
-use nalgebra::{Matrix6, Vector3};
+use nalgebra::{Matrix6, Vector2, Vector3};
 
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::document::read_text;
@@ -31,8 +31,6 @@ use super::{Options, Reading, Writing};
 
 mod blade_file;
 mod primary;
-#[cfg(test)]
-mod tests;
 
 use blade_file::BladeFile;
 use primary::Primary;
@@ -80,7 +78,7 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
     }
     let content = problems.finish(content.zip(options.length));
     let (content, length) = content?;
-    let line = stations::straight(length);
+    let line = ReferenceLine::straight(length);
     let mut reading = assemble(content, line, file, &[text]);
     reading.remarks.push(format!(
         "the line is straight, {length} m long, without twist: a blade file has none"
@@ -127,6 +125,7 @@ fn assemble(content: BladeFile, line: ReferenceLine, file: &Path, texts: &[&str]
     let blade = Blade {
         name: name_of(file),
         line,
+        reference_point: Vector2::zeros(),
         stations: content.stations.iter().map(station).collect(),
         interpolation: Interpolation::Linear,
         damping: content.times.map(|times| {
@@ -152,10 +151,8 @@ fn line_of(primary: &Primary) -> ReferenceLine {
         position: axes * Vector3::new(row[0], row[1], row[2]),
         twist: 0.0,
     };
-    let mut line = ReferenceLine {
-        points: primary.points.iter().map(point).collect(),
-        course: Course::Spline,
-    };
+    let points = primary.points.iter().map(point).collect();
+    let mut line = ReferenceLine::through(points, Course::Spline);
     let offsets = offsets(&line);
     let twists = primary.points.iter().zip(offsets);
     for (point, (row, offset)) in line.points.iter_mut().zip(twists) {
@@ -167,12 +164,12 @@ fn line_of(primary: &Primary) -> ReferenceLine {
 /// The angle from our axes to those of BeamDyn about the tangent, without twist, at each
 /// point of a line [rad].
 fn offsets(line: &ReferenceLine) -> Vec<f64> {
-    let places = line.arc_lengths();
+    let curve = line.curve();
     let offset = |&s: &f64| {
-        let t = line.at(s).tangent;
+        let t = curve.at(s).tangent;
         -(t.y * t.z / (t.x.hypot(t.y) * t.x.hypot(t.z))).asin()
     };
-    places.iter().map(offset).collect()
+    curve.arc_lengths().iter().map(offset).collect()
 }
 
 /// Both files, for OpenFAST 5.
@@ -187,13 +184,18 @@ pub fn write_four(blade: &Blade, name: &str) -> Writing {
 
 fn write_as(blade: &Blade, name: &str, layout: Layout) -> Writing {
     let mut lost = Vec::new();
+    let blade = &stations::prepared(blade, &mut lost);
     let line = spline(&blade.line, &mut lost);
     let axes = Convention::BeamDyn.axes();
-    let points = line.points.iter().zip(offsets(&line)).map(|(point, offset)| {
-        let place = axes.tr_mul(&point.position);
-        let twist = (offset - point.twist).to_degrees();
-        [place.x, place.y, place.z, twist]
-    });
+    let points = line
+        .points
+        .iter()
+        .zip(offsets(&line))
+        .map(|(point, offset)| {
+            let place = axes.tr_mul(&point.position);
+            let twist = (offset - point.twist).to_degrees();
+            [place.x, place.y, place.z, twist]
+        });
     let blade_name = format!("{name}_blade.dat");
     let primary = primary::write(blade, &points.collect::<Vec<_>>(), &blade_name, layout);
     let content = blade_file::write(blade, &rows(blade, &mut lost), layout);
@@ -216,10 +218,7 @@ fn spline(line: &ReferenceLine, lost: &mut Vec<String>) -> ReferenceLine {
         };
         points.insert(1, middle);
     }
-    let spline = ReferenceLine {
-        points,
-        course: Course::Spline,
-    };
+    let spline = ReferenceLine::through(points, Course::Spline);
     if line.course == Course::Polyline && line.points.len() > 2 {
         let (place, twist) = stations::apart(line, &spline);
         if place > 0.0 || twist > 0.0 {
@@ -250,7 +249,11 @@ fn rows(blade: &Blade, lost: &mut Vec<String>) -> Vec<(f64, Matrix6<f64>, Matrix
     let mut rows: Vec<(f64, Matrix6<f64>, Matrix6<f64>)> = Vec::with_capacity(stations.len());
     for station in &stations {
         let exact = station.arc_length / length;
-        let eta = if (exact - 1.0).abs() < 1e-12 { 1.0 } else { exact };
+        let eta = if (exact - 1.0).abs() < 1e-12 {
+            1.0
+        } else {
+            exact
+        };
         let row = |eta: f64| {
             let stiffness = convention.from_ours(&station.stiffness);
             (eta, stiffness, convention.from_ours(&station.mass))

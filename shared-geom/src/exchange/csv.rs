@@ -25,20 +25,20 @@
 
 use std::path::Path;
 
+use nalgebra::Vector2;
+
 use crate::blade::{Blade, Interpolation};
 use crate::error::Diagnostics;
 use crate::line::ReferenceLine;
 
 use super::header::Header;
 use super::problem::{ExchangeProblem, Problems};
-use super::stations::{name_of, provenance};
+use super::stations::{self, name_of, provenance};
 use super::text::lines;
 use super::{Options, Reading, Writing};
 
 mod head;
 mod tables;
-#[cfg(test)]
-mod tests;
 mod writing;
 
 pub(super) use writing::{write_index, write_line};
@@ -53,7 +53,8 @@ const MARK: &str = "helicoid blade table";
 pub fn recognize(text: &str) -> bool {
     let mut words = text.lines().map(str::trim).filter(|line| !line.is_empty());
     let head = words.next().unwrap_or_default();
-    head.strip_prefix('#').is_some_and(|head| head.trim() == MARK)
+    head.strip_prefix('#')
+        .is_some_and(|head| head.trim() == MARK)
         || text.lines().any(|line| line.trim().starts_with("table,"))
 }
 
@@ -67,7 +68,9 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
     let head = Head::parse(&lines, &mut problems);
     let tables = Tables::parse(&lines, &mut problems);
     let mut all = Diagnostics::new();
-    let line = head.course.and_then(|course| tables.line(course, &mut problems));
+    let line = head
+        .course
+        .and_then(|course| tables.line(course, &mut problems));
     let stations = tables.stations(head.frame, file, &mut problems, &mut all);
     let content = all.keep(problems.finish(line.zip(stations)));
     let content = all.into_result(content)?;
@@ -78,6 +81,7 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
         blade: Blade {
             name: head.name.unwrap_or_else(|| name_of(file)),
             line,
+            reference_point: Vector2::zeros(),
             stations,
             interpolation,
             damping: head.damping,
@@ -96,7 +100,9 @@ pub(super) fn read_line(text: &str, file: &Path) -> Result<ReferenceLine, Diagno
     let lines = lines(text);
     let head = Head::parse(&lines, &mut problems);
     let tables = Tables::parse(&lines, &mut problems);
-    let line = head.course.and_then(|course| tables.line(course, &mut problems));
+    let line = head
+        .course
+        .and_then(|course| tables.line(course, &mut problems));
     problems.finish(line)
 }
 
@@ -115,9 +121,11 @@ fn incomplete(file: &Path) -> Diagnostics {
 
 /// The table of `blade`.
 pub fn write(blade: &Blade, name: &str) -> Writing {
+    let mut lost = Vec::new();
+    let blade = stations::prepared(blade, &mut lost);
     Writing {
-        files: vec![(format!("{name}.csv").into(), writing::write_blade(blade))],
-        lost: Vec::new(),
+        files: vec![(format!("{name}.csv").into(), writing::write_blade(&blade))],
+        lost,
     }
 }
 

@@ -16,7 +16,7 @@
 
 use std::path::Path;
 
-use nalgebra::Matrix6;
+use nalgebra::{Matrix6, Vector2};
 
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::document::read_text;
@@ -55,7 +55,10 @@ pub fn recognize(text: &str) -> bool {
 pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
     let mut problems = Problems::new(&file.display().to_string());
     let all = lines(text);
-    let rows: Vec<_> = all.iter().filter(|line| !line.text.starts_with('#')).collect();
+    let rows: Vec<_> = all
+        .iter()
+        .filter(|line| !line.text.starts_with('#'))
+        .collect();
     let table = table(&rows, &mut problems);
     let companion = companion(&all);
     let longest = table.iter().map(|row| row.place).fold(0.0, f64::max);
@@ -93,7 +96,7 @@ fn straight(length: f64, remarks: &mut Vec<String>) -> ReferenceLine {
     remarks.push(format!(
         "the line is straight, {length} m long, without twist: a DYMORE table has none"
     ));
-    stations::straight(length)
+    ReferenceLine::straight(length)
 }
 
 fn without_line() -> ExchangeProblem {
@@ -128,7 +131,11 @@ fn table(lines: &[&Line<'_>], problems: &mut Problems) -> Vec<Row> {
             continue;
         };
         let row = row(&values);
-        if let Some(before) = rows.last().map(|row| row.place).filter(|&place| place > row.place) {
+        if let Some(before) = rows
+            .last()
+            .map(|row| row.place)
+            .filter(|&place| place > row.place)
+        {
             let (what, found) = (format!("eta of {what}"), row.place);
             let problem = ExchangeProblem::Order {
                 what,
@@ -182,12 +189,7 @@ fn row(values: &[f64; COLUMNS]) -> Row {
     }
 }
 
-fn assemble(
-    rows: &[Row],
-    line: ReferenceLine,
-    longest: f64,
-    remarks: &mut Vec<String>,
-) -> Blade {
+fn assemble(rows: &[Row], line: ReferenceLine, longest: f64, remarks: &mut Vec<String>) -> Blade {
     let length = line.length();
     let in_meters = longest > 1.0 + 1e-9;
     if in_meters {
@@ -212,6 +214,7 @@ fn assemble(
     Blade {
         name: String::new(),
         line,
+        reference_point: Vector2::zeros(),
         stations: rows.iter().map(station).collect(),
         interpolation: Interpolation::Linear,
         damping: (time != 0.0).then_some(BladeDamping::Proportional(time)),
@@ -221,11 +224,12 @@ fn assemble(
 
 /// The table and its line.
 pub fn write(blade: &Blade, name: &str) -> Writing {
+    let mut lost = Vec::new();
+    let blade = &stations::prepared(blade, &mut lost);
     let header = Header::new(blade, Convention::Vabs, "reference line");
     let line_name = format!("{name}.line.csv");
     let length = blade.line.length();
-    let mut lost = Vec::new();
-    let time = damping_time(blade.damping, &mut lost);
+    let time = damping_time(blade.damping.as_ref(), &mut lost);
     let stations = stations::linear_stations(blade);
     let mut text = header.lines("# ");
     text.push_str(&format!("# {LINE_FILE} {line_name}\n"));
@@ -272,18 +276,19 @@ fn values(station: &Station, time: f64, eta: f64) -> [f64; COLUMNS] {
 }
 
 /// One damping time for all components.
-fn damping_time(damping: Option<BladeDamping>, lost: &mut Vec<String>) -> f64 {
+fn damping_time(damping: Option<&BladeDamping>, lost: &mut Vec<String>) -> f64 {
     match damping {
-        None => 0.0,
-        Some(BladeDamping::Proportional(time)) => time,
+        Some(BladeDamping::Proportional(time)) => *time,
         Some(BladeDamping::Times(times)) => {
             let mean = times.iter().sum::<f64>() / 6.0;
-            let largest = times.iter().map(|time| (time - mean).abs());
+            let apart = times.iter().map(|time| (time - mean).abs());
             lost.push(format!(
                 "six damping times become one, their mean {mean:.3e} s: up to {:.2e} s apart",
-                largest.fold(0.0, f64::max)
+                apart.fold(0.0, f64::max)
             ));
             mean
         }
+        // Matrices have become times before.
+        None | Some(BladeDamping::Viscous(_)) => 0.0,
     }
 }

@@ -37,6 +37,17 @@ impl Convention {
         Self::Anba4,
     ];
 
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Helicoid => "helicoid",
+            Self::BeamDyn => "beamdyn",
+            Self::Hawc2 => "hawc2",
+            Self::Vabs => "vabs",
+            Self::Anba4 => "anba4",
+        }
+    }
+
     /// Its axes in ours, as columns.
     pub fn axes(self) -> Matrix3<f64> {
         match self {

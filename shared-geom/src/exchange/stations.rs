@@ -1,8 +1,8 @@
 //! Stations, lines and matrices on their way between formats.
 
-use nalgebra::{Matrix6, Vector3};
+use nalgebra::{Matrix6, Vector2};
 
-use crate::blade::{Blade, Interpolation, Station};
+use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::hash::{sha256_of, sha256_of_content};
 use crate::line::{Course, LinePoint, ReferenceLine};
 use crate::section::Provenance;
@@ -36,16 +36,83 @@ pub(super) fn name_of(file: &std::path::Path) -> String {
     if stem.is_empty() { "blade" } else { stem }.to_owned()
 }
 
-/// A straight line along x.
-pub(super) fn straight(length: f64) -> ReferenceLine {
-    let point = |x| LinePoint {
-        position: Vector3::new(x, 0.0, 0.0),
-        twist: 0.0,
+/// Points by which an arc of a line is written for a format that has none.
+const POINTS_OF_ARC: usize = 8;
+
+/// `blade` as formats of points and times can carry it: about its line, which runs
+/// through points, with a damping time for each component at most. Adds what is lost.
+pub(super) fn prepared(blade: &Blade, lost: &mut Vec<String>) -> Blade {
+    let mut result = if blade.reference_point == Vector2::zeros() {
+        blade.clone()
+    } else {
+        blade.on_line()
     };
-    ReferenceLine {
-        points: vec![point(0.0), point(length)],
-        course: Course::Polyline,
+    if let Some(BladeDamping::Viscous(all)) = &result.damping {
+        let (times, change) = fitted(&result.stations, all);
+        lost.push(format!(
+            "damping is written as six damping times: up to {:.2} % of its largest entry lost",
+            100.0 * change
+        ));
+        result.damping = Some(BladeDamping::Times(times));
     }
+    if result.line.course == Course::Arcs {
+        let (line, place) = sampled(&result.line);
+        lost.push(format!(
+            "the line of arcs is written as {} points: up to {place:.2e} m apart",
+            line.points.len()
+        ));
+        let scale = line.length() / result.line.length();
+        for station in &mut result.stations {
+            station.arc_length *= scale;
+        }
+        result.line = line;
+    }
+    result
+}
+
+/// Times with `D = diag(times) K` as nearly as they can, and the largest part of the
+/// damping that differs [-].
+fn fitted(stations: &[Station], damping: &[Matrix6<f64>]) -> ([f64; 6], f64) {
+    let pairs = || stations.iter().zip(damping);
+    let times = std::array::from_fn(|i| {
+        let of = |(station, d): (&Station, &Matrix6<f64>)| d[(i, i)] / station.stiffness[(i, i)];
+        pairs().map(of).sum::<f64>() / (pairs().count().max(1) as f64)
+    });
+    let apart = |(station, d): (&Station, &Matrix6<f64>)| {
+        let fit = Matrix6::from_fn(|i, j| times[i] * station.stiffness[(i, j)]);
+        (d - fit).amax() / d.amax().max(f64::MIN_POSITIVE)
+    };
+    (times, pairs().map(apart).fold(0.0, f64::max))
+}
+
+/// A line of arcs as splines through points, or straight pieces where it turns back; and
+/// how far apart they are [m].
+fn sampled(line: &ReferenceLine) -> (ReferenceLine, f64) {
+    let curve = line.curve();
+    let pieces = (line.arc_length.len() * POINTS_OF_ARC).max(1);
+    let place = |i: usize| curve.length() * i as f64 / pieces as f64;
+    let point = |i: usize| {
+        let placed = curve.at(place(i));
+        LinePoint {
+            position: placed.position,
+            twist: placed.twist,
+        }
+    };
+    let points: Vec<_> = (0..=pieces).map(point).collect();
+    let mut steps = points.windows(2);
+    let course = match steps.all(|pair| pair[1].position.x > pair[0].position.x) {
+        true => Course::Spline,
+        false => Course::Polyline,
+    };
+    let through = ReferenceLine::through(points, course);
+    let other = through.curve();
+    let apart = (0..pieces).map(|i| {
+        let middle = 0.5 * (place(i) + place(i + 1));
+        let there = other.at(middle * other.length() / curve.length());
+        (curve.at(middle).position - there.position).norm()
+    });
+    let apart = apart.fold(0.0, f64::max);
+    (through, apart)
 }
 
 /// The stations of `blade` for a format that is linear between stations: those of a
@@ -94,7 +161,13 @@ pub(super) fn symmetric(
                 problems.push(
                     line,
                     &ExchangeProblem::Other {
-                        what: format!("{what} at ({}, {}) and ({}, {})", i + 1, j + 1, j + 1, i + 1),
+                        what: format!(
+                            "{what} at ({}, {}) and ({}, {})",
+                            i + 1,
+                            j + 1,
+                            j + 1,
+                            i + 1
+                        ),
                         found: format!("{upper:e} and {lower:e}"),
                         expected: "a symmetric matrix".to_owned(),
                         help: "a row may be missing or out of place".to_owned(),
@@ -112,6 +185,7 @@ pub(super) fn symmetric(
 /// points: place [m] and twist [rad].
 pub(super) fn apart(a: &ReferenceLine, b: &ReferenceLine) -> (f64, f64) {
     let (mut place, mut twist) = (0.0_f64, 0.0_f64);
+    let (a, b) = (a.curve(), b.curve());
     let (in_a, in_b) = (a.arc_lengths(), b.arc_lengths());
     for (at_a, at_b) in in_a.windows(2).zip(in_b.windows(2)) {
         let here = a.at(0.5 * (at_a[0] + at_a[1]));

@@ -9,16 +9,17 @@
 
 use std::path::Path;
 
-use nalgebra::Matrix6;
+use nalgebra::{Matrix6, Vector2};
 
 use crate::blade::{Blade, Interpolation, Station};
 use crate::error::Diagnostics;
+use crate::line::ReferenceLine;
 
 use super::csv;
 use super::frame::Convention;
 use super::header::Header;
 use super::problem::{ExchangeProblem, Problems};
-use super::stations::{self, name_of, provenance, straight, symmetric};
+use super::stations::{self, name_of, provenance, symmetric};
 use super::text::{Line, digits, lines, matrix_lines};
 use super::{Options, Reading, Writing};
 
@@ -27,7 +28,8 @@ const STIFFNESS: &str = "Timoshenko Stiffness Matrix";
 
 /// Whether `text` is such an output.
 pub fn recognize(text: &str) -> bool {
-    text.lines().any(|line| begins(line, MASS) || begins(line, STIFFNESS))
+    text.lines()
+        .any(|line| begins(line, MASS) || begins(line, STIFFNESS))
 }
 
 /// Whether a line is the title, whatever the case, and not one that goes on.
@@ -66,7 +68,8 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
     Ok(Reading {
         blade: Blade {
             name: name_of(file),
-            line: straight(length),
+            line: ReferenceLine::straight(length),
+            reference_point: Vector2::zeros(),
             stations: vec![station(0.0), station(length)],
             interpolation: Interpolation::Linear,
             damping: None,
@@ -104,7 +107,10 @@ fn block(lines: &[Line<'_>], title: &str, problems: &mut Problems) -> Option<Mat
         return None;
     };
     let body = lines.get(at + 1..).unwrap_or_default();
-    let ruled = body.iter().take_while(|line| line.text.starts_with('=')).count();
+    let ruled = body
+        .iter()
+        .take_while(|line| line.text.starts_with('='))
+        .count();
     let mut rows = Vec::with_capacity(6);
     for i in 0..6 {
         let Some(line) = body.get(ruled + i) else {
@@ -124,6 +130,8 @@ fn block(lines: &[Line<'_>], title: &str, problems: &mut Problems) -> Option<Mat
 
 /// A file for each station, and their index.
 pub fn write(blade: &Blade, name: &str) -> Writing {
+    let mut lost = Vec::new();
+    let blade = &stations::prepared(blade, &mut lost);
     let stations = stations::linear_stations(blade);
     let file = |i: usize| format!("{name}.{:03}.K", i + 1);
     let names: Vec<_> = (0..stations.len()).map(file).collect();
@@ -135,28 +143,32 @@ pub fn write(blade: &Blade, name: &str) -> Writing {
     )];
     let sections = stations.iter().zip(names);
     files.extend(sections.map(|(station, name)| (name.into(), section_text(blade, station))));
-    Writing {
-        files,
-        lost: vec![
-            "the .K files hold sections only; line, twist and damping are in the index, which \
-             VABS does not read"
-                .to_owned(),
-        ],
-    }
+    lost.push(
+        "the .K files hold sections only; line, twist and damping are in the index, which VABS \
+         does not read"
+            .to_owned(),
+    );
+    Writing { files, lost }
 }
 
 /// The text of one section.
 fn section_text(blade: &Blade, station: &Station) -> String {
     let header = Header::new(blade, Convention::Vabs, "reference line");
     let mut text = header.lines("# ");
-    text.push_str(&format!("# arc length [m]: {}\n", digits(station.arc_length).trim()));
+    text.push_str(&format!(
+        "# arc length [m]: {}\n",
+        digits(station.arc_length).trim()
+    ));
     let mut block = |title: &str, content: &str| {
         let rule = "=".repeat(56);
         text.push_str(&format!("\n {title}\n {rule}\n\n{content}"));
     };
     block(MASS, &matrix_lines(&station.mass));
     let order = "(1-extension; 2,3-shear, 4-twist; 5,6-bending)";
-    block(&format!("{STIFFNESS} {order}"), &matrix_lines(&station.stiffness));
+    block(
+        &format!("{STIFFNESS} {order}"),
+        &matrix_lines(&station.stiffness),
+    );
     if let Some(compliance) = station.stiffness.try_inverse() {
         let title = format!("Timoshenko Compliance Matrix {order}");
         block(&title, &matrix_lines(&compliance));

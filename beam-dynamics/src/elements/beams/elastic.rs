@@ -31,9 +31,13 @@ use shared_geom::rotation::{gibbs, skew};
 
 use super::geometry::{BeamGeometry, ReferencePoint};
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations, SectionState};
+use crate::elements::{
+    Along, Element, Local, LocalJacobian, LocalResidual, Observations, SectionState,
+};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
+
+mod prestress;
 
 /// xi of the evaluation points: the Gauss points, which make the beam of constant
 /// properties exact at its ends.
@@ -41,7 +45,7 @@ const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189
 
 /// Nodes whose portions meet at each evaluation point: the force of the point acts
 /// with plus on the first and with minus on the second.
-const NEIGHBORS: [(usize, usize); 2] = [(0, 1), (1, 2)];
+pub(super) const NEIGHBORS: [(usize, usize); 2] = [(0, 1), (1, 2)];
 
 /// A geometrically exact elastic beam through three nodes.
 #[derive(Debug, Clone)]
@@ -105,6 +109,11 @@ impl ElasticBeam {
     /// xi of the two evaluation points.
     pub fn evaluation_points() -> [f64; 2] {
         EVALUATION_POINTS
+    }
+
+    /// How the beam is attached to its nodes.
+    pub fn geometry(&self) -> BeamGeometry {
+        self.geometry
     }
 
     /// Generalized strains at the two evaluation points, section axes, for the given
@@ -220,29 +229,15 @@ impl Element for ElasticBeam {
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
-        for (evaluation, (plus, minus)) in self.points.iter().zip(NEIGHBORS) {
+        for (evaluation, neighbors) in self.points.iter().zip(NEIGHBORS) {
             let internal = evaluation.internal(&nodal);
             let variation = evaluation.variation(&nodal, &internal);
-            let force = skew(&internal.force);
-            for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
-                let arm = skew(&(internal.point.p - nodal.x[node]));
-                for (j, by) in variation.iter().enumerate() {
-                    let own = if j == node { 1.0 } else { 0.0 };
-                    let lever = [
-                        force * (by.position - own * Matrix3::identity()),
-                        force * by.point_by_rotation,
-                    ];
-                    for (k, variable) in [Variable::Position, Variable::Rotation]
-                        .into_iter()
-                        .enumerate()
-                    {
-                        let moment = by.moment[k] + arm * by.force[k] - lever[k];
-                        out.add((node, Force), (j, variable), &(sign * by.force[k]));
-                        out.add((node, Moment), (j, variable), &(sign * moment));
-                    }
-                }
-            }
+            add_tangent(&nodal, &internal, &variation, neighbors, out);
         }
+    }
+
+    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        self.add_prestress(at, along, out);
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
@@ -258,6 +253,35 @@ impl Element for ElasticBeam {
                 strain,
                 internal_force: evaluation.stiffness * strain,
             });
+        }
+    }
+}
+
+/// Adds the variations of the forces on the two nodes beside an evaluation point.
+fn add_tangent(
+    nodal: &NodalKinematics,
+    internal: &Internal,
+    variation: &[ByNode; 3],
+    (plus, minus): (usize, usize),
+    out: &mut LocalJacobian,
+) {
+    let force = skew(&internal.force);
+    for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
+        let arm = skew(&(internal.point.p - nodal.x[node]));
+        for (j, by) in variation.iter().enumerate() {
+            let own = if j == node { 1.0 } else { 0.0 };
+            let lever = [
+                force * (by.position - own * Matrix3::identity()),
+                force * by.point_by_rotation,
+            ];
+            for (k, variable) in [Variable::Position, Variable::Rotation]
+                .into_iter()
+                .enumerate()
+            {
+                let moment = by.moment[k] + arm * by.force[k] - lever[k];
+                out.add((node, Force), (j, variable), &(sign * by.force[k]));
+                out.add((node, Moment), (j, variable), &(sign * moment));
+            }
         }
     }
 }

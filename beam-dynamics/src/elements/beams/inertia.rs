@@ -9,6 +9,8 @@
 //! h  = m p' + omega x S                   k = S x p' + J omega       (about p)
 //! momentum          - int_k h ds
 //! angular momentum  - int_k [(p - x_k) x h + k] ds
+//! force balance       int_k m a_g ds                       a_g: acceleration of gravity
+//! moment balance      int_k [(p - x_k) x m a_g + S x a_g] ds
 //! ```
 //!
 //! with mass m, first moment S and inertia J per length, turned with the section.
@@ -19,6 +21,7 @@
 //! d p'    = N_j (d v_j - [f_j]x d omega_j - [omega_j]x [f_j]x theta_j)
 //! d h     = m d p' - [S]x d omega - [omega]x [S]x theta
 //! d k     = [p']x [S]x theta + [S]x d p' + (J [omega]x - [J omega]x) theta + J d omega
+//! d[(p - x_k) x m a_g + S x a_g] = -[m a_g]x (d p - d x_k) + [a_g]x [S]x theta
 //! ```
 //!
 //! References: [Masarati], consistent and lumped inertia of the finite-volume beam.
@@ -32,7 +35,7 @@ use super::geometry::BeamGeometry;
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::elements::bodies::RigidInertia;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::Equation::{AngularMomentum, Momentum};
+use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 
 /// Gauss points a portion: products of two quadratic shape functions, an arm and a
@@ -66,15 +69,66 @@ pub struct BeamInertia {
     points: Vec<MassPoint>,
 }
 
+/// Mass per length along a beam.
+#[derive(Clone, Copy)]
+pub struct MassAlong<'a> {
+    /// 6x6 mass per length at xi, section axes [kg/m, kg, kg m].
+    pub at: &'a dyn Fn(f64) -> Matrix6<f64>,
+    /// Places xi between -1 and 1, ascending, where the mass has a kink or a jump: the
+    /// integrals are taken between them.
+    pub breaks: &'a [f64],
+    /// Length of the line for which the beam stands, evenly along xi; `None` for that
+    /// of the curve through the nodes [m].
+    pub length: Option<f64>,
+}
+
+impl std::fmt::Debug for MassAlong<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("MassAlong")
+            .field("breaks", &self.breaks)
+            .field("length", &self.length)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'a> MassAlong<'a> {
+    /// A mass that is smooth in xi, on the curve through the nodes.
+    pub fn smooth(at: &'a dyn Fn(f64) -> Matrix6<f64>) -> Self {
+        Self {
+            at,
+            breaks: &[],
+            length: None,
+        }
+    }
+}
+
 impl BeamInertia {
     /// Inertia of a beam on nodes number `nodes`, undeformed at `undeformed`, with
-    /// the 6x6 mass per length as a function of xi, section axes [kg/m, kg, kg m].
+    /// the 6x6 mass per length as a smooth function of xi, section axes
+    /// [kg/m, kg, kg m].
     pub fn new(
         label: impl Into<String>,
         nodes: [usize; 3],
         geometry: BeamGeometry,
         undeformed: [&Node; 3],
         mass: impl Fn(f64) -> Matrix6<f64>,
+    ) -> Self {
+        Self::along(
+            label,
+            nodes,
+            geometry,
+            undeformed,
+            &MassAlong::smooth(&mass),
+        )
+    }
+
+    /// As [`BeamInertia::new`], for any mass along the beam.
+    pub fn along(
+        label: impl Into<String>,
+        nodes: [usize; 3],
+        geometry: BeamGeometry,
+        undeformed: [&Node; 3],
+        mass: &MassAlong<'_>,
     ) -> Self {
         Self {
             label: label.into(),
@@ -85,27 +139,45 @@ impl BeamInertia {
     }
 }
 
+/// The pieces of the three portions between the breaks of the mass: number of the
+/// portion, and both ends in xi.
+fn intervals(breaks: &[f64]) -> Vec<(usize, [f64; 2])> {
+    let [first, second] = ElasticBeam::evaluation_points();
+    let limits = [-1.0, first, second, 1.0];
+    let mut found = Vec::with_capacity(3 + breaks.len());
+    for portion in 0..3 {
+        let [mut from, to] = [limits[portion], limits[portion + 1]];
+        for &place in breaks.iter().filter(|xi| **xi < to) {
+            if place > from {
+                found.push((portion, [from, place]));
+                from = place;
+            }
+        }
+        found.push((portion, [from, to]));
+    }
+    found
+}
+
 /// Points and weights of the three portions.
 fn mass_points(
     geometry: &BeamGeometry,
     undeformed: &[&Node; 3],
-    mass: impl Fn(f64) -> Matrix6<f64>,
+    mass: &MassAlong<'_>,
 ) -> Vec<MassPoint> {
-    let [first, second] = ElasticBeam::evaluation_points();
-    let limits = [-1.0, first, second, 1.0];
-    let mut points = Vec::with_capacity(3 * POINTS);
-    for portion in 0..3 {
-        let half = 0.5 * (limits[portion + 1] - limits[portion]);
-        let middle = 0.5 * (limits[portion + 1] + limits[portion]);
+    let intervals = intervals(mass.breaks);
+    let mut points = Vec::with_capacity(intervals.len() * POINTS);
+    for (portion, [from, to]) in intervals {
+        let half = 0.5 * (to - from);
+        let middle = 0.5 * (to + from);
         for (abscissa, weight) in quadrature::line(POINTS) {
             let xi = middle + half * abscissa;
             let j0 = geometry.reference_point(undeformed, xi).j0;
-            let m = mass(xi);
+            let m = (mass.at)(xi);
             points.push(MassPoint {
                 portion,
                 shape: Shape::at(xi),
                 j0,
-                length: weight * half * j0,
+                length: weight * half * mass.length.map_or(j0, |length| 0.5 * length),
                 mass: m[(0, 0)],
                 // The momentum of a rotation is omega x S = -[S]x omega.
                 first_moment: Vector3::new(0.5 * (m[(1, 5)] - m[(2, 4)]), -m[(0, 5)], m[(0, 4)]),
@@ -121,7 +193,7 @@ fn mass_points(
 pub fn lumped_bodies(
     geometry: &BeamGeometry,
     undeformed: [&Node; 3],
-    mass: impl Fn(f64) -> Matrix6<f64>,
+    mass: &MassAlong<'_>,
 ) -> [RigidInertia; 3] {
     let mut bodies = [RigidInertia::zero(); 3];
     let motion = undeformed.map(NodeMotion::at_rest);
@@ -208,6 +280,10 @@ impl Element for BeamInertia {
             let angular = arm.cross(&motion.h) + motion.k;
             out.add(mass.portion, Momentum, &(-mass.length * motion.h));
             out.add(mass.portion, AngularMomentum, &(-mass.length * angular));
+            let weight = mass.length * mass.mass * at.loading.gravity;
+            let turning = mass.length * motion.s.cross(&at.loading.gravity);
+            out.add(mass.portion, Force, &weight);
+            out.add(mass.portion, Moment, &(arm.cross(&weight) + turning));
         }
     }
 
@@ -221,6 +297,9 @@ impl Element for BeamInertia {
                 let omega_j = at.nodes[j].angular_velocity_in_space(at.frame);
                 let by = mass.variation(&motion, j, &theta[j], &nodal.f[j], &omega_j, at.frame);
                 mass.add_variation(&nodal, &motion, j, &by, out);
+                let [position, rotation] = mass.weight_variation(at, &nodal, &motion, j, &theta[j]);
+                out.add((mass.portion, Moment), (j, Variable::Position), &position);
+                out.add((mass.portion, Moment), (j, Variable::Rotation), &rotation);
             }
         }
     }
@@ -272,6 +351,25 @@ impl MassPoint {
             k: (skew(&motion.velocity) * s + inertia) * turn + s * velocity + motion.j * omega,
             p,
         })
+    }
+
+    /// Variations of the moment of the weight about the node of the portion by position
+    /// and rotation of node `j`, whose rotation turns the section by `theta`.
+    fn weight_variation(
+        &self,
+        at: &Local<'_>,
+        nodal: &NodalKinematics,
+        motion: &Motion,
+        j: usize,
+        theta: &Matrix3<f64>,
+    ) -> [Matrix3<f64>; 2] {
+        let gravity = self.length * skew(&at.loading.gravity);
+        let own = if j == self.portion { 1.0 } else { 0.0 };
+        let n = self.shape.n[j];
+        [
+            -(n - own) * self.mass * gravity,
+            gravity * (n * self.mass * skew(&nodal.f[j]) + skew(&motion.s) * theta),
+        ]
     }
 
     /// Adds `-d int h` and `-d int [(p - x_k) x h + k]` for node `j`.

@@ -6,6 +6,8 @@
 //! ```text
 //! momentum           - (m v + omega x S)
 //! angular momentum   - (S x v + J omega)
+//! force balance        m a_g                       a_g: acceleration of gravity
+//! moment balance       S x a_g
 //! ```
 //!
 //! References: [Masarati], momentum and momenta moment of a rigid body.
@@ -14,7 +16,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::Equation::{AngularMomentum, Momentum};
+use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{NodeMotion, TurningFrame, Variable};
 
 /// Inertia of a rigid body about its node, in the axes of the node.
@@ -104,6 +106,9 @@ impl Element for RigidBody {
         out.add(0, Momentum, &-omega.cross(&s));
         out.add(0, AngularMomentum, &-s.cross(&v));
         out.add(0, AngularMomentum, &-(j * omega));
+        let gravity = &at.loading.gravity;
+        out.add(0, Force, &(self.inertia.mass * gravity));
+        out.add(0, Moment, &s.cross(gravity));
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
@@ -128,5 +133,9 @@ impl Element for RigidBody {
         );
         out.add((0, AngularMomentum), (0, Variable::AngularVelocity), &-j);
         out.add((0, AngularMomentum), (0, Variable::Rotation), &by_rotation);
+
+        // d(S x a_g) = [a_g]x [S]x theta.
+        let weight = skew(&at.loading.gravity) * s;
+        out.add((0, Moment), (0, Variable::Rotation), &weight);
     }
 }

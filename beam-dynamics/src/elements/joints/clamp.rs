@@ -1,28 +1,29 @@
-//! Clamp: a node held in place and attitude by the model's frame.
+//! Clamp: a node held in place and attitude by the model's frame, in all directions or
+//! in some.
 //!
-//! With the held position `x_0` and axes `e_b` (columns of `R_0`), and `e_a` the axes
-//! of the node (columns of `R`):
+//! With the held place `x_0` and axes `e_b` (columns of `E`) of the frame, and `e_a`
+//! the axes that coincide with them in the undeformed state and turn with the node:
 //!
 //! ```text
-//! x - x_0 = 0                                                   multipliers: force
+//! e_bi . (x - x_0) = 0                                          multipliers: force
 //! e_a2 . e_b3 = 0,   e_a3 . e_b1 = 0,   e_a1 . e_b2 = 0         multipliers: moment
 //! ```
 //!
-//! The virtual work of the reactions is `-lambda . d Phi`: the force on the node is
-//! `-lambda`, the couple of `e_a . e_b` is `-lambda (e_a x e_b)`.
+//! Where the rotation about one axis, say 1, is free, the rows of the other two are
+//! `e_a1 . e_b2 = 0`, `e_a1 . e_b3 = 0`, which stay independent at every angle.
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
-use nalgebra::{Matrix3, RowVector3, Vector3};
-use shared_geom::rotation::skew;
+use nalgebra::{Matrix3, Vector3};
 
+use super::algebra::{Attachment, Direction, Orthogonality};
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations, Reaction};
-use crate::model::Equation::{Force, Moment};
-use crate::model::{Node, Variable};
+use crate::model::Equation::Force;
+use crate::model::{Node, NodeMotion, Variable};
 
 /// Pairs (axis of the node, axis of the frame) that are kept orthogonal. At the held
 /// attitude `e_a x e_b` is, in turn, along the axes 1, 2 and 3.
-const PAIRS: [(usize, usize); 3] = [(1, 2), (2, 0), (0, 1)];
+pub(super) const PAIRS: [(usize, usize); 3] = [(1, 2), (2, 0), (0, 1)];
 
 /// Holds a node to the frame of the model.
 #[derive(Debug, Clone)]
@@ -30,27 +31,65 @@ pub struct Clamp {
     label: String,
     nodes: [usize; 1],
     position: Vector3<f64>,
-    rotation: Matrix3<f64>,
+    /// Axes in the frame.
+    axes: Matrix3<f64>,
+    /// The same axes on the node.
+    attachment: Attachment,
+    /// Axes along which the node is held.
+    directions: Vec<usize>,
+    /// Pairs of axes that are kept orthogonal.
+    pairs: Vec<(usize, usize)>,
 }
 
 impl Clamp {
     /// Holds node number `index` in its undeformed place and attitude.
     pub fn new(label: impl Into<String>, index: usize, node: &Node) -> Self {
+        Self::partial(label, index, node, &node.rotation, [true; 6])
+    }
+
+    /// Holds node number `index` in the directions `held`: three displacements along
+    /// `axes` (columns, in the model's frame), three rotations about them.
+    pub fn partial(
+        label: impl Into<String>,
+        index: usize,
+        node: &Node,
+        axes: &Matrix3<f64>,
+        held: [bool; 6],
+    ) -> Self {
+        let free: Vec<_> = (0..3).filter(|axis| !held[3 + axis]).collect();
+        let pairs = match free[..] {
+            [axis] => vec![(axis, (axis + 1) % 3), (axis, (axis + 2) % 3)],
+            _ => (0..3)
+                .filter(|axis| held[3 + axis])
+                .map(|axis| PAIRS[axis])
+                .collect(),
+        };
         Self {
             label: label.into(),
             nodes: [index],
             position: node.position,
-            rotation: node.rotation,
+            axes: *axes,
+            attachment: Attachment::to(node, &node.position, axes),
+            directions: (0..3).filter(|&axis| held[axis]).collect(),
+            pairs,
         }
     }
 
-    /// Axis `a` of the node and axis `b` of the frame, for each pair.
-    fn axes(&self, rotation: &Matrix3<f64>) -> [(Vector3<f64>, Vector3<f64>); 3] {
-        PAIRS.map(|(a, b)| {
-            (
-                rotation.column(a).into_owned(),
-                self.rotation.column(b).into_owned(),
-            )
+    fn held(&self, direction: usize) -> Vector3<f64> {
+        self.axes.column(direction).into_owned()
+    }
+
+    /// The kept right angles, each with its row.
+    fn right_angles(&self, node: &NodeMotion) -> impl Iterator<Item = (usize, Orthogonality)> {
+        let turned = node.rotation * self.attachment.axes;
+        let (first, frame) = (self.directions.len(), self.axes);
+        let pairs = self.pairs.clone().into_iter().enumerate();
+        pairs.map(move |(i, (a, b))| {
+            let pair = Orthogonality {
+                a: Direction::of(Some(0), &turned, a),
+                b: Direction::of(None, &frame, b),
+            };
+            (first + i, pair)
         })
     }
 }
@@ -65,52 +104,41 @@ impl Element for Clamp {
     }
 
     fn multipliers(&self) -> usize {
-        6
+        self.directions.len() + self.pairs.len()
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         let node = &at.nodes[0];
-        let lambda = at.multipliers;
-        out.add(0, Force, &-Vector3::new(lambda[0], lambda[1], lambda[2]));
-        for i in 0..3 {
-            out.add_constraint(i, node.position[i] - self.position[i]);
+        for (row, &direction) in self.directions.iter().enumerate() {
+            let axis = self.held(direction);
+            out.add(0, Force, &-(at.multipliers[row] * axis));
+            out.add_constraint(row, axis.dot(&(node.position - self.position)));
         }
-        for (i, (a, b)) in self.axes(&node.rotation).into_iter().enumerate() {
-            out.add(0, Moment, &-(lambda[3 + i] * a.cross(&b)));
-            out.add_constraint(3 + i, a.dot(&b));
+        for (row, pair) in self.right_angles(node) {
+            pair.residual(row, at.multipliers, out);
         }
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        for i in 0..3 {
-            let mut unit = Vector3::zeros();
-            unit[i] = 1.0;
-            out.add_multiplier((0, Force), i, &-unit);
-            out.add_constraint(i, (0, Variable::Position), &unit.transpose());
+        for (row, &direction) in self.directions.iter().enumerate() {
+            let axis = self.held(direction);
+            out.add_multiplier((0, Force), row, &-axis);
+            out.add_constraint(row, (0, Variable::Position), &axis.transpose());
         }
-        let mut stiffness = Matrix3::zeros();
-        for (i, (a, b)) in self.axes(&at.nodes[0].rotation).into_iter().enumerate() {
-            let couple = a.cross(&b);
-            // d(a x b) = [b]x [a]x theta; d(a . b) = (a x b) . theta.
-            stiffness -= at.multipliers[3 + i] * skew(&b) * skew(&a);
-            out.add_multiplier((0, Moment), 3 + i, &-couple);
-            let row: RowVector3<f64> = couple.transpose();
-            out.add_constraint(3 + i, (0, Variable::Rotation), &row);
+        for (row, pair) in self.right_angles(&at.nodes[0]) {
+            pair.jacobian(row, at.multipliers, out);
         }
-        out.add((0, Moment), (0, Variable::Rotation), &stiffness);
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
         let lambda = at.multipliers;
-        let couples = self.axes(&at.nodes[0].rotation).into_iter().enumerate();
-        let moment = couples
-            .map(|(i, (a, b))| -lambda[3 + i] * a.cross(&b))
-            .sum();
+        let forces = self.directions.iter().enumerate();
+        let couples = self.right_angles(&at.nodes[0]);
         out.reactions.push(Reaction {
             joint: self.label.clone(),
             node: self.nodes[0],
-            force: -Vector3::new(lambda[0], lambda[1], lambda[2]),
-            moment,
+            force: forces.map(|(row, &i)| -lambda[row] * self.held(i)).sum(),
+            moment: couples.map(|(row, pair)| lambda[row] * pair.couple()).sum(),
         });
     }
 }

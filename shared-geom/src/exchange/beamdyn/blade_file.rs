@@ -40,7 +40,11 @@ pub(super) fn is_separator(line: &Line<'_>) -> bool {
 }
 
 /// The whole number of the line that states `name`, and the place of the line.
-pub(super) fn count(lines: &[Line<'_>], name: &str, problems: &mut Problems) -> Option<(usize, usize)> {
+pub(super) fn count(
+    lines: &[Line<'_>],
+    name: &str,
+    problems: &mut Problems,
+) -> Option<(usize, usize)> {
     let Some(at) = lines.iter().position(|line| is_named(line.text, name)) else {
         problems.push(0, &missing(name));
         return None;
@@ -66,6 +70,13 @@ fn missing(name: &str) -> ExchangeProblem {
     }
 }
 
+fn missing_stations() -> ExchangeProblem {
+    ExchangeProblem::Missing {
+        what: "every station (station_total is 0)".to_owned(),
+        help: "give at least two, at the places eta = 0 and 1".to_owned(),
+    }
+}
+
 /// Reads the lines of the file; notes what is wrong with them.
 pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<BladeFile> {
     let total = count(lines, "station_total", problems);
@@ -80,6 +91,9 @@ pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Blade
     };
     let body = &lines[begin + 1..];
     let stations = stations(body, total, problems);
+    if total == 0 {
+        problems.push(0, &missing_stations());
+    }
     let used = total.saturating_mul(13);
     if let Some(line) = body.get(used) {
         remarks.push(format!(
@@ -113,9 +127,13 @@ fn times(
             return None;
         }
     }
-    let names = lines.iter().position(|line| line.first().eq_ignore_ascii_case("mu1"));
+    let names = lines
+        .iter()
+        .position(|line| line.first().eq_ignore_ascii_case("mu1"));
     let values = names.and_then(|at| {
-        let behind = lines[at + 1..].iter().take_while(|line| !is_separator(line));
+        let behind = lines[at + 1..]
+            .iter()
+            .take_while(|line| !is_separator(line));
         behind.into_iter().find(|line| !line.text.starts_with('('))
     });
     match values {
@@ -127,7 +145,8 @@ fn times(
     }
 }
 
-/// The stations of the body, in order.
+/// The stations of the body, in order: each a line of one number and the lines up to the
+/// next such line, so that a line too few is told once.
 fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
     let mut rest = body;
@@ -144,12 +163,12 @@ fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> Vec<Row
             );
             break;
         };
+        let next = tail.iter().position(|line| line.words().count() == 1);
+        let (block, behind) = tail.split_at(next.unwrap_or(tail.len().min(12)));
+        rest = behind;
         let eta = head.numbers::<1>(&format!("place eta of station {number}"), problems);
-        let stiffness = matrix(tail, &format!("stiffness of station {number}"), problems);
-        let tail = tail.get(6..).unwrap_or_default();
-        let mass = matrix(tail, &format!("mass of station {number}"), problems);
-        rest = tail.get(6..).unwrap_or_default();
-        if let (Some([eta]), Some(stiffness), Some(mass)) = (eta, stiffness, mass) {
+        let matrices = matrices(block, head, number, next.is_none(), problems);
+        if let (Some([eta]), Some((stiffness, mass))) = (eta, matrices) {
             check_place(eta, head.number, number, rows.last(), problems);
             rows.push((eta, stiffness, mass));
         }
@@ -157,14 +176,40 @@ fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> Vec<Row
     rows
 }
 
-/// Notes a place that does not follow the one before or is off the blade.
-fn check_place(
-    eta: f64,
-    line: usize,
+/// The two matrices of a station, which may be the `last` of the file.
+fn matrices(
+    block: &[Line<'_>],
+    head: &Line<'_>,
     number: usize,
-    last: Option<&Row>,
+    last: bool,
     problems: &mut Problems,
-) {
+) -> Option<(Matrix6<f64>, Matrix6<f64>)> {
+    if block.len() != 12 && !last {
+        let problem = ExchangeProblem::Other {
+            what: format!("station {number}"),
+            found: format!("{} lines below its place", block.len()),
+            expected: "12: six of stiffness, six of mass".to_owned(),
+            help: "a row of a matrix may be missing, or there may be one too many".to_owned(),
+        };
+        problems.push(head.number, &problem);
+        return None;
+    }
+    let (upper, lower) = block.split_at(block.len().min(6));
+    let stiffness = matrix(
+        upper,
+        &format!("stiffness of station {number}"),
+        head,
+        problems,
+    );
+    if upper.len() < 6 {
+        return None;
+    }
+    let mass = matrix(lower, &format!("mass of station {number}"), head, problems);
+    stiffness.zip(mass)
+}
+
+/// Notes a place that does not follow the one before or is off the blade.
+fn check_place(eta: f64, line: usize, number: usize, last: Option<&Row>, problems: &mut Problems) {
     let what = format!("place eta of station {number}");
     if !(0.0..=1.0).contains(&eta) {
         let problem = ExchangeProblem::Other {
@@ -187,7 +232,12 @@ fn check_place(
 }
 
 /// Six rows of six numbers; all rows are looked at.
-fn matrix(lines: &[Line<'_>], what: &str, problems: &mut Problems) -> Option<Matrix6<f64>> {
+fn matrix(
+    lines: &[Line<'_>],
+    what: &str,
+    head: &Line<'_>,
+    problems: &mut Problems,
+) -> Option<Matrix6<f64>> {
     let mut rows = Vec::with_capacity(6);
     for row in 0..6 {
         match lines.get(row) {
@@ -200,7 +250,7 @@ fn matrix(lines: &[Line<'_>], what: &str, problems: &mut Problems) -> Option<Mat
                     what: format!("the {what}, after {row} of 6 rows"),
                     expected: "rows of six numbers".to_owned(),
                 };
-                problems.push(lines.last().map_or(0, |line| line.number), &problem);
+                problems.push(lines.last().unwrap_or(head).number, &problem);
                 return None;
             }
         }
@@ -217,10 +267,11 @@ pub(super) fn write(blade: &Blade, rows: &[Row], layout: Layout) -> String {
         Layout::Four => "Damping type (switch) {0: none, 1: stiffness-proportional}",
         Layout::Five => "Damping type (switch) {0: none, 1: stiffness-proportional, 2: modal}",
     };
-    let (kind, times) = match blade.damping {
-        None => (0, [0.0; 6]),
-        Some(BladeDamping::Proportional(time)) => (1, [time; 6]),
-        Some(BladeDamping::Times(times)) => (1, Convention::BeamDyn.values_from_ours(&times)),
+    let (kind, times) = match &blade.damping {
+        Some(BladeDamping::Proportional(time)) => (1, [*time; 6]),
+        Some(BladeDamping::Times(times)) => (1, Convention::BeamDyn.values_from_ours(times)),
+        // Matrices have become times before.
+        None | Some(BladeDamping::Viscous(_)) => (0, [0.0; 6]),
     };
     let times = times.map(digits).join(" ");
     let mut text = format!(
@@ -241,7 +292,9 @@ pub(super) fn write(blade: &Blade, rows: &[Row], layout: Layout) -> String {
              0.0                    zeta             - Damping ratios of mode 1 to n_modes (-)\n",
         );
     }
-    text.push_str("---------------------- DISTRIBUTED PROPERTIES --------------------------------\n");
+    text.push_str(
+        "---------------------- DISTRIBUTED PROPERTIES --------------------------------\n",
+    );
     for (eta, stiffness, mass) in rows {
         text.push_str(&digits(*eta));
         text.push('\n');

@@ -59,7 +59,9 @@ pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Prima
     let (total, at) = total?;
     let body = lines.get(at.checked_add(1)?.checked_add(members)?..)?;
     // Names and units stand between the members and the points.
-    let begin = body.iter().position(|line| number(line.first()).is_some() || is_separator(line));
+    let begin = body
+        .iter()
+        .position(|line| number(line.first()).is_some() || is_separator(line));
     let points = points(body.get(begin?..)?, total, problems);
     if total < FEWEST {
         let problem = ExchangeProblem::Other {
@@ -155,7 +157,12 @@ END of OutList section (the word \"END\" must appear in the first 3 columns)
 ";
 
 /// The file of key points, in BeamDyn's root axes, that names the blade file.
-pub(super) fn write(blade: &Blade, points: &[[f64; 4]], blade_file: &str, layout: Layout) -> String {
+pub(super) fn write(
+    blade: &Blade,
+    points: &[[f64; 4]],
+    blade_file: &str,
+    layout: Layout,
+) -> String {
     let header = Header::new(blade, Convention::BeamDyn, "reference line (key points)");
     let count = points.len();
     let members = format!("1 {count}");

@@ -98,7 +98,10 @@ fn undeclared(key: &str, entries: &[Entry<'_>]) -> ExchangeProblem {
         "order" => "axial, shear y, shear z, torsion, bending y, bending z",
         _ => "reference line",
     };
-    let strange = entries.iter().map(|entry| entry.key).filter(|found| !KEYS.contains(found));
+    let strange = entries
+        .iter()
+        .map(|entry| entry.key)
+        .filter(|found| !KEYS.contains(found));
     let near = nearest_name(key, strange);
     let help = match near {
         Some(near) => format!("is \"# {near}:\" meant to be \"# {key}:\"?"),
@@ -117,7 +120,8 @@ fn undeclared(key: &str, entries: &[Entry<'_>]) -> ExchangeProblem {
 fn one_of<'a>(entry: &Entry<'_>, names: &[&'a str], problems: &mut Problems) -> Option<&'a str> {
     // Notes in parentheses may follow a name, but belong to an order.
     let plain = entry.value.split(" (").next().unwrap_or_default().trim();
-    let is = |name: &&&str| entry.value.eq_ignore_ascii_case(name) || plain.eq_ignore_ascii_case(name);
+    let is =
+        |name: &&&str| entry.value.eq_ignore_ascii_case(name) || plain.eq_ignore_ascii_case(name);
     let found = names.iter().find(is).copied();
     if found.is_none() {
         let problem = ExchangeProblem::Other {
@@ -125,7 +129,10 @@ fn one_of<'a>(entry: &Entry<'_>, names: &[&'a str], problems: &mut Problems) -> 
             found: format!("\"{plain}\""),
             expected: format!("\"{}\"", names.join("\" or \"")),
             help: nearest_name(plain, names.iter().copied()).map_or_else(
-                || "tables in other units, orders or points are converted by their writer".to_owned(),
+                || {
+                    "tables in other units, orders or points are converted by their writer"
+                        .to_owned()
+                },
                 |name| format!("did you mean \"{name}\"?"),
             ),
         };
@@ -154,7 +161,8 @@ fn damping(entry: &Entry<'_>, problems: &mut Problems) -> Option<BladeDamping> {
         &ExchangeProblem::Other {
             what: "damping".to_owned(),
             found: format!("\"{}\"", entry.value),
-            expected: "\"none\", \"proportional\" and a time, or \"times\" and six times".to_owned(),
+            expected: "\"none\", \"proportional\" and a time, or \"times\" and six times"
+                .to_owned(),
             help: "times are in seconds, in the order axial, shear y, shear z, torsion, bending \
                    y, bending z"
                 .to_owned(),

@@ -28,7 +28,10 @@ const NAMES: [&str; 3] = ["line", "stations", "sections"];
 pub(super) fn station_columns() -> Vec<String> {
     let pairs = || (1..=6).flat_map(|i| (i..=6).map(move |j| (i, j)));
     let of = |letter: &'static str| pairs().map(move |(i, j)| format!("{letter}{i}{j}"));
-    std::iter::once("s".to_owned()).chain(of("K")).chain(of("M")).collect()
+    std::iter::once("s".to_owned())
+        .chain(of("K"))
+        .chain(of("M"))
+        .collect()
 }
 
 impl<'a> Tables<'a> {
@@ -65,7 +68,9 @@ impl<'a> Tables<'a> {
             };
             let position = Vector3::new(x, y, z);
             let before = points.last().map(|point| point.position);
-            if let Some(before) = before.filter(|before| *before == position || before.x >= x && course == Course::Spline) {
+            if let Some(before) = before
+                .filter(|before| *before == position || before.x >= x && course == Course::Spline)
+            {
                 let problem = ExchangeProblem::Other {
                     what: format!("x of point {}", i + 1),
                     found: x.to_string(),
@@ -83,7 +88,7 @@ impl<'a> Tables<'a> {
             };
             problems.push(self.line.last().map_or(0, |line| line.number), &problem);
         }
-        Some(ReferenceLine { points, course })
+        Some(ReferenceLine::through(points, course))
     }
 
     /// The stations, or those of the section files.
@@ -158,7 +163,10 @@ fn body<'t, 'a>(
     };
     let found: Vec<_> = head.text.split(',').map(str::trim).collect();
     if found != names {
-        let differs = found.iter().zip(names).position(|(found, name)| found != name);
+        let differs = found
+            .iter()
+            .zip(names)
+            .position(|(found, name)| found != name);
         let place = differs.unwrap_or(found.len().min(names.len()));
         problems.push(
             head.number,
@@ -191,7 +199,10 @@ fn check_order(
     last: Option<&Station>,
     problems: &mut Problems,
 ) {
-    if let Some(before) = last.map(|last| last.arc_length).filter(|&before| before > place) {
+    if let Some(before) = last
+        .map(|last| last.arc_length)
+        .filter(|&before| before > place)
+    {
         let (what, found) = (format!("arc length s of station {number}"), place);
         let problem = ExchangeProblem::Order {
             what,

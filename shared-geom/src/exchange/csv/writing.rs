@@ -46,15 +46,19 @@ pub(in crate::exchange) fn write_index(blade: &Blade, index: &[(f64, String)]) -
 }
 
 fn head(blade: &Blade) -> String {
-    let damping = match blade.damping {
-        None => "none".to_owned(),
-        Some(BladeDamping::Proportional(time)) => format!("proportional {}", digits(time).trim()),
+    let damping = match &blade.damping {
+        Some(BladeDamping::Proportional(time)) => format!("proportional {}", digits(*time).trim()),
         Some(BladeDamping::Times(times)) => {
-            format!("times {}", times.map(|time| digits(time).trim().to_owned()).join(" "))
+            format!(
+                "times {}",
+                times.map(|time| digits(time).trim().to_owned()).join(" ")
+            )
         }
+        // Matrices have become times before, and arcs points.
+        None | Some(BladeDamping::Viscous(_)) => "none".to_owned(),
     };
     let course = match blade.line.course {
-        Course::Polyline => "polyline",
+        Course::Polyline | Course::Arcs => "polyline",
         Course::Spline => "spline",
     };
     // A name of several lines would end the header.
@@ -76,6 +80,8 @@ fn line(blade: &Blade, text: &mut String) {
 }
 
 fn joined(values: impl IntoIterator<Item = f64>) -> String {
-    let words = values.into_iter().map(|value| digits(value).trim().to_owned());
+    let words = values
+        .into_iter()
+        .map(|value| digits(value).trim().to_owned());
     words.collect::<Vec<_>>().join(",") + "\n"
 }

@@ -4,19 +4,17 @@
 //! sweep Lambda and dihedral Gamma, and its section twisted by beta, have the axes
 //!
 //! ```text
-//! P = Rz(-Lambda) Ry(-Gamma)                Q = Rx(pitch) P Rx(beta)
+//! P = Rz(-Lambda) Ry(-Gamma)                Q = P Rx(beta)
 //! ```
 //!
-//! so that sweep turns the line aft (toward -y), dihedral up, and twist and pitch the
-//! nose up. Pitch turns the blade as a whole about the span at its root, as a pitch
-//! bearing does. Within a piece the twist is linear.
+//! so that sweep turns the line aft (toward -y), dihedral up, and twist the nose up.
+//! Within a piece the twist is linear.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
-/// Entries of the relative rotation below this count as aligned: round-off of the
-/// same axes found in two ways.
-const ALIGNED: f64 = 1e-12;
+use super::laid::{Laid, LaidNode};
+use crate::input::along::Along;
 
 /// A straight piece of a blade.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,36 +31,11 @@ pub(super) struct Piece {
     pub twist: [f64; 2],
 }
 
-/// A blade before it is cut into beams.
+/// The line of a blade in its own axes, from the root to the tip.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct BladeLine {
-    /// Place of the root \[m\].
-    pub root: Vector3<f64>,
-    /// Axes of the blade at the root (columns), precone included.
-    pub axes: Matrix3<f64>,
-    /// Pitch, positive nose up \[rad\].
-    pub pitch: f64,
-    /// The pieces from the root to the tip.
+pub(super) struct PieceLine {
+    /// The pieces.
     pub pieces: Vec<Piece>,
-}
-
-/// A beam of the line: its first node is the number of beams before it times two.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct LaidBeam {
-    /// Number of the piece.
-    pub piece: usize,
-    /// Section axes at the three nodes, in the axes of the nodes.
-    pub orientations: [Matrix3<f64>; 3],
-}
-
-/// Nodes and beams of a blade, from the root to the tip.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct LaidBlade {
-    /// Place \[m\] and axes of each node. Where pieces meet these are the section axes
-    /// of the inner piece.
-    pub nodes: Vec<(Vector3<f64>, Matrix3<f64>)>,
-    /// Beam k stands on the nodes 2k, 2k + 1, 2k + 2.
-    pub beams: Vec<LaidBeam>,
 }
 
 impl Piece {
@@ -83,52 +56,53 @@ fn about_x(angle: f64) -> Matrix3<f64> {
     vector::to_rotation(&Vector3::new(angle, 0.0, 0.0))
 }
 
-impl BladeLine {
-    /// Cuts every piece into its beams.
-    pub fn lay(&self) -> LaidBlade {
-        let blade = self.axes * about_x(self.pitch);
-        let mut laid = LaidBlade::default();
-        let mut inner_end = self.root;
+impl PieceLine {
+    /// Length \[m\].
+    pub fn length(&self) -> f64 {
+        self.pieces.iter().map(|piece| piece.length).sum()
+    }
+
+    /// Place \[m\] on the line at an arc length, that of the nearer end beyond them.
+    pub fn position(&self, arc_length: f64) -> Vector3<f64> {
+        let mut left = arc_length.max(0.0);
+        let mut position = Vector3::zeros();
+        for piece in &self.pieces {
+            position += piece.axes().column(0) * left.min(piece.length);
+            left = (left - piece.length).max(0.0);
+        }
+        position
+    }
+
+    /// Cuts every piece into its beams, with `words` and `along` of a piece's number.
+    pub fn lay(&self, words: impl Fn(usize) -> String, along: impl Fn(usize) -> Along) -> Laid {
+        let mut laid = Laid::default();
+        let (mut inner_end, mut arc_length) = (Vector3::zeros(), 0.0);
         for (number, piece) in self.pieces.iter().enumerate() {
-            let outer_end = inner_end + blade * piece.axes().column(0) * piece.length;
+            let outer_end = inner_end + piece.axes().column(0) * piece.length;
             let steps = 2 * piece.elements;
             let at = |step: usize| {
                 let s = step as f64 / steps as f64;
-                (inner_end.lerp(&outer_end, s), blade * piece.section(s))
-            };
-            if laid.nodes.is_empty() {
-                laid.nodes.push(at(0));
-            }
-            for element in 0..piece.elements {
-                let mut orientations = [Matrix3::identity(); 3];
-                if let Some((_, node)) = laid.nodes.last() {
-                    orientations[0] = relative(node, &at(2 * element).1);
+                LaidNode {
+                    arc_length: arc_length + s * piece.length,
+                    position: inner_end.lerp(&outer_end, s),
+                    axes: piece.section(s),
                 }
-                laid.nodes
-                    .extend([at(2 * element + 1), at(2 * element + 2)]);
-                laid.beams.push(LaidBeam {
-                    piece: number,
-                    orientations,
-                });
+            };
+            for element in 0..piece.elements {
+                let places = [0, 1, 2].map(|k| at(2 * element + k));
+                laid.add(places, words(number), along(number));
             }
-            inner_end = outer_end;
+            (inner_end, arc_length) = (outer_end, arc_length + piece.length);
         }
         laid
-    }
-}
-
-/// Section axes in the axes of the node; exactly those of the node where they agree.
-fn relative(node: &Matrix3<f64>, section: &Matrix3<f64>) -> Matrix3<f64> {
-    let relative = node.transpose() * section;
-    match (relative - Matrix3::identity()).amax() <= ALIGNED {
-        true => Matrix3::identity(),
-        false => relative,
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::input::properties::Properties;
+    use nalgebra::Matrix6;
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, FRAC_PI_6};
 
     // Round-off of a few products of numbers up to 10.
@@ -144,13 +118,13 @@ mod tests {
         }
     }
 
-    fn line(pieces: Vec<Piece>) -> BladeLine {
-        BladeLine {
-            root: Vector3::new(2.0, 0.0, 0.0),
-            axes: Matrix3::identity(),
-            pitch: 0.0,
-            pieces,
-        }
+    fn lay(pieces: Vec<Piece>) -> Laid {
+        let properties = Properties {
+            stiffness: Matrix6::identity(),
+            mass: Matrix6::identity(),
+            damping: None,
+        };
+        PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))
     }
 
     fn assert_place(found: &Vector3<f64>, expected: [f64; 3]) {
@@ -160,23 +134,23 @@ mod tests {
         );
     }
 
-    // Sweep 30 degrees aft: the tip piece of length 4 ends at x = 8 + 4 cos 30,
+    // Sweep 30 degrees aft: the tip piece of length 4 ends at x = 6 + 4 cos 30,
     // y = -4 sin 30; its section axis y is (sin 30, cos 30, 0), turned by the twist of
     // 90 degrees into z.
     #[test]
     fn a_swept_and_twisted_tip_lies_where_it_should() {
         let mut tip = piece(4.0, 1);
         (tip.sweep, tip.twist) = (FRAC_PI_6, [0.0, FRAC_PI_2]);
-        let laid = line(vec![piece(6.0, 2), tip]).lay();
+        let laid = lay(vec![piece(6.0, 2), tip]);
         let (c, s) = (FRAC_PI_6.cos(), 0.5);
         assert_eq!((laid.nodes.len(), laid.beams.len()), (7, 3));
-        for (node, x) in [2.0, 3.5, 5.0, 6.5, 8.0].into_iter().enumerate() {
-            assert_place(&laid.nodes[node].0, [x, 0.0, 0.0]);
-            assert_eq!(laid.nodes[node].1, Matrix3::identity());
+        for (node, x) in [0.0, 1.5, 3.0, 4.5, 6.0].into_iter().enumerate() {
+            assert_place(&laid.nodes[node].position, [x, 0.0, 0.0]);
+            assert_eq!(laid.nodes[node].axes, Matrix3::identity());
         }
-        assert_place(&laid.nodes[5].0, [8.0 + 2.0 * c, -2.0 * s, 0.0]);
-        assert_place(&laid.nodes[6].0, [8.0 + 4.0 * c, -4.0 * s, 0.0]);
-        let axes = |node: usize, column: usize| laid.nodes[node].1.column(column).into_owned();
+        assert_place(&laid.nodes[5].position, [6.0 + 2.0 * c, -2.0 * s, 0.0]);
+        assert_place(&laid.nodes[6].position, [6.0 + 4.0 * c, -4.0 * s, 0.0]);
+        let axes = |node: usize, column: usize| laid.nodes[node].axes.column(column).into_owned();
         for node in [5, 6] {
             assert_place(&axes(node, 0), [c, -s, 0.0]);
         }
@@ -192,7 +166,7 @@ mod tests {
     fn a_kink_is_taken_up_by_the_outer_beam() {
         let mut tip = piece(4.0, 2);
         (tip.sweep, tip.dihedral, tip.twist) = (0.3, 0.2, [0.1, 0.1]);
-        let laid = line(vec![piece(6.0, 2), tip]).lay();
+        let laid = lay(vec![piece(6.0, 2), tip]);
         let aligned = [Matrix3::identity(); 3];
         for (beam, kinked) in [false, false, true, false].into_iter().enumerate() {
             assert_eq!(
@@ -201,9 +175,9 @@ mod tests {
                 "beam {beam}"
             );
         }
-        let section = laid.nodes[4].1 * laid.beams[2].orientations[0];
-        assert!((section - laid.nodes[5].1).amax() < TOLERANCE);
-        let along = (laid.nodes[6].0 - laid.nodes[4].0).normalize();
+        let section = laid.nodes[4].axes * laid.beams[2].orientations[0];
+        assert!((section - laid.nodes[5].axes).amax() < TOLERANCE);
+        let along = (laid.nodes[6].position - laid.nodes[4].position).normalize();
         assert!((section.column(0) - along).amax() < TOLERANCE);
         assert_place(
             &along,
@@ -221,9 +195,9 @@ mod tests {
     fn twist_is_linear_along_a_piece() {
         let mut twisted = piece(3.0, 3);
         twisted.twist = [10.0_f64.to_radians(), 40.0_f64.to_radians()];
-        let laid = line(vec![twisted]).lay();
-        for (node, (_, axes)) in laid.nodes.iter().enumerate() {
-            let angle = axes[(2, 1)].atan2(axes[(1, 1)]).to_degrees();
+        let laid = lay(vec![twisted]);
+        for (node, found) in laid.nodes.iter().enumerate() {
+            let angle = found.axes[(2, 1)].atan2(found.axes[(1, 1)]).to_degrees();
             assert!(
                 (angle - (10.0 + 5.0 * node as f64)).abs() < 1e-12,
                 "{node}: {angle}"
@@ -231,15 +205,21 @@ mod tests {
         }
     }
 
-    // Pitch by 90 degrees turns an aft sweep of 90 degrees (toward -y) down to -z.
+    // The place at an arc length is that of the nodes there; beyond the ends, the ends.
     #[test]
-    fn pitch_turns_the_blade_as_a_whole() {
-        let mut tip = piece(1.0, 1);
-        tip.sweep = FRAC_PI_2;
-        let mut blade = line(vec![piece(1.0, 1), tip]);
-        blade.pitch = FRAC_PI_2;
-        let laid = blade.lay();
-        assert_place(&laid.nodes[4].0, [3.0, 0.0, -1.0]);
-        assert_place(&laid.nodes[0].1.column(1).into_owned(), [0.0, 0.0, 1.0]);
+    fn places_are_found_by_arc_length() {
+        let mut tip = piece(4.0, 2);
+        (tip.sweep, tip.dihedral) = (0.3, 0.2);
+        let line = PieceLine {
+            pieces: vec![piece(6.0, 2), tip],
+        };
+        let laid = lay(line.pieces.clone());
+        for node in &laid.nodes {
+            let found = line.position(node.arc_length);
+            assert!((found - node.position).amax() < TOLERANCE);
+        }
+        assert_eq!((line.length(), laid.nodes[8].arc_length), (10.0, 10.0));
+        assert_eq!(line.position(11.0), laid.nodes[8].position);
+        assert_eq!(laid.nearest_end(7.9), 6);
     }
 }

@@ -1,0 +1,164 @@
+//! The balance of a model under given conditions, as Newton's method sees it.
+
+use nalgebra::Vector3;
+use shared_geom::rotation::vector;
+
+use crate::assembly::{Residual, System};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
+use crate::solver::{Equations, Factorization, LinearSolver, Worst};
+
+/// The equations `F(y, 0) = 0` of a system, and a state that is to fulfill them.
+#[derive(Clone)]
+pub(super) struct Balance<'a> {
+    pub system: &'a System,
+    pub solver: &'a LinearSolver,
+    pub conditions: Conditions,
+    pub state: State,
+    /// Size of the model, by which displacements are measured [m].
+    size: f64,
+}
+
+impl<'a> Balance<'a> {
+    pub fn new(
+        system: &'a System,
+        solver: &'a LinearSolver,
+        conditions: Conditions,
+        state: State,
+    ) -> Self {
+        let nodes = system.nodes();
+        let first = nodes.first().map_or_else(Vector3::zeros, |n| n.position);
+        let reach = nodes.iter().map(|node| (node.position - first).norm());
+        let size = reach.fold(0.0, f64::max);
+        Self {
+            system,
+            solver,
+            conditions,
+            state,
+            size: if size > 0.0 { size } else { 1.0 },
+        }
+    }
+
+    /// The same equations under other conditions, from another state.
+    pub fn at(&self, conditions: Conditions, state: State) -> Self {
+        Self {
+            conditions,
+            state,
+            ..*self
+        }
+    }
+
+    /// Size of the model [m].
+    pub fn reach(&self) -> f64 {
+        self.size
+    }
+
+    /// The factorized derivative by the unknowns; `None` when it is singular.
+    pub fn factorize(&self) -> Option<Factorization> {
+        let tangent = self.system.tangent(&self.state, &self.conditions);
+        self.solver.factorize(tangent.by_unknowns)
+    }
+
+    /// How the state goes with the factor of the proportional loads,
+    /// `dy/d lambda = -F_y^-1 F_lambda`.
+    pub fn rate(&self, tangent: &Factorization) -> Option<Vec<f64>> {
+        let mut rate = self.system.by_factor(&self.state, &self.conditions);
+        rate.iter_mut().for_each(|value| *value = -*value);
+        tangent.solve(&mut rate)?;
+        Some(rate)
+    }
+
+    /// Displacement and rotation of every node from `before` to the present state, in
+    /// the order of the unknowns; zero for all others.
+    pub fn moved_from(&self, before: &State) -> Vec<f64> {
+        let mut moved = vec![0.0; self.system.numbering().unknowns()];
+        let nodes = self.state.nodes.iter().zip(&before.nodes);
+        for (values, (now, then)) in moved.chunks_mut(NODE_UNKNOWNS).zip(nodes) {
+            let turn = vector::from_rotation(&(now.rotation * then.rotation.transpose()));
+            values[..3].copy_from_slice((now.position - then.position).as_slice());
+            values[3..6].copy_from_slice(turn.as_slice());
+        }
+        moved
+    }
+
+    /// Scalar product of two motions: displacements in sizes of the model, rotations in
+    /// radians, mean of all nodes [-].
+    pub fn product(&self, a: &[f64], b: &[f64]) -> f64 {
+        let nodes = self.state.nodes.len();
+        let pairs = a.chunks(NODE_UNKNOWNS).zip(b.chunks(NODE_UNKNOWNS));
+        let of_node = |(a, b): (&[f64], &[f64])| {
+            let part = |i: usize| (0..3).map(|k| a[i + k] * b[i + k]).sum::<f64>();
+            part(0) / (self.size * self.size) + part(3)
+        };
+        pairs.take(nodes).map(of_node).sum::<f64>() / nodes.max(1) as f64
+    }
+
+    /// Length of a motion [-].
+    pub fn length(&self, motion: &[f64]) -> f64 {
+        self.product(motion, motion).sqrt()
+    }
+}
+
+impl Equations for Balance<'_> {
+    fn residual(&mut self) -> (Vec<f64>, Worst) {
+        let residual = self.system.residual(&self.state, &self.conditions);
+        let worst = worst(&residual, self.system.nodes().len());
+        (residual.values, worst)
+    }
+
+    fn correction(&mut self, residual: &[f64]) -> Option<Vec<f64>> {
+        let factorization = self.factorize()?;
+        let mut correction: Vec<_> = residual.iter().map(|value| -value).collect();
+        factorization.solve(&mut correction)?;
+        Some(correction)
+    }
+
+    /// Largest displacement in sizes of the model, and largest rotation in radians.
+    fn size(&self, correction: &[f64]) -> f64 {
+        let nodes = self.state.nodes.len();
+        let of_nodes = correction[..NODE_UNKNOWNS * nodes].chunks(NODE_UNKNOWNS);
+        let size = |node: &[f64]| {
+            let part = |i: usize| Vector3::new(node[i], node[i + 1], node[i + 2]).norm();
+            (part(0) / self.size).max(part(3))
+        };
+        of_nodes
+            .map(size)
+            .fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
+    }
+
+    fn correct(&mut self, correction: &[f64]) {
+        self.state.correct(correction);
+    }
+}
+
+/// The worst equation: residual against the largest term of its kind.
+pub(super) fn worst(residual: &Residual, nodes: usize) -> Worst {
+    // Kinds: the four vector equations of the nodes, and the constraints.
+    let kind = |place: usize| {
+        if place < NODE_UNKNOWNS * nodes {
+            place % NODE_UNKNOWNS / 3
+        } else {
+            Equation::ALL.len()
+        }
+    };
+    let mut largest = [0.0_f64; Equation::ALL.len() + 1];
+    for (place, size) in residual.sizes.iter().enumerate() {
+        largest[kind(place)] = largest[kind(place)].max(*size);
+    }
+    // The terms of a constraint vanish with it: they are measured against one.
+    largest[Equation::ALL.len()] = 1.0;
+    let relative = |place: usize| {
+        let size = largest[kind(place)];
+        if size > 0.0 {
+            residual.values[place].abs() / size
+        } else {
+            0.0
+        }
+    };
+    let places = (0..residual.values.len()).map(|place| Worst {
+        relative: relative(place),
+        place,
+    });
+    places
+        .max_by(|a, b| a.relative.total_cmp(&b.relative))
+        .unwrap_or_default()
+}

@@ -1,0 +1,107 @@
+//! The way to an equilibrium where the tangent is singular, although there is one.
+//!
+//! A blade on a free hinge has no stiffness about it until it is in tension; Newton's
+//! method cannot start. Backward steps of a motion that always begins at rest can:
+//!
+//! ```text
+//! (F_y + sigma F_y') dy = -F
+//! ```
+//!
+//! is one such step of length `1 / sigma`. Masses resist what nothing else does. While
+//! the steps succeed sigma falls, and at zero this is Newton's method.
+//!
+//! References: [KelleyKeyes1998], pseudo-transient continuation.
+
+use super::balance::Balance;
+use crate::model::NODE_UNKNOWNS;
+use crate::solver::{Equations, Iteration, Newton, NewtonReport, NewtonStatus, solve};
+
+/// Largest correction of one step, in sizes of the model or radians.
+const LARGEST: f64 = 0.3;
+/// Correction below which the state is worth a try of Newton's method.
+const NEAR: f64 = 0.1;
+/// Factor by which sigma falls after a step that succeeds, and rises after one that
+/// does not.
+const FALL: f64 = 3.0;
+/// Steps at most.
+const STEPS: usize = 300;
+
+/// Moves `balance` to an equilibrium; the report of the last Newton iteration, with all
+/// steps in its history, or `None` when none was found.
+pub(super) fn settle(balance: &mut Balance<'_>) -> Option<NewtonReport> {
+    let start = balance.state.clone();
+    let mut sigma = 1.0;
+    let mut steps = Vec::new();
+    while steps.len() < STEPS {
+        let (residual, worst) = balance.residual();
+        let found = step(balance, sigma, &residual);
+        let size = found.as_ref().map_or(f64::NAN, |dy| balance.size(dy));
+        steps.push(Iteration {
+            worst,
+            correction: size,
+        });
+        match found {
+            Some(correction) if size <= LARGEST => balance.correct(&correction),
+            _ => {
+                sigma *= FALL;
+                continue;
+            }
+        }
+        sigma /= FALL;
+        if size > NEAR {
+            continue;
+        }
+        let mut trial = balance.clone();
+        let limits = Newton {
+            largest: LARGEST,
+            ..Newton::default()
+        };
+        let mut report = solve(&mut trial, &limits);
+        if report.status == NewtonStatus::Converged {
+            balance.state = trial.state;
+            steps.append(&mut report.history);
+            report.history = steps;
+            return Some(report);
+        }
+        steps.append(&mut report.history);
+    }
+    balance.state = start;
+    None
+}
+
+fn step(balance: &Balance<'_>, sigma: f64, residual: &[f64]) -> Option<Vec<f64>> {
+    let tangent = balance.system.tangent(&balance.state, &balance.conditions);
+    let matrix = tangent.by_unknowns.plus(sigma, &tangent.by_rates);
+    let mut correction: Vec<_> = residual.iter().map(|value| -value).collect();
+    balance.solver.factorize(matrix)?.solve(&mut correction)?;
+    Some(correction)
+}
+
+/// The node that moves most, and how, in the motion that masses alone resist.
+pub(super) fn free_motion(balance: &Balance<'_>) -> Option<String> {
+    const WORDS: [&str; 6] = [
+        "displacement along x",
+        "displacement along y",
+        "displacement along z",
+        "rotation about x",
+        "rotation about y",
+        "rotation about z",
+    ];
+    let system = balance.system;
+    let nodes = system.nodes().len();
+    let (residual, _) = balance.clone().residual();
+    // Sigma so small that all motions with stiffness stand still beside the free one.
+    let motion = [1e-6, 1e-4, 1e-2, 1.0]
+        .into_iter()
+        .find_map(|sigma| step(balance, sigma, &residual))?;
+    // Displacements in sizes of the model.
+    let part = |i: &usize| match i % NODE_UNKNOWNS {
+        0..3 => motion[*i].abs() / balance.reach(),
+        3..6 => motion[*i].abs(),
+        _ => 0.0,
+    };
+    let most = (0..NODE_UNKNOWNS * nodes).max_by(|a, b| part(a).total_cmp(&part(b)))?;
+    let (node, unknown) = (most / NODE_UNKNOWNS, most % NODE_UNKNOWNS);
+    let label = &system.nodes()[node].label;
+    Some(format!("{} of node \"{label}\"", WORDS.get(unknown)?))
+}

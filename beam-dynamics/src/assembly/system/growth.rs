@@ -1,0 +1,68 @@
+//! How a system changes with the factor of the proportional loads.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::System;
+use crate::assembly::Sparse;
+use crate::elements::{Along, Local, LocalJacobian, LocalResidual};
+use crate::model::{Conditions, NODE_UNKNOWNS, State};
+
+impl System {
+    /// Derivative of the residual by the factor of the proportional loads.
+    pub fn by_factor(&self, state: &State, conditions: &Conditions) -> Vec<f64> {
+        let mut sum = vec![0.0; self.numbering.unknowns()];
+        for (index, element) in self.elements.iter().enumerate() {
+            let nodes = self.motions(index, state);
+            let mut local = LocalResidual::new(nodes.len(), element.multipliers());
+            let at = Local {
+                nodes: &nodes,
+                multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
+                frame: &conditions.frame,
+                loading: &conditions.loading,
+            };
+            element.by_factor(&at, &mut local);
+            for (i, place) in self.places_of(index).into_iter().enumerate() {
+                sum[place] += local.values()[i];
+            }
+        }
+        sum
+    }
+
+    /// Growth of the Jacobian by the unknowns with the factor of the proportional
+    /// loads, at fixed geometry: with internal forces and multipliers that change along
+    /// the motion `along` (in the order of the unknowns), and with the loads.
+    pub fn prestress(&self, state: &State, conditions: &Conditions, along: &[f64]) -> Sparse {
+        let mut sum = Sparse::zero(Arc::clone(&self.pattern));
+        for (index, element) in self.elements.iter().enumerate() {
+            let nodes = self.motions(index, state);
+            let at = Local {
+                nodes: &nodes,
+                multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
+                frame: &conditions.frame,
+                loading: &conditions.loading,
+            };
+            let places = self.places_of(index);
+            let moved: Vec<_> = (0..nodes.len())
+                .map(|node| {
+                    let first = places[NODE_UNKNOWNS * node];
+                    let part = |i| Vector3::from_column_slice(&along[first + i..first + i + 3]);
+                    [part(0), part(3)]
+                })
+                .collect();
+            let multipliers = &places[NODE_UNKNOWNS * nodes.len()..];
+            let multipliers: Vec<_> = multipliers.iter().map(|&place| along[place]).collect();
+            let along = Along {
+                nodes: &moved,
+                multipliers: &multipliers,
+            };
+            let mut local = LocalJacobian::new(nodes.len(), element.multipliers());
+            element.prestress(&at, &along, &mut local);
+            for &(i, j, place) in &self.scatter[index] {
+                sum.values_mut()[place] += local.by_unknowns()[(i, j)];
+            }
+        }
+        sum
+    }
+}

@@ -1,0 +1,260 @@
+//! Hinge: two nodes that share a point and an axis, with a spring and a damper about it.
+//!
+//! Axes E (columns h, u, v: the hinge and two directions across it) are attached to
+//! both nodes and coincide in the undeformed state.
+//!
+//! ```text
+//! (x_a + f_a) - (x_b + f_b) = 0                                 multipliers: force
+//! u_a . h_b = 0,   v_a . h_b = 0                                multipliers: moment
+//!
+//! phi  = atan2(v_a . u_b, u_a . u_b)          phi' = h_a . (omega_b - omega_a)
+//! M    = k (phi - phi_0) + c phi'             on b: -M h_a,   on a: +M h_a
+//! ```
+//!
+//! Variations, with s = v_a . u_b and c = u_a . u_b:
+//!
+//! ```text
+//! d phi  = w . (theta_b - theta_a),   w = [s (u_a x u_b) - c (v_a x u_b)] / (s^2 + c^2)
+//! d phi' = h_a . (d omega_b - d omega_a) + (h_a x (omega_b - omega_a)) . theta_a
+//! d h_a  = -[h_a]x theta_a
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! | --- | --- | --- |
+//! | f_a, f_b | offset of the hinge from each node | m |
+//! | phi, phi_0 | angle of b against a, and that of the relaxed spring | rad |
+//! | k, c | stiffness of the spring, coefficient of the damper | N m, N m s |
+//!
+//! w is h where the constraints hold.
+//!
+//! References: [Masarati], appendix D: coincidence and orthogonality.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::rotation::skew;
+
+use super::algebra::{Attachment, Direction, Orthogonality, Point, three};
+use crate::elements::{
+    Element, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
+};
+use crate::model::Equation::Moment;
+use crate::model::{Node, NodeMotion, Variable};
+
+/// Spring and damper of a hinge.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct HingeSpring {
+    /// Moment per angle; zero for a free hinge [N m].
+    pub stiffness: f64,
+    /// Moment per rate of the angle [N m s].
+    pub damping: f64,
+    /// Angle at which the spring is relaxed, zero in the undeformed state [rad].
+    pub angle: f64,
+}
+
+/// Lets a node turn against another about one axis.
+#[derive(Debug, Clone)]
+pub struct Hinge {
+    label: String,
+    nodes: [usize; 2],
+    attachments: [Attachment; 2],
+    /// The axis in the undeformed model.
+    axis: Vector3<f64>,
+    spring: HingeSpring,
+}
+
+/// The hinge at a state.
+struct State {
+    points: [Point; 2],
+    /// Axes h, u, v on each node.
+    axes: [Matrix3<f64>; 2],
+    /// Angular velocity of b against a [rad/s].
+    rate: Vector3<f64>,
+}
+
+impl Hinge {
+    /// A hinge at `position` along `axis` (of any length but zero), in the model's frame,
+    /// between the nodes number `nodes`, undeformed at `undeformed`.
+    ///
+    /// A positive angle is a right-hand rotation of the second node about the axis.
+    pub fn new(
+        label: impl Into<String>,
+        nodes: [usize; 2],
+        undeformed: [&Node; 2],
+        position: &Vector3<f64>,
+        axis: &Vector3<f64>,
+        spring: HingeSpring,
+    ) -> Self {
+        let axes = axes_along(axis);
+        Self {
+            label: label.into(),
+            nodes,
+            attachments: undeformed.map(|node| Attachment::to(node, position, &axes)),
+            axis: axes.column(0).into_owned(),
+            spring,
+        }
+    }
+
+    fn state(&self, nodes: &[NodeMotion]) -> State {
+        let ends: [_; 2] = std::array::from_fn(|i| self.attachments[i].at(i, &nodes[i]));
+        State {
+            points: ends.map(|end| end.0),
+            axes: ends.map(|end| end.1),
+            rate: nodes[1].angular_velocity - nodes[0].angular_velocity,
+        }
+    }
+
+    /// Angle of the second node against the first, from -pi to pi \[rad\].
+    pub fn angle(&self, nodes: &[NodeMotion]) -> f64 {
+        self.state(nodes).angle()
+    }
+
+    /// Moment of spring and damper, positive where it drives the angle back \[N m\].
+    fn moment(&self, state: &State) -> f64 {
+        let HingeSpring {
+            stiffness,
+            damping,
+            angle,
+        } = self.spring;
+        let mut moment = 0.0;
+        // A free hinge may stand at any angle, also where the angle has no value.
+        if stiffness != 0.0 {
+            moment += stiffness * (state.angle() - angle);
+        }
+        moment + damping * state.axis().dot(&state.rate)
+    }
+
+    fn is_free(&self) -> bool {
+        self.spring.stiffness == 0.0 && self.spring.damping == 0.0
+    }
+
+    fn spring_jacobian(&self, state: &State, out: &mut LocalJacobian) {
+        let HingeSpring {
+            stiffness, damping, ..
+        } = self.spring;
+        let h = state.axis();
+        let gradient = if stiffness == 0.0 {
+            Vector3::zeros()
+        } else {
+            stiffness * state.angle_gradient()
+        };
+        let turning = damping * h.cross(&state.rate);
+        // Derivatives of M h_a by the rotations of a and b, and by the velocity of b.
+        let by_a = h * (turning - gradient).transpose() - self.moment(state) * skew(&h);
+        let by_b = h * gradient.transpose();
+        let by_velocity = damping * h * h.transpose();
+        for (node, sign) in [(0, 1.0), (1, -1.0)] {
+            out.add((node, Moment), (0, Variable::Rotation), &(sign * by_a));
+            out.add((node, Moment), (1, Variable::Rotation), &(sign * by_b));
+            if damping != 0.0 {
+                let [a, b] = [-sign, sign].map(|sign| sign * by_velocity);
+                out.add((node, Moment), (0, Variable::AngularVelocity), &a);
+                out.add((node, Moment), (1, Variable::AngularVelocity), &b);
+            }
+        }
+    }
+}
+
+/// Axes with the first along `axis`, the others in some direction across it.
+fn axes_along(axis: &Vector3<f64>) -> Matrix3<f64> {
+    let h = axis.normalize();
+    // Across the coordinate axis from which h is farthest: never near zero.
+    let mut other = Vector3::zeros();
+    other[h.iamin()] = 1.0;
+    let u = other.cross(&h).normalize();
+    Matrix3::from_columns(&[h, u, h.cross(&u)])
+}
+
+impl State {
+    /// The axis `h_a`.
+    fn axis(&self) -> Vector3<f64> {
+        self.axes[0].column(0).into_owned()
+    }
+
+    /// `s = v_a . u_b` and `c = u_a . u_b`.
+    fn sine_and_cosine(&self) -> (f64, f64) {
+        let [a, b] = &self.axes;
+        (a.column(2).dot(&b.column(1)), a.column(1).dot(&b.column(1)))
+    }
+
+    fn angle(&self) -> f64 {
+        let (s, c) = self.sine_and_cosine();
+        s.atan2(c)
+    }
+
+    /// `w` of `d phi = w . (theta_b - theta_a)`.
+    fn angle_gradient(&self) -> Vector3<f64> {
+        let [a, b] = &self.axes;
+        let (s, c) = self.sine_and_cosine();
+        (s * a.column(1) - c * a.column(2)).cross(&b.column(1)) / (s * s + c * c)
+    }
+
+    fn right_angles(&self) -> [Orthogonality; 2] {
+        [1, 2].map(|across| Orthogonality {
+            a: Direction::of(Some(0), &self.axes[0], across),
+            b: Direction::of(Some(1), &self.axes[1], 0),
+        })
+    }
+}
+
+impl Element for Hinge {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn multipliers(&self) -> usize {
+        5
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        let state = self.state(at.nodes);
+        state.points[0].residual(1.0, 0, at.multipliers, out);
+        state.points[1].residual(-1.0, 0, at.multipliers, out);
+        for (i, pair) in state.right_angles().iter().enumerate() {
+            pair.residual(3 + i, at.multipliers, out);
+        }
+        let moment = self.moment(&state) * state.axis();
+        out.add(0, Moment, &moment);
+        out.add(1, Moment, &-moment);
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let state = self.state(at.nodes);
+        state.points[0].jacobian(1.0, 0, at.multipliers, out);
+        state.points[1].jacobian(-1.0, 0, at.multipliers, out);
+        for (i, pair) in state.right_angles().iter().enumerate() {
+            pair.jacobian(3 + i, at.multipliers, out);
+        }
+        if !self.is_free() {
+            self.spring_jacobian(&state, out);
+        }
+    }
+
+    fn motions(&self) -> Vec<Motion> {
+        let zero = Vector3::zeros();
+        vec![Motion {
+            form: vec![[zero, -self.axis], [zero, self.axis]],
+            is_resisted: self.spring.stiffness > 0.0,
+        }]
+    }
+
+    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+        let state = self.state(at.nodes);
+        let couples = state.right_angles().into_iter().enumerate();
+        let couple = couples
+            .map(|(i, pair)| at.multipliers[3 + i] * pair.couple())
+            .sum::<Vector3<f64>>();
+        let couple = couple + self.moment(&state) * state.axis();
+        for (i, sign) in [(0, 1.0), (1, -1.0)] {
+            let (force, moment) = state.points[i].reaction(&three(at.multipliers, 0));
+            out.reactions.push(Reaction {
+                joint: self.label.clone(),
+                node: self.nodes[i],
+                force: sign * force,
+                moment: sign * (moment + couple),
+            });
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! Loads: forces and moments on nodes, imposed displacements, and how they grow.
+//!
+//! Loads along beams are in [`super::beams`], weight in the bodies that have it.
+
+mod factor;
+mod imposed;
+mod nodal;
+
+pub use factor::{LoadFactor, Turning};
+pub use imposed::{Imposed, ImposedMotion};
+pub use nodal::{NodalForce, NodalLoad};

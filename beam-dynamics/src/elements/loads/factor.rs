@@ -1,0 +1,39 @@
+//! How loads grow, and whether they turn with what carries them.
+
+use crate::model::Loading;
+
+/// The factor that multiplies a load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LoadFactor {
+    /// That of the loads that are constant during an analysis.
+    Constant,
+    /// That of the loads that grow in proportion.
+    Proportional,
+}
+
+impl LoadFactor {
+    /// Its value now [-].
+    pub fn value(self, loading: &Loading) -> f64 {
+        match self {
+            Self::Constant => loading.constant,
+            Self::Proportional => loading.proportional,
+        }
+    }
+
+    /// Its derivative by the factor of the proportional loads [-].
+    pub fn derivative(self) -> f64 {
+        match self {
+            Self::Constant => 0.0,
+            Self::Proportional => 1.0,
+        }
+    }
+}
+
+/// Whether a load keeps its direction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turning {
+    /// A dead load: its direction is fixed in the model's frame.
+    Dead,
+    /// A follower load: it turns with the node or section that carries it.
+    Follower,
+}

@@ -1,0 +1,132 @@
+//! Force and moment on a node.
+//!
+//! A force F at the offset `f = R f~` from the node, and a moment M, times the load's
+//! factor:
+//!
+//! ```text
+//! force balance    F                   dead:      F = const,   M = const
+//! moment balance   M + f x F           follower:  F = R F~,    M = R M~
+//! ```
+//!
+//! Variations, with the rotation theta of the node:
+//!
+//! ```text
+//! dead:       d (f x F) = [F]x [f]x theta
+//! follower:   d F = -[F]x theta,   d (M + f x F) = -[M + f x F]x theta
+//! ```
+//!
+//! References: [Masarati], forces and moments on nodes.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::rotation::skew;
+
+use super::factor::{LoadFactor, Turning};
+use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual};
+use crate::model::Equation::{Force, Moment};
+use crate::model::{Node, NodeMotion, Variable};
+
+/// A force and a moment, as they act on the undeformed node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NodalForce {
+    /// Force, model's axes [N].
+    pub force: Vector3<f64>,
+    /// Moment about the point of attack, model's axes [N m].
+    pub moment: Vector3<f64>,
+    /// Point of attack from the node, in the node's axes [m].
+    pub offset: Vector3<f64>,
+    /// Whether it keeps its direction.
+    pub turning: Turning,
+    /// What it grows with.
+    pub factor: LoadFactor,
+}
+
+/// A force and a moment on a node.
+#[derive(Debug, Clone)]
+pub struct NodalLoad {
+    label: String,
+    nodes: [usize; 1],
+    load: NodalForce,
+    /// Undeformed attitude of the node.
+    rotation: Matrix3<f64>,
+}
+
+/// The load now, for the factor one.
+struct Acting {
+    force: Vector3<f64>,
+    arm: Vector3<f64>,
+    /// About the node.
+    moment: Vector3<f64>,
+}
+
+impl NodalLoad {
+    /// `load` on node number `index`.
+    pub fn new(label: impl Into<String>, index: usize, node: &Node, load: NodalForce) -> Self {
+        Self {
+            label: label.into(),
+            nodes: [index],
+            load,
+            rotation: node.rotation,
+        }
+    }
+
+    fn acting(&self, node: &NodeMotion) -> Acting {
+        let turn = match self.load.turning {
+            Turning::Dead => Matrix3::identity(),
+            Turning::Follower => node.rotation * self.rotation.transpose(),
+        };
+        let force = turn * self.load.force;
+        let arm = node.rotation * self.load.offset;
+        Acting {
+            force,
+            arm,
+            moment: turn * self.load.moment + arm.cross(&force),
+        }
+    }
+
+    fn add(&self, node: &NodeMotion, factor: f64, out: &mut LocalResidual) {
+        let acting = self.acting(node);
+        out.add(0, Force, &(factor * acting.force));
+        out.add(0, Moment, &(factor * acting.moment));
+    }
+
+    fn add_stiffness(&self, node: &NodeMotion, factor: f64, out: &mut LocalJacobian) {
+        let Acting { force, arm, moment } = self.acting(node);
+        let column = (0, Variable::Rotation);
+        match self.load.turning {
+            Turning::Dead => {
+                let by_rotation = factor * skew(&force) * skew(&arm);
+                out.add((0, Moment), column, &by_rotation);
+            }
+            Turning::Follower => {
+                out.add((0, Force), column, &(-factor * skew(&force)));
+                out.add((0, Moment), column, &(-factor * skew(&moment)));
+            }
+        }
+    }
+}
+
+impl Element for NodalLoad {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.add(&at.nodes[0], self.load.factor.value(at.loading), out);
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        self.add_stiffness(&at.nodes[0], self.load.factor.value(at.loading), out);
+    }
+
+    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.add(&at.nodes[0], self.load.factor.derivative(), out);
+    }
+
+    fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
+        self.add_stiffness(&at.nodes[0], self.load.factor.derivative(), out);
+    }
+}

@@ -1,0 +1,108 @@
+//! Section properties along a beam, as its elements want them.
+
+use nalgebra::Matrix6;
+
+use super::properties::Properties;
+use crate::elements::beams::MassAlong;
+
+/// Stiffness and mass per length along one beam, by xi from -1 to 1.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Along {
+    /// 6x6 stiffness at the two evaluation points \[N, N m, N m^2\].
+    pub stiffness: [Matrix6<f64>; 2],
+    /// 6x6 viscosity there; `None` without internal damping \[N s, N m s, N m^2 s\].
+    pub damping: Option<[Matrix6<f64>; 2]>,
+    /// xi and 6x6 mass per length \[kg/m, kg, kg m\], in the order of xi; linear between
+    /// them, and one alone holds everywhere.
+    mass: Vec<(f64, Matrix6<f64>)>,
+    /// Places of the mass between the ends.
+    breaks: Vec<f64>,
+    /// Length of the line for which the beam stands; `None` for that through its nodes
+    /// \[m\].
+    length: Option<f64>,
+}
+
+impl Along {
+    /// The same properties everywhere.
+    pub fn constant(properties: &Properties) -> Self {
+        Self {
+            stiffness: [properties.stiffness; 2],
+            damping: properties.damping.map(|damping| [damping; 2]),
+            mass: vec![(0.0, properties.mass)],
+            breaks: Vec::new(),
+            length: None,
+        }
+    }
+
+    /// Stiffness at the evaluation points, and a mass that is linear between the given
+    /// places, of which the first is -1 and the last 1, on a line of the given length.
+    pub fn varying(
+        stiffness: [Matrix6<f64>; 2],
+        mass: Vec<(f64, Matrix6<f64>)>,
+        length: f64,
+    ) -> Self {
+        let inside = mass.iter().map(|place| place.0);
+        Self {
+            stiffness,
+            damping: None,
+            breaks: inside.filter(|xi| xi.abs() < 1.0).collect(),
+            mass,
+            length: Some(length),
+        }
+    }
+
+    /// The same with internal damping at the evaluation points.
+    pub fn damped(self, damping: Option<[Matrix6<f64>; 2]>) -> Self {
+        Self { damping, ..self }
+    }
+
+    /// Calls `user` with the mass along the beam.
+    pub fn with_mass<T>(&self, user: impl FnOnce(&MassAlong<'_>) -> T) -> T {
+        user(&MassAlong {
+            at: &|xi| self.mass_at(xi),
+            breaks: &self.breaks,
+            length: self.length,
+        })
+    }
+
+    fn mass_at(&self, xi: f64) -> Matrix6<f64> {
+        let after = self.mass.partition_point(|place| place.0 < xi);
+        let inner = self.mass[after.saturating_sub(1)];
+        let Some(outer) = self.mass.get(after.max(1)) else {
+            return inner.1;
+        };
+        let part = (xi - inner.0) / (outer.0 - inner.0);
+        inner.1 + (outer.1 - inner.1) * part
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mass_is_linear_between_its_places() {
+        let unit = Matrix6::identity();
+        let mass = vec![(-1.0, unit), (0.5, 4.0 * unit), (1.0, 2.0 * unit)];
+        let along = Along::varying([unit; 2], mass, 3.0);
+        for (xi, expected) in [
+            (-1.0, 1.0),
+            (-0.5, 2.0),
+            (0.5, 4.0),
+            (0.75, 3.0),
+            (1.0, 2.0),
+        ] {
+            assert!((along.mass_at(xi) - unit * expected).amax() < 1e-15, "{xi}");
+        }
+        assert_eq!(along.with_mass(|mass| mass.breaks.to_vec()), [0.5]);
+        let properties = Properties {
+            stiffness: unit,
+            mass: 7.0 * unit,
+            damping: None,
+        };
+        let constant = Along::constant(&properties);
+        for xi in [-1.0, 0.0, 0.3, 1.0] {
+            assert_eq!(constant.mass_at(xi), 7.0 * unit);
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! Hinges between the hub and the root of a blade.
+//!
+//! From the hub outward; a hinge turns all that is outboard of it. In the axes A of the
+//! seat (x out, y the way the blade goes, z up):
+//!
+//! ```text
+//! flap  about -y, positive up        lag  about z, positive forward        pitch  about x, nose up
+//! ```
+//!
+//! The pitch of the blade is that of its pitch hinge: hinges listed after it are turned
+//! with the blade. Between two hinges there is a node without mass, whatever the
+//! distance; the hinges are attached to it, and the last one to the root of the blade,
+//! by rigid offsets.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::problem::BladeProblem;
+use super::seats::Seat;
+use crate::elements::joints::HingeSpring;
+use crate::input::draft::Draft;
+use crate::model::Node;
+
+/// Moment per angular velocity.
+const TURNING_DAMPER: Dimension = Dimension {
+    length: 2,
+    mass: 1,
+    time: -1,
+    angle: 0,
+};
+
+/// What a hinge lets the blade do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Flap,
+    Lag,
+    Pitch,
+}
+
+impl Kind {
+    const ALL: [Self; 3] = [Self::Flap, Self::Lag, Self::Pitch];
+    const WORDS: [&str; 3] = ["flap", "lag", "pitch"];
+
+    fn word(self) -> &'static str {
+        Self::WORDS[self as usize]
+    }
+
+    /// Axis of a positive angle in the axes of the blade.
+    fn axis(self) -> Vector3<f64> {
+        match self {
+            Self::Flap => -Vector3::y(),
+            Self::Lag => Vector3::z(),
+            Self::Pitch => Vector3::x(),
+        }
+    }
+}
+
+/// A hinge as its table means it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct BladeHinge {
+    kind: Kind,
+    /// Distance from the center of rotation along the span; `None` for that of the hinge
+    /// before, or of the root \[m\].
+    offset: Option<f64>,
+    spring: HingeSpring,
+}
+
+/// Reads `hinges` of a card; `None` when one is wrong.
+pub(super) fn read(table: &Table<'_>) -> Option<Vec<BladeHinge>> {
+    let read: Vec<_> = table.tables("hinges").iter().map(hinge).collect();
+    read.into_iter().collect()
+}
+
+fn hinge(table: &Table<'_>) -> Option<BladeHinge> {
+    let kind = match table.has("kind") {
+        true => table.word("kind", &Kind::WORDS),
+        false => {
+            let _ = table.require_text("kind", "\"flap\", \"lag\" or \"pitch\"");
+            None
+        }
+    };
+    let offset = match table.has("offset") {
+        true => table.quantity("offset", Dimension::LENGTH).map(Some),
+        false => Some(None),
+    };
+    let stiffness = not_negative(table, "stiffness", Dimension::MOMENT);
+    let damping = not_negative(table, "damping", TURNING_DAMPER);
+    let angle = super::seats::angle(table, "angle");
+    table.finish();
+    Some(BladeHinge {
+        kind: Kind::ALL[kind?],
+        offset: offset?,
+        spring: HingeSpring {
+            stiffness: stiffness?,
+            damping: damping?,
+            angle: angle?,
+        },
+    })
+}
+
+fn not_negative(table: &Table<'_>, key: &'static str, dimension: Dimension) -> Option<f64> {
+    if !table.has(key) {
+        return Some(0.0);
+    }
+    let found = table.quantity(key, dimension)?;
+    if found < 0.0 {
+        table.note(key, &BladeProblem::Negative { key, found });
+    }
+    (found >= 0.0).then_some(found)
+}
+
+/// Offsets of all hinges of a blade whose root is at `root` \[m\]; notes those that do
+/// not go outward.
+pub(super) fn offsets(table: &Table<'_>, hinges: &[BladeHinge], root: f64) -> Option<Vec<f64>> {
+    let mut found = Vec::with_capacity(hinges.len());
+    for (number, hinge) in hinges.iter().enumerate() {
+        let before = found.last().copied();
+        let offset = hinge.offset.or(before).unwrap_or(root);
+        let words = || format!("hinge {} ({})", number + 1, hinge.kind.word());
+        let problem = match before {
+            Some(before) if offset < before => BladeProblem::HingesInward {
+                hinge: words(),
+                found: offset,
+                before,
+            },
+            _ if offset > root => BladeProblem::HingeBeyondRoot {
+                hinge: words(),
+                found: offset,
+                root,
+            },
+            _ => {
+                found.push(offset);
+                continue;
+            }
+        };
+        table.note("hinges", &problem);
+        return None;
+    }
+    Some(found)
+}
+
+/// Adds the hinges of a blade, at their offsets, between the hub and node number `root`.
+pub(super) fn add(
+    (hinges, offsets): (&[BladeHinge], &[f64]),
+    seat: &Seat,
+    root: usize,
+    table: &Table<'_>,
+    draft: &mut Draft,
+) {
+    let node = |draft: &mut Draft, end: &str, offset: f64, axes: &Matrix3<f64>| {
+        let node = Node {
+            label: format!("{}/{end}", seat.name),
+            position: seat.at_radius(offset),
+            rotation: *axes,
+        };
+        draft.add_node(node, table, Some(seat.axes))
+    };
+    let (mut axes, mut inner) = (seat.axes, draft.hub_node());
+    if inner.is_none() {
+        inner = node(
+            draft,
+            "hub",
+            offsets.first().copied().unwrap_or(seat.radius),
+            &axes,
+        );
+        if let Some(held) = inner {
+            draft.add_clamp(held, table, "hinges");
+        }
+    }
+    for (number, (hinge, &offset)) in hinges.iter().zip(offsets).enumerate() {
+        let axis = axes * hinge.kind.axis();
+        if hinge.kind == Kind::Pitch {
+            axes = seat.blade_axes();
+        }
+        let outer = match number + 1 == hinges.len() {
+            true => Some(root),
+            false => node(draft, &format!("hinge {}", number + 1), offset, &axes),
+        };
+        let (Some(from), Some(to)) = (inner, outer) else {
+            return draft.note_loose_end();
+        };
+        let label = label(seat, hinges, number);
+        draft.add_hinge(
+            &label,
+            [from, to],
+            (seat.at_radius(offset), axis),
+            hinge.spring,
+        );
+        inner = outer;
+    }
+}
+
+/// Name of a hinge: by its kind, and its place among all when another is of that kind.
+fn label(seat: &Seat, hinges: &[BladeHinge], number: usize) -> String {
+    let kind = hinges[number].kind;
+    let same = hinges.iter().filter(|hinge| hinge.kind == kind).count();
+    match same {
+        1 => format!("{}/{} hinge", seat.name, kind.word()),
+        _ => format!("{}/{} hinge {}", seat.name, kind.word(), number + 1),
+    }
+}

@@ -1,0 +1,84 @@
+//! Point masses on a blade.
+
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::laid::Laid;
+use super::problem::BladeProblem;
+use super::source::Source;
+use crate::elements::bodies::RigidInertia;
+use crate::input::bodies::{self, Lump};
+
+/// A mass beyond an end of the line by less than this part of its length is at the end:
+/// digits lost in the input.
+const ROUNDING: f64 = 1e-6;
+
+/// Where a mass is on the line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum At {
+    Tip,
+    /// Arc length \[m\].
+    Place(f64),
+}
+
+/// A `[[blade.mass]]`.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct PointMass {
+    at: At,
+    lump: Lump,
+    line: usize,
+}
+
+/// Reads every `[[blade.mass]]` of a card; `None` when one is wrong.
+pub(super) fn read(blade: &Table<'_>) -> Option<Vec<PointMass>> {
+    let tables = blade.tables("mass");
+    let read: Vec<_> = tables.iter().enumerate().map(mass).collect();
+    read.into_iter().collect()
+}
+
+fn mass((number, table): (usize, &Table<'_>)) -> Option<PointMass> {
+    let at = at(table);
+    let lump = bodies::lump(table, &format!("mass {}", number + 1));
+    table.finish();
+    Some(PointMass {
+        at: at?,
+        lump: lump?,
+        line: table.line_of("at"),
+    })
+}
+
+fn at(table: &Table<'_>) -> Option<At> {
+    if table.is_text("at") && table.text("at")? == "tip" {
+        return Some(At::Tip);
+    }
+    let place = table.require_quantity("at", Dimension::LENGTH)?;
+    Some(At::Place(place))
+}
+
+impl PointMass {
+    /// Arc length on a blade of the given length; notes a place off the line.
+    pub fn place(&self, length: f64, table: &Table<'_>) -> Option<f64> {
+        let At::Place(found) = self.at else {
+            return Some(length);
+        };
+        let near = ROUNDING * length;
+        if (-near..=length + near).contains(&found) {
+            return Some(found.clamp(0.0, length));
+        }
+        let document = table.document();
+        document.note(self.line, &BladeProblem::OffLine { found, length });
+        None
+    }
+
+    /// The number of the node that carries the mass at an arc length, and the inertia
+    /// about that node, in its axes.
+    pub fn on_node(&self, place: f64, source: &Source, laid: &Laid) -> (usize, RigidInertia) {
+        let number = laid.nearest_end(place);
+        let node = &laid.nodes[number];
+        let distance = match node.arc_length == place {
+            true => nalgebra::Vector3::zeros(),
+            false => node.axes.transpose() * (source.position(place) - node.position),
+        };
+        (number, self.lump.inertia(&distance))
+    }
+}

@@ -1,0 +1,152 @@
+//! Blades of straight pieces.
+
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::laid::Laid;
+use super::piece_line::{Piece, PieceLine};
+use super::seats::shallow;
+use crate::input::along::Along;
+use crate::input::draft::Draft;
+use crate::input::problem::InputProblem;
+use crate::input::properties::Properties;
+
+/// Beams of one piece: more are a slip of the pen.
+const MOST_ELEMENTS: usize = 1000;
+
+/// Line and properties of a blade of pieces.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Pieces {
+    /// The line.
+    pub line: PieceLine,
+    /// Properties of each piece.
+    properties: Vec<Properties>,
+}
+
+impl Pieces {
+    /// Nodes and beams.
+    pub fn lay(&self) -> Laid {
+        let words = |piece| format!(", piece {}", piece + 1);
+        let along = |piece: usize| Along::constant(&self.properties[piece]);
+        self.line.lay(words, along)
+    }
+}
+
+/// Reads every `[[blade.piece]]` of the blade `name`.
+pub(super) fn read(table: &Table<'_>, draft: &mut Draft, name: &str) -> Option<Pieces> {
+    let words = format!("blade \"{name}\"");
+    let is_named = table.has("properties");
+    let default = Fallback {
+        is_named,
+        properties: is_named
+            .then(|| draft.find_properties(table, &words))
+            .flatten(),
+    };
+    let (pieces, properties) = pieces(table, draft, &words, default);
+    Some(Pieces {
+        line: PieceLine { pieces: pieces? },
+        properties: properties?,
+    })
+}
+
+/// Properties of the pieces that name none.
+#[derive(Clone, Copy)]
+struct Fallback {
+    /// Whether the blade names any.
+    is_named: bool,
+    /// Those that it names; `None` when they are wrong.
+    properties: Option<Properties>,
+}
+
+/// Geometry and properties of every piece; each is `None` when one of them is wrong.
+fn pieces(
+    blade: &Table<'_>,
+    draft: &mut Draft,
+    words: &str,
+    default: Fallback,
+) -> (Option<Vec<Piece>>, Option<Vec<Properties>>) {
+    let tables = blade.tables("piece");
+    if tables.is_empty() {
+        let name = blade.text("name").unwrap_or_default();
+        blade.note("piece", &InputProblem::NoPieces { blade: name });
+        return (None, None);
+    }
+    let read: Vec<_> = tables
+        .iter()
+        .enumerate()
+        .map(|(number, table)| {
+            let words = format!("{words}, piece {}", number + 1);
+            let properties = piece_properties(table, draft, &words, default);
+            let piece = piece(table);
+            table.finish();
+            (piece, properties)
+        })
+        .collect();
+    let (pieces, properties): (Vec<_>, Vec<_>) = read.into_iter().unzip();
+    (
+        pieces.into_iter().collect(),
+        properties.into_iter().collect(),
+    )
+}
+
+fn piece_properties(
+    table: &Table<'_>,
+    draft: &mut Draft,
+    words: &str,
+    default: Fallback,
+) -> Option<Properties> {
+    if table.has("properties") {
+        return draft.find_properties(table, words);
+    }
+    if !default.is_named {
+        let piece = words.to_owned();
+        table.note("properties", &InputProblem::NoProperties { piece });
+    }
+    default.properties
+}
+
+fn piece(table: &Table<'_>) -> Option<Piece> {
+    let length = table.require_positive("length", Dimension::LENGTH);
+    let elements = table.require_count("elements").filter(|&found| {
+        let (key, limit) = ("elements", MOST_ELEMENTS);
+        if found > limit {
+            table.note(key, &InputProblem::TooMany { key, found, limit });
+        }
+        found <= limit
+    });
+    let sweep = shallow(table, "sweep");
+    let dihedral = shallow(table, "dihedral");
+    let twist = twist(table);
+    Some(Piece {
+        length: length?,
+        elements: elements?,
+        sweep: sweep?,
+        dihedral: dihedral?,
+        twist: twist?,
+    })
+}
+
+/// Twist at both ends; one number is that of both.
+fn twist(table: &Table<'_>) -> Option<[f64; 2]> {
+    if !table.has("twist") {
+        return Some([0.0; 2]);
+    }
+    let numbers = table.quantities("twist", Dimension::ANGLE)?;
+    match numbers[..] {
+        [both] => Some([both; 2]),
+        [inner, outer] => Some([inner, outer]),
+        _ => {
+            let (key, found) = ("twist", numbers.len());
+            let expected = "one angle, or those at both ends";
+            table.note(
+                key,
+                &InputProblem::Count {
+                    key,
+                    found,
+                    expected,
+                },
+            );
+            None
+        }
+    }
+}

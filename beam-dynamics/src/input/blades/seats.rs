@@ -1,0 +1,221 @@
+//! Where the blades of a card sit on the hub, and what they are called.
+//!
+//! ```text
+//! A = A_hub(azimuth) Ry(-precone)        B = A Rx(pitch)        root = center + R A e_x
+//! ```
+//!
+//! A has the span as the hub holds it (x out, y the way the blade goes, z up), B is the
+//! blade with its pitch, which turns it as a whole about the span at its root, as a
+//! pitch bearing does. R is the hub radius; `root` gives the place itself.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
+use shared_geom::rotation::vector;
+use shared_geom::units::Dimension;
+use std::f64::consts::TAU;
+
+use super::problem::BladeProblem;
+use crate::input::draft::Draft;
+use crate::input::problem::InputProblem;
+
+/// Blades of one card: more are a slip of the pen.
+const MOST_BLADES: usize = 100;
+/// Azimuths nearer than this are the same \[rad\].
+const SAME_AZIMUTH: f64 = 1e-6;
+
+/// The seat of one blade.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Seat {
+    /// Name of the blade.
+    pub name: String,
+    /// Place on the rotor, positive about the axis \[rad\].
+    pub azimuth: f64,
+    /// Place of the root \[m\].
+    pub root: Vector3<f64>,
+    /// Distance of the root from the center of rotation, along the span \[m\].
+    pub radius: f64,
+    /// Axes (columns) before pitch, precone included.
+    pub axes: Matrix3<f64>,
+    /// Pitch, positive nose up \[rad\].
+    pub pitch: f64,
+}
+
+impl Seat {
+    /// Axes (columns) of the blade, pitch included.
+    pub fn blade_axes(&self) -> Matrix3<f64> {
+        self.axes * about(Vector3::x() * self.pitch)
+    }
+
+    /// Place at a distance from the center of rotation along the span \[m\].
+    pub fn at_radius(&self, radius: f64) -> Vector3<f64> {
+        self.root + self.axes.column(0) * (radius - self.radius)
+    }
+}
+
+fn about(turn: Vector3<f64>) -> Matrix3<f64> {
+    vector::to_rotation(&turn)
+}
+
+/// Where the root is, by key.
+#[derive(Debug, Clone, Copy)]
+enum RootPlace {
+    /// `root`: its place at azimuth zero \[m\].
+    At(Vector3<f64>),
+    /// `hub_radius`: its distance from the center along the span \[m\].
+    Radius(f64),
+}
+
+/// Names and azimuths \[rad\] of the blades of a card.
+pub(super) type Places = Vec<(String, f64)>;
+
+/// Names and azimuths; `None` when they are wrong, which is noted.
+pub(super) fn places(table: &Table<'_>) -> Option<Places> {
+    let name = table.require_text("name", "the name of the blade");
+    let azimuths = azimuths(table, name.as_deref().unwrap_or_default());
+    let names = match table.has("names") {
+        true => Some(table.texts("names")?),
+        false => None,
+    };
+    let (name, azimuths) = (name?, azimuths?);
+    let is_several = table.has("count") || table.has("azimuths");
+    let names = match names {
+        Some(names) => names,
+        None if is_several => (1..=azimuths.len())
+            .map(|k| format!("{name} {k}"))
+            .collect(),
+        None => vec![name],
+    };
+    if names.len() != azimuths.len() {
+        let (found, expected) = (names.len(), azimuths.len());
+        table.note("names", &BladeProblem::Names { found, expected });
+        return None;
+    }
+    Some(names.into_iter().zip(azimuths).collect())
+}
+
+fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
+    let first = angle(table, "azimuth");
+    let count = match table.has("count") {
+        true => Some(count(table)?),
+        false => None,
+    };
+    if !table.has("azimuths") {
+        let (first, count) = (first?, count.unwrap_or(1));
+        return Some(
+            (0..count)
+                .map(|k| first + TAU * k as f64 / count as f64)
+                .collect(),
+        );
+    }
+    for key in ["count", "azimuth"] {
+        if table.has(key) {
+            let problem = BladeProblem::Both {
+                blade: format!("blade \"{name}\""),
+                first: "azimuths",
+                second: key,
+            };
+            table.note(key, &problem);
+            return None;
+        }
+    }
+    let angles = table.quantities("azimuths", Dimension::ANGLE)?;
+    for (k, angle) in angles.iter().enumerate() {
+        let apart = |other: &f64| (angle - other + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
+        if angles[..k]
+            .iter()
+            .any(|other| apart(other).abs() < SAME_AZIMUTH)
+        {
+            let degrees = angle.to_degrees();
+            table.note("azimuths", &BladeProblem::AzimuthTwice { degrees });
+            return None;
+        }
+    }
+    Some(angles)
+}
+
+fn count(table: &Table<'_>) -> Option<usize> {
+    let (key, limit) = ("count", MOST_BLADES);
+    let found = table.count(key)?;
+    if found > limit {
+        table.note(key, &InputProblem::TooMany { key, found, limit });
+    }
+    (found <= limit).then_some(found)
+}
+
+/// The seats of the blades of a card at `places`.
+pub(super) fn read(table: &Table<'_>, draft: &Draft, places: Option<&Places>) -> Option<Vec<Seat>> {
+    let name = table.text("name").unwrap_or_default();
+    let root = root_place(table, &name);
+    let precone = shallow(table, "precone");
+    let pitch = angle(table, "pitch");
+    let (hub, places, root) = (draft.hub()?, places?, root?);
+    let cone = about(Vector3::new(0.0, -precone?, 0.0));
+    let mut seats = Vec::with_capacity(places.len());
+    for (name, azimuth) in places {
+        let Some(axes) = hub.blade_axes(*azimuth) else {
+            table.note("azimuth", &InputProblem::AxisAlongSpan);
+            return None;
+        };
+        let axes = axes * cone;
+        let span = axes.column(0).into_owned();
+        let center = hub.spin().center;
+        let (root, radius) = match root {
+            RootPlace::Radius(radius) => (center + radius * span, radius),
+            RootPlace::At(place) => {
+                let root = hub.at_azimuth(place, *azimuth);
+                (root, (root - center).dot(&span))
+            }
+        };
+        seats.push(Seat {
+            name: name.clone(),
+            azimuth: *azimuth,
+            root,
+            radius,
+            axes,
+            pitch: pitch?,
+        });
+    }
+    Some(seats)
+}
+
+fn root_place(table: &Table<'_>, name: &str) -> Option<RootPlace> {
+    match (table.has("root"), table.has("hub_radius")) {
+        (true, true) => {
+            let problem = BladeProblem::Both {
+                blade: format!("blade \"{name}\""),
+                first: "root",
+                second: "hub_radius",
+            };
+            table.note("hub_radius", &problem);
+            None
+        }
+        (true, false) => table.vector("root", Dimension::LENGTH).map(RootPlace::At),
+        (false, true) => {
+            let radius = table.quantity("hub_radius", Dimension::LENGTH)?;
+            if radius >= 0.0 {
+                return Some(RootPlace::Radius(radius));
+            }
+            table.wrong("hub_radius", "a length, zero or more");
+            None
+        }
+        (false, false) => Some(RootPlace::At(Vector3::zeros())),
+    }
+}
+
+/// An angle; zero when absent.
+pub(super) fn angle(table: &Table<'_>, key: &str) -> Option<f64> {
+    match table.has(key) {
+        true => table.quantity(key, Dimension::ANGLE),
+        false => Some(0.0),
+    }
+}
+
+/// An angle of less than a quarter turn; a line that leads back inward is a mistake.
+pub(super) fn shallow(table: &Table<'_>, key: &'static str) -> Option<f64> {
+    let found = angle(table, key)?.to_degrees();
+    if found.abs() < 90.0 {
+        return Some(found.to_radians());
+    }
+    table.note(key, &InputProblem::SteepAngle { key, found });
+    None
+}

@@ -1,0 +1,206 @@
+//! Blades from blade files: stations along a reference line.
+//!
+//! An element from arc length `s_1` to `s_3` has its nodes on the line, the middle one at
+//! half the arc length, and the section axes of the line there; its evaluation points
+//! are at
+//!
+//! ```text
+//! s(xi) = s_1 + (1 + xi) (s_3 - s_1)/2
+//! ```
+//!
+//! where stiffness and mass are interpolated. Of two sides of a jump or a kink an
+//! element sees its own.
+
+use nalgebra::{Matrix6, Vector3};
+use shared_geom::blade::{self, Blade, Side};
+use shared_geom::document::Table;
+use shared_geom::line::{Course, Curve};
+
+use super::laid::{Laid, LaidNode};
+use super::mesh::Ends;
+use super::problem::BladeProblem;
+use crate::elements::beams::ElasticBeam;
+use crate::input::along::Along;
+use crate::input::draft::Draft;
+use crate::input::problem::InputProblem;
+
+/// Elements of one blade: more are a slip of the pen.
+const MOST_ELEMENTS: usize = 10_000;
+/// A line of straight pieces that turns by more at a point has a kink there, where an
+/// element must end \[rad\]: half a degree, a curve drawn with 180 points a half turn.
+const KINK: f64 = 0.01;
+/// Eigenvalues of a stiffness scaled to a unit diagonal below this are not positive: a
+/// few roundings of a sum of six.
+const POSITIVE: f64 = 1e-14;
+/// A station nearer to an element end than this part of the element is at it.
+const AT_END: f64 = 1e-9;
+
+/// A blade file, and into how many elements it is cut.
+#[derive(Debug)]
+pub(super) struct StationLine {
+    blade: Blade,
+    curve: Curve,
+    /// Their number; `None` for element ends at the stations.
+    elements: Option<usize>,
+}
+
+/// Reads the file that `file` of a card names.
+pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> {
+    let elements = match table.has("elements") {
+        true => elements(table).map(Some),
+        false => Some(None),
+    };
+    let written = table.text("file")?;
+    let document = table.document();
+    let path = document.path(&written);
+    let reading = document.keep(blade::read(&path))?;
+    draft.add_remarks(reading.remarks);
+    Some(StationLine {
+        curve: reading.blade.line.curve(),
+        blade: reading.blade,
+        elements: elements?,
+    })
+}
+
+fn elements(table: &Table<'_>) -> Option<usize> {
+    let (key, limit) = ("elements", MOST_ELEMENTS);
+    let found = table.count(key)?;
+    if found > limit {
+        table.note(key, &InputProblem::TooMany { key, found, limit });
+    }
+    (found <= limit).then_some(found)
+}
+
+impl StationLine {
+    /// Arc length of the tip \[m\].
+    pub fn length(&self) -> f64 {
+        self.curve.length()
+    }
+
+    /// Place on the line at an arc length \[m\].
+    pub fn position(&self, arc_length: f64) -> Vector3<f64> {
+        self.curve.at(arc_length).position
+    }
+
+    /// Nodes and beams, with element ends at `masses` too.
+    pub fn lay(&self, masses: &[f64], table: &Table<'_>) -> Option<Laid> {
+        let ends = self.ends(masses, table)?;
+        let mut laid = Laid::default();
+        let mut sound = true;
+        for pair in ends.windows(2) {
+            let span = [pair[0], pair[1]];
+            let (along, found) = self.along(span);
+            for (place, eigenvalue) in found {
+                sound = false;
+                table.note("file", &self.not_positive(place, eigenvalue));
+            }
+            let middle = 0.5 * (span[0] + span[1]);
+            let places = [
+                self.node(span[0], Side::Outer),
+                self.node(middle, Side::Outer),
+                self.node(span[1], Side::Inner),
+            ];
+            laid.add(
+                places,
+                format!(", from {:.4} to {:.4} m", span[0], span[1]),
+                along,
+            );
+        }
+        sound.then_some(laid)
+    }
+
+    fn node(&self, arc_length: f64, side: Side) -> LaidNode {
+        let place = self.curve.on(arc_length, side);
+        LaidNode {
+            arc_length,
+            position: place.position,
+            axes: place.axes,
+        }
+    }
+
+    /// Element ends from the root to the tip.
+    fn ends(&self, masses: &[f64], table: &Table<'_>) -> Option<Vec<f64>> {
+        let mut fixed = [masses, &self.blade.jumps()].concat();
+        let mut wished = self.blade.places();
+        let known = self.curve.arc_lengths();
+        match self.blade.line.course {
+            Course::Spline => {}
+            Course::Arcs => wished.extend(known),
+            Course::Polyline => {
+                fixed.extend(known.iter().filter(|place| self.turn(**place) > KINK));
+                wished.extend(known);
+            }
+        }
+        let ends = Ends {
+            length: self.length(),
+            fixed: &fixed,
+            stations: &wished,
+        };
+        let Some(found) = self.elements else {
+            return Some(ends.at_stations());
+        };
+        let number = ends.of_number(found);
+        let too_few = |needed| table.note("elements", &BladeProblem::TooFew { found, needed });
+        number.map_err(too_few).ok()
+    }
+
+    /// By how much the line turns at a place \[rad\].
+    fn turn(&self, place: f64) -> f64 {
+        let tangent = |side| self.curve.on(place, side).tangent;
+        tangent(Side::Inner).angle(&tangent(Side::Outer))
+    }
+
+    /// Properties along an element, and the evaluation points at which the stiffness is
+    /// not positive definite with its smallest scaled eigenvalue.
+    fn along(&self, [from, to]: [f64; 2]) -> (Along, Vec<(f64, f64)>) {
+        let length = to - from;
+        let places = ElasticBeam::evaluation_points().map(|xi| from + 0.5 * (1.0 + xi) * length);
+        let stiffness = places.map(|place| self.blade.at(place, Side::Outer).0);
+        let problem = |(place, stiffness): (&f64, &Matrix6<f64>)| {
+            let eigenvalue = smallest(stiffness);
+            (eigenvalue.is_nan() || eigenvalue < POSITIVE).then_some((*place, eigenvalue))
+        };
+        let problems = places.iter().zip(&stiffness).filter_map(problem).collect();
+        let mass = |place, side| self.blade.at(place, side).1;
+        let mut masses = vec![(-1.0, mass(from, Side::Outer))];
+        let near = AT_END * length;
+        for place in self.blade.places() {
+            if place > from + near && place < to - near {
+                let xi = 2.0 * (place - from) / length - 1.0;
+                masses.push((xi, mass(place, Side::Outer)));
+            }
+        }
+        masses.push((1.0, mass(to, Side::Inner)));
+        let [first, last] = places.map(|place| self.blade.damping_at(place, Side::Outer));
+        let damping = first.zip(last).map(|(first, last)| [first, last]);
+        let along = Along::varying(stiffness, masses, length).damped(damping);
+        (along, problems)
+    }
+
+    fn not_positive(&self, place: f64, eigenvalue: f64) -> BladeProblem {
+        let stations = self.blade.places();
+        let after = stations.partition_point(|station| *station <= place);
+        let word = |station: Option<&f64>, side: &str| match station {
+            Some(station) => format!("the station at {station:.6} m"),
+            None => format!("the {side} end"),
+        };
+        let inner = word(after.checked_sub(1).and_then(|k| stations.get(k)), "inner");
+        let outer = word(stations.get(after), "outer");
+        BladeProblem::NotPositive {
+            blade: self.blade.name.clone(),
+            place,
+            between: format!("between {inner} and {outer}"),
+            eigenvalue,
+        }
+    }
+}
+
+/// Smallest eigenvalue of a stiffness scaled to a unit diagonal \[-\].
+fn smallest(stiffness: &Matrix6<f64>) -> f64 {
+    let diagonal = stiffness.diagonal();
+    if !diagonal.iter().all(|entry| *entry > 0.0) {
+        return diagonal.min().min(0.0);
+    }
+    let scaled = Matrix6::from_fn(|i, j| stiffness[(i, j)] / (diagonal[i] * diagonal[j]).sqrt());
+    scaled.symmetric_eigenvalues().min()
+}

@@ -1,0 +1,133 @@
+//! Hinges and rigid connections between two nodes.
+
+use nalgebra::Vector3;
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::draft::Draft;
+use super::number::not_negative;
+use super::problem::InputProblem;
+use crate::elements::joints::HingeSpring;
+
+/// Adds every `[[hinge]]` to the model.
+pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("hinge").iter().enumerate() {
+        let label = name(table, "hinge", number);
+        let is_new = draft.take_label("joint", &label, table);
+        let nodes = nodes(table, draft, &format!("hinge \"{label}\""));
+        let axis = axis(table);
+        let offset = match table.has("offset") {
+            true => table.vector("offset", Dimension::LENGTH),
+            false => Some(Vector3::zeros()),
+        };
+        let spring = spring(table);
+        let in_node = match table.has("axis_in") {
+            true => table.word("axis_in", &["model", "node"]),
+            false => Some(0),
+        };
+        table.finish();
+        match (nodes, axis, offset, spring, in_node) {
+            (Some(nodes), Some(axis), Some(offset), Some(spring), Some(in_node)) if is_new => {
+                let outer = &draft.nodes()[nodes[1]];
+                let position = outer.position + outer.rotation * offset;
+                let axis = match in_node {
+                    0 => axis,
+                    _ => outer.rotation * axis,
+                };
+                draft.add_hinge(&label, nodes, (position, axis), spring);
+            }
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+/// Adds every `[[rigid]]` to the model.
+pub(super) fn read_rigid(root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("rigid").iter().enumerate() {
+        let label = name(table, "rigid connection", number);
+        let is_new = draft.take_label("joint", &label, table);
+        let nodes = nodes(table, draft, &format!("rigid connection \"{label}\""));
+        table.finish();
+        match nodes {
+            Some(nodes) if is_new => draft.add_rigid(&label, nodes),
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+fn name(table: &Table<'_>, kind: &str, number: usize) -> String {
+    let own = table.text("name");
+    own.unwrap_or_else(|| format!("{kind} {}", number + 1))
+}
+
+/// The two nodes of a joint.
+fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 2]> {
+    if !table.has("nodes") {
+        let _ = table.require_text("nodes", "the names of two nodes");
+    }
+    let Some(names) = table.texts("nodes") else {
+        draft.note_loose_end();
+        return None;
+    };
+    let found: Vec<_> = names
+        .iter()
+        .map(|name| draft.find_node(name, table, "nodes", words))
+        .collect();
+    let [first, second] = found[..] else {
+        let (key, found, expected) = ("nodes", names.len(), "two");
+        let problem = InputProblem::Count {
+            key,
+            found,
+            expected,
+        };
+        table.note(key, &problem);
+        draft.note_loose_end();
+        return None;
+    };
+    let nodes = [first?, second?];
+    if nodes[0] == nodes[1] {
+        let node = draft.nodes()[nodes[0]].label.clone();
+        let joint = words.to_owned();
+        table.note("nodes", &InputProblem::JoinedToItself { joint, node });
+        return None;
+    }
+    Some(nodes)
+}
+
+/// The axis of a hinge, in the model's frame.
+fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
+    if !table.has("axis") {
+        let _ = table.require_text("axis", "the direction of the axis");
+        return None;
+    }
+    let axis = table.vector("axis", Dimension::NUMBER)?;
+    let largest = axis.amax();
+    if largest == 0.0 {
+        table.note("axis", &InputProblem::NoAxis);
+        return None;
+    }
+    Some(axis / largest)
+}
+
+/// Spring and damper of a hinge: `stiffness`, `damping`, `angle`.
+pub(super) fn spring(table: &Table<'_>) -> Option<HingeSpring> {
+    let number = |key: &str, dimension: Dimension| match table.has(key) {
+        true => not_negative(table, key, dimension),
+        false => Some(0.0),
+    };
+    let stiffness = number("stiffness", Dimension::MOMENT);
+    let damping = number("damping", Dimension::TURNING_DAMPER);
+    let angle = match table.has("angle") {
+        true => table.quantity("angle", Dimension::ANGLE),
+        false => Some(0.0),
+    };
+    if table.has("angle") && stiffness == Some(0.0) {
+        table.note("angle", &InputProblem::NoSpring);
+        return None;
+    }
+    Some(HingeSpring {
+        stiffness: stiffness?,
+        damping: damping?,
+        angle: angle?,
+    })
+}

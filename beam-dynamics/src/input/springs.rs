@@ -1,0 +1,127 @@
+//! Springs and dampers between a node and the frame, or the world.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
+use shared_geom::rotation::{skew, vector};
+use shared_geom::units::Dimension;
+
+use super::draft::Draft;
+use super::problem::InputProblem;
+use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
+
+/// Part of the largest entry below which a matrix, and part of the largest coordinate
+/// below which a distance from the axis, counts as zero: digits lost in the input.
+const ROUNDING: f64 = 1e-9;
+
+/// A spring as its card means it.
+struct Spring {
+    axes: Matrix3<f64>,
+    /// Along the axes \[N/m\], about them \[N m\].
+    stiffness: [f64; 6],
+    /// Along the axes \[N s/m\], about them \[N m s\].
+    damping: [f64; 6],
+    stand: Stand,
+}
+
+/// Adds every `[[spring]]` to the model.
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("spring").iter().enumerate() {
+        let label = table
+            .text("name")
+            .unwrap_or_else(|| format!("spring {}", number + 1));
+        let is_new = draft.take_label("spring", &label, table);
+        let words = format!("spring \"{label}\"");
+        let name = table.require_text("node", "the name of a node");
+        let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
+        let spring = spring(table);
+        table.finish();
+        match (node, spring) {
+            (Some(node), Some(spring)) if is_new => add(&spring, (node, label), table, draft),
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+fn spring(table: &Table<'_>) -> Option<Spring> {
+    let axes = match table.has("orientation") {
+        true => table.vector("orientation", Dimension::ANGLE),
+        false => Some(Vector3::zeros()),
+    };
+    let stiffness = six(
+        table,
+        ["stiffness", "rotational_stiffness"],
+        [Dimension::SPRING_STIFFNESS, Dimension::MOMENT],
+    );
+    let damping = six(
+        table,
+        ["damping", "rotational_damping"],
+        [Dimension::DAMPER, Dimension::TURNING_DAMPER],
+    );
+    let stand = match table.has("stands_in") {
+        true => table.word("stands_in", &["frame", "world"]),
+        false => Some(0),
+    };
+    Some(Spring {
+        axes: vector::to_rotation(&axes?),
+        stiffness: stiffness?,
+        damping: damping?,
+        stand: [Stand::Frame, Stand::World][stand?],
+    })
+}
+
+/// Three numbers under each key, none below zero; zeros when absent.
+fn six(table: &Table<'_>, keys: [&str; 2], dimensions: [Dimension; 2]) -> Option<[f64; 6]> {
+    let three = |i: usize| -> Option<Vector3<f64>> {
+        if !table.has(keys[i]) {
+            return Some(Vector3::zeros());
+        }
+        let numbers = table.vector(keys[i], dimensions[i])?;
+        if numbers.min() < 0.0 {
+            let expected = format!("an array of 3, each {}, zero or more", dimensions[i]);
+            table.wrong(keys[i], &expected);
+            return None;
+        }
+        Some(numbers)
+    };
+    let (along, about) = (three(0), three(1));
+    let (along, about) = (along?, about?);
+    Some([along.x, along.y, along.z, about.x, about.y, about.z])
+}
+
+fn add(spring: &Spring, (index, label): (usize, String), table: &Table<'_>, draft: &mut Draft) {
+    let law = SupportLaw::along(&spring.axes, &spring.stiffness, &spring.damping);
+    let node = draft.nodes()[index].clone();
+    let turns_with = draft.hub().map(|hub| hub.spin());
+    if let (Stand::World, Some(spin)) = (spring.stand, turns_with) {
+        let off = node.position - spin.center;
+        let across = off - spin.axis * spin.axis.dot(&off);
+        let size = node.position.amax().max(spin.center.amax());
+        if across.amax() > ROUNDING * size {
+            let (spring, node) = (label, node.label);
+            table.note("stands_in", &InputProblem::OffAxis { spring, node });
+            return draft.note_broken();
+        }
+        if !is_isotropic(&law, &spin.axis) {
+            table.note("stands_in", &InputProblem::Anisotropic { spring: label });
+            return draft.note_broken();
+        }
+    }
+    let support = SupportSpring::new(label, index, &node, law, spring.stand);
+    draft.add_joint(Box::new(support));
+}
+
+/// Whether all of a law is the same in all directions about an axis: its matrices
+/// commute with the rotations about it.
+fn is_isotropic(law: &SupportLaw, axis: &Vector3<f64>) -> bool {
+    let turn = skew(axis);
+    let parts = [
+        law.stiffness,
+        law.damping,
+        law.turning_stiffness,
+        law.turning_damping,
+    ];
+    let turned = |part: &Matrix3<f64>| (part * turn - turn * part).amax();
+    parts
+        .iter()
+        .all(|part| turned(part) <= ROUNDING * part.amax())
+}

@@ -1,0 +1,30 @@
+//! All eigenvalues of a small dense matrix.
+
+use faer::diag::Diag;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_real, evd_scratch};
+use faer::{Auto, MatRef, Par, c64};
+
+/// All eigenvalues of a square matrix; empty when it is not finite or the iteration
+/// fails.
+///
+/// The plain QR iteration at any size: the multishift one of faer 0.24, which it takes
+/// from size 75 on by itself, has been seen not to end.
+pub(super) fn eigenvalues(matrix: MatRef<'_, f64>) -> Vec<c64> {
+    let n = matrix.nrows();
+    if !matrix.is_all_finite() {
+        return Vec::new();
+    }
+    let mut parameters = <EvdParams as Auto<f64>>::auto();
+    parameters.schur.blocking_threshold = usize::MAX;
+    let no = ComputeEigenvectors::No;
+    let spec = parameters.into();
+    let mut memory = MemBuffer::new(evd_scratch::<f64>(n, no, no, Par::Seq, spec));
+    let stack = MemStack::new(&mut memory);
+    let (mut real, mut imaginary) = (Diag::zeros(n), Diag::zeros(n));
+    let (re, im) = (real.as_mut(), imaginary.as_mut());
+    match evd_real(matrix, re, im, None, None, Par::Seq, stack, spec) {
+        Ok(()) => (0..n).map(|i| c64::new(real[i], imaginary[i])).collect(),
+        Err(_) => Vec::new(),
+    }
+}

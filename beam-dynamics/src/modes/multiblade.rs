@@ -1,0 +1,122 @@
+//! Multiblade coordinates: how the blades of a rotor move together.
+//!
+//! With u_k the motion of blade k, in the axes of the blade, psi_k its azimuth and N
+//! equal blades at equal distances,
+//!
+//! ```text
+//! u_k = sum_h Q_h exp(-i h psi_k)        Q_h = 1/N sum_k u_k exp(i h psi_k)
+//! ```
+//!
+//! h from -(N-1)/2 to N/2. In a motion exp(i w t) the part h runs around the rotor as
+//! `w t - h psi`: in the direction of rotation for h > 0 (progressive), against it for
+//! h < 0 (regressive); h = 0 is collective, and h = N/2 of an even number of blades
+//! differential, each blade against its neighbors. Seen from the fixed system, where the
+//! rotor turns with Omega, its frequency is `w + h Omega`.
+//!
+//! The kinetic energies of the parts are, with P_h the same sums of the momenta,
+//!
+//! ```text
+//! E_h = N Q_h^H P_h
+//! ```
+//!
+//! References: [ColemanFeingold1958].
+
+use nalgebra::{Complex, Vector3};
+
+use crate::case::BladeNodes;
+use crate::model::NamingAxes;
+use crate::result::Whirl;
+
+/// Distances of the blades in azimuth may differ by this [rad].
+const EQUAL: f64 = 1e-6;
+/// Unknowns of motion of a node.
+const SIX: usize = 6;
+
+/// Equal blades at equal distances around the axis.
+#[derive(Debug, Clone)]
+pub struct Rotor {
+    blades: Vec<BladeNodes>,
+}
+
+impl Rotor {
+    /// The rotor of `blades`; `None` for one blade, for blades of different numbers of
+    /// nodes, and for blades at unequal distances.
+    pub fn new(blades: &[BladeNodes]) -> Option<Self> {
+        let first = blades.first()?;
+        let count = blades.len();
+        let step = std::f64::consts::TAU / count as f64;
+        let around = |blade: &BladeNodes| {
+            // The first blade may come out as a whole turn.
+            let steps = ((blade.azimuth - first.azimuth) / step + 0.5).rem_euclid(count as f64);
+            steps - 0.5
+        };
+        let mut steps: Vec<_> = blades.iter().map(around).collect();
+        steps.sort_by(f64::total_cmp);
+        let apart = (0..count).all(|k| (steps[k] - k as f64).abs() * step < EQUAL);
+        let alike = blades
+            .iter()
+            .all(|blade| blade.nodes.len() == first.nodes.len());
+        (count > 1 && apart && alike).then(|| Self {
+            blades: blades.to_vec(),
+        })
+    }
+
+    /// The numbers of waves around the rotor.
+    pub fn harmonics(&self) -> impl Iterator<Item = i32> + use<> {
+        let count = self.blades.len() as i32;
+        -((count - 1) / 2)..=count / 2
+    }
+
+    /// `Q_h^H P_h N` for each harmonic, from a motion and a momentum of six entries a node
+    /// in the model's axes.
+    pub(super) fn energies(
+        &self,
+        motion: &[Complex<f64>],
+        momentum: &[Complex<f64>],
+        axes: &[NamingAxes],
+    ) -> Vec<Complex<f64>> {
+        let count = self.blades.len() as f64;
+        let product = |h: i32| {
+            let q = self.part(h, motion, axes);
+            let p = self.part(h, momentum, axes);
+            let terms = q.iter().zip(&p).map(|(q, p)| q.conj() * p);
+            terms.sum::<Complex<f64>>() / count
+        };
+        self.harmonics().map(product).collect()
+    }
+
+    /// `N Q_h`: six entries a node of a blade, in the axes of the blade.
+    fn part(&self, h: i32, values: &[Complex<f64>], axes: &[NamingAxes]) -> Vec<Complex<f64>> {
+        let length = self.blades.first().map_or(0, |blade| blade.nodes.len());
+        let mut sum = vec![Complex::new(0.0, 0.0); SIX * length];
+        for blade in &self.blades {
+            let phase = Complex::from_polar(1.0, f64::from(h) * blade.azimuth);
+            for (place, &node) in blade.nodes.iter().enumerate() {
+                let into = axes[node].blade.transpose().map(Complex::from);
+                for half in [0, 3] {
+                    let vector = Vector3::from_column_slice(&values[SIX * node + half..][..3]);
+                    let turned = into * vector;
+                    for axis in 0..3 {
+                        sum[SIX * place + half + axis] += phase * turned[axis];
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// The part that holds most of the energy, with its share of the whole.
+    pub fn whirl(&self, motion: &super::ModeMotion, axes: &[NamingAxes]) -> Option<Whirl> {
+        let total = motion.product(motion).re;
+        let energies = motion.harmonics(motion, self, axes);
+        let parts = self.harmonics().zip(energies);
+        let (harmonic, energy) = parts
+            .map(|(harmonic, energy)| (harmonic, energy.re))
+            .max_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(Whirl {
+            harmonic,
+            blades: self.blades.len(),
+            share: energy / total,
+        })
+    }
+}

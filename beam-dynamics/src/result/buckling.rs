@@ -1,0 +1,41 @@
+//! Critical factors of loads, and the shapes in which a model gives way.
+
+use nalgebra::Vector3;
+
+use super::StaticStep;
+use crate::model::Node;
+
+/// One critical load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BucklingMode {
+    /// Factor of the proportional loads at which the model gives way; negative where
+    /// the loads must be turned round [-].
+    pub factor: f64,
+    /// Displacement of each node, model's axes; the largest is one, or where no node
+    /// moves, the largest rotation [-].
+    pub displacements: Vec<Vector3<f64>>,
+    /// Rotation of each node, model's axes, in the scale of the displacements [rad/m].
+    pub rotations: Vec<Vector3<f64>>,
+    /// Error of factor and shape in the equations, relative [-].
+    pub residual: f64,
+}
+
+/// Critical loads of a model about an equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BucklingResult {
+    /// Name of the model.
+    pub name: String,
+    /// Rotor speed [rad/s].
+    pub speed: f64,
+    /// The undeformed nodes.
+    pub nodes: Vec<Node>,
+    /// Nodes of each beam, for drawing.
+    pub beams: Vec<[usize; 3]>,
+    /// The equilibrium under rotation and constant loads, about which the model gives
+    /// way; its factor is zero.
+    pub base: Option<StaticStep>,
+    /// Critical loads, ascending by the magnitude of the factor.
+    pub modes: Vec<BucklingMode>,
+    /// Remarks for the reader.
+    pub remarks: Vec<String>,
+}
