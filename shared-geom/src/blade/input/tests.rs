@@ -386,3 +386,36 @@ fn damping_is_in_the_order_of_the_frame() {
         Some(BladeDamping::Times([3.0, 2.0, 1.0, 6.0, 5.0, 4.0]))
     );
 }
+
+// The example of the page of the blade file, with a tip section beside it.
+#[test]
+fn the_example_of_the_book_is_a_blade() {
+    let page = include_str!("../../../../docs/src/blade-file.md");
+    let text = page
+        .split("```")
+        .find_map(|block| block.strip_prefix("toml\n"));
+    let folder = tempfile::tempdir().unwrap();
+    let tip = good(ENGINEERING);
+    let engineering = section::Engineering {
+        stiffness: [7e6, 2e6, 1e6, 30.0, 40.0, 900.0],
+        mass: [0.3, 0.01, 0.04],
+        centers: section::Centers {
+            tension: Vector2::zeros(),
+            shear: Vector2::zeros(),
+            mass: Vector2::zeros(),
+        },
+        stiffness_angle: 0.0,
+        inertia_angle: 0.0,
+    };
+    let tip = section::write(&engineering.section("tip", tip.provenance));
+    std::fs::write(folder.path().join("tip.properties.json"), tip).unwrap();
+    let file = folder.path().join("demo.blade.toml");
+    std::fs::write(&file, text.unwrap()).unwrap();
+    let Reading { blade, remarks } = read(&file).unwrap_or_else(|p| panic!("{p}"));
+    assert_eq!(remarks, Vec::<String>::new());
+    let jump = 0.8 * blade.length();
+    assert_eq!((blade.stations.len(), blade.jumps()), (4, vec![jump]));
+    // Swept aft and bent up at the tip, where the twist is zero.
+    let tip = blade.line.at(blade.length());
+    assert!(tip.position.y < -0.15 && tip.position.z > 0.02 && tip.twist.abs() < 1e-12);
+}
