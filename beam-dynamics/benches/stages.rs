@@ -90,10 +90,7 @@ fn stages(criterion: &mut Criterion) {
 
 fn whole(criterion: &mut Criterion) {
     let model = Model::new("blade", system());
-    let question = ModesQuestion {
-        speeds: vec![0.0, SPEED],
-        count: 10,
-    };
+    let question = ModesQuestion::new(vec![0.0, SPEED], 10);
     criterion.bench_function("modes at two speeds", |b| {
         b.iter(|| black_box(modes(&model, &question)))
     });

@@ -1,4 +1,11 @@
 //! Analyses: each reads as its method, one call a step.
 
+pub mod buckling;
 pub mod modes;
+pub mod statics;
 pub mod steady;
+
+mod arc;
+mod balance;
+mod path;
+mod transient;

@@ -94,6 +94,34 @@ pub struct ModesQuestion {
     pub speeds: Vec<f64>,
     /// Number of modes to report at each speed.
     pub count: usize,
+    /// Speeds, among `speeds`, at which the shapes of the modes are handed out [rad/s].
+    pub shapes: Vec<f64>,
+    /// Whether these shapes are animated as field files.
+    pub animate: bool,
+}
+
+impl ModesQuestion {
+    /// The lowest `count` modes at each of `speeds` \[rad/s\], without shapes.
+    pub fn new(speeds: Vec<f64>, count: usize) -> Self {
+        Self {
+            speeds,
+            count,
+            shapes: Vec::new(),
+            animate: false,
+        }
+    }
+
+    /// The first and the last speed: where shapes are shown unless speeds are chosen
+    /// \[rad/s\].
+    pub fn ends(&self) -> Vec<f64> {
+        let last = self.speeds.last().filter(|_| self.speeds.len() > 1);
+        self.speeds
+            .first()
+            .into_iter()
+            .chain(last)
+            .copied()
+            .collect()
+    }
 }
 
 /// What is asked about equilibria under loads.

@@ -31,6 +31,7 @@ mod nodes;
 mod number;
 mod problem;
 mod properties;
+mod shapes;
 mod speeds;
 mod springs;
 mod summary;

@@ -1,5 +1,7 @@
 //! Results of an analysis, as values: what output writes.
 
+use nalgebra::{Complex, Matrix3};
+
 mod buckling;
 mod statics;
 
@@ -102,6 +104,8 @@ pub struct ModePoint {
     pub frequency: f64,
     /// Damping ratio `-Re(s) / |s|` [-].
     pub damping_ratio: f64,
+    /// Real part of s: positive where the motion grows [1/s].
+    pub growth: f64,
     /// What the mode does at this speed [-].
     pub shares: Shares,
     /// How the blades move together; `None` without a rotor of equal blades.
@@ -109,6 +113,20 @@ pub struct ModePoint {
     /// Modal assurance criterion with the same mode at the speed before; `None` where
     /// the mode begins [-].
     pub assurance: Option<f64>,
+    /// How the nodes move, at the speeds at which this was asked for.
+    pub shape: Option<ModeShape>,
+}
+
+/// Motion of the nodes in a mode, of unit kinetic energy and with its largest entry
+/// real: at the phase p each node is displaced by `Re(displacement e^(i p))` and turned
+/// by the small rotation `Re(rotation e^(i p))` from its equilibrium, in the axes of
+/// the model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeShape {
+    /// Displacement of each node [m].
+    pub displacements: Vec<[Complex<f64>; 3]>,
+    /// Rotation of each node [rad].
+    pub rotations: Vec<[Complex<f64>; 3]>,
 }
 
 /// One mode, followed over the speeds.
@@ -135,6 +153,8 @@ pub struct EquilibriumReport {
     pub residual: f64,
     /// Position of each node [m].
     pub positions: Vec<[f64; 3]>,
+    /// Orientation of each node: columns are its axes in the model's frame [-].
+    pub rotations: Vec<Matrix3<f64>>,
 }
 
 /// Frequencies over rotor speed.

@@ -21,4 +21,5 @@ pub mod quadrature;
 pub mod rotation;
 pub mod section;
 pub mod units;
+pub mod vtk;
 pub mod wrench;

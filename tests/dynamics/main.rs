@@ -3,8 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod beam_statics;
+mod buckling;
+mod chain;
 mod equal_blades;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;
+mod statics;
 mod uniform_beam;
+mod wind_blades;

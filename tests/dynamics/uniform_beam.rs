@@ -96,10 +96,7 @@ impl UniformBeam {
 
     /// Modes at the given speeds of rotation about z through the root [rad/s].
     pub fn case(&self, speeds: &[f64], count: usize) -> (Model, ModesQuestion) {
-        let question = ModesQuestion {
-            speeds: speeds.to_vec(),
-            count,
-        };
+        let question = ModesQuestion::new(speeds.to_vec(), count);
         (Model::new("uniform beam", self.system()), question)
     }
 }

@@ -128,7 +128,8 @@ fn run(
             Some(before) => Some(links(case, &solver, before, &mut now, HALVINGS)?),
             None => None,
         };
-        branches.add(&now, links.as_deref());
+        let with_shapes = case.question.shapes.contains(speed);
+        branches.add(&now, links.as_deref(), with_shapes);
         table.speeds.push(*speed);
         table.equilibria.push(report(steady));
         table.remarks.extend(remarks(&now));
@@ -176,6 +177,12 @@ fn report(steady: &Equilibrium) -> EquilibriumReport {
             .nodes
             .iter()
             .map(|node| node.position.into())
+            .collect(),
+        rotations: steady
+            .state
+            .nodes
+            .iter()
+            .map(|node| node.rotation)
             .collect(),
     }
 }
@@ -229,11 +236,13 @@ fn at_equilibrium(
                 true => -pair.growth / magnitude,
                 false => 0.0,
             },
+            growth: pair.growth,
             shares: motion.shares(&case.model.naming),
             whirl: case
                 .rotor
                 .and_then(|rotor| rotor.whirl(&motion, &case.model.naming)),
             assurance: None,
+            shape: None,
         };
         Mode {
             motion,
@@ -334,7 +343,7 @@ struct Branches {
 
 impl Branches {
     /// Adds the modes of one more speed; `links` leads from the modes before.
-    fn add(&mut self, modes: &Modes, links: Option<&[Option<(usize, f64)>]>) {
+    fn add(&mut self, modes: &Modes, links: Option<&[Option<(usize, f64)>]>, with_shapes: bool) {
         let mut branch_of = vec![None; modes.found.len()];
         for (i, link) in links.unwrap_or(&[]).iter().enumerate() {
             if let Some((j, mac)) = link {
@@ -349,6 +358,7 @@ impl Branches {
                 let branch = link.map_or_else(|| self.begin(mode), |(branch, _)| branch);
                 let mut point = mode.point.clone();
                 point.assurance = link.map(|(_, mac)| mac);
+                point.shape = with_shapes.then(|| mode.motion.shape());
                 self.all[branch].points.resize(self.speeds, None);
                 self.all[branch].points.push(Some(point));
                 branch

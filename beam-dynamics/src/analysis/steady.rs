@@ -1,24 +1,21 @@
 //! Steady equilibrium in the turning frame: `F(y, 0) = 0`.
+//!
+//! Conditions go from those of a known state to those asked for, in steps that are cut
+//! where Newton's method fails and grow again where it is quick. Where the tangent of
+//! the first state is singular, masses help ([`super::transient`]).
 
-use nalgebra::Vector3;
-
-use crate::assembly::{Residual, System};
+use crate::assembly::System;
 use crate::case::Model;
-use crate::model::{Conditions, Equation, Loading, NODE_UNKNOWNS, State, TurningFrame};
-use crate::solver::{Equations, LinearSolver, Newton, NewtonReport, NewtonStatus, Worst, solve};
+use crate::model::{Conditions, Loading, State, TurningFrame};
+use crate::solver::{LinearSolver, Newton, NewtonReport, NewtonStatus, solve};
 
-/// Smallest step, as a part of the way to the wanted speed, before giving up.
+use super::balance::Balance;
+use super::transient::{free_motion, settle};
+
+/// Smallest step, as a part of the way to the wanted conditions, before giving up.
 const SMALLEST_STEP: f64 = 1.0 / 256.0;
-
-/// The equilibrium equations of a system at one speed.
-struct Steady<'a> {
-    system: &'a System,
-    solver: &'a LinearSolver,
-    conditions: Conditions,
-    state: State,
-    /// Size of the model, by which displacements are measured [m].
-    size: f64,
-}
+/// Iterations up to which the next step is twice as long.
+const QUICK: usize = 6;
 
 /// An equilibrium and the effort that it took.
 #[derive(Debug, Clone)]
@@ -27,7 +24,7 @@ pub struct Equilibrium {
     pub state: State,
     /// What acts.
     pub conditions: Conditions,
-    /// Newton iterations, those of intermediate speeds included.
+    /// Newton iterations, those of intermediate steps included.
     pub iterations: usize,
     /// Largest residual relative to the largest term of its kind [-].
     pub residual: f64,
@@ -36,20 +33,30 @@ pub struct Equilibrium {
 /// Why no equilibrium was found.
 #[derive(Debug, Clone, thiserror::Error)]
 #[error(
-    "no steady equilibrium at {}: {reason}; worst equation: {equation}, relative residual {residual:.1e}",
-    rpm(*speed)
+    "no steady equilibrium at {}{}: {reason}; worst equation: {equation}, relative residual {residual:.1e}",
+    rpm(*speed),
+    part_of_loads(*part)
 )]
 pub struct NoEquilibrium {
     /// Speed of rotation [rad/s].
     pub speed: f64,
+    /// The part of the way to the conditions asked for that was tried last [-].
+    pub part: f64,
     /// How the iteration ended, in words.
-    pub reason: &'static str,
+    pub reason: String,
     /// The worst equation in words.
     pub equation: String,
     /// Its residual relative to the largest term of its kind [-].
     pub residual: f64,
     /// The last iteration's history.
     pub report: NewtonReport,
+}
+
+fn part_of_loads(part: f64) -> String {
+    match part < 1.0 {
+        true => format!(", {:.3} of the way to what acts", part),
+        false => String::new(),
+    }
 }
 
 /// A speed in the unit of messages, with the digits that a reader needs.
@@ -85,8 +92,9 @@ fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
     }
 }
 
-/// Finds the equilibrium under the conditions `to` from a state known under `from`, in
-/// steps that are halved where Newton's method fails.
+/// Finds the equilibrium under the conditions `to` from a state known under `from`.
+///
+/// A model on which nothing acts stays undeformed.
 ///
 /// # Errors
 /// [`NoEquilibrium`] with the worst equation of the smallest step tried.
@@ -97,28 +105,74 @@ pub fn equilibrium(
     to: &Conditions,
 ) -> Result<Equilibrium, Box<NoEquilibrium>> {
     let system = &model.system;
-    let (mut reached, mut state) = (0.0, from.1.clone());
+    let rest = system.rest();
+    if is_at_rest(system, &rest, to) {
+        return Ok(Equilibrium {
+            state: rest,
+            conditions: *to,
+            iterations: 0,
+            residual: 0.0,
+        });
+    }
+    // The undeformed state belongs to a frame at rest without loads.
+    let nothing = Conditions::turning(TurningFrame {
+        center: to.frame.center,
+        ..TurningFrame::at_rest()
+    });
+    let known = if *from.1 == rest { &nothing } else { from.0 };
+    let balance = Balance::new(system, solver, *to, from.1.clone());
+    match advance(&balance, known, to) {
+        // The state given was none of equilibrium: from rest.
+        Err(_) if known == to => advance(&balance.at(*to, rest), &nothing, to),
+        other => other,
+    }
+}
+
+/// Whether `to` asks nothing of the undeformed state: to the last digit the residual is
+/// that without loads.
+fn is_at_rest(system: &System, rest: &State, to: &Conditions) -> bool {
+    to.frame.angular_velocity.norm() == 0.0
+        && system.residual(rest, to).values == system.residual(rest, &Conditions::at_rest()).values
+}
+
+/// Steps from `from`, under which the state of `start` is known, to `to`.
+fn advance(
+    start: &Balance<'_>,
+    from: &Conditions,
+    to: &Conditions,
+) -> Result<Equilibrium, Box<NoEquilibrium>> {
+    let (mut reached, mut state) = (0.0, start.state.clone());
     let mut step = 1.0;
     let mut iterations = 0;
     // `reached` and `step` are parts of the way: no step is below SMALLEST_STEP.
     loop {
         let next: f64 = f64::min(reached + step, 1.0);
-        let conditions = between(from.0, to, next);
-        let mut steady = Steady::new(system, solver, conditions, state.clone());
-        let report = solve(&mut steady, &Newton::default());
+        let mut balance = start.at(between(from, to, next), state.clone());
+        let mut report = solve(&mut balance, &Newton::default());
         iterations += report.history.len();
+        let quick = report.history.len() <= QUICK;
+        if report.status != NewtonStatus::Converged && reached == 0.0 && from != to {
+            // Newton's method may be unable to start, however short the step.
+            balance = start.at(between(from, to, next), state.clone());
+            if is_singular(start, from, to)
+                && let Some(settled) = settle(&mut balance)
+            {
+                iterations += settled.history.len();
+                report = settled;
+            }
+        }
         if report.status != NewtonStatus::Converged {
             step *= 0.5;
-            if step < SMALLEST_STEP || from.0 == to {
-                let speed = conditions.frame.angular_velocity.norm();
-                return Err(Box::new(no_equilibrium(system, speed, report)));
+            if step < SMALLEST_STEP || from == to {
+                return Err(Box::new(no_equilibrium(&balance, next, report)));
             }
         } else if next < 1.0 {
-            (reached, state) = (next, steady.state);
+            (reached, state) = (next, balance.state);
+            step = if quick { 2.0 * step } else { step };
         } else {
             return Ok(Equilibrium {
-                state: steady.state,
-                conditions,
+                state: balance.state,
+                conditions: *to,
                 iterations,
                 residual: report.worst.relative,
             });
@@ -126,108 +180,39 @@ pub fn equilibrium(
     }
 }
 
-fn no_equilibrium(system: &System, speed: f64, report: NewtonReport) -> NoEquilibrium {
-    let reason = match report.status {
-        NewtonStatus::Singular => "the tangent is singular",
-        _ => "Newton's method did not converge",
+/// Whether even the shortest step leads Newton's method astray at once.
+fn is_singular(start: &Balance<'_>, from: &Conditions, to: &Conditions) -> bool {
+    let conditions = between(from, to, SMALLEST_STEP);
+    let mut balance = start.at(conditions, start.state.clone());
+    let limits = Newton {
+        iterations: 2,
+        ..Newton::default()
+    };
+    let report = solve(&mut balance, &limits);
+    let astray = |size: f64| !size.is_finite() || size > limits.largest;
+    report.status == NewtonStatus::Singular
+        || report.history.iter().any(|one| astray(one.correction))
+}
+
+fn no_equilibrium(balance: &Balance<'_>, part: f64, report: NewtonReport) -> NoEquilibrium {
+    let singular = report.status == NewtonStatus::Singular
+        || report
+            .history
+            .iter()
+            .any(|one| !one.correction.is_finite() || one.correction > Newton::default().largest);
+    let reason = match singular.then(|| free_motion(balance)).flatten() {
+        Some(motion) => format!(
+            "the tangent is singular: what acts drives a motion without stiffness, mostly {motion}"
+        ),
+        None if report.status == NewtonStatus::Singular => "the tangent is singular".to_owned(),
+        None => "Newton's method did not converge".to_owned(),
     };
     NoEquilibrium {
-        speed,
+        speed: balance.conditions.frame.angular_velocity.norm(),
+        part,
         reason,
-        equation: system.describe_equation(report.worst.place),
+        equation: balance.system.describe_equation(report.worst.place),
         residual: report.worst.relative,
         report,
     }
-}
-
-impl<'a> Steady<'a> {
-    fn new(
-        system: &'a System,
-        solver: &'a LinearSolver,
-        conditions: Conditions,
-        state: State,
-    ) -> Self {
-        let first = system
-            .nodes()
-            .first()
-            .map_or_else(Vector3::zeros, |n| n.position);
-        let reach = system
-            .nodes()
-            .iter()
-            .map(|node| (node.position - first).norm());
-        let size = reach.fold(0.0, f64::max);
-        Self {
-            system,
-            solver,
-            conditions,
-            state,
-            size: if size > 0.0 { size } else { 1.0 },
-        }
-    }
-}
-
-impl Equations for Steady<'_> {
-    fn residual(&mut self) -> (Vec<f64>, Worst) {
-        let residual = self.system.residual(&self.state, &self.conditions);
-        let worst = worst(&residual, self.system.nodes().len());
-        (residual.values, worst)
-    }
-
-    fn correction(&mut self, residual: &[f64]) -> Option<Vec<f64>> {
-        let tangent = self.system.tangent(&self.state, &self.conditions);
-        let factorization = self.solver.factorize(tangent.by_unknowns)?;
-        let mut correction: Vec<_> = residual.iter().map(|value| -value).collect();
-        factorization.solve(&mut correction)?;
-        Some(correction)
-    }
-
-    /// Largest displacement in sizes of the model, and largest rotation in radians.
-    fn size(&self, correction: &[f64]) -> f64 {
-        let nodes = self.state.nodes.len();
-        let of_nodes = correction[..NODE_UNKNOWNS * nodes].chunks(NODE_UNKNOWNS);
-        let size = |node: &[f64]| {
-            let part = |i: usize| Vector3::new(node[i], node[i + 1], node[i + 2]).norm();
-            (part(0) / self.size).max(part(3))
-        };
-        of_nodes
-            .map(size)
-            .fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
-    }
-
-    fn correct(&mut self, correction: &[f64]) {
-        self.state.correct(correction);
-    }
-}
-
-/// The worst equation: residual against the largest term of its kind.
-fn worst(residual: &Residual, nodes: usize) -> Worst {
-    // Kinds: the four vector equations of the nodes, and the constraints.
-    let kind = |place: usize| {
-        if place < NODE_UNKNOWNS * nodes {
-            place % NODE_UNKNOWNS / 3
-        } else {
-            Equation::ALL.len()
-        }
-    };
-    let mut largest = [0.0_f64; Equation::ALL.len() + 1];
-    for (place, size) in residual.sizes.iter().enumerate() {
-        largest[kind(place)] = largest[kind(place)].max(*size);
-    }
-    // The terms of a constraint vanish with it: they are measured against one.
-    largest[Equation::ALL.len()] = 1.0;
-    let relative = |place: usize| {
-        let size = largest[kind(place)];
-        if size > 0.0 {
-            residual.values[place].abs() / size
-        } else {
-            0.0
-        }
-    };
-    let places = (0..residual.values.len()).map(|place| Worst {
-        relative: relative(place),
-        place,
-    });
-    places
-        .max_by(|a, b| a.relative.total_cmp(&b.relative))
-        .unwrap_or_default()
 }

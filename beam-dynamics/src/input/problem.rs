@@ -271,6 +271,14 @@ pub enum InputProblem {
         /// The speed \[rpm\].
         rpm: f64,
     },
+    /// A speed for shapes that is not analyzed.
+    #[error("\"shape_speeds\" has the speed {} rpm, expected some of \"speeds\"", six(*.rpm))]
+    ShapeSpeed {
+        /// The speed \[rpm\].
+        rpm: f64,
+        /// The nearest one that is analyzed \[rpm\].
+        nearest: f64,
+    },
     /// A range of speeds that does not rise.
     #[error("\"speeds\" runs from {} to {} rpm, expected a rising range", six(*.from), six(*.to))]
     FallingRange {
@@ -336,6 +344,9 @@ impl Explain for InputProblem {
                 return Some(format!(
                     "remove \"{field}\" from the property file to go without"
                 ));
+            }
+            Self::ShapeSpeed { nearest, .. } => {
+                return Some(format!("the nearest is {} rpm", six(*nearest)));
             }
             Self::UnusedNode { .. } => "name it in a [[beam]], or remove it",
             Self::AxisAlongSpan => {

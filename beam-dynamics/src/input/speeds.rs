@@ -6,6 +6,7 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
+use super::shapes;
 use crate::case::ModesQuestion;
 
 /// Radians per second in one revolution per minute.
@@ -18,7 +19,7 @@ const MOST_SPEEDS: usize = 10_000;
 /// Modes of one run: more than any model has that can be solved here.
 const MOST_MODES: usize = 10_000;
 /// Speeds closer than this part of the larger are the same speed.
-const SAME_SPEED: f64 = 1e-9;
+pub(super) const SAME_SPEED: f64 = 1e-9;
 
 /// Reads `[modes]`.
 pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
@@ -28,11 +29,14 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
         true => at_most(&table, "count", table.count("count"), MOST_MODES),
         false => Some(DEFAULT_COUNT),
     };
+    let shapes = shapes::read(&table, speeds.as_deref());
     table.finish();
-    Some(ModesQuestion {
-        speeds: speeds?,
-        count: count?,
-    })
+    let mut question = ModesQuestion::new(speeds?, count?);
+    (question.animate, question.shapes) = shapes?;
+    if question.shapes.is_empty() {
+        question.shapes = question.ends();
+    }
+    Some(question)
 }
 
 fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
@@ -146,6 +150,21 @@ mod tests {
     }
 
     #[test]
+    fn shapes_are_those_of_the_ends_or_of_speeds_that_are_named() {
+        let shapes = |text: &str| {
+            let question = question(&format!("speeds = [0, 100, 200]\n{text}")).unwrap();
+            let rpm = question.shapes.iter().map(|speed| (speed / RPM).round());
+            (question.animate, rpm.collect::<Vec<_>>())
+        };
+        assert_eq!(shapes(""), (false, vec![0.0, 200.0]));
+        assert_eq!(shapes("shapes = true"), (true, vec![0.0, 200.0]));
+        assert_eq!(
+            shapes("shapes = true\nshape_speeds = [100, \"200 rpm\"]"),
+            (true, vec![100.0, 200.0])
+        );
+    }
+
+    #[test]
     fn wrong_speeds_are_told() {
         for (text, expected) in [
             ("speeds = []", "\"speeds\" is empty"),
@@ -168,6 +187,14 @@ mod tests {
                 "has no \"speeds\", expected a list of rotation speeds",
             ),
             ("speeds = [1]\ncount = 0", "\"count\" is 0"),
+            (
+                "speeds = [1, 9]\nshape_speeds = [1, 7]",
+                "has the speed 7 rpm, expected some of \"speeds\"\n  help: the nearest is 9 rpm",
+            ),
+            (
+                "speeds = [1]\nshapes = 3",
+                "\"shapes\" is 3, expected true or false",
+            ),
             (
                 "speeds = [1]\ncount = 9223372036854775807",
                 "\"count\" is 9223372036854775807, expected at most 10000",

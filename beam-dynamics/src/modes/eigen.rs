@@ -94,6 +94,17 @@ impl<'a> EigenProblem<'a> {
         Some(problem)
     }
 
+    /// Prepares the real eigenvalues nearest to zero of `by_unknowns + s by_rates`,
+    /// whatever the two matrices are; `None` when the first is singular.
+    pub fn about_zero(
+        solver: &'a LinearSolver,
+        tangent: &'a Tangent,
+        nodes: usize,
+        copies: usize,
+    ) -> Option<Self> {
+        Self::shifted(solver, tangent, nodes, copies, 0.0)
+    }
+
     fn shifted(
         solver: &'a LinearSolver,
         tangent: &'a Tangent,

@@ -10,7 +10,7 @@ use nalgebra::{Complex, Vector3};
 use super::{Eigenpair, Rotor};
 use crate::assembly::Sparse;
 use crate::model::{Equation, NODE_UNKNOWNS, NamingAxes, Variable};
-use crate::result::{ModeKind, Shares};
+use crate::result::{ModeKind, ModeShape, Shares};
 
 /// Least share of the kinetic energy for which a mode is named by one kind.
 const PURE_SHARE: f64 = 0.6;
@@ -38,6 +38,20 @@ impl ModeMotion {
             .collect();
         let momentum = momenta(&motion, by_rates);
         Self { motion, momentum }.scaled()
+    }
+
+    /// The motion of the nodes.
+    pub fn shape(&self) -> ModeShape {
+        let part = |first: usize| -> Vec<_> {
+            let nodes = self.motion.chunks(SIX);
+            nodes
+                .map(|node| std::array::from_fn(|i| node[first + i]))
+                .collect()
+        };
+        ModeShape {
+            displacements: part(0),
+            rotations: part(3),
+        }
     }
 
     /// `q_a^H M q_b`.
@@ -152,4 +166,19 @@ fn momenta(motion: &[Complex<f64>], by_rates: &Sparse) -> Vec<Complex<f64>> {
         }
     }
     momentum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shape_has_displacements_and_rotations_of_each_node() {
+        let motion: Vec<_> = (0..12).map(|k| Complex::new(f64::from(k), 1.0)).collect();
+        let momentum = motion.clone();
+        let shape = ModeMotion { motion, momentum }.shape();
+        let three = |first: f64| [0.0, 1.0, 2.0].map(|k| Complex::new(first + k, 1.0));
+        assert_eq!(shape.displacements, [three(0.0), three(6.0)]);
+        assert_eq!(shape.rotations, [three(3.0), three(9.0)]);
+    }
 }

@@ -1,18 +1,50 @@
 //! Made-up results for the tests of output.
 
+#![allow(clippy::unwrap_used, reason = "test code")]
+
+use std::path::PathBuf;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::Written;
 use super::text::RPM;
+use crate::model::Node;
 use crate::result::{
     EquilibriumReport, FrequencyTable, Measured, MeasuredPoint, ModeBranch, ModeKind, ModePoint,
     Shares,
 };
 
+mod fields;
+mod statics;
+
+pub use fields::{read_back, values};
+pub use statics::{bent, column};
+
+/// Names of the files that were written.
+pub(super) fn names(written: &Written) -> Vec<String> {
+    let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+    written.files.iter().map(name).collect()
+}
+
+/// Nodes `n0`, `n1`, ... at these places, their axes along those of the model.
+pub(super) fn nodes_at(places: &[[f64; 3]]) -> Vec<Node> {
+    let node = |(k, place): (usize, &[f64; 3])| Node {
+        label: format!("n{k}"),
+        position: Vector3::from(*place),
+        rotation: Matrix3::identity(),
+    };
+    places.iter().enumerate().map(node).collect()
+}
+
 fn point(frequency: f64, shares: Shares, assurance: Option<f64>) -> Option<ModePoint> {
     Some(ModePoint {
         frequency,
         damping_ratio: 0.0,
+        growth: 0.0,
         shares,
         whirl: None,
         assurance,
+        shape: None,
     })
 }
 
@@ -30,6 +62,7 @@ fn report(iterations: usize, residual: f64) -> EquilibriumReport {
         iterations,
         residual,
         positions: vec![[0.0; 3]],
+        rotations: vec![Matrix3::identity()],
     }
 }
 

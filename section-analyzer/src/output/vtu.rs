@@ -2,10 +2,6 @@
 //!
 //! A point (y, z) of the section stands at (0, y, z): x is along the beam, as in all
 //! of this program. Coordinates are in meters, values in SI units.
-//!
-//! # References
-//! - W. Schroeder, K. Martin, B. Lorensen, "The Visualization Toolkit", 4th ed.
-//!   (2006): cell types, order of nodes, XML files.
 
 mod grid;
 mod stress;
@@ -14,6 +10,5 @@ mod warping;
 #[cfg(test)]
 mod tests;
 
-pub use grid::FieldFile;
 pub use stress::stress_vtu;
 pub use warping::warping_vtu;

@@ -1,8 +1,9 @@
 //! Strain and stress of a load case as a field file.
 
 use nalgebra::Vector6;
+use shared_geom::vtk::FieldFile;
 
-use super::grid::FieldFile;
+use super::grid::section_grid;
 use crate::recovery::{Recovery, Tensors};
 use crate::section::Section;
 use crate::solution::SectionSolution;
@@ -30,7 +31,7 @@ pub fn stress_vtu(
 ) -> FieldFile {
     let mesh = &section.mesh;
     let places = recovery.nodes.iter().map(|state| mesh.nodes[state.node]);
-    let mut file = FieldFile::new(section, places, |cell| recovery.cell_nodes[cell].clone());
+    let mut file = section_grid(section, places, |cell| recovery.cell_nodes[cell].clone());
 
     let tag = |node: usize| mesh.node_tags.get(node).map_or(-1, |tag| *tag as i64);
     let states = || recovery.nodes.iter();

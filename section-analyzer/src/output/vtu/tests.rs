@@ -1,6 +1,7 @@
 //! Field files read back: counts, types, order of nodes, values.
 
 use shared_geom::mesh::CellKind;
+use shared_geom::vtk::FieldFile;
 use vtkio::model::{Attribute, DataSet, Piece, UnstructuredGridPiece, Vtk};
 use vtkio::xml::VTKFile;
 

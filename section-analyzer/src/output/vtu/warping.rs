@@ -1,9 +1,10 @@
 //! The warping of a section as a field file.
 
 use nalgebra::{DMatrix, DMatrixView};
+use shared_geom::vtk::FieldFile;
 use shared_geom::wrench::COMPONENTS;
 
-use super::grid::FieldFile;
+use super::grid::section_grid;
 use crate::section::Section;
 use crate::solution::SectionSolution;
 
@@ -15,7 +16,7 @@ use crate::solution::SectionSolution;
 /// ```
 pub fn warping_vtu(section: &Section, solution: &SectionSolution) -> FieldFile {
     let mesh = &section.mesh;
-    let mut file = FieldFile::new(section, mesh.nodes.iter().copied(), |cell| {
+    let mut file = section_grid(section, mesh.nodes.iter().copied(), |cell| {
         mesh.cells[cell].nodes().to_vec()
     });
     file.point_numbers(

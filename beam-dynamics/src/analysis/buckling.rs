@@ -1,0 +1,177 @@
+//! Critical loads by linearized prestress.
+//!
+//! About an equilibrium under rotation and constant loads, the proportional loads give
+//! the linear solution `y_1 = -K_0^-1 F_lambda`. Its internal forces, the reactions and
+//! the loads themselves make the tangent grow, at fixed geometry, by `K_1` a unit of the
+//! factor. The model gives way where
+//!
+//! ```text
+//! (K_0 + lambda K_1) v = 0
+//! ```
+//!
+//! References: [Masarati], buckling by the prestress of the finite-volume beam.
+
+use nalgebra::Vector3;
+
+use crate::assembly::Tangent;
+use crate::case::{BucklingQuestion, Model};
+use crate::model::NODE_UNKNOWNS;
+use crate::modes::{EigenProblem, Eigenpair};
+use crate::result::{BucklingMode, BucklingResult};
+use crate::solver::LinearSolver;
+
+use super::balance::Balance;
+use super::statics::{base, static_step};
+use super::steady::NoEquilibrium;
+
+/// Copies of one critical load that are looked for: both bending directions of a round
+/// column.
+const COPIES: usize = 4;
+/// Relative error of factor and shape above which the reader is told.
+const TRUSTED: f64 = 1e-6;
+
+/// Why there are no critical loads.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum BucklingFailure {
+    /// No equilibrium under rotation and constant loads.
+    #[error("load factor 0: {0}")]
+    Base(#[from] Box<NoEquilibrium>),
+    /// The model has a motion without stiffness before the loads act.
+    #[error("load factor 0: the tangent is singular: a motion has no stiffness")]
+    Singular,
+    /// Nothing grows with the factor.
+    #[error("no load grows with the load factor, so that there is none that is critical")]
+    NoLoad,
+    /// The loads put nothing under stress that could give way.
+    #[error("the loads cause no internal force that could make the model give way")]
+    NoPrestress,
+}
+
+impl BucklingFailure {
+    /// What to do about it.
+    pub fn remedy(&self) -> &'static str {
+        match self {
+            Self::NoLoad => {
+                "add a [[load]], [[distributed_load]] or [[imposed]] that is not constant"
+            }
+            Self::NoPrestress => {
+                "linearized buckling needs forces at the factor one; bending alone needs [static]"
+            }
+            Self::Base(_) | Self::Singular => "hold what is free, with [[clamp]] or [[imposed]]",
+        }
+    }
+}
+
+/// Critical loads, and why there are none.
+#[derive(Debug)]
+pub struct BucklingOutcome {
+    /// What was found.
+    pub result: BucklingResult,
+    /// Why it is not complete.
+    pub failure: Option<BucklingFailure>,
+}
+
+/// The critical loads of `model` of smallest magnitude.
+pub fn buckling(model: &Model, question: &BucklingQuestion) -> BucklingOutcome {
+    let mut result = BucklingResult {
+        name: model.name.clone(),
+        speed: question.speed,
+        nodes: model.system.nodes().to_vec(),
+        beams: model.beams.clone(),
+        base: None,
+        modes: Vec::new(),
+        remarks: Vec::new(),
+    };
+    let failure = run(model, question, &mut result).err();
+    BucklingOutcome { result, failure }
+}
+
+fn run(
+    model: &Model,
+    question: &BucklingQuestion,
+    result: &mut BucklingResult,
+) -> Result<(), BucklingFailure> {
+    let system = &model.system;
+    let solver = LinearSolver::new(system.pattern()).ok_or(BucklingFailure::Singular)?;
+    let conditions = model.conditions(question.speed, 1.0, 0.0);
+    let point = base(model, &solver, &conditions)?;
+    let state = point.state.clone();
+    result.base = Some(static_step(model, &conditions, point));
+
+    let load = system.by_factor(&state, &conditions);
+    if load.iter().all(|value| *value == 0.0) {
+        return Err(BucklingFailure::NoLoad);
+    }
+    let balance = Balance::new(system, &solver, conditions, state);
+    let tangent = balance.factorize().ok_or(BucklingFailure::Singular)?;
+    let along = balance.rate(&tangent).ok_or(BucklingFailure::Singular)?;
+    let growth = system.prestress(&balance.state, &conditions, &along);
+    if growth.values().iter().all(|value| *value == 0.0) {
+        return Err(BucklingFailure::NoPrestress);
+    }
+    let pencil = Tangent {
+        by_unknowns: system.tangent(&balance.state, &conditions).by_unknowns,
+        by_rates: growth,
+    };
+    let problem = EigenProblem::about_zero(&solver, &pencil, system.nodes().len(), COPIES);
+    let pairs = problem.map_or_else(Vec::new, |problem| problem.real(question.count));
+    if pairs.is_empty() {
+        return Err(BucklingFailure::NoPrestress);
+    }
+    result.modes = pairs.iter().map(mode).collect();
+    result.remarks = remarks(&result.modes, question.count);
+    Ok(())
+}
+
+fn remarks(modes: &[BucklingMode], asked: usize) -> Vec<String> {
+    let mut remarks = Vec::new();
+    if modes.len() < asked {
+        remarks.push(format!(
+            "{} critical loads were found of {asked}: the model has no more, or they are too \
+             large to be told",
+            modes.len()
+        ));
+    }
+    let worst = modes.iter().map(|mode| mode.residual);
+    let worst = worst.fold(0.0, |a: f64, b| if b > a || b.is_nan() { b } else { a });
+    if worst > TRUSTED || worst.is_nan() {
+        remarks.push(format!(
+            "digits are lost (relative residual {worst:.1e}): stiffnesses or lengths of very \
+             different size meet in the model"
+        ));
+    }
+    remarks
+}
+
+/// A critical load with its shape, whose largest displacement is one.
+fn mode(pair: &Eigenpair) -> BucklingMode {
+    let part = |i: usize| -> Vec<Vector3<f64>> {
+        let of_nodes = pair.real.chunks(NODE_UNKNOWNS);
+        of_nodes
+            .map(|node| Vector3::from_column_slice(&node[i..i + 3]))
+            .collect()
+    };
+    let (mut displacements, mut rotations) = (part(0), part(3));
+    let largest = |vectors: &[Vector3<f64>]| {
+        let longest = vectors.iter().max_by(|a, b| a.norm().total_cmp(&b.norm()));
+        longest.map_or_else(Vector3::zeros, |vector| *vector)
+    };
+    let (moved, turned) = (largest(&displacements), largest(&rotations));
+    // Where no node moves the shape is one of rotations.
+    let by = match moved.norm() > 1e-9 * turned.norm() {
+        true => moved,
+        false => turned,
+    };
+    let sign = by.iamax();
+    let scale = by.norm() * by.get(sign).copied().unwrap_or(1.0).signum();
+    if scale != 0.0 {
+        displacements.iter_mut().for_each(|value| *value /= scale);
+        rotations.iter_mut().for_each(|value| *value /= scale);
+    }
+    BucklingMode {
+        factor: pair.growth,
+        displacements,
+        rotations,
+        residual: pair.residual,
+    }
+}

@@ -1,0 +1,262 @@
+//! The way of an equilibrium with the factor of the loads, `F(y, lambda) = 0`.
+//!
+//! From a state the next one is foreseen along the rate of the solution,
+//!
+//! ```text
+//! dy/d lambda = -F_y^-1 F_lambda
+//! ```
+//!
+//! and corrected by Newton's method at a fixed factor. A step is cut when the iteration
+//! fails, or when the way from state to state is not that of the rates at both ends: the
+//! solution has then jumped to another branch. Short of a limit point the rate grows
+//! like one over the square root of the distance, from which its place is told.
+
+use crate::model::{Conditions, State};
+use crate::solver::{Equations, Newton, NewtonReport, NewtonStatus, solve};
+
+use super::balance::Balance;
+
+/// Part of a way that the rates at its ends may leave unexplained.
+const UNEXPLAINED: f64 = 0.25;
+/// Motion below which a way is not judged: sizes of the model, radians.
+const SMALL: f64 = 1e-3;
+/// Largest rotation of one step that a rotation vector can tell \[rad\].
+const TURN: f64 = 2.0;
+/// Steps are not cut below this part of the whole way.
+const SMALLEST: f64 = 1e-5;
+/// Growth of the rate, against its smallest so far, by which a limit point is known.
+const GROWN: f64 = 4.0;
+/// First step where none is asked for, as a part of the whole way.
+const FIRST: f64 = 0.1;
+/// Iterations up to which the next step is longer.
+const QUICK: usize = 7;
+
+/// An equilibrium on a path.
+#[derive(Debug, Clone)]
+pub(super) struct Point {
+    pub factor: f64,
+    pub state: State,
+    /// Newton iterations since the point before, those of steps that were cut included.
+    pub iterations: usize,
+    /// Largest residual relative to the largest term of its kind.
+    pub residual: f64,
+}
+
+/// Why a path ended before the factor asked for.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PathEnd {
+    /// The loads can grow no more.
+    #[error(
+        "limit point near the load factor {factor:.4}: the loads can grow no further along \
+         this path; worst equation there: {equation}"
+    )]
+    LimitPoint {
+        /// Where it is, as the rates of the last states foretell it [-].
+        factor: f64,
+        /// The worst equation of the last step tried, in words.
+        equation: String,
+    },
+    /// The iteration fails however short the step.
+    #[error(
+        "no equilibrium beyond the load factor {factor:.6}: {reason}; worst equation: {equation}"
+    )]
+    Stuck {
+        /// The last factor reached [-].
+        factor: f64,
+        /// How the iteration ended, in words.
+        reason: &'static str,
+        /// The worst equation in words.
+        equation: String,
+    },
+    /// The steps allowed were used up.
+    #[error("the load factor {wanted} was not reached in {steps} steps; the last is {factor:.6}")]
+    OutOfSteps {
+        /// The last factor reached [-].
+        factor: f64,
+        /// The factor asked for [-].
+        wanted: f64,
+        /// Steps taken.
+        steps: usize,
+    },
+}
+
+/// Points that were reached, and why there are no more if the end was not.
+pub(super) type Walk = (Vec<Point>, Option<PathEnd>);
+
+/// Where a walk begins, and how far it goes.
+pub(super) struct Walker<'a> {
+    /// The balance at the start, whose state is an equilibrium.
+    pub balance: Balance<'a>,
+    /// Factor at the end.
+    pub to: f64,
+    /// Steps asked for.
+    pub steps: Option<usize>,
+    /// Steps at most.
+    pub most_steps: usize,
+}
+
+/// A state with its rate.
+struct Here {
+    factor: f64,
+    state: State,
+    rate: Vec<f64>,
+    /// Length of the rate.
+    speed: f64,
+}
+
+impl<'a> Walker<'a> {
+    pub fn conditions(&self, factor: f64) -> Conditions {
+        let mut conditions = self.balance.conditions;
+        conditions.loading.proportional = factor;
+        conditions
+    }
+
+    /// The balance at a factor, from a state.
+    pub fn at(&self, factor: f64, state: &State) -> Balance<'a> {
+        self.balance.at(self.conditions(factor), state.clone())
+    }
+
+    /// Goes to the end by steps of the factor.
+    pub fn by_factor(&self) -> Walk {
+        let mut points = Vec::new();
+        let end = self.walk(&mut points).err();
+        (points, end)
+    }
+
+    fn walk(&self, points: &mut Vec<Point>) -> Result<(), PathEnd> {
+        let stuck = |reason| PathEnd::Stuck {
+            factor: 0.0,
+            reason,
+            equation: "none".to_owned(),
+        };
+        let mut here = self
+            .here(0.0, self.balance.state.clone())
+            .ok_or_else(|| stuck("the tangent is singular without the loads"))?;
+        let mut rates = Rates::new(&here);
+        let targets = self.steps.unwrap_or(1);
+        let mut step = self.to * self.steps.map_or(FIRST, |steps| 1.0 / steps as f64);
+        let (mut iterations, mut taken) = (0, 0);
+        for target in 1..=targets {
+            let goal = self.to * target as f64 / targets as f64;
+            while here.factor != goal {
+                let next = match (goal - here.factor).abs() <= 1.001 * step.abs() {
+                    true => goal,
+                    false => here.factor + step,
+                };
+                let (found, report) = self.step(&here, next);
+                iterations += report.history.len();
+                let Some(there) = found else {
+                    step *= 0.5;
+                    if step.abs() < SMALLEST * self.to.abs() {
+                        return Err(self.end(&here, &rates, &report));
+                    }
+                    continue;
+                };
+                let quick = report.history.len() <= QUICK;
+                (here, step) = (there, if quick { 2.0 * step } else { step });
+                rates.add(&here);
+                taken += 1;
+                if self.steps.is_none() || here.factor == goal {
+                    points.push(Point {
+                        factor: here.factor,
+                        state: here.state.clone(),
+                        iterations: std::mem::take(&mut iterations),
+                        residual: report.worst.relative,
+                    });
+                }
+                if taken >= self.most_steps && here.factor != self.to {
+                    return Err(PathEnd::OutOfSteps {
+                        factor: here.factor,
+                        wanted: self.to,
+                        steps: taken,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn here(&self, factor: f64, state: State) -> Option<Here> {
+        let balance = self.at(factor, &state);
+        let rate = balance.rate(&balance.factorize()?)?;
+        let speed = balance.length(&rate);
+        speed.is_finite().then_some(Here {
+            factor,
+            state,
+            rate,
+            speed,
+        })
+    }
+
+    /// The equilibrium at the factor `next`, where it belongs to the same path.
+    fn step(&self, here: &Here, next: f64) -> (Option<Here>, NewtonReport) {
+        let change = next - here.factor;
+        let mut balance = self.at(next, &here.state);
+        let foreseen: Vec<_> = here.rate.iter().map(|rate| change * rate).collect();
+        if balance.size(&foreseen) <= 1.0 {
+            balance.correct(&foreseen);
+        }
+        let report = solve(&mut balance, &Newton::default());
+        if report.status != NewtonStatus::Converged {
+            return (None, report);
+        }
+        let moved = balance.moved_from(&here.state);
+        let there = self.here(next, balance.state.clone());
+        let there = there.filter(|there| {
+            let rates = here.rate.iter().zip(&there.rate);
+            let explained = rates.map(|(a, b)| 0.5 * change * (a + b));
+            let rest: Vec<_> = moved.iter().zip(explained).map(|(m, e)| m - e).collect();
+            let way = balance.length(&moved).max(SMALL);
+            balance.size(&foreseen) <= TURN
+                && balance.size(&moved) <= TURN
+                && balance.length(&rest) <= UNEXPLAINED * way
+        });
+        (there, report)
+    }
+
+    fn end(&self, here: &Here, rates: &Rates, report: &NewtonReport) -> PathEnd {
+        let equation = self.balance.system.describe_equation(report.worst.place);
+        if let Some(factor) = rates.limit() {
+            return PathEnd::LimitPoint { factor, equation };
+        }
+        let reason = match report.status {
+            NewtonStatus::Singular => "the tangent is singular",
+            NewtonStatus::NotConverged => "Newton's method does not converge",
+            NewtonStatus::Converged => "the solution jumps",
+        };
+        PathEnd::Stuck {
+            factor: here.factor,
+            reason,
+            equation,
+        }
+    }
+}
+
+/// The lengths of the rates on a path: what foretells a limit point.
+struct Rates {
+    slowest: f64,
+    /// Factor and length of the rate of the last two states.
+    last: [(f64, f64); 2],
+}
+
+impl Rates {
+    fn new(here: &Here) -> Self {
+        Self {
+            slowest: here.speed,
+            last: [(here.factor, here.speed); 2],
+        }
+    }
+
+    fn add(&mut self, here: &Here) {
+        self.slowest = self.slowest.min(here.speed);
+        self.last = [self.last[1], (here.factor, here.speed)];
+    }
+
+    /// Where `1 / |dy/d lambda|^2`, which falls linearly before a limit point, is zero.
+    fn limit(&self) -> Option<f64> {
+        let [(a, slow), (b, fast)] = self.last;
+        let [before, now] = [slow, fast].map(|speed| 1.0 / (speed * speed));
+        let grown = fast > GROWN * self.slowest && before > now;
+        grown.then(|| b + now * (b - a) / (before - now))
+    }
+}

@@ -1,0 +1,149 @@
+//! Statics: equilibrium under rotation and constant loads, then along the path of the
+//! proportional loads.
+
+use crate::case::{Model, StaticQuestion};
+use crate::model::{Conditions, State};
+use crate::result::{StaticResult, StaticStep};
+use crate::solver::LinearSolver;
+
+use super::balance::Balance;
+use super::path::{PathEnd, Point, Walker};
+use super::steady::{NoEquilibrium, equilibrium};
+
+/// Why statics stopped before the end of the path.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum StaticFailure {
+    /// No equilibrium under rotation and constant loads.
+    #[error("load factor 0: {0}")]
+    Base(#[from] Box<NoEquilibrium>),
+    /// The path ends.
+    #[error(transparent)]
+    Path(#[from] PathEnd),
+    /// The equations cannot be solved for structural reasons.
+    #[error("the equations of the model have no solution: some unknown is in none of them")]
+    Structure,
+}
+
+impl StaticFailure {
+    /// What to do about it.
+    pub fn remedy(&self) -> &'static str {
+        match self {
+            Self::Path(PathEnd::LimitPoint { .. }) => {
+                "set arc_length = true in [static] to go past the limit point"
+            }
+            Self::Path(PathEnd::OutOfSteps { .. }) => {
+                "raise \"most_steps\" in [static], or lower \"to\""
+            }
+            Self::Path(PathEnd::Stuck { .. }) => {
+                "look at the last equilibrium; smaller \"steps\" or arc_length = true may help"
+            }
+            Self::Base(_) | Self::Structure => {
+                "hold what is free, or take away the load that nothing can carry"
+            }
+        }
+    }
+}
+
+/// What was reached, and why it ended early if it did.
+#[derive(Debug)]
+pub struct StaticOutcome {
+    /// Equilibria that were reached.
+    pub result: StaticResult,
+    /// Why there are no more.
+    pub failure: Option<StaticFailure>,
+}
+
+/// Equilibria of `model` up to the load factor that `question` asks for.
+pub fn statics(model: &Model, question: &StaticQuestion) -> StaticOutcome {
+    let mut result = StaticResult {
+        name: model.name.clone(),
+        speed: question.speed,
+        nodes: model.system.nodes().to_vec(),
+        beams: model.beams.clone(),
+        blades: model.blades.clone(),
+        steps: Vec::new(),
+        remarks: Vec::new(),
+    };
+    let failure = run(model, question, &mut result).err();
+    result.remarks.extend(limits_passed(&result.steps));
+    StaticOutcome { result, failure }
+}
+
+fn run(
+    model: &Model,
+    question: &StaticQuestion,
+    result: &mut StaticResult,
+) -> Result<(), StaticFailure> {
+    let solver = LinearSolver::new(model.system.pattern()).ok_or(StaticFailure::Structure)?;
+    let conditions = model.conditions(question.speed, 1.0, 0.0);
+    let base = base(model, &solver, &conditions)?;
+    result
+        .steps
+        .push(static_step(model, &conditions, base.clone()));
+    let growth = model.system.by_factor(&base.state, &conditions);
+    if growth.iter().all(|value| *value == 0.0) || question.to == 0.0 {
+        return Ok(());
+    }
+    let walker = Walker {
+        balance: Balance::new(&model.system, &solver, conditions, base.state),
+        to: question.to,
+        steps: question.steps,
+        most_steps: question.most_steps,
+    };
+    let (points, end) = match question.arc_length {
+        true => walker.by_length(),
+        false => walker.by_factor(),
+    };
+    for point in points {
+        let conditions = walker.conditions(point.factor);
+        result.steps.push(static_step(model, &conditions, point));
+    }
+    end.map_or(Ok(()), |end| Err(end.into()))
+}
+
+/// The equilibrium under `conditions`, from rest.
+pub(super) fn base(
+    model: &Model,
+    solver: &LinearSolver,
+    conditions: &Conditions,
+) -> Result<Point, Box<NoEquilibrium>> {
+    let rest: State = model.system.rest();
+    let found = equilibrium(model, solver, (&Conditions::at_rest(), &rest), conditions)?;
+    Ok(Point {
+        factor: conditions.loading.proportional,
+        state: found.state,
+        iterations: found.iterations,
+        residual: found.residual,
+    })
+}
+
+/// A point of a path with all that is told of it.
+pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) -> StaticStep {
+    let observed = model.system.observe(&point.state, conditions);
+    let nodes = &point.state.nodes;
+    StaticStep {
+        factor: point.factor,
+        positions: nodes.iter().map(|node| node.position).collect(),
+        rotations: nodes.iter().map(|node| node.rotation).collect(),
+        iterations: point.iterations,
+        residual: point.residual,
+        sections: observed.sections,
+        reactions: observed.reactions,
+    }
+}
+
+/// Remarks on the limit points between the steps.
+fn limits_passed(steps: &[StaticStep]) -> Vec<String> {
+    let turns = steps.windows(3).filter(|three| {
+        let [before, after] = [0, 1].map(|i| three[i + 1].factor - three[i].factor);
+        before * after < 0.0
+    });
+    turns
+        .map(|three| {
+            format!(
+                "a limit point was passed near the load factor {:.4}",
+                three[1].factor
+            )
+        })
+        .collect()
+}

@@ -1,0 +1,192 @@
+//! A small plot within a figure: frame, ticks, zero line, and places of points.
+
+use plotters::backend::DrawingBackend;
+use plotters::style::{BLACK, RGBColor};
+use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks};
+
+/// Size of the letters of ticks.
+pub(super) const SMALL: f64 = 0.8 * TEXT;
+/// Color of what is behind the curves.
+pub(super) const GRAY: RGBColor = RGBColor(165, 165, 165);
+/// Color of zero lines.
+pub(super) const LIGHT: RGBColor = RGBColor(215, 215, 215);
+const TICK: f64 = 10.0;
+const FRAME: f64 = 2.5;
+/// Room above and below the curves, as part of their range.
+const ROOM: f64 = 0.06;
+
+/// A frame \[figure pixels\] and the ranges that it shows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Panel {
+    pub left: f64,
+    pub right: f64,
+    pub top: f64,
+    pub bottom: f64,
+    /// What the left and the right edge stand for.
+    pub x: [f64; 2],
+    /// What the lower and the upper edge stand for.
+    pub y: [f64; 2],
+}
+
+impl Panel {
+    /// Place of a point.
+    pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let part = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
+        [
+            self.left + part(x, self.x) * (self.right - self.left),
+            self.bottom - part(y, self.y) * (self.bottom - self.top),
+        ]
+    }
+
+    /// The same frame with its corner moved.
+    pub fn moved(&self, [x, y]: [f64; 2]) -> Self {
+        Self {
+            left: self.left + x,
+            right: self.right + x,
+            top: self.top + y,
+            bottom: self.bottom + y,
+            ..*self
+        }
+    }
+
+    /// Draws the line at zero, where zero is within the frame.
+    pub fn draw_zero<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        if self.y[0] < 0.0 && self.y[1] > 0.0 {
+            let ends = [[self.x[0], 0.0], [self.x[1], 0.0]].map(|end| self.place(end));
+            canvas.line(&ends, FRAME, LIGHT)?;
+        }
+        Ok(())
+    }
+
+    /// Draws the left and the lower edge with about these numbers of ticks; below the
+    /// lower edge only where `below`.
+    pub fn draw_frame<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        [across, up]: [usize; 2],
+        below: bool,
+    ) -> Result<(), FigureProblem> {
+        let Self {
+            left,
+            right,
+            top,
+            bottom,
+            ..
+        } = *self;
+        canvas.line(
+            &[[left, top], [left, bottom], [right, bottom]],
+            FRAME,
+            BLACK,
+        )?;
+        let label = Label::new(SMALL);
+        for (value, text) in Ticks::between(self.x[0], self.x[1], across).labeled() {
+            let [x, y] = self.place([value, self.y[0]]);
+            canvas.line(&[[x, y], [x, y + TICK]], FRAME, BLACK)?;
+            if below {
+                canvas.text(&text, [x, y + 3.4 * TICK], label.anchored(Anchor::Middle))?;
+            }
+        }
+        for (value, text) in Ticks::between(self.y[0], self.y[1], up).labeled() {
+            let [x, y] = self.place([self.x[0], value]);
+            canvas.line(&[[x, y], [x - TICK, y]], FRAME, BLACK)?;
+            canvas.text(&text, [x - 1.7 * TICK, y], label.anchored(Anchor::End))?;
+        }
+        Ok(())
+    }
+
+    /// Draws the line through these points of the panel.
+    pub fn curve<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        points: &[[f64; 2]],
+        width: f64,
+        color: RGBColor,
+    ) -> Result<(), FigureProblem> {
+        let places: Vec<_> = points.iter().map(|point| self.place(*point)).collect();
+        canvas.line(&places, width, color)
+    }
+}
+
+/// The range of `values` with room at both ends; where all are of a size up to `floor`,
+/// zero with one at both sides.
+pub(super) fn range(values: impl IntoIterator<Item = f64>, floor: f64) -> [f64; 2] {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for value in values.into_iter().filter(|value| value.is_finite()) {
+        low = low.min(value);
+        high = high.max(value);
+    }
+    if low > high || low.abs().max(high.abs()) <= floor {
+        let about_zero = floor.max(1.0);
+        return [-about_zero, about_zero];
+    }
+    // A nearly constant curve is no rough one.
+    let least = 0.02 * low.abs().max(high.abs());
+    if high - low < least {
+        let middle = 0.5 * (low + high);
+        (low, high) = (middle - least, middle + least);
+    }
+    let room = ROOM * (high - low);
+    [low - room, high + room]
+}
+
+/// A title above all that fits on one line, in smaller letters if it is long.
+pub(super) fn draw_title<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    title: &str,
+    [x, y]: [f64; 2],
+) -> Result<(), FigureProblem> {
+    // Bold letters are wider than those that are measured.
+    let width = 1.2 * canvas.text_width(title, TEXT);
+    let size = TEXT * ((canvas.size().0 - x - 24.0) / width).min(1.0);
+    canvas.text(title, [x, y], Label::new(size).bold())
+}
+
+/// A row of lines with their meaning, from `place` to the right; what does not fit into
+/// the canvas goes to the next row. Gives the height of the next row.
+pub(super) fn draw_legend<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    place: [f64; 2],
+    entries: &[(String, f64, RGBColor)],
+) -> Result<f64, FigureProblem> {
+    const LINE: f64 = 56.0;
+    let [left, mut y] = place;
+    let mut x = left;
+    for (text, width, color) in entries {
+        let needed = LINE + 16.0 + canvas.text_width(text, SMALL) + 40.0;
+        if x > left && x + needed > canvas.size().0 {
+            (x, y) = (left, y + 1.4 * SMALL);
+        }
+        canvas.line(&[[x, y], [x + LINE, y]], *width, *color)?;
+        canvas.text(text, [x + LINE + 16.0, y], Label::new(SMALL))?;
+        x += needed;
+    }
+    Ok(y + 1.4 * SMALL)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_have_their_places() {
+        let panel = Panel {
+            left: 100.0,
+            right: 300.0,
+            top: 50.0,
+            bottom: 150.0,
+            x: [0.0, 2.0],
+            y: [-1.0, 1.0],
+        };
+        assert_eq!(panel.place([0.5, 0.5]), [150.0, 75.0]);
+    }
+
+    #[test]
+    fn ranges_have_room_and_round_off_is_flat() {
+        assert_eq!(range([0.0, 100.0], 1.0), [-6.0, 106.0]);
+        assert_eq!(range([1e-9, -2e-9], 1e-3), [-1.0, 1.0]);
+        assert_eq!(range([0.0, 1e-9], 0.0)[1], 1.06e-9);
+        assert_eq!(range([], 0.0), [-1.0, 1.0]);
+        let [low, high] = range([5.0, 5.0], 1e-3);
+        assert!(low < 4.9 && high > 5.1);
+    }
+}

@@ -1,0 +1,16 @@
+//! What is written of a load path.
+
+mod deformed;
+mod fields;
+mod files;
+mod forces;
+mod path;
+mod tables;
+mod text;
+
+pub use deformed::DeformedPlot;
+pub use files::write_static;
+pub use forces::ForcePlot;
+pub use path::PathPlot;
+pub use tables::{displacement_csv, force_csv, reaction_csv};
+pub use text::{STATIC_CONVENTION, static_text};

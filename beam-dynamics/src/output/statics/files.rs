@@ -1,0 +1,132 @@
+//! The files of a load path.
+
+use std::path::Path;
+
+use shared_geom::files::{OutputProblem, make_folder};
+use shared_geom::vtk::Series;
+
+use super::fields::step_grid;
+use super::{
+    DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,
+    reaction_csv, static_text,
+};
+use crate::output::Written;
+use crate::output::folder::Results;
+use crate::output::structure::Structure;
+use crate::result::StaticResult;
+
+const TEXT: &str = "static.txt";
+const DISPLACEMENTS: &str = "displacements.csv";
+const FORCES: &str = "forces.csv";
+const REACTIONS: &str = "reactions.csv";
+const DEFORMED: [&str; 2] = ["deformed.png", "deformed.svg"];
+const ALONG: [&str; 2] = ["forces.png", "forces.svg"];
+const PATH: [&str; 2] = ["path.png", "path.svg"];
+const SERIES: &str = "static.pvd";
+/// Folder of the field files.
+const FIELDS: &str = "static";
+
+/// Writes `NAME.static.txt`, `NAME.displacements.csv`, `NAME.forces.csv`,
+/// `NAME.reactions.csv`, the plots `NAME.deformed`, `NAME.forces` and, of three
+/// equilibria or more, `NAME.path`, each as PNG and SVG, and the field files
+/// `NAME.static.pvd` with a grid a step in the folder `NAME.static`, all into `folder`,
+/// which is made when it does not exist. Those that an earlier run left there and this
+/// one does not have are removed.
+///
+/// # Errors
+/// [`OutputProblem`]: the folder or a file cannot be written.
+pub fn write_static(
+    result: &StaticResult,
+    folder: &Path,
+    name: &str,
+) -> Result<Written, OutputProblem> {
+    make_folder(folder)?;
+    let mut results = Results::new(folder, name);
+    results.remove([TEXT, DISPLACEMENTS, FORCES, REACTIONS, SERIES]);
+    results.remove([DEFORMED, ALONG, PATH].into_iter().flatten());
+    results.remove_fields(FIELDS);
+
+    let text = format!("{}\n{STATIC_CONVENTION}", static_text(result));
+    results.text(TEXT, &text)?;
+    results.text(DISPLACEMENTS, &displacement_csv(result))?;
+    results.text(FORCES, &force_csv(result))?;
+    results.text(REACTIONS, &reaction_csv(result))?;
+    if let Some(plot) = DeformedPlot::new(result) {
+        results.figures(DEFORMED, |path| plot.save(path))?;
+    }
+    if let Some(plot) = ForcePlot::new(result) {
+        results.figures(ALONG, |path| plot.save(path))?;
+    }
+    if let Some(plot) = PathPlot::new(result) {
+        results.figures(PATH, |path| plot.save(path))?;
+    }
+    if !result.steps.is_empty() {
+        write_fields(result, &mut results)?;
+    }
+    Ok(results.written)
+}
+
+/// A grid a step; the series has the factors as its values where they rise, else the
+/// numbers of the steps.
+fn write_fields(result: &StaticResult, results: &mut Results<'_>) -> Result<(), OutputProblem> {
+    let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
+    let rises = result
+        .steps
+        .windows(2)
+        .all(|pair| pair[0].factor < pair[1].factor);
+    let mut series = Series::default();
+    for (index, step) in result.steps.iter().enumerate() {
+        let value = if rises { step.factor } else { index as f64 };
+        let grid = step_grid(result, &structure, step);
+        let file = results.field(FIELDS, &format!("step_{index:04}.vtu"), grid)?;
+        series.add(value, file);
+    }
+    results.text(SERIES, &series.text())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use crate::output::samples::{self, names};
+
+    #[test]
+    fn all_files_are_written_and_stale_ones_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let results = folder.path().join("results");
+        let written = write_static(&samples::bent(&[0.0, 0.5, 1.0]), &results, "x").unwrap();
+        let expected = [
+            "x.static.txt",
+            "x.displacements.csv",
+            "x.forces.csv",
+            "x.reactions.csv",
+            "x.deformed.png",
+            "x.deformed.svg",
+            "x.forces.png",
+            "x.forces.svg",
+            "x.path.png",
+            "x.path.svg",
+            "x.static.pvd",
+        ];
+        assert_eq!(names(&written), expected);
+        assert!(written.files.iter().all(|path| path.is_file()));
+        assert_eq!(results.join("x.static").read_dir().unwrap().count(), 3);
+        let series = std::fs::read_to_string(results.join("x.static.pvd")).unwrap();
+        assert!(series.contains("timestep=\"0.5\""), "{series}");
+        assert!(
+            series.contains("file=\"x.static/step_0001.vtu\""),
+            "{series}"
+        );
+
+        // A path past a limit point, shorter than the one before.
+        write_static(&samples::bent(&[0.5, 0.4]), &results, "x").unwrap();
+        assert!(!results.join("x.path.png").exists());
+        assert_eq!(results.join("x.static").read_dir().unwrap().count(), 2);
+        let series = std::fs::read_to_string(results.join("x.static.pvd")).unwrap();
+        assert!(series.contains("timestep=\"1\""), "{series}");
+
+        let written = write_static(&samples::bent(&[]), &results, "x").unwrap();
+        assert_eq!(names(&written), expected[..4]);
+        assert_eq!(results.read_dir().unwrap().count(), 4);
+    }
+}

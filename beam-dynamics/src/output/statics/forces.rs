@@ -1,0 +1,174 @@
+//! Internal forces along blades and lines of beams, one small plot a component.
+
+use std::path::Path;
+
+use plotters::backend::DrawingBackend;
+use plotters::style::RGBColor;
+use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
+use shared_geom::files::{OutputProblem, write_figure};
+
+use crate::input::short_number;
+use crate::output::panel::{Panel, SMALL, draw_legend, draw_title, range};
+use crate::output::structure::Structure;
+use crate::result::StaticResult;
+
+/// Titles of the components with their units, in their order.
+const TITLES: [&str; 6] = [
+    "axial force [N]",
+    "shear force y [N]",
+    "shear force z [N]",
+    "torsional moment [N m]",
+    "bending moment y [N m]",
+    "bending moment z [N m]",
+];
+const HEIGHT: u32 = 1500;
+const LINE: f64 = 4.0;
+const POINT: f64 = 6.5;
+/// Forces below this part of the largest of their kind are round-off.
+const ROUND_OFF: f64 = 1e-9;
+/// Colors of members: those of categories without yellow, which is faint as a line.
+const COLORS: usize = CATEGORIES.len() - 1;
+
+/// Internal forces along the span, ready to be saved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ForcePlot {
+    title: String,
+    curves: Vec<Curve>,
+    length: f64,
+    /// Below this, forces \[N\] and moments \[N m\] are shown as zero.
+    floors: [f64; 2],
+}
+
+/// The evaluation points of a member.
+#[derive(Debug, Clone, PartialEq)]
+struct Curve {
+    name: String,
+    color: RGBColor,
+    /// Arc position \[m\] and internal force \[N, N m\].
+    points: Vec<(f64, [f64; 6])>,
+}
+
+impl ForcePlot {
+    /// Internal forces at the end of the path; `None` without beams or equilibria.
+    pub fn new(result: &StaticResult) -> Option<Self> {
+        let last = result.last().filter(|step| !step.sections.is_empty())?;
+        let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
+        let along = structure.along(&last.sections);
+        let curve = |(number, member): (usize, &crate::output::structure::Member)| {
+            let own = along.iter().zip(&last.sections);
+            let own = own.filter(|((of, _), _)| *of == number);
+            let mut points: Vec<_> = own
+                .map(|((_, arc), section)| (*arc, section.internal_force.into()))
+                .collect();
+            points.sort_by(|a: &(f64, [f64; 6]), b| a.0.total_cmp(&b.0));
+            Curve {
+                name: member.name.clone(),
+                color: CATEGORIES[number % COLORS],
+                points,
+            }
+        };
+        let curves: Vec<_> = structure.members.iter().enumerate().map(curve).collect();
+        let largest = |components: std::ops::Range<usize>| {
+            let points = curves.iter().flat_map(|curve| &curve.points);
+            let values = points.flat_map(|point| &point.1[components.clone()]);
+            values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
+        };
+        let floors = [largest(0..3), largest(3..6)].map(|largest| ROUND_OFF * largest);
+        let lengths = structure.members.iter().map(|member| member.length);
+        Some(Self {
+            title: format!(
+                "{}: internal forces at factor {}",
+                result.name,
+                short_number(last.factor, 4)
+            ),
+            length: lengths.fold(0.0, f64::max),
+            floors,
+            curves,
+        })
+    }
+
+    /// Writes the plot to `path`, as PNG or SVG by its ending.
+    ///
+    /// # Errors
+    /// [`OutputProblem`]: another ending, or a file that cannot be written.
+    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
+        write_figure(path, (WIDTH, HEIGHT), self)
+    }
+
+    fn draw_component<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        component: usize,
+        [top, bottom]: [f64; 2],
+    ) -> Result<(), FigureProblem> {
+        let left = 190.0 + (component / 3) as f64 * 890.0;
+        let values = self.curves.iter().flat_map(|curve| &curve.points);
+        let panel = Panel {
+            left,
+            right: left + 680.0,
+            top: top + 60.0,
+            bottom: bottom - 66.0,
+            x: [0.0, self.length],
+            // With zero, so that a constant force is seen to be one.
+            y: range(
+                values.map(|point| point.1[component]).chain([0.0]),
+                self.floors[component / 3],
+            ),
+        };
+        panel.draw_zero(canvas)?;
+        for curve in &self.curves {
+            let points: Vec<_> = curve
+                .points
+                .iter()
+                .map(|(arc, force)| [*arc, force[component]])
+                .collect();
+            panel.curve(canvas, &points, LINE, curve.color)?;
+            for point in points {
+                canvas.disc(panel.place(point), POINT, curve.color)?;
+            }
+        }
+        panel.draw_frame(canvas, [5, 4], true)?;
+        let label = Label::new(SMALL).bold();
+        canvas.text(TITLES[component], [left, top + 26.0], label)
+    }
+}
+
+impl Drawing for ForcePlot {
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let (width, height) = canvas.size();
+        draw_title(canvas, &self.title, [40.0, 44.0])?;
+        let entry = |curve: &Curve| (curve.name.clone(), LINE, curve.color);
+        let legend: Vec<_> = self.curves.iter().map(entry).collect();
+        let head = draw_legend(canvas, [40.0, 100.0], &legend)?;
+        let foot = 56.0;
+        let row = (height - head - foot) / 3.0;
+        for component in 0..6 {
+            let top = head + (component % 3) as f64 * row;
+            self.draw_component(canvas, component, [top, top + row])?;
+        }
+        let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
+        let text = "arc position along the undeformed line [m]";
+        canvas.text(text, [0.5 * width, height - 34.0], label)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::samples;
+
+    #[test]
+    fn every_component_has_a_plot_with_its_unit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.svg");
+        let plot = ForcePlot::new(&samples::bent(&[0.0, 1.0])).unwrap();
+        assert_eq!(plot.curves[0].points.len(), 8);
+        assert_eq!(plot.curves[0].points[7].0, 9.375);
+        plot.save(&path).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        for expected in TITLES.iter().chain(&["blade"]) {
+            assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+        }
+        assert_eq!(ForcePlot::new(&samples::bent(&[])), None);
+    }
+}

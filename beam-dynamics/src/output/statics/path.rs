@@ -1,0 +1,150 @@
+//! The factor of the loads over the displacement of a node.
+
+use std::path::Path;
+
+use plotters::backend::DrawingBackend;
+use plotters::style::RGBColor;
+use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
+use shared_geom::files::{OutputProblem, write_figure};
+
+use super::text::most_displaced;
+use crate::output::panel::{Panel, draw_legend, draw_title, range};
+use crate::result::StaticResult;
+
+const HEIGHT: u32 = 1100;
+const LINE: f64 = 4.0;
+const POINT: f64 = 7.0;
+/// Steps that make a line worth drawing.
+const LEAST_STEPS: usize = 3;
+/// Points of a path with more of them are not marked.
+const MOST_POINTS: usize = 60;
+/// Components that stay below this part of the largest are left out.
+const SMALL_PART: f64 = 0.01;
+const NAMES: [&str; 3] = ["along x", "along y", "along z"];
+
+/// A load path, ready to be saved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathPlot {
+    title: String,
+    curves: Vec<Curve>,
+}
+
+/// One component of the displacement.
+#[derive(Debug, Clone, PartialEq)]
+struct Curve {
+    name: &'static str,
+    color: RGBColor,
+    /// Displacement \[m\] and factor.
+    points: Vec<[f64; 2]>,
+}
+
+impl PathPlot {
+    /// The path of the node that is displaced most; `None` for less than three
+    /// equilibria, or where nothing moves.
+    pub fn new(result: &StaticResult) -> Option<Self> {
+        if result.steps.len() < LEAST_STEPS {
+            return None;
+        }
+        let most = result.steps.iter().map(|step| most_displaced(result, step));
+        let (node, largest) = most.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let place = &result.nodes.get(node)?.position;
+        let curve = |axis: usize| Curve {
+            name: NAMES[axis],
+            color: CATEGORIES[[0, 5, 2][axis]],
+            points: result
+                .steps
+                .iter()
+                .map(|step| [step.positions[node][axis] - place[axis], step.factor])
+                .collect(),
+        };
+        let moves = |curve: &Curve| {
+            let sizes = curve.points.iter().map(|point| point[0].abs());
+            sizes.fold(0.0, f64::max) > SMALL_PART * largest
+        };
+        let curves: Vec<_> = (0..3).map(curve).filter(moves).collect();
+        (!curves.is_empty()).then(|| Self {
+            title: format!(
+                "{}: load path, displacement of node {}",
+                result.name, result.nodes[node].label
+            ),
+            curves,
+        })
+    }
+
+    /// Writes the plot to `path`, as PNG or SVG by its ending.
+    ///
+    /// # Errors
+    /// [`OutputProblem`]: another ending, or a file that cannot be written.
+    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
+        write_figure(path, (WIDTH, HEIGHT), self)
+    }
+}
+
+impl Drawing for PathPlot {
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let (width, height) = canvas.size();
+        let points = || self.curves.iter().flat_map(|curve| &curve.points);
+        let panel = Panel {
+            left: 190.0,
+            right: width - 50.0,
+            top: 170.0,
+            bottom: height - 130.0,
+            x: range(points().map(|point| point[0]), 0.0),
+            y: range(points().map(|point| point[1]), 0.0),
+        };
+        draw_title(canvas, &self.title, [40.0, 44.0])?;
+        let entry = |curve: &Curve| (curve.name.to_owned(), LINE, curve.color);
+        let legend: Vec<_> = self.curves.iter().map(entry).collect();
+        draw_legend(canvas, [panel.left, 112.0], &legend)?;
+        panel.draw_zero(canvas)?;
+        for curve in &self.curves {
+            panel.curve(canvas, &curve.points, LINE, curve.color)?;
+            if curve.points.len() <= MOST_POINTS {
+                for point in &curve.points {
+                    canvas.disc(panel.place(*point), POINT, curve.color)?;
+                }
+            }
+        }
+        panel.draw_frame(canvas, [8, 8], true)?;
+        let label = Label::new(TEXT).anchored(Anchor::Middle);
+        let middle = [
+            0.5 * (panel.left + panel.right),
+            0.5 * (panel.top + panel.bottom),
+        ];
+        canvas.text("displacement [m]", [middle[0], height - 46.0], label)?;
+        canvas.text("factor of the loads [-]", [44.0, middle[1]], label.upward())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::samples;
+
+    #[test]
+    fn the_path_of_the_tip_is_drawn() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.svg");
+        let factors: Vec<_> = (0..=10).map(|k| f64::from(k) / 10.0).collect();
+        let plot = PathPlot::new(&samples::bent(&factors)).unwrap();
+        assert_eq!(plot.curves.len(), 3);
+        let [displacement, factor] = plot.curves[1].points[5];
+        assert!((displacement - 0.2).abs() < 1e-14 && factor == 0.5);
+        plot.save(&path).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        for expected in [
+            "bent blade: load path, displacement of node n8",
+            "along z",
+            "displacement [m]",
+            "factor of the loads [-]",
+        ] {
+            assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+        }
+    }
+
+    #[test]
+    fn two_equilibria_are_no_path() {
+        assert_eq!(PathPlot::new(&samples::bent(&[0.0, 1.0])), None);
+        assert_eq!(PathPlot::new(&samples::bent(&[0.0; 4])), None);
+    }
+}

@@ -1,0 +1,251 @@
+//! Views of a model along the axes: which two axes matter, and equal scales in all.
+
+use nalgebra::Vector3;
+use plotters::backend::DrawingBackend;
+use plotters::style::RGBColor;
+use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT};
+
+use super::panel::{Panel, SMALL};
+
+/// A line in space with its look.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Stroke {
+    pub points: Vec<Vector3<f64>>,
+    pub width: f64,
+    pub color: RGBColor,
+}
+
+/// What is shown along each axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Extent {
+    low: Vector3<f64>,
+    high: Vector3<f64>,
+}
+
+/// A pair of axes: to the right and up.
+pub(super) type View = [usize; 2];
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+/// Room about what is shown, as part of the largest extent.
+const ROOM: f64 = 0.04;
+/// Least extent of a view, as part of the largest: room for ticks and for a line.
+const LEAST: f64 = 0.13;
+/// A direction in which the model reaches less than this part of the largest extent is
+/// not looked at.
+const FLAT: f64 = 1e-3;
+/// A view across the longest direction is shown where the model reaches this part of
+/// it.
+const DEEP: f64 = 0.3;
+/// Margins of a view: left, right, above, below \[figure pixels\].
+const MARGINS: [f64; 4] = [150.0, 40.0, 20.0, 120.0];
+
+impl Extent {
+    /// The box around all points.
+    pub fn around(strokes: &[Stroke], marks: &[Vector3<f64>]) -> Self {
+        let points = strokes
+            .iter()
+            .flat_map(|stroke| &stroke.points)
+            .chain(marks);
+        let mut extent: Option<Self> = None;
+        for point in points.filter(|point| point.iter().all(|x| x.is_finite())) {
+            let before = extent.unwrap_or(Self {
+                low: *point,
+                high: *point,
+            });
+            extent = Some(Self {
+                low: before.low.inf(point),
+                high: before.high.sup(point),
+            });
+        }
+        extent.unwrap_or(Self {
+            low: Vector3::zeros(),
+            high: Vector3::zeros(),
+        })
+    }
+
+    fn length(&self, axis: usize) -> f64 {
+        self.high[axis] - self.low[axis]
+    }
+
+    fn largest(&self) -> f64 {
+        let largest = (0..3).map(|axis| self.length(axis)).fold(0.0, f64::max);
+        if largest > 0.0 { largest } else { 1.0 }
+    }
+
+    /// The views that matter: the two longest directions, the longest and the third
+    /// unless the model is flat, and the shorter two where these are long.
+    pub fn views(&self) -> Vec<View> {
+        let mut axes = [0, 1, 2];
+        axes.sort_by(|a, b| self.length(*b).total_cmp(&self.length(*a)));
+        let view = |a: usize, b: usize| [a.min(b), a.max(b)];
+        let part = |axis: usize| self.length(axis) / self.largest();
+        let mut views = vec![view(axes[0], axes[1])];
+        if part(axes[2]) > FLAT {
+            views.push(view(axes[0], axes[2]));
+        }
+        if part(axes[2]) > DEEP {
+            views.push(view(axes[1], axes[2]));
+        }
+        views
+    }
+
+    /// What the view shows along one of its axes: the extent with room.
+    fn range(&self, axis: usize) -> [f64; 2] {
+        let half = (0.5 * self.length(axis)).max(0.5 * LEAST * self.largest());
+        let half = half + ROOM * self.largest();
+        let middle = 0.5 * (self.low[axis] + self.high[axis]);
+        [middle - half, middle + half]
+    }
+}
+
+/// Views beside or below each other, all in one scale.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Arrangement {
+    /// Panel of each view, from the upper left corner of all.
+    panels: Vec<(View, Panel)>,
+    /// Width and height of all \[figure pixels\].
+    pub size: [f64; 2],
+}
+
+impl Arrangement {
+    /// The views of an extent in at most `room` \[figure pixels\], arranged so that the
+    /// scale is largest.
+    pub fn new(extent: &Extent, room: [f64; 2]) -> Self {
+        let views = extent.views();
+        let lengths: Vec<[f64; 2]> = views
+            .iter()
+            .map(|view| {
+                view.map(|axis| {
+                    let [low, high] = extent.range(axis);
+                    high - low
+                })
+            })
+            .collect();
+        let [below, beside] = [0, 1].map(|along| scale(&lengths, along, room));
+        let is_beside = beside > below;
+        let scale = below.max(beside);
+        let mut corner = [0.0, 0.0];
+        let mut size = [0.0_f64, 0.0_f64];
+        let mut panels = Vec::new();
+        for (view, length) in views.into_iter().zip(lengths) {
+            let left = corner[0] + MARGINS[0];
+            let top = corner[1] + MARGINS[2];
+            let panel = Panel {
+                left,
+                right: left + scale * length[0],
+                top,
+                bottom: top + scale * length[1],
+                x: extent.range(view[0]),
+                y: extent.range(view[1]),
+            };
+            let end = [panel.right + MARGINS[1], panel.bottom + MARGINS[3]];
+            size = [size[0].max(end[0]), size[1].max(end[1])];
+            corner = match is_beside {
+                true => [end[0], 0.0],
+                false => [0.0, end[1]],
+            };
+            panels.push((view, panel));
+        }
+        Self { panels, size }
+    }
+
+    /// Draws the strokes and the marks in every view; `corner` is the upper left corner
+    /// of all.
+    pub fn draw<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        corner: [f64; 2],
+        strokes: &[Stroke],
+        marks: &[(Vector3<f64>, RGBColor)],
+    ) -> Result<(), FigureProblem> {
+        for (view, panel) in &self.panels {
+            let panel = panel.moved(corner);
+            for stroke in strokes {
+                let points: Vec<_> = stroke.points.iter().map(|p| view.map(|i| p[i])).collect();
+                panel.curve(canvas, &points, stroke.width, stroke.color)?;
+            }
+            for (mark, color) in marks {
+                canvas.disc(panel.place(view.map(|i| mark[i])), 7.0, *color)?;
+            }
+            draw_axes(canvas, *view, &panel)?;
+        }
+        Ok(())
+    }
+}
+
+fn draw_axes<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    view: View,
+    panel: &Panel,
+) -> Result<(), FigureProblem> {
+    let ticks = |length: f64, each: f64| ((length / each).round() as usize).clamp(1, 10);
+    let across = ticks(panel.right - panel.left, 170.0);
+    let up = ticks(panel.bottom - panel.top, 110.0);
+    panel.draw_frame(canvas, [across, up], true)?;
+    let [right, upward] = view.map(|axis| format!("{} [m]", AXES[axis]));
+    let middle = [
+        0.5 * (panel.left + panel.right),
+        0.5 * (panel.top + panel.bottom),
+    ];
+    let title = Label::new(0.5 * (TEXT + SMALL)).anchored(Anchor::Middle);
+    canvas.text(&right, [middle[0], panel.bottom + 78.0], title)?;
+    canvas.text(&upward, [panel.left - 122.0, middle[1]], title.upward())
+}
+
+/// Pixels a meter of views arranged below each other (`along` 0) or beside (1).
+fn scale(lengths: &[[f64; 2]], along: usize, room: [f64; 2]) -> f64 {
+    let margins = [MARGINS[0] + MARGINS[1], MARGINS[2] + MARGINS[3]];
+    let count = lengths.len() as f64;
+    // In the direction of the arrangement lengths add up, across it the largest counts.
+    let (sum, across) = (1 - along, along);
+    let total: f64 = lengths.iter().map(|length| length[sum]).sum();
+    let largest = lengths
+        .iter()
+        .map(|length| length[across])
+        .fold(0.0, f64::max);
+    let of_sum = (room[sum] - count * margins[sum]) / total;
+    let of_largest = (room[across] - margins[across]) / largest;
+    of_sum.min(of_largest).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn extent(lengths: [f64; 3]) -> Extent {
+        Extent {
+            low: Vector3::zeros(),
+            high: Vector3::from(lengths),
+        }
+    }
+
+    #[test]
+    fn the_views_that_matter_are_chosen() {
+        assert_eq!(extent([10.0, 0.0, 1.0]).views(), [[0, 2]]);
+        assert_eq!(extent([10.0, 0.5, 1.0]).views(), [[0, 2], [0, 1]]);
+        assert_eq!(extent([1.0, 0.5, 10.0]).views(), [[0, 2], [1, 2]]);
+        assert_eq!(extent([8.0, 9.0, 7.0]).views(), [[0, 1], [1, 2], [0, 2]]);
+        assert_eq!(extent([0.0; 3]).views(), [[0, 1]]);
+    }
+
+    // A long blade has its views below each other, a tower beside.
+    #[test]
+    fn scales_are_equal_and_as_large_as_possible() {
+        for (lengths, beside) in [([50.0, 4.0, 8.0], false), ([4.0, 8.0, 50.0], true)] {
+            let found = Arrangement::new(&extent(lengths), [1800.0, 1500.0]);
+            let [first, second] = [found.panels[0].1, found.panels[1].1];
+            assert_eq!(second.left > first.right, beside);
+            let scales = [first, second].map(|panel| {
+                let [a, b] = [panel.x, panel.y].map(|[low, high]| high - low);
+                [
+                    (panel.right - panel.left) / a,
+                    (panel.bottom - panel.top) / b,
+                ]
+            });
+            for scale in scales.into_iter().flatten() {
+                assert!((scale / scales[0][0] - 1.0).abs() < 1e-12);
+            }
+            assert!(found.size[0] <= 1800.001 && found.size[1] <= 1500.001);
+        }
+    }
+}

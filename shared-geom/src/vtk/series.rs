@@ -1,0 +1,47 @@
+//! A series of grids over time, phase or load: the file that ParaView opens.
+
+/// Grids of a series and the value of each.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Series {
+    entries: Vec<(f64, String)>,
+}
+
+impl Series {
+    /// Adds the grid in `file`, a path relative to that of the series with `/` between
+    /// folders, at the next value: time, phase, step \[unit of the series\].
+    pub fn add(&mut self, value: f64, file: impl Into<String>) {
+        self.entries.push((value, file.into()));
+    }
+
+    /// The series as the text of a `.pvd` file.
+    pub fn text(&self) -> String {
+        let mut text = String::from(
+            "<?xml version=\"1.0\"?>\n\
+             <VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n\
+             \x20 <Collection>\n",
+        );
+        for (value, file) in &self.entries {
+            let file = escaped(file);
+            text.push_str(&format!(
+                "    <DataSet timestep=\"{value}\" group=\"\" part=\"0\" file=\"{file}\"/>\n"
+            ));
+        }
+        text.push_str("  </Collection>\n</VTKFile>\n");
+        text
+    }
+}
+
+/// The text with the signs that an attribute of XML cannot hold as such.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            _ => escaped.push(letter),
+        }
+    }
+    escaped
+}
