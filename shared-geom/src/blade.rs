@@ -13,6 +13,7 @@ use crate::section::Provenance;
 mod check;
 mod evaluate;
 mod file;
+mod input;
 mod moments;
 mod problem;
 mod remark;
@@ -20,6 +21,7 @@ mod transform;
 
 pub use crate::line::Side;
 pub use file::{VERSION, parse, read, write};
+pub use input::InputProblem;
 pub use moments::MassMoments;
 pub use problem::BladeProblem;
 
@@ -74,3 +76,6 @@ pub enum BladeDamping {
     /// `D` of each station, 6x6 [N s, N m s, N m^2 s].
     Viscous(Vec<Matrix6<f64>>),
 }
+
+#[cfg(test)]
+mod tests;
