@@ -12,12 +12,12 @@ use crate::exchange::{Format, read_with, windio};
 use crate::rotation::samples::Samples;
 
 /// Fully populated: the IEA-15, see the head of the file.
-const FPM: &str = include_str!("../../../../tests/reference/formats/hawc2_iea15_fpm_st.dat");
+const FPM: &str = include_str!("../../../../tests/reference/exchange/hawc2_iea15_fpm_st.dat");
 /// Classic, with its htc file: the DTU 10 MW, see the heads of the files.
-const CLASSIC: &str = include_str!("../../../../tests/reference/formats/hawc2_dtu10_st.dat");
-const HTC: &str = include_str!("../../../../tests/reference/formats/hawc2_dtu10.htc");
+const CLASSIC: &str = include_str!("../../../../tests/reference/exchange/hawc2_dtu10_st.dat");
+const HTC: &str = include_str!("../../../../tests/reference/exchange/hawc2_dtu10.htc");
 /// The IEA-15 in the axes of BeamDyn.
-const WINDIO: &str = include_str!("../../../../tests/reference/formats/windio2_iea15.yaml");
+const WINDIO: &str = include_str!("../../../../tests/reference/exchange/windio2_iea15.yaml");
 
 fn st_blade(text: &str) -> Reading {
     read(text, Path::new("test_st.dat"), &Options::default()).unwrap()
@@ -478,7 +478,7 @@ fn no_changed_byte_makes_the_readers_panic() {
         };
         let file = concat!(
             env!("CARGO_MANIFEST_DIR"),
-            "/../tests/reference/formats/test.htc"
+            "/../tests/reference/exchange/test.htc"
         );
         if let Ok(reading) = read(text, Path::new(file), &Options::default()) {
             let _ = write(&reading.blade, "a");

@@ -14,9 +14,9 @@ use crate::rotation::samples::Samples;
 use crate::section::Provenance;
 
 /// Version 2: from windIO 2.1.1, see the head of the file.
-const V2: &str = include_str!("../../../../tests/reference/formats/windio2_iea15.yaml");
+const V2: &str = include_str!("../../../../tests/reference/exchange/windio2_iea15.yaml");
 /// Version 1: the BeamDyn blade of the same turbine, see the head of the file.
-const V1: &str = include_str!("../../../../tests/reference/formats/windio1_iea15.yaml");
+const V1: &str = include_str!("../../../../tests/reference/exchange/windio1_iea15.yaml");
 
 fn blade_of(text: &str) -> Reading {
     read(text, Path::new("test.yaml"), &Options::default()).unwrap()
