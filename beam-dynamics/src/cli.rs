@@ -13,6 +13,7 @@ use crate::input::{self, Input};
 use crate::output;
 
 mod arguments;
+mod statics;
 mod terminal;
 
 use arguments::{Arguments, Command};
@@ -89,6 +90,12 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
     };
     match arguments.command {
         Command::Modes { files, out } => modes_of_files(&files, out.as_deref(), terminal),
+        Command::Static { files, out } => {
+            statics::static_of_files(&files, out.as_deref(), terminal)
+        }
+        Command::Buckling { files, out } => {
+            statics::buckling_of_files(&files, out.as_deref(), terminal)
+        }
         Command::Check { files } => check_files(&files, terminal),
     }
 }
@@ -118,7 +125,12 @@ fn check_files(files: &[PathBuf], terminal: &mut Terminal<'_>) -> u8 {
     DONE
 }
 
-fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal<'_>) -> u8 {
+/// Places of the results, each of its own, and the inputs; tells what is wrong.
+fn read_with_places(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    terminal: &mut Terminal<'_>,
+) -> Option<(Vec<Input>, Vec<(PathBuf, String)>)> {
     let places: Vec<_> = files.iter().map(|file| place(file, out)).collect();
     for (i, target) in places.iter().enumerate() {
         if let Some(first) = places[..i].iter().position(|other| other == target) {
@@ -133,10 +145,14 @@ fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal
                 second,
                 target,
             });
-            return WRONG_INPUT;
+            return None;
         }
     }
-    let Some(inputs) = read(files, terminal) else {
+    Some((read(files, terminal)?, places))
+}
+
+fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal<'_>) -> u8 {
+    let Some((inputs, places)) = read_with_places(files, out, terminal) else {
         return WRONG_INPUT;
     };
     let mut questions = Vec::with_capacity(inputs.len());
