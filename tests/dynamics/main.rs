@@ -6,6 +6,7 @@ mod beam_statics;
 mod buckling;
 mod chain;
 mod equal_blades;
+mod loads;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;

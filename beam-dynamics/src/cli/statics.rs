@@ -9,7 +9,7 @@ use super::{DONE, NOT_REACHED, NotAsked, WRONG_INPUT, read_with_places};
 use crate::analysis::buckling::buckling;
 use crate::analysis::statics::statics;
 use crate::case::{BucklingQuestion, StaticQuestion};
-use crate::input::Input;
+use crate::input::{Input, short_number};
 use crate::output::{self, Written};
 
 /// Folder and name of the results of a file.
@@ -116,7 +116,7 @@ fn static_of(
                 let kept = result.steps.len();
                 format!(
                     "{kept} equilibria up to the load factor {} are written",
-                    step.factor
+                    short_number(step.factor, 6)
                 )
             },
         );
