@@ -8,6 +8,7 @@ mod chain;
 mod damping;
 mod equal_blades;
 mod joints;
+mod loads;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;
