@@ -25,10 +25,7 @@ fn node(label: &str, position: Vector3<f64>, rotation: Matrix3<f64>) -> Node {
 /// Eigenvalues with positive imaginary part at a speed, ascending by it.
 fn eigenvalues(system: System, speed: f64, count: usize) -> Vec<Complex<f64>> {
     let model = Model::new("joints", system);
-    let question = ModesQuestion {
-        speeds: vec![speed],
-        count,
-    };
+    let question = ModesQuestion::new(vec![speed], count);
     let outcome = modes(&model, &question);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let points = outcome.table.at_speed(0);
@@ -243,7 +240,7 @@ impl Rotor {
         let cross = nalgebra::Matrix2::new(0.0, -speed, speed, 0.0);
         let unit = nalgebra::Matrix2::identity();
         let (spring, damper) = (self.hub.stiffness[0], self.hub.damping[0]);
-        let mut put = |to: &mut DMatrix<f64>, block| to.view_mut((0, 0), (2, 2)).copy_from(&block);
+        let put = |to: &mut DMatrix<f64>, block| to.view_mut((0, 0), (2, 2)).copy_from(&block);
         put(&mut m, unit * total);
         put(&mut c, cross * (2.0 * total) + unit * damper);
         put(&mut k, unit * (spring - total * square) + cross * damper);
