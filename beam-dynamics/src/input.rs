@@ -21,6 +21,7 @@ mod blade_file;
 mod blades;
 mod bodies;
 mod clamps;
+mod damping;
 mod draft;
 mod hub;
 mod hub_support;
