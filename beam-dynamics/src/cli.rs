@@ -88,7 +88,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         }
     };
     match arguments.command {
-        Command::Modes { files, out } => modes_of_files(&files, out.as_deref(), terminal),
+        Command::Modes { files, out, vtu } => modes_of_files(&files, out.as_deref(), vtu, terminal),
         Command::Check { files } => check_files(&files, terminal),
     }
 }
@@ -118,7 +118,12 @@ fn check_files(files: &[PathBuf], terminal: &mut Terminal<'_>) -> u8 {
     DONE
 }
 
-fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal<'_>) -> u8 {
+fn modes_of_files(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    animate: bool,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
     let places: Vec<_> = files.iter().map(|file| place(file, out)).collect();
     for (i, target) in places.iter().enumerate() {
         if let Some(first) = places[..i].iter().position(|other| other == target) {
@@ -142,7 +147,11 @@ fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal
     let mut questions = Vec::with_capacity(inputs.len());
     for (file, input) in files.iter().zip(&inputs) {
         match &input.modes {
-            Some(question) => questions.push((input, question)),
+            Some(question) => {
+                let mut question = question.clone();
+                question.animate |= animate;
+                questions.push((input, question));
+            }
             None => terminal.tell(&NotAsked {
                 file: file.display().to_string(),
                 table: "modes",
@@ -158,7 +167,7 @@ fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal
             if number > 0 {
                 terminal.show("\n\n");
             }
-            modes_of(input, question, place, terminal)
+            modes_of(input, &question, place, terminal)
         },
     );
     codes.max().unwrap_or(DONE)
@@ -185,7 +194,11 @@ fn modes_of(
     if let Some(failure) = &outcome.failure {
         table.remarks.push(format!("stopped early: {failure}"));
     }
-    let written = output::write(&table, &input.measured, folder, name);
+    let written = output::write(&table, &input.measured, folder, name).and_then(|mut written| {
+        let shapes = output::write_shapes(&input.model, &table, question.animate, folder, name)?;
+        written.files.extend(shapes.files);
+        Ok(written)
+    });
     terminal.show(&output::result_text(&table, &input.measured));
     let mut code = DONE;
     if let Some(failure) = &outcome.failure {
