@@ -1,6 +1,7 @@
 //! What is written of a result: tables for people and for programs, the comparison
 //! with measurements, and the fan plot. Output reads results; it computes nothing.
 
+mod blade_text;
 mod buckling;
 mod comparison;
 mod fan;
@@ -21,6 +22,7 @@ mod views;
 #[cfg(test)]
 mod samples;
 
+pub use blade_text::{blade_text, list};
 pub use buckling::{
     BUCKLING_CONVENTION, BucklingPlot, buckling_csv, buckling_text, write_buckling,
 };

@@ -9,8 +9,8 @@ use std::process::{Command, Stdio};
 
 use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
 use shared_geom::section::{
-    self, Centers, Change, Damping, InitialCurvature, Piezo, PrincipalAxes, Provenance,
-    SectionProperties, Step,
+    self, Centers, Change, InitialCurvature, Piezo, PrincipalAxes, Provenance, SectionProperties,
+    Step,
 };
 use tempfile::TempDir;
 
