@@ -13,12 +13,14 @@ use crate::section::Provenance;
 mod check;
 mod evaluate;
 mod file;
+mod input;
 mod problem;
 mod remark;
 mod transform;
 
 pub use crate::line::Side;
 pub use file::{VERSION, parse, read, write};
+pub use input::InputProblem;
 pub use problem::BladeProblem;
 
 /// A blade: its line, and the properties of its sections.

@@ -95,6 +95,17 @@ impl<'a> Table<'a> {
         )
     }
 
+    /// Whether `key` holds a list of lists.
+    pub fn is_nested(&self, key: &str) -> bool {
+        match self.ask(key).map(|value| &value.kind) {
+            Some(Kind::Array(items)) => {
+                let is_list = |item: &Value| matches!(item.kind, Kind::Array(_));
+                items.first().is_some_and(is_list)
+            }
+            _ => false,
+        }
+    }
+
     /// Text under `key`.
     pub fn text(&self, key: &str) -> Option<String> {
         let value = self.ask(key)?;
