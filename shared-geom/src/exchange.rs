@@ -16,10 +16,12 @@ mod dymore;
 pub mod frame;
 mod header;
 mod own;
+mod plain;
 mod problem;
 mod stations;
 mod text;
 mod vabs;
+mod windio;
 
 pub use header::Header;
 pub use problem::ExchangeProblem;
@@ -208,6 +210,18 @@ const DOORS: &[Door] = &[
         recognize: vabs::recognize,
         read: Some(vabs::read),
         write: Some(vabs::write),
+    },
+    Door {
+        format: Format::WindIo1,
+        recognize: windio::is_version_1,
+        read: Some(windio::read),
+        write: Some(windio::write_version_1),
+    },
+    Door {
+        format: Format::WindIo2,
+        recognize: windio::is_version_2,
+        read: Some(windio::read),
+        write: Some(windio::write_version_2),
     },
     // The last: a table of numbers without any word.
     Door {
