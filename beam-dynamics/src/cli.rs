@@ -13,6 +13,8 @@ use crate::input::{self, Input};
 use crate::output;
 
 mod arguments;
+mod convert;
+mod describe;
 mod terminal;
 
 use arguments::{Arguments, Command};
@@ -90,6 +92,13 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
     match arguments.command {
         Command::Modes { files, out } => modes_of_files(&files, out.as_deref(), terminal),
         Command::Check { files } => check_files(&files, terminal),
+        Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
+        Command::Convert {
+            from,
+            to,
+            format,
+            length,
+        } => convert::convert(&from, &to, format.as_deref(), length, terminal),
     }
 }
 

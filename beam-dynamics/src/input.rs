@@ -20,6 +20,7 @@ mod beams;
 mod blades;
 mod bodies;
 mod clamps;
+mod damping;
 mod draft;
 mod hub;
 mod hub_support;

@@ -1,6 +1,7 @@
 //! What is written of a result: tables for people and for programs, the comparison
 //! with measurements, and the fan plot. Output reads results; it computes nothing.
 
+mod blade_text;
 mod comparison;
 mod fan;
 mod files;
@@ -18,6 +19,7 @@ mod views;
 #[cfg(test)]
 mod samples;
 
+pub use blade_text::{blade_text, list};
 pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
 pub use files::{Written, result_text, write};

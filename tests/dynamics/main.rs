@@ -5,7 +5,9 @@
 mod beam_statics;
 mod buckling;
 mod chain;
+mod damping;
 mod equal_blades;
+mod joints;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;

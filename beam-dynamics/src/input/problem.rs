@@ -79,6 +79,9 @@ pub enum InputProblem {
         /// The field of the property file to remove.
         field: &'static str,
     },
+    /// Internal damping that is given in no way or in two.
+    #[error("\"damping\" needs a \"time\" or a \"matrix\", and not both")]
+    OneDamping,
     /// A list of another length.
     #[error("\"{key}\" lists {found}, expected {expected}")]
     Count {

@@ -9,8 +9,8 @@ use std::process::{Command, Stdio};
 
 use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
 use shared_geom::section::{
-    self, Centers, Change, Damping, InitialCurvature, Piezo, PrincipalAxes, Provenance,
-    SectionProperties, Step,
+    self, Centers, Change, InitialCurvature, Piezo, PrincipalAxes, Provenance, SectionProperties,
+    Step,
 };
 use tempfile::TempDir;
 
@@ -308,7 +308,6 @@ fn what_would_be_left_out_is_refused() {
         coupling: DMatrix::zeros(6, 1),
         capacitance: DMatrix::from_element(1, 1, 1e-9),
     });
-    properties.damping = Some(Damping::StiffnessProportional(1e-4));
     folder.write("strip.properties.json", &section::write(&properties));
     let line = |what: &str, field: &str| {
         format!(
@@ -319,7 +318,6 @@ fn what_would_be_left_out_is_refused() {
     let all = [
         line("an initial curvature", "initial_curvature"),
         line("a piezoelectric coupling", "piezo"),
-        line("damping", "damping"),
     ];
     folder.refuses(BLADE, &all.join("\n"));
 }

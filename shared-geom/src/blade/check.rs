@@ -121,15 +121,17 @@ impl Blade {
                 let (station, place) = (k + 1, at.arc_length);
                 let told = match problem {
                     PropertyProblem::Polar { .. } => return None,
-                    PropertyProblem::Indefinite { field, value, .. } if field == "stiffness" => {
-                        BladeProblem::IndefiniteStation {
-                            station,
-                            place,
-                            from: self.reach(k, k.checked_sub(1)),
-                            to: self.reach(k, Some(k + 1)),
-                            value,
-                        }
-                    }
+                    PropertyProblem::Indefinite {
+                        field: "stiffness",
+                        value,
+                        ..
+                    } => BladeProblem::IndefiniteStation {
+                        station,
+                        place,
+                        from: self.reach(k, k.checked_sub(1)),
+                        to: self.reach(k, Some(k + 1)),
+                        value,
+                    },
                     problem => BladeProblem::Station {
                         station,
                         place,

@@ -22,6 +22,7 @@ mod frame;
 mod line;
 mod matrix;
 mod problem;
+mod station_file;
 mod stations;
 
 use frame::Frame;

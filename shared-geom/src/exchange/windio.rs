@@ -75,9 +75,9 @@ pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diag
         version2::tables(&root, &mut problems)
     };
     let name = root.entry("name").and_then(yaml::Node::text);
-    let reading = tables.and_then(|tables| {
+    let reading = tables.map(|tables| {
         let name = name.unwrap_or("blade").to_owned();
-        assemble::reading(tables, name, text, &mut problems)
+        assemble::reading(tables, name, text)
     });
     problems.finish(reading)
 }

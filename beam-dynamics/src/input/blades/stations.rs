@@ -171,7 +171,10 @@ impl StationLine {
             }
         }
         masses.push((1.0, mass(to, Side::Inner)));
-        (Along::varying(stiffness, masses, length), problems)
+        let [first, last] = places.map(|place| self.blade.damping_at(place, Side::Outer));
+        let damping = first.zip(last).map(|(first, last)| [first, last]);
+        let along = Along::varying(stiffness, masses, length).damped(damping);
+        (along, problems)
     }
 
     fn not_positive(&self, place: f64, eigenvalue: f64) -> BladeProblem {

@@ -40,9 +40,16 @@ pub(super) struct Columns<'a> {
 }
 
 impl<'a> Columns<'a> {
-    /// Reads the file that `owner` names under `file`, with its names in `columns`.
-    pub fn read(owner: &'a Table<'a>, sources: &Sources) -> Option<Self> {
+    /// Reads the file that `owner` names under `file`, with its names for `keys` in
+    /// `columns`.
+    pub fn read(owner: &'a Table<'a>, keys: &[String], sources: &Sources) -> Option<Self> {
         let map = owner.table("columns");
+        if let Some(map) = &map {
+            // All of them are known, whatever else is wrong.
+            for key in keys {
+                map.has(key);
+            }
+        }
         let document = owner.document();
         let path = document.path(&owner.require_text("file", "the name of a table")?);
         let text = document.keep(sources.read(&path))?;

@@ -44,11 +44,10 @@ pub(super) struct Frame {
 impl Frame {
     /// Reads `frame`, `order` and `twist_positive` of the file.
     pub fn read(root: &Table<'_>) -> Option<Self> {
-        const EXPECTED: &str = "a frame by its name, or a list of three directions";
-        if !root.has("frame") {
+        // All of them are known, whatever else is wrong.
+        let [has_frame, ..] = ["frame", "order", "twist_positive"].map(|key| root.has(key));
+        if !has_frame {
             root.note("frame", &InputProblem::FrameUndeclared);
-            // Known all the same.
-            let _ = (root.has("order"), root.has("twist_positive"));
             return None;
         }
         let named = root.is_text("frame");
@@ -66,7 +65,6 @@ impl Frame {
                 let words = root.texts("frame")?;
                 let axes = directions(&words);
                 if axes.is_none() {
-                    root.wrong("frame", EXPECTED);
                     root.note("frame", &InputProblem::Directions { found: words });
                 }
                 (axes, 1.0)

@@ -25,6 +25,19 @@ const TWIST_RATE: Dimension = Dimension {
     angle: 1,
 };
 
+/// Keys of lists of points.
+const KEYS: [&str; 9] = [
+    "x",
+    "y",
+    "z",
+    "span",
+    "sweep",
+    "prebend",
+    "twist",
+    "offset_forward",
+    "offset_up",
+];
+
 /// Reads the line of a blade.
 pub(super) fn read(
     root: &Table<'_>,
@@ -38,7 +51,7 @@ pub(super) fn read(
         ["length"] => straight(&table, frame),
         ["arc"] => arcs(&table, frame),
         ["file"] => {
-            let columns = Columns::read(&table, sources);
+            let columns = Columns::read(&table, &KEYS.map(str::to_owned), sources);
             let line = columns.as_ref().and_then(|columns| {
                 let lists = Lists::File(columns);
                 through(&table, &lists, frame)
@@ -48,7 +61,13 @@ pub(super) fn read(
             }
             line
         }
-        ["x"] | ["span"] => through(&table, &Lists::InPlace(&table), frame),
+        ["x"] | ["span"] => {
+            // All of them are known, whatever else is wrong.
+            for key in KEYS {
+                table.has(key);
+            }
+            through(&table, &Lists::InPlace(&table), frame)
+        }
         [one, other, ..] => {
             let problem = InputProblem::Both {
                 table: "[line]".to_owned(),

@@ -1,18 +1,17 @@
-//! The stations: tables `[[station]]`, or a table of a file named by `[stations]`.
+//! The stations: tables `[[station]]`, or `[stations]` with a table of a file.
 
 use nalgebra::{Matrix6, Vector2, Vector3};
 
-use super::columns::{Columns, Measure};
-use super::engineering::{self, ANGLES, CENTERS, MASS, Numbers, Parts, STIFFNESS};
+use super::engineering::{self, MASS, Numbers, Parts, STIFFNESS};
 use super::frame::{self, Frame};
 use super::matrix::{self, Kind};
 use super::problem::InputProblem;
-use super::{Placed, Sources};
+use super::{Placed, Sources, station_file};
 use crate::blade::Station;
 use crate::document::Table;
 use crate::error::Place;
 use crate::line::about_x;
-use crate::section::{self, Damping, Engineering};
+use crate::section::{self, Damping};
 use crate::units::Dimension;
 use crate::wrench;
 
@@ -27,18 +26,18 @@ pub(super) struct Given<'a> {
 
 /// Where a station stands and how its axes lie.
 #[derive(Debug, Clone, Copy)]
-struct Seat {
-    arc_length: f64,
+pub(super) struct Seat {
+    pub arc_length: f64,
     /// Its own reference point.
-    point: Vector2<f64>,
+    pub point: Vector2<f64>,
     /// From the section axes of the line to its own.
-    angle: f64,
+    pub angle: f64,
 }
 
 /// Reads all stations.
 pub(super) fn read(root: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<Vec<Placed>> {
     match (root.has("stations"), root.has("station")) {
-        (true, false) => of_file(&root.table("stations")?, given, sources),
+        (true, false) => station_file::read(&root.table("stations")?, given, sources),
         (false, true) => {
             let tables = root.tables("station");
             let read = tables.iter().map(|table| {
@@ -71,7 +70,11 @@ pub(super) fn read(root: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Op
 }
 
 /// The 6x6 about the reference point of the blade, in the section axes of the line.
-fn seated(matrix: &Matrix6<f64>, seat: &Seat, given: &Given<'_>) -> Option<Matrix6<f64>> {
+pub(super) fn seated(
+    matrix: &Matrix6<f64>,
+    seat: &Seat,
+    given: &Given<'_>,
+) -> Option<Matrix6<f64>> {
     let turned = match seat.angle {
         0.0 => *matrix,
         angle => wrench::rotate(matrix, &about_x(-angle)),
@@ -84,7 +87,12 @@ fn seated(matrix: &Matrix6<f64>, seat: &Seat, given: &Given<'_>) -> Option<Matri
 }
 
 /// Notes two keys for one thing, or none; `Some(true)` for the first.
-fn either(table: &Table<'_>, has: impl Fn(&str) -> bool, one: &str, other: &str) -> Option<bool> {
+pub(super) fn either(
+    table: &Table<'_>,
+    has: impl Fn(&str) -> bool,
+    one: &str,
+    other: &str,
+) -> Option<bool> {
     match (has(one), has(other)) {
         (true, false) => Some(true),
         (false, true) => Some(false),
@@ -197,7 +205,7 @@ fn in_table(table: &Table<'_>, given: &Given<'_>) -> Option<(Matrix6<f64>, Matri
 }
 
 /// Notes engineering properties in a frame that is not ours.
-fn note_foreign(table: &Table<'_>, parts: Parts, given: &Given<'_>) -> bool {
+pub(super) fn note_foreign(table: &Table<'_>, parts: Parts, given: &Given<'_>) -> bool {
     let foreign = given.frame.is_some_and(|frame| !frame.is_ours());
     let key = match (parts.stiffness, parts.mass) {
         (true, _) => STIFFNESS[0].0,
@@ -233,192 +241,5 @@ impl Numbers for InTable<'_> {
             true => self.0.quantity(key, Dimension::ANGLE),
             false => Some(0.0),
         }
-    }
-}
-
-/// The stations of `[stations]`.
-fn of_file(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<Vec<Placed>> {
-    let root_at = match table.has("root_at") {
-        true => table.quantity("root_at", Dimension::LENGTH),
-        false => Some(0.0),
-    };
-    let columns = Columns::read(table, sources);
-    let stations = columns.as_ref().and_then(|columns| {
-        let file = StationFile {
-            table,
-            columns,
-            given,
-        };
-        file.stations(root_at?)
-    });
-    table.finish();
-    if let Some(columns) = columns {
-        columns.finish(sources);
-    }
-    stations
-}
-
-/// A table of stations and what is given for all of them.
-struct StationFile<'a> {
-    table: &'a Table<'a>,
-    columns: &'a Columns<'a>,
-    given: &'a Given<'a>,
-}
-
-impl StationFile<'_> {
-    fn stations(&self, root_at: f64) -> Option<Vec<Placed>> {
-        let arc_lengths = self.arc_lengths(root_at);
-        let points = self.points();
-        let angles = self.angles();
-        let has = |kind: Kind| self.columns.has(&kind.entry(0, 0));
-        let parts = Parts {
-            stiffness: !has(Kind::Stiffness),
-            mass: !has(Kind::Mass),
-        };
-        let is_ours = note_foreign(self.table, parts, self.given);
-        let engineering = self.engineering(parts);
-        let of = |kind: Kind, asked: bool| match asked {
-            true => Some(Vec::new()),
-            false => self.matrices(kind),
-        };
-        let stiffness = of(Kind::Stiffness, parts.stiffness);
-        let mass = of(Kind::Mass, parts.mass);
-        let (arc_lengths, points, angles) = (arc_lengths?, points?, angles?);
-        let (engineering, stiffness, mass) = (engineering?, stiffness?, mass?);
-        if !is_ours {
-            return None;
-        }
-        let places = self.columns.places().into_iter().enumerate();
-        let station = |(row, place): (usize, Place)| {
-            let seat = Seat {
-                arc_length: arc_lengths[row],
-                point: points[row],
-                angle: self.given.frame?.twist(angles[row]),
-            };
-            let own = engineering.get(row)?;
-            let stiffness = stiffness.get(row).copied();
-            let mass = mass.get(row).copied();
-            let stiffness = stiffness.unwrap_or_else(|| own.stiffness_matrix());
-            let mass = mass.unwrap_or_else(|| own.mass_matrix());
-            Some(Placed {
-                place,
-                station: Station {
-                    arc_length: seat.arc_length,
-                    stiffness: seated(&stiffness, &seat, self.given)?,
-                    mass: seated(&mass, &seat, self.given)?,
-                },
-                damping: None,
-            })
-        };
-        places.map(station).collect()
-    }
-
-    fn numbers(&self, key: &str, dimension: Dimension) -> Option<Vec<f64>> {
-        let factor = self.table.document().factor(dimension);
-        self.columns.numbers(key, Measure { dimension, factor })
-    }
-
-    /// As [`StationFile::numbers`]; zeros without the column.
-    fn optional(&self, key: &str, dimension: Dimension) -> Option<Vec<f64>> {
-        match self.columns.has(key) {
-            true => self.numbers(key, dimension),
-            false => Some(vec![0.0; self.columns.places().len()]),
-        }
-    }
-
-    fn arc_lengths(&self, root_at: f64) -> Option<Vec<f64>> {
-        let has = |key: &str| self.columns.has(key);
-        let numbers = match either(self.table, has, "arc_length", "eta")? {
-            true => self.numbers("arc_length", Dimension::LENGTH)?,
-            false => {
-                let parts = self.numbers("eta", Dimension::NUMBER)?;
-                let length = self.given.length?;
-                parts.into_iter().map(|eta| eta * length).collect()
-            }
-        };
-        Some(numbers.into_iter().map(|s| s - root_at).collect())
-    }
-
-    /// The reference point of each station.
-    fn points(&self) -> Option<Vec<Vector2<f64>>> {
-        let frame = self.given.frame?;
-        let keys = frame
-            .plane_names()
-            .map(|name| format!("reference_point_{name}"));
-        if keys.iter().all(|key| !self.columns.has(key)) {
-            let all = self.given.reference_point?;
-            return Some(vec![all; self.columns.places().len()]);
-        }
-        let [first, second] = keys.map(|key| self.optional(&key, Dimension::LENGTH));
-        let pairs = first?.into_iter().zip(second?);
-        Some(pairs.map(|(a, b)| frame.point([a, b])).collect())
-    }
-
-    fn angles(&self) -> Option<Vec<f64>> {
-        self.optional("angle", Dimension::ANGLE)
-    }
-
-    fn matrices(&self, kind: Kind) -> Option<Vec<Matrix6<f64>>> {
-        let (frame, document) = (self.given.frame?, self.table.document());
-        let mut written = vec![Matrix6::zeros(); self.columns.places().len()];
-        let mut all_good = true;
-        for (i, j) in matrix::upper() {
-            let measure = kind.measure(document, frame, i, j);
-            let Some(numbers) = self.columns.numbers(&kind.entry(i, j), measure) else {
-                all_good = false;
-                continue;
-            };
-            for (matrix, number) in written.iter_mut().zip(numbers) {
-                (matrix[(i, j)], matrix[(j, i)]) = (number, number);
-            }
-        }
-        all_good.then(|| written.iter().map(|matrix| frame.matrix(matrix)).collect())
-    }
-
-    /// The engineering properties of all rows.
-    fn engineering(&self, parts: Parts) -> Option<Vec<Engineering>> {
-        // Columns are read once each, so that each problem is told once.
-        let mut known = Vec::new();
-        let asked = [(&STIFFNESS[..], parts.stiffness), (&MASS[..], parts.mass)];
-        for (keys, _) in asked.into_iter().filter(|part| part.1) {
-            let read = |&(key, dimension)| (key, self.numbers(key, dimension));
-            known.extend(keys.iter().map(read));
-        }
-        let of_parts = [parts.stiffness, parts.stiffness, parts.mass];
-        for (center, _) in CENTERS.iter().zip(of_parts).filter(|part| part.1) {
-            let read = |key| (key, self.optional(key, Dimension::LENGTH));
-            known.extend(center.1.map(read));
-        }
-        for (key, _) in ANGLES
-            .into_iter()
-            .zip([parts.stiffness, parts.mass])
-            .filter(|part| part.1)
-        {
-            known.push((key, self.optional(key, Dimension::ANGLE)));
-        }
-        let of_row = |row| engineering::read(&OfRow { known: &known, row }, parts);
-        (0..self.columns.places().len()).map(of_row).collect()
-    }
-}
-
-/// A row of the columns that were read.
-struct OfRow<'a> {
-    known: &'a [(&'static str, Option<Vec<f64>>)],
-    row: usize,
-}
-
-impl Numbers for OfRow<'_> {
-    fn number(&self, key: &'static str, _: Dimension) -> Option<f64> {
-        let known = self.known.iter().find(|known| known.0 == key)?;
-        known.1.as_ref()?.get(self.row).copied()
-    }
-
-    fn point(&self, (_, keys): (&'static str, [&'static str; 2])) -> Option<Vector2<f64>> {
-        let [y, z] = keys.map(|key| self.number(key, Dimension::LENGTH));
-        Some(Vector2::new(y?, z?))
-    }
-
-    fn angle(&self, key: &'static str) -> Option<f64> {
-        self.number(key, Dimension::ANGLE)
     }
 }

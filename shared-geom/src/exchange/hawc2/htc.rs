@@ -8,7 +8,6 @@ use crate::exchange::text::{Line, lines, not_a_number, number};
 #[derive(Debug, Clone, Default)]
 pub(super) struct Body {
     pub name: String,
-    pub line: usize,
     /// The st file as named, and the line that names it.
     pub st_file: Option<(String, usize)>,
     /// Numbers of set and sub-set, and their line.
@@ -60,7 +59,11 @@ pub(super) fn blade(
         .collect();
     let is_blade = |body: &&Body| body.name.to_lowercase().starts_with("blade");
     let body = bodies.iter().find(is_blade);
-    let body = body.or(if bodies.len() == 1 { bodies.first() } else { None });
+    let body = body.or(if bodies.len() == 1 {
+        bodies.first()
+    } else {
+        None
+    });
     let Some(body) = body else {
         let names: Vec<_> = bodies.iter().map(|body| body.name.as_str()).collect();
         problems.push(0, &no_blade(&names, text));
@@ -79,7 +82,11 @@ pub(super) fn blade(
         && announced != body.points.len()
     {
         let problem = ExchangeProblem::CutShort {
-            what: format!("c2_def of \"{}\", after {} sections", body.name, body.points.len()),
+            what: format!(
+                "c2_def of \"{}\", after {} sections",
+                body.name,
+                body.points.len()
+            ),
             expected: format!("{announced}, as nsec announces"),
         };
         problems.push(line, &problem);
@@ -89,7 +96,9 @@ pub(super) fn blade(
 }
 
 fn no_blade(names: &[&str], text: &str) -> ExchangeProblem {
-    let continued = text.lines().any(|line| line.trim_start().starts_with("continue_in_file"));
+    let continued = text
+        .lines()
+        .any(|line| line.trim_start().starts_with("continue_in_file"));
     ExchangeProblem::Other {
         what: "the blade among the bodies of the file".to_owned(),
         found: match names {
@@ -99,7 +108,9 @@ fn no_blade(names: &[&str], text: &str) -> ExchangeProblem {
         expected: "a main_body whose name begins with \"blade\"".to_owned(),
         help: match continued {
             true => "give the file that continue_in_file names".to_owned(),
-            false => "keep the main_body of the blade alone in the file, or name it blade1".to_owned(),
+            false => {
+                "keep the main_body of the blade alone in the file, or name it blade1".to_owned()
+            }
         },
     }
 }
@@ -142,10 +153,7 @@ impl Reader {
             "begin" => {
                 let name = rest.first().copied().unwrap_or_default().to_lowercase();
                 if name == "main_body" {
-                    self.bodies.push(Body {
-                        line: line.number,
-                        ..Body::default()
-                    });
+                    self.bodies.push(Body::default());
                 }
                 self.blocks.push((name, line.number));
             }

@@ -91,7 +91,10 @@ impl Place {
 
     /// A matrix about the line, at the elastic center and in the principal axes.
     pub fn into_principal(self, matrix: &Matrix6<f64>) -> Matrix6<f64> {
-        wrench::rotate(&wrench::shift(matrix, &flat(self.elastic)), &about_z(self.pitch))
+        wrench::rotate(
+            &wrench::shift(matrix, &flat(self.elastic)),
+            &about_z(self.pitch),
+        )
     }
 
     /// A matrix at the elastic center in the principal axes, about the line.

@@ -20,9 +20,9 @@ pub(super) const CLASSIC: [&str; 19] = [
 
 /// Columns of a fully populated row.
 pub(super) const FULL: [&str; 30] = [
-    "r", "m", "x_cg", "y_cg", "ri_x", "ri_y", "pitch", "x_e", "y_e", "K_11", "K_12", "K_13", "K_14",
-    "K_15", "K_16", "K_22", "K_23", "K_24", "K_25", "K_26", "K_33", "K_34", "K_35", "K_36", "K_44",
-    "K_45", "K_46", "K_55", "K_56", "K_66",
+    "r", "m", "x_cg", "y_cg", "ri_x", "ri_y", "pitch", "x_e", "y_e", "K_11", "K_12", "K_13",
+    "K_14", "K_15", "K_16", "K_22", "K_23", "K_24", "K_25", "K_26", "K_33", "K_34", "K_35", "K_36",
+    "K_44", "K_45", "K_46", "K_55", "K_56", "K_66",
 ];
 
 /// The numbers of a row.
@@ -111,7 +111,9 @@ pub(super) fn sub_sets<'a>(text: &'a str, problems: &mut Problems) -> Vec<SubSet
                 };
             }
             _ if open => {
-                if let Some(last) = found.last_mut().filter(|last| last.rows.len() < last.announced)
+                if let Some(last) = found
+                    .last_mut()
+                    .filter(|last| last.rows.len() < last.announced)
                 {
                     last.rows.push(line);
                 }
@@ -187,7 +189,10 @@ fn columns(
     problems: &mut Problems,
 ) -> Option<&'static [&'static str]> {
     let words = words(first);
-    let numbers = words.iter().take_while(|word| number(word).is_some()).count();
+    let numbers = words
+        .iter()
+        .take_while(|word| number(word).is_some())
+        .count();
     let told: &[&str] = match words.len() {
         count if count >= FULL.len() => &FULL,
         _ if numbers <= CLASSIC.len() => &CLASSIC,
@@ -216,9 +221,10 @@ fn columns(
                     what: "a row of the st file".to_owned(),
                     found: format!("{numbers} numbers"),
                     expected: format!("{expected}, since the htc file has {stated}"),
-                    help: "put the line \"FPM 1 ;\" into timoschenko_input for rows of 30 columns, \
+                    help:
+                        "put the line \"FPM 1 ;\" into timoschenko_input for rows of 30 columns, \
                            and none for rows of 19"
-                        .to_owned(),
+                            .to_owned(),
                 },
             );
             None
@@ -233,7 +239,10 @@ fn row(line: &Line<'_>, columns: &[&str], problems: &mut Problems) -> Option<Row
     for (word, column) in words.iter().zip(columns) {
         match number(word) {
             Some(value) => values.push(value),
-            None => problems.push(line.number, &not_a_number(&format!("column {column}"), word)),
+            None => problems.push(
+                line.number,
+                &not_a_number(&format!("column {column}"), word),
+            ),
         }
     }
     if words.len() < columns.len() {

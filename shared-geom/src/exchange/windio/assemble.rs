@@ -5,12 +5,10 @@ use nalgebra::{Matrix6, Vector2, Vector3};
 use super::super::Reading;
 use super::super::frame::Convention;
 use super::super::plain::{stated_course, turns};
-use super::super::problem::Problems;
+use super::super::stations::provenance;
 use super::fields::{Column, SAME, interval};
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
-use crate::hash::sha256_of_content;
 use crate::line::{Course, LinePoint, ReferenceLine};
-use crate::section::Provenance;
 
 /// Matrices on a grid of parts of the length.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,12 +45,7 @@ pub(super) struct Tables {
 }
 
 /// The blade of `tables` in our axes.
-pub(super) fn reading(
-    tables: Tables,
-    name: String,
-    text: &str,
-    _: &mut Problems,
-) -> Option<Reading> {
+pub(super) fn reading(tables: Tables, name: String, text: &str) -> Reading {
     let mut remarks = tables.remarks.clone();
     let line = line(&tables, text, &mut remarks);
     let length = line.length();
@@ -76,16 +69,9 @@ pub(super) fn reading(
         stations: parts.iter().map(station).collect(),
         interpolation: Interpolation::Linear,
         damping: tables.times.as_ref().and_then(damping),
-        provenance: Provenance {
-            program: "windIO".to_owned(),
-            version: tables.version.to_string(),
-            input_hash: sha256_of_content(text.as_bytes()),
-            nodes: 0,
-            cells: 0,
-            history: Vec::new(),
-        },
+        provenance: provenance(&format!("windIO {}", tables.version), &[text]),
     };
-    Some(Reading { blade, remarks })
+    Reading { blade, remarks }
 }
 
 fn damping(times: &[f64; 6]) -> Option<BladeDamping> {
