@@ -13,11 +13,13 @@ use crate::input::{self, Input};
 use crate::output;
 
 mod arguments;
+mod blade_options;
 mod convert;
 mod describe;
 mod terminal;
 
 use arguments::{Arguments, Command};
+use blade_options::BladeOptions;
 use terminal::Terminal;
 
 /// The work is done.
@@ -90,7 +92,9 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         }
     };
     match arguments.command {
-        Command::Modes { files, out } => modes_of_files(&files, out.as_deref(), terminal),
+        Command::Modes { files, out, blade } => {
+            modes_of_files(&files, out.as_deref(), &blade, terminal)
+        }
         Command::Check { files } => check_files(&files, terminal),
         Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
         Command::Convert {
@@ -102,12 +106,21 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
     }
 }
 
-/// Reads all files; when one is wrong, tells all that is and gives none.
-fn read(files: &[PathBuf], terminal: &mut Terminal<'_>) -> Option<Vec<Input>> {
+/// Reads all files, those of blades with the question of the options; when one is
+/// wrong, tells all that is and gives none.
+fn read(
+    files: &[PathBuf],
+    options: &BladeOptions,
+    terminal: &mut Terminal<'_>,
+) -> Option<Vec<Input>> {
+    let question = options.question();
     let read: Vec<_> = files
         .iter()
         .map(|file| {
-            let input = input::read(file);
+            let input = match input::is_blade_file(file) {
+                true => input::read_blade(file, &question),
+                false => input::read(file),
+            };
             input
                 .map_err(|problems| terminal.tell_text(&problems.to_string()))
                 .ok()
@@ -117,17 +130,47 @@ fn read(files: &[PathBuf], terminal: &mut Terminal<'_>) -> Option<Vec<Input>> {
 }
 
 fn check_files(files: &[PathBuf], terminal: &mut Terminal<'_>) -> u8 {
-    let Some(inputs) = read(files, terminal) else {
+    let Some(inputs) = read(files, &BladeOptions::default(), terminal) else {
         return WRONG_INPUT;
     };
     for (file, input) in files.iter().zip(&inputs) {
         terminal.show(&format!("{}: {}\n", file.display(), input.summary));
+        for remark in &input.remarks {
+            terminal.show(&format!("  note: {remark}\n"));
+        }
     }
     terminal.show("\nNo problem found\n");
     DONE
 }
 
-fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal<'_>) -> u8 {
+/// Options for blade files beside a dynamics file.
+#[derive(Debug, thiserror::Error)]
+#[error("\"{file}\" is a dynamics file, for which {option} is not an option")]
+struct NotABlade {
+    file: String,
+    option: &'static str,
+}
+
+impl Explain for NotABlade {
+    fn help(&self) -> Option<String> {
+        let text = "options for blade files mount a blade that is given by itself; a dynamics \
+                    file says it in [[blade]] and [modes]";
+        Some(text.to_owned())
+    }
+}
+
+fn modes_of_files(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    options: &BladeOptions,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let dynamics = files.iter().find(|file| !input::is_blade_file(file));
+    if let (Some(file), Some(option)) = (dynamics, options.given()) {
+        let file = file.display().to_string();
+        terminal.tell(&NotABlade { file, option });
+        return WRONG_INPUT;
+    }
     let places: Vec<_> = files.iter().map(|file| place(file, out)).collect();
     for (i, target) in places.iter().enumerate() {
         if let Some(first) = places[..i].iter().position(|other| other == target) {
@@ -145,7 +188,7 @@ fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal
             return WRONG_INPUT;
         }
     }
-    let Some(inputs) = read(files, terminal) else {
+    let Some(inputs) = read(files, options, terminal) else {
         return WRONG_INPUT;
     };
     let mut questions = Vec::with_capacity(inputs.len());
@@ -191,6 +234,7 @@ fn modes_of(
 ) -> u8 {
     let outcome = modes(&input.model, question);
     let mut table = outcome.table;
+    table.remarks.splice(0..0, input.remarks.iter().cloned());
     if let Some(failure) = &outcome.failure {
         table.remarks.push(format!("stopped early: {failure}"));
     }

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use super::blade_options::BladeOptions;
+
 const ABOUT: &str = "\
 Finds the natural frequencies of turning blades and rotors made of beams
 
@@ -53,11 +55,16 @@ folder DIR:
   NAME.frequencies.txt   the tables as printed
   NAME.comparison.csv    measured and computed frequencies, where there are measurements
   NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed
-where FILE is NAME.dynamics.toml.";
+where FILE is NAME.dynamics.toml.
+
+A FILE can also be a blade by itself, in any of the formats that are read: its modes are \
+those of the blade clamped at its root and at rest, unless the options say otherwise.";
 
 const MODES_EXAMPLE: &str = "\
-Example:
-  beam-dynamics modes rotor/straight.dynamics.toml rotor/swept.dynamics.toml --out rotor/results";
+Examples:
+  beam-dynamics modes rotor/straight.dynamics.toml rotor/swept.dynamics.toml --out rotor/results
+  beam-dynamics modes nrel5mw.blade.json
+  beam-dynamics modes NREL_5MW_BeamDyn.dat --speeds 0,6.9,12.1 --hub-radius 1.5 --blades 3";
 
 const CHECK: &str = "\
 Reads and checks dynamics files without analyzing them
@@ -119,16 +126,18 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     #[command(about = first_line(MODES), long_about = MODES, after_help = MODES_EXAMPLE)]
     Modes {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml, or blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
         /// Folder for the results; the folder "results" beside each FILE if not given
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
+        #[command(flatten)]
+        blade: BladeOptions,
     },
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
     Check {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml, or blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },

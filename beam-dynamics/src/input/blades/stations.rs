@@ -12,8 +12,9 @@
 //! element sees its own.
 
 use nalgebra::{Matrix6, Vector3};
-use shared_geom::blade::{self, Blade, Side};
+use shared_geom::blade::{Blade, Side};
 use shared_geom::document::Table;
+use shared_geom::exchange;
 use shared_geom::line::{Course, Curve};
 
 use super::laid::{Laid, LaidNode};
@@ -53,7 +54,7 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
     let written = table.text("file")?;
     let document = table.document();
     let path = document.path(&written);
-    let reading = document.keep(blade::read(&path))?;
+    let reading = document.keep(exchange::read(&path))?;
     draft.add_remarks(reading.remarks);
     Some(StationLine {
         curve: reading.blade.line.curve(),
