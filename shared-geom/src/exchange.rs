@@ -16,6 +16,7 @@ mod dymore;
 pub mod frame;
 mod hawc2;
 mod header;
+mod mbdyn;
 mod own;
 mod plain;
 mod problem;
@@ -256,6 +257,12 @@ const DOORS: &[Door] = &[
         recognize: windio::is_version_2,
         read: Some(windio::read),
         write: Some(windio::write_version_2),
+    },
+    Door {
+        format: Format::MbDyn,
+        recognize: mbdyn::recognize,
+        read: None,
+        write: Some(mbdyn::write),
     },
     // The last: a table of numbers without any word.
     Door {
