@@ -4,6 +4,7 @@
 
 mod beam_statics;
 mod buckling;
+mod case_files;
 mod chain;
 mod damping;
 mod equal_blades;
@@ -12,5 +13,6 @@ mod joints;
 mod record;
 mod rotating_beam;
 mod statics;
+mod tm4760;
 mod uniform_beam;
 mod wind_blades;
