@@ -8,6 +8,7 @@ mod case_files;
 mod chain;
 mod damping;
 mod equal_blades;
+mod formats;
 mod joints;
 #[path = "../common/record.rs"]
 mod record;
