@@ -16,6 +16,7 @@ mod arguments;
 mod blade_options;
 mod convert;
 mod describe;
+mod statics;
 mod terminal;
 
 use arguments::{Arguments, Command};
@@ -95,6 +96,12 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         Command::Modes { files, out, blade } => {
             modes_of_files(&files, out.as_deref(), &blade, terminal)
         }
+        Command::Static { files, out } => {
+            statics::static_of_files(&files, out.as_deref(), terminal)
+        }
+        Command::Buckling { files, out } => {
+            statics::buckling_of_files(&files, out.as_deref(), terminal)
+        }
         Command::Check { files } => check_files(&files, terminal),
         Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
         Command::Convert {
@@ -159,18 +166,13 @@ impl Explain for NotABlade {
     }
 }
 
-fn modes_of_files(
+/// Places of the results, each of its own, and the inputs; tells what is wrong.
+fn read_with_places(
     files: &[PathBuf],
     out: Option<&Path>,
     options: &BladeOptions,
     terminal: &mut Terminal<'_>,
-) -> u8 {
-    let dynamics = files.iter().find(|file| !input::is_blade_file(file));
-    if let (Some(file), Some(option)) = (dynamics, options.given()) {
-        let file = file.display().to_string();
-        terminal.tell(&NotABlade { file, option });
-        return WRONG_INPUT;
-    }
+) -> Option<(Vec<Input>, Vec<(PathBuf, String)>)> {
     let places: Vec<_> = files.iter().map(|file| place(file, out)).collect();
     for (i, target) in places.iter().enumerate() {
         if let Some(first) = places[..i].iter().position(|other| other == target) {
@@ -185,10 +187,25 @@ fn modes_of_files(
                 second,
                 target,
             });
-            return WRONG_INPUT;
+            return None;
         }
     }
-    let Some(inputs) = read(files, options, terminal) else {
+    Some((read(files, options, terminal)?, places))
+}
+
+fn modes_of_files(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    options: &BladeOptions,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let dynamics = files.iter().find(|file| !input::is_blade_file(file));
+    if let (Some(file), Some(option)) = (dynamics, options.given()) {
+        let file = file.display().to_string();
+        terminal.tell(&NotABlade { file, option });
+        return WRONG_INPUT;
+    }
+    let Some((inputs, places)) = read_with_places(files, out, options, terminal) else {
         return WRONG_INPUT;
     };
     let mut questions = Vec::with_capacity(inputs.len());

@@ -361,6 +361,8 @@ fn readable() -> Vec<&'static str> {
 }
 
 #[cfg(test)]
+mod fixture_tests;
+#[cfg(test)]
 mod refusal_tests;
 #[cfg(test)]
 mod samples;

@@ -10,6 +10,7 @@ mod damping;
 mod equal_blades;
 mod formats;
 mod joints;
+mod loads;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;

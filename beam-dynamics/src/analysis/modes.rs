@@ -164,7 +164,7 @@ fn steady(
     from: (f64, &State),
     speed: f64,
 ) -> Result<Equilibrium, Box<NoEquilibrium>> {
-    let [there, here] = [from.0, speed].map(|speed| case.model.conditions(speed, 1.0, 0.0));
+    let [there, here] = [from.0, speed].map(|speed| case.model.conditions(speed, 1.0, 1.0));
     equilibrium(case.model, solver, (&there, from.1), &here)
 }
 

@@ -66,6 +66,36 @@ Examples:
   beam-dynamics modes nrel5mw.blade.json
   beam-dynamics modes NREL_5MW_BeamDyn.dat --speeds 0,6.9,12.1 --hub-radius 1.5 --blades 3";
 
+const STATIC: &str = "\
+Finds equilibria under loads
+
+Reads the dynamics files and the files that they name, finds the equilibrium under rotation \
+and constant loads and then along the path of the proportional loads, as [static] asks, \
+prints the steps, and writes displacements, internal forces, strains, reactions, plots and \
+field files into the folder DIR, named by FILE, which is NAME.dynamics.toml.";
+
+const STATIC_EXAMPLE: &str = "\
+Example, a load at a node of a blade:
+  cat >> blade.dynamics.toml <<'END'
+  [[load]]
+  node = \"blade/tip\"
+  force = [0, 0, 20]
+  [static]
+  END
+  beam-dynamics static blade.dynamics.toml";
+
+const BUCKLING: &str = "\
+Finds critical loads and the shapes in which the model gives way
+
+Reads the dynamics files and the files that they name, finds the factors of the \
+proportional loads at which the model gives way, by linearized prestress about the \
+equilibrium under rotation and constant loads, prints them, and writes factors and shapes \
+into the folder DIR, named by FILE, which is NAME.dynamics.toml.";
+
+const BUCKLING_EXAMPLE: &str = "\
+Example:
+  beam-dynamics buckling frame.dynamics.toml";
+
 const CHECK: &str = "\
 Reads and checks dynamics files without analyzing them
 
@@ -134,6 +164,24 @@ pub(super) enum Command {
         out: Option<PathBuf>,
         #[command(flatten)]
         blade: BladeOptions,
+    },
+    #[command(about = first_line(STATIC), long_about = STATIC, after_help = STATIC_EXAMPLE)]
+    Static {
+        /// Dynamics files, NAME.dynamics.toml
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Folder for the results; the folder "results" beside each FILE if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
+    #[command(about = first_line(BUCKLING), long_about = BUCKLING, after_help = BUCKLING_EXAMPLE)]
+    Buckling {
+        /// Dynamics files, NAME.dynamics.toml
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Folder for the results; the folder "results" beside each FILE if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
     },
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
     Check {

@@ -14,6 +14,8 @@ use shared_geom::section::{
 };
 use tempfile::TempDir;
 
+mod loads;
+
 /// A blade of a strip whose properties are in a file.
 const BLADE: &str = "\
 units = \"SI\"
