@@ -14,12 +14,16 @@ mod beamdyn;
 mod csv;
 mod dymore;
 pub mod frame;
+mod hawc2;
 mod header;
+mod mbdyn;
 mod own;
+mod plain;
 mod problem;
 mod stations;
 mod text;
 mod vabs;
+mod windio;
 
 pub use frame::Convention;
 pub use header::Header;
@@ -140,7 +144,7 @@ impl Format {
         match self {
             Self::Helicoid => &[".json", ".toml"],
             Self::BeamDyn => &[".inp"],
-            Self::Hawc2 => &[".st"],
+            Self::Hawc2 => &[".htc", ".st"],
             Self::WindIo1 | Self::BeamDyn4 => &[],
             Self::WindIo2 => &[".yaml", ".yml"],
             Self::Dymore => &[".dym"],
@@ -235,6 +239,30 @@ const DOORS: &[Door] = &[
         recognize: vabs::recognize,
         read: Some(vabs::read),
         write: Some(vabs::write),
+    },
+    Door {
+        format: Format::Hawc2,
+        recognize: hawc2::recognize,
+        read: Some(hawc2::read),
+        write: Some(hawc2::write),
+    },
+    Door {
+        format: Format::WindIo1,
+        recognize: windio::is_version_1,
+        read: Some(windio::read),
+        write: Some(windio::write_version_1),
+    },
+    Door {
+        format: Format::WindIo2,
+        recognize: windio::is_version_2,
+        read: Some(windio::read),
+        write: Some(windio::write_version_2),
+    },
+    Door {
+        format: Format::MbDyn,
+        recognize: mbdyn::recognize,
+        read: None,
+        write: Some(mbdyn::write),
     },
     // The last: a table of numbers without any word.
     Door {

@@ -2,9 +2,10 @@
 
 use nalgebra::Vector2;
 use shared_geom::document::Table;
-use shared_geom::section::{Centers, Engineering, Provenance};
+use shared_geom::section::{Centers, Engineering, Provenance, SectionProperties};
 use shared_geom::units::Dimension;
 
+use super::damping;
 use super::number::not_negative;
 use super::problem::InputProblem;
 use super::properties::{Properties, usable};
@@ -38,6 +39,7 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
         not_negative(table, "iz", Dimension::INERTIA_PER_LENGTH),
     ];
     let centers = ["tension_center", "shear_center", "mass_center"].map(|key| center(table, key));
+    let damping = damping::read(table);
     let [ea, gay, gaz, gj, eiy, eiz] = stiffness;
     let [m, iy, iz] = mass;
     let [tension, shear, mass_center] = centers;
@@ -52,7 +54,11 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
         stiffness_angle: 0.0,
         inertia_angle: 0.0,
     };
-    usable(name, table, "", &written.section(name, provenance()))
+    let section = SectionProperties {
+        damping: damping?,
+        ..written.section(name, provenance())
+    };
+    usable(name, table, "", &section)
 }
 
 /// A point (y, z) of the section; the reference point when absent.

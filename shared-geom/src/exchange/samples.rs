@@ -69,18 +69,18 @@ pub fn blade() -> Blade {
 
 /// Writes a blade into `folder`; the place of the first file.
 pub fn written(blade: &Blade, format: Format, folder: &Path) -> PathBuf {
-    let writing = write(blade, format, "sample").unwrap();
+    let writing = write(blade, format, "sample").expect("the format is written");
     for (name, text) in &writing.files {
-        std::fs::write(folder.join(name), text).unwrap();
+        std::fs::write(folder.join(name), text).expect("the folder takes files");
     }
     folder.join(&writing.files[0].0)
 }
 
 /// A blade after writing and reading.
 pub fn through(blade: &Blade, format: Format) -> Reading {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = tempfile::tempdir().expect("there is room for a folder");
     let first = written(blade, format, folder.path());
-    let (_, reading) = read_with(&first, &Options::default()).unwrap();
+    let (_, reading) = read_with(&first, &Options::default()).expect("it is read again");
     reading
 }
 
