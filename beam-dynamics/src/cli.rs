@@ -14,6 +14,8 @@ use crate::output;
 
 mod arguments;
 mod blade_options;
+mod convert;
+mod describe;
 mod terminal;
 
 use arguments::{Arguments, Command};
@@ -94,6 +96,13 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
             modes_of_files(&files, out.as_deref(), &blade, terminal)
         }
         Command::Check { files } => check_files(&files, terminal),
+        Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
+        Command::Convert {
+            from,
+            to,
+            format,
+            length,
+        } => convert::convert(&from, &to, format.as_deref(), length, terminal),
     }
 }
 

@@ -14,6 +14,7 @@ mod check;
 mod evaluate;
 mod file;
 mod input;
+mod moments;
 mod problem;
 mod remark;
 mod transform;
@@ -21,6 +22,7 @@ mod transform;
 pub use crate::line::Side;
 pub use file::{VERSION, parse, read, write};
 pub use input::InputProblem;
+pub use moments::MassMoments;
 pub use problem::BladeProblem;
 
 /// A blade: its line, and the properties of its sections.

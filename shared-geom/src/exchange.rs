@@ -14,13 +14,17 @@ mod beamdyn;
 mod csv;
 mod dymore;
 pub mod frame;
+mod hawc2;
 mod header;
 mod own;
+mod plain;
 mod problem;
 mod stations;
 mod text;
 mod vabs;
+mod windio;
 
+pub use frame::Convention;
 pub use header::Header;
 pub use problem::ExchangeProblem;
 
@@ -139,13 +143,39 @@ impl Format {
         match self {
             Self::Helicoid => &[".json", ".toml"],
             Self::BeamDyn => &[".inp"],
-            Self::Hawc2 => &[".st"],
+            Self::Hawc2 => &[".htc", ".st"],
             Self::WindIo1 | Self::BeamDyn4 => &[],
             Self::WindIo2 => &[".yaml", ".yml"],
             Self::Dymore => &[".dym"],
             Self::Vabs => &[".k"],
             Self::MbDyn => &[".mbd", ".mbdyn"],
             Self::Csv => &[".csv"],
+        }
+    }
+
+    /// The axes of its sections, and with them the order of its components.
+    pub fn convention(self) -> Convention {
+        match self {
+            Self::Helicoid | Self::Csv => Convention::Helicoid,
+            Self::BeamDyn | Self::BeamDyn4 | Self::WindIo1 | Self::WindIo2 => Convention::BeamDyn,
+            Self::Hawc2 => Convention::Hawc2,
+            Self::Dymore | Self::Vabs | Self::MbDyn => Convention::Vabs,
+        }
+    }
+
+    /// The point about which its matrices stand, in words.
+    pub fn reference_point(self) -> &'static str {
+        match self {
+            Self::Helicoid | Self::Csv => "the reference line, or the point that the file states",
+            Self::BeamDyn | Self::BeamDyn4 => "the reference line through the key points",
+            Self::WindIo1 | Self::WindIo2 => "the reference axis",
+            Self::Hawc2 => {
+                "the line c2_def for offsets and mass; the elastic center, in axes turned by \
+                 the structural pitch, for fully populated stiffness"
+            }
+            Self::Dymore => "the curve of the beam",
+            Self::Vabs => "the origin of the section, through which the reference line goes",
+            Self::MbDyn => "the reference line of the beam elements",
         }
     }
 
@@ -209,6 +239,24 @@ const DOORS: &[Door] = &[
         read: Some(vabs::read),
         write: Some(vabs::write),
     },
+    Door {
+        format: Format::Hawc2,
+        recognize: hawc2::recognize,
+        read: Some(hawc2::read),
+        write: Some(hawc2::write),
+    },
+    Door {
+        format: Format::WindIo1,
+        recognize: windio::is_version_1,
+        read: Some(windio::read),
+        write: Some(windio::write_version_1),
+    },
+    Door {
+        format: Format::WindIo2,
+        recognize: windio::is_version_2,
+        read: Some(windio::read),
+        write: Some(windio::write_version_2),
+    },
     // The last: a table of numbers without any word.
     Door {
         format: Format::Dymore,
@@ -224,20 +272,31 @@ pub fn recognize(text: &str) -> Option<Format> {
     door.map(|door| door.format)
 }
 
-/// Reads a blade from a file of any format that is read.
+/// Whether the file at `path` holds one section, of which a blade needs a length.
+pub fn is_section(path: &Path) -> bool {
+    read_text(path).is_ok_and(|text| vabs::recognize(&text) || own::is_section(&text))
+}
+
+/// Reads a blade from a file of any format that is read, and checks it.
+///
+/// # Errors
+/// A file that cannot be read, a format that is not known, and everything that is wrong
+/// with the content or with the blade (see [`Blade::problems`]).
+pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
+    let (_, reading) = read_with(path, &Options::default())?;
+    let mut problems = Diagnostics::new();
+    for problem in reading.blade.problems() {
+        problems.push(Place::file(path.display().to_string()), &problem);
+    }
+    problems.into_result(reading)
+}
+
+/// Reads a blade with what the file itself does not say; gives the format too. The
+/// blade is not checked beyond what its file must be.
 ///
 /// # Errors
 /// A file that cannot be read, a format that is not known, and everything that is wrong
 /// with the content.
-pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
-    read_with(path, &Options::default()).map(|(_, reading)| reading)
-}
-
-/// Reads a blade as [`read`] does, with what the file itself does not say; gives the
-/// format too.
-///
-/// # Errors
-/// As [`read`].
 pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Diagnostics> {
     let text = read_text(path)?;
     let unknown = || {
@@ -252,7 +311,13 @@ pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Di
         };
         Diagnostics::one(Place::file(path.display().to_string()), &problem)
     })?;
-    Ok((door.format, read(&text, path, options)?))
+    let mut reading = read(&text, path, options)?;
+    for remark in reading.blade.remarks() {
+        if !reading.remarks.contains(&remark) {
+            reading.remarks.push(remark);
+        }
+    }
+    Ok((door.format, reading))
 }
 
 /// The files of `blade` in another format, `name` being that of the first without its

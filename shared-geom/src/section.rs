@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, Vector2, Vector3, Vector6};
 
 use crate::wrench;
 
+mod centers;
 mod check;
 mod engineering;
 pub(crate) mod file;

@@ -76,6 +76,39 @@ const CHECK_EXAMPLE: &str = "\
 Example:
   beam-dynamics check rotor/swept.dynamics.toml";
 
+const DESCRIBE: &str = "\
+Says in words what blade files hold
+
+For files of any known format: BeamDyn, HAWC2, windIO, DYMORE, VABS, tables, blade and \
+property files. Tells the format, what its axes, order and reference point mean, the line \
+with twist, the stations, mass and moments, ranges of stiffness and centers, damping, whether \
+the stiffness is positive definite, what looks wrong and what is missing.";
+
+const DESCRIBE_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics describe NREL5MW_BeamDyn.dat
+  beam-dynamics describe NREL5MW_BeamDyn_Blade.dat --length 61.5";
+
+const CONVERT: &str = "\
+Converts a blade from one format to another
+
+Reads FROM in any format that `describe` knows and writes TO, in the format of its ending \
+or that named with --to, with companion files beside it. Numbers keep all their digits; what \
+the other format cannot carry is told, with its size. Never overwrites what it reads.";
+
+const CONVERT_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics convert NREL5MW_BeamDyn.dat nrel.blade.json
+  beam-dynamics convert nrel.blade.json nrel.st
+  beam-dynamics convert nrel.blade.json table.dat --to dymore";
+
+/// A length for files that have none: more than zero.
+fn length(text: &str) -> Result<f64, String> {
+    let value: Option<f64> = text.parse().ok();
+    let value = value.filter(|value| value.is_finite() && *value > 0.0);
+    value.ok_or_else(|| "expected a number of meters above zero".to_owned())
+}
+
 /// What a command does, for the list of commands.
 fn first_line(text: &'static str) -> &'static str {
     text.lines().next().unwrap_or(text)
@@ -107,5 +140,29 @@ pub(super) enum Command {
         /// Dynamics files, NAME.dynamics.toml, or blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
+    },
+    #[command(about = first_line(DESCRIBE), long_about = DESCRIBE, after_help = DESCRIBE_EXAMPLE)]
+    Describe {
+        /// Blade files
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Length of a straight blade, for files that hold sections without a line
+        #[arg(long, value_name = "METERS", value_parser = length)]
+        length: Option<f64>,
+    },
+    #[command(about = first_line(CONVERT), long_about = CONVERT, after_help = CONVERT_EXAMPLE)]
+    Convert {
+        /// Blade file to read
+        #[arg(value_name = "FROM")]
+        from: PathBuf,
+        /// Blade file to write
+        #[arg(value_name = "TO")]
+        to: PathBuf,
+        /// Format to write; that of the ending of TO if not given
+        #[arg(long = "to", value_name = "NAME", id = "format")]
+        format: Option<String>,
+        /// Length of a straight blade, for files that hold sections without a line
+        #[arg(long, value_name = "METERS", value_parser = length)]
+        length: Option<f64>,
     },
 }

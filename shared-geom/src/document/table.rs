@@ -95,6 +95,17 @@ impl<'a> Table<'a> {
         )
     }
 
+    /// Whether `key` holds a list of lists.
+    pub fn is_nested(&self, key: &str) -> bool {
+        match self.ask(key).map(|value| &value.kind) {
+            Some(Kind::Array(items)) => {
+                let is_list = |item: &Value| matches!(item.kind, Kind::Array(_));
+                items.first().is_some_and(is_list)
+            }
+            _ => false,
+        }
+    }
+
     /// Whether `key` holds a list.
     pub fn is_list(&self, key: &str) -> bool {
         matches!(
@@ -109,17 +120,6 @@ impl<'a> Table<'a> {
     /// The keys of the table, in their order: for tables whose keys are names.
     pub fn keys(&self) -> Vec<String> {
         self.entries.iter().map(|entry| entry.key.clone()).collect()
-    }
-
-    /// Whether `key` holds a list of lists.
-    pub fn is_nested(&self, key: &str) -> bool {
-        match self.ask(key).map(|value| &value.kind) {
-            Some(Kind::Array(items)) => {
-                let is_list = |item: &Value| matches!(item.kind, Kind::Array(_));
-                items.first().is_some_and(is_list)
-            }
-            _ => false,
-        }
     }
 
     /// Text under `key`.
