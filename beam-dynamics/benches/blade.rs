@@ -108,10 +108,8 @@ fn milliseconds(time: Duration) -> f64 {
 
 /// Wall time of twenty speeds on a number of threads.
 fn twenty_speeds(model: &Model, threads: usize) -> Option<Duration> {
-    let question = ModesQuestion {
-        speeds: (0..20).map(|k| SPEED * k as f64 / 19.0).collect(),
-        count: MODES,
-    };
+    let speeds = (0..20).map(|k| SPEED * f64::from(k) / 19.0).collect();
+    let question = ModesQuestion::new(speeds, MODES);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.ok()?;
     let run = || {

@@ -17,9 +17,11 @@ use crate::result::Measured;
 mod along;
 mod beam_check;
 mod beams;
+mod blade_file;
 mod blades;
 mod bodies;
 mod clamps;
+mod damping;
 mod draft;
 mod hub;
 mod hub_support;
@@ -27,6 +29,7 @@ mod in_place;
 mod joints;
 mod loads;
 mod measured;
+mod modal_damping;
 mod naming;
 mod nodes;
 mod number;
@@ -41,6 +44,7 @@ mod summary;
 #[cfg(test)]
 mod tests;
 
+pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
@@ -82,14 +86,18 @@ pub struct Input {
 /// kind, the ways in which the model can move freely.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let file = path.display().to_string();
-    let text = read_text(path)?;
-    let document = Document::parse(&text, &file)?;
-    let input = cards(&document, &name_of(path));
+    checked(&read_text(path)?, &file, &name_of(path))
+}
+
+/// The input in the text of a file, whose results are called `name`.
+fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
+    let document = Document::parse(text, file)?;
+    let input = cards(&document, name);
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
     let mobility = mechanism::find(&input.model.system);
     for found in &mobility.mechanisms {
-        problems.push(Place::file(&file), found);
+        problems.push(Place::file(file), found);
     }
     input.free_hinges = mobility.free_hinges;
     problems.into_result(input)
@@ -97,7 +105,10 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
 
 /// The file's name without folder and ending: what outputs are named by.
 pub fn name_of(path: &Path) -> String {
-    name_without(path, ENDING)
+    match is_blade_file(path) {
+        true => blade_file::name_of(path),
+        false => name_without(path, ENDING),
+    }
 }
 
 /// Reads every card, in an order in which each finds the names that it uses.

@@ -1,6 +1,7 @@
 //! What is written of a result: tables for people and for programs, the comparison
 //! with measurements, and the fan plot. Output reads results; it computes nothing.
 
+mod blade_text;
 mod buckling;
 mod comparison;
 mod fan;
@@ -9,9 +10,11 @@ mod folder;
 mod grid;
 mod panel;
 mod rows;
+mod shapes;
 mod statics;
 mod structure;
 mod table_csv;
+mod table_modes;
 mod table_text;
 mod text;
 mod views;
@@ -19,13 +22,18 @@ mod views;
 #[cfg(test)]
 mod samples;
 
-pub use buckling::{BUCKLING_CONVENTION, buckling_csv, buckling_text, write_buckling};
+pub use blade_text::{blade_text, list};
+pub use buckling::{
+    BUCKLING_CONVENTION, BucklingPlot, buckling_csv, buckling_text, write_buckling,
+};
 pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
 pub use files::{Written, result_text, write};
+pub use shapes::{ShapePlot, write_shapes};
 pub use statics::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,
     reaction_csv, static_text, write_static,
 };
 pub use table_csv::frequency_csv;
-pub use table_text::{CONVENTION, frequency_text};
+pub use table_modes::mode_csv;
+pub use table_text::{CONVENTION, convention, frequency_text};

@@ -13,12 +13,16 @@ use crate::section::Provenance;
 mod check;
 mod evaluate;
 mod file;
+mod input;
+mod moments;
 mod problem;
 mod remark;
 mod transform;
 
 pub use crate::line::Side;
 pub use file::{VERSION, parse, read, write};
+pub use input::InputProblem;
+pub use moments::MassMoments;
 pub use problem::BladeProblem;
 
 /// A blade: its line, and the properties of its sections.
@@ -72,3 +76,6 @@ pub enum BladeDamping {
     /// `D` of each station, 6x6 [N s, N m s, N m^2 s].
     Viscous(Vec<Matrix6<f64>>),
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,11 +1,33 @@
 //! Blade files of other tools, read and written.
 //!
 //! Every format is a file of this folder with the same three functions: `recognize`,
-//! `read` and `write`; none for what the format cannot do.
+//! `read` and `write`; none for what the format cannot do. The list of [`Door`]s is the
+//! only place that knows them all.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::blade::Blade;
+use crate::document::read_text;
+use crate::error::{Diagnostics, Place};
+
+mod beamdyn;
+mod csv;
+mod dymore;
+pub mod frame;
+mod hawc2;
+mod header;
+mod mbdyn;
+mod own;
+mod plain;
+mod problem;
+mod stations;
+mod text;
+mod vabs;
+mod windio;
+
+pub use frame::Convention;
+pub use header::Header;
+pub use problem::ExchangeProblem;
 
 /// A blade as read, and what its file left open.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,3 +46,325 @@ pub struct Writing {
     /// What was lost, in words, with its size.
     pub lost: Vec<String>,
 }
+
+/// What a reader may be told beside the file.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Options {
+    /// Length of a straight blade, for files that hold sections without a line [m].
+    pub length: Option<f64>,
+}
+
+/// A file format of blades.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Our own blade files, JSON and TOML.
+    Helicoid,
+    /// BeamDyn of OpenFAST 5: primary file with key points, and blade file.
+    BeamDyn,
+    /// The same in the layout of OpenFAST 3 and 4.
+    BeamDyn4,
+    /// HAWC2 structural file.
+    Hawc2,
+    /// windIO, first version.
+    WindIo1,
+    /// windIO, second version.
+    WindIo2,
+    /// DYMORE table of sectional properties.
+    Dymore,
+    /// Output of VABS, a section a file.
+    Vabs,
+    /// MBDyn constitutive laws and bodies.
+    MbDyn,
+    /// Our own table.
+    Csv,
+}
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Self; 10] = [
+        Self::Helicoid,
+        Self::BeamDyn,
+        Self::BeamDyn4,
+        Self::Hawc2,
+        Self::WindIo1,
+        Self::WindIo2,
+        Self::Dymore,
+        Self::Vabs,
+        Self::MbDyn,
+        Self::Csv,
+    ];
+
+    /// The name that commands take.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Helicoid => "helicoid",
+            Self::BeamDyn => "beamdyn",
+            Self::BeamDyn4 => "beamdyn4",
+            Self::Hawc2 => "hawc2",
+            Self::WindIo1 => "windio1",
+            Self::WindIo2 => "windio2",
+            Self::Dymore => "dymore",
+            Self::Vabs => "vabs",
+            Self::MbDyn => "mbdyn",
+            Self::Csv => "csv",
+        }
+    }
+
+    /// What it is, in words.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Helicoid => "Helicoid blade file",
+            Self::BeamDyn => "BeamDyn (OpenFAST) blade",
+            Self::BeamDyn4 => "BeamDyn blade for OpenFAST 3 and 4",
+            Self::Hawc2 => "HAWC2 structural file",
+            Self::WindIo1 => "windIO blade, version 1",
+            Self::WindIo2 => "windIO blade, version 2",
+            Self::Dymore => "DYMORE table of sectional properties",
+            Self::Vabs => "VABS section output",
+            Self::MbDyn => "MBDyn constitutive laws and bodies",
+            Self::Csv => "Helicoid blade table (CSV)",
+        }
+    }
+
+    /// The format that commands call `name`.
+    pub fn from_name(name: &str) -> Option<Self> {
+        let lower = name.to_lowercase();
+        Self::ALL.into_iter().find(|format| format.name() == lower)
+    }
+
+    /// The format that the ending of a file stands for; `None` where it may be several.
+    pub fn of_path(path: &Path) -> Option<Self> {
+        let name = path.file_name()?.to_string_lossy().to_lowercase();
+        let ending = |format: &Self| format.endings().iter().any(|end| name.ends_with(end));
+        Self::ALL.into_iter().find(ending)
+    }
+
+    /// Endings of file names, lower case.
+    pub fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Helicoid => &[".json", ".toml"],
+            Self::BeamDyn => &[".inp"],
+            Self::Hawc2 => &[".htc", ".st"],
+            Self::WindIo1 | Self::BeamDyn4 => &[],
+            Self::WindIo2 => &[".yaml", ".yml"],
+            Self::Dymore => &[".dym"],
+            Self::Vabs => &[".k"],
+            Self::MbDyn => &[".mbd", ".mbdyn"],
+            Self::Csv => &[".csv"],
+        }
+    }
+
+    /// The axes of its sections, and with them the order of its components.
+    pub fn convention(self) -> Convention {
+        match self {
+            Self::Helicoid | Self::Csv => Convention::Helicoid,
+            Self::BeamDyn | Self::BeamDyn4 | Self::WindIo1 | Self::WindIo2 => Convention::BeamDyn,
+            Self::Hawc2 => Convention::Hawc2,
+            Self::Dymore | Self::Vabs | Self::MbDyn => Convention::Vabs,
+        }
+    }
+
+    /// The point about which its matrices stand, in words.
+    pub fn reference_point(self) -> &'static str {
+        match self {
+            Self::Helicoid | Self::Csv => "the reference line, or the point that the file states",
+            Self::BeamDyn | Self::BeamDyn4 => "the reference line through the key points",
+            Self::WindIo1 | Self::WindIo2 => "the reference axis",
+            Self::Hawc2 => {
+                "the line c2_def for offsets and mass; the elastic center, in axes turned by \
+                 the structural pitch, for fully populated stiffness"
+            }
+            Self::Dymore => "the curve of the beam",
+            Self::Vabs => "the origin of the section, through which the reference line goes",
+            Self::MbDyn => "the reference line of the beam elements",
+        }
+    }
+
+    /// Whether files of the format can be read.
+    pub fn is_read(self) -> bool {
+        DOORS
+            .iter()
+            .any(|door| door.format == self && door.read.is_some())
+    }
+
+    /// Whether files of the format can be written.
+    pub fn is_written(self) -> bool {
+        DOORS
+            .iter()
+            .any(|door| door.format == self && door.write.is_some())
+    }
+}
+
+type Recognize = fn(&str) -> bool;
+type Read = fn(&str, &Path, &Options) -> Result<Reading, Diagnostics>;
+type Write = fn(&Blade, &str) -> Writing;
+
+/// What can be done with a format.
+struct Door {
+    format: Format,
+    recognize: Recognize,
+    read: Option<Read>,
+    write: Option<Write>,
+}
+
+/// The formats, in the order in which a text is tried.
+const DOORS: &[Door] = &[
+    Door {
+        format: Format::Helicoid,
+        recognize: own::recognize,
+        read: Some(own::read),
+        write: Some(own::write),
+    },
+    Door {
+        format: Format::Csv,
+        recognize: csv::recognize,
+        read: Some(csv::read),
+        write: Some(csv::write),
+    },
+    Door {
+        format: Format::BeamDyn,
+        recognize: beamdyn::recognize,
+        read: Some(beamdyn::read),
+        write: Some(beamdyn::write),
+    },
+    // Read by the one before: the reader takes both layouts.
+    Door {
+        format: Format::BeamDyn4,
+        recognize: |_| false,
+        read: Some(beamdyn::read),
+        write: Some(beamdyn::write_four),
+    },
+    Door {
+        format: Format::Vabs,
+        recognize: vabs::recognize,
+        read: Some(vabs::read),
+        write: Some(vabs::write),
+    },
+    Door {
+        format: Format::Hawc2,
+        recognize: hawc2::recognize,
+        read: Some(hawc2::read),
+        write: Some(hawc2::write),
+    },
+    Door {
+        format: Format::WindIo1,
+        recognize: windio::is_version_1,
+        read: Some(windio::read),
+        write: Some(windio::write_version_1),
+    },
+    Door {
+        format: Format::WindIo2,
+        recognize: windio::is_version_2,
+        read: Some(windio::read),
+        write: Some(windio::write_version_2),
+    },
+    Door {
+        format: Format::MbDyn,
+        recognize: mbdyn::recognize,
+        read: None,
+        write: Some(mbdyn::write),
+    },
+    // The last: a table of numbers without any word.
+    Door {
+        format: Format::Dymore,
+        recognize: dymore::recognize,
+        read: Some(dymore::read),
+        write: Some(dymore::write),
+    },
+];
+
+/// The format of `text`, told from its content.
+pub fn recognize(text: &str) -> Option<Format> {
+    let door = DOORS.iter().find(|door| (door.recognize)(text));
+    door.map(|door| door.format)
+}
+
+/// Whether the file at `path` holds one section, of which a blade needs a length.
+pub fn is_section(path: &Path) -> bool {
+    read_text(path).is_ok_and(|text| vabs::recognize(&text) || own::is_section(&text))
+}
+
+/// Reads a blade from a file of any format that is read, and checks it.
+///
+/// # Errors
+/// A file that cannot be read, a format that is not known, and everything that is wrong
+/// with the content or with the blade (see [`Blade::problems`]).
+pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
+    let (_, reading) = read_with(path, &Options::default())?;
+    let mut problems = Diagnostics::new();
+    for problem in reading.blade.problems() {
+        problems.push(Place::file(path.display().to_string()), &problem);
+    }
+    problems.into_result(reading)
+}
+
+/// Reads a blade with what the file itself does not say; gives the format too. The
+/// blade is not checked beyond what its file must be.
+///
+/// # Errors
+/// A file that cannot be read, a format that is not known, and everything that is wrong
+/// with the content.
+pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Diagnostics> {
+    parse(&read_text(path)?, path, options)
+}
+
+/// Reads a blade from the text of the file at `path`, beside which lie those that it
+/// names.
+///
+/// # Errors
+/// As [`read_with`].
+pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Reading), Diagnostics> {
+    let unknown = || {
+        let problem = ExchangeProblem::unknown(text, readable());
+        Diagnostics::one(Place::file(path.display().to_string()), &problem)
+    };
+    // Our own files have endings of their own, whatever state they are in.
+    let own = own::is_named(path).then_some(Format::Helicoid);
+    let is_it = |door: &&Door| match own {
+        Some(own) => door.format == own,
+        None => (door.recognize)(text),
+    };
+    let door = DOORS.iter().find(is_it).ok_or_else(unknown)?;
+    let read = door.read.ok_or_else(|| {
+        let problem = ExchangeProblem::NotRead {
+            title: door.format.title(),
+        };
+        Diagnostics::one(Place::file(path.display().to_string()), &problem)
+    })?;
+    let mut reading = read(text, path, options)?;
+    for remark in reading.blade.remarks() {
+        if !reading.remarks.contains(&remark) {
+            reading.remarks.push(remark);
+        }
+    }
+    Ok((door.format, reading))
+}
+
+/// The files of `blade` in another format, `name` being that of the first without its
+/// ending.
+///
+/// # Errors
+/// A format that is not written.
+pub fn write(blade: &Blade, format: Format, name: &str) -> Result<Writing, ExchangeProblem> {
+    let door = DOORS.iter().find(|door| door.format == format);
+    let write = door.and_then(|door| door.write);
+    let write = write.ok_or(ExchangeProblem::NotWritten {
+        title: format.title(),
+    })?;
+    Ok(write(blade, name))
+}
+
+/// Titles of the formats that are read.
+fn readable() -> Vec<&'static str> {
+    let read = DOORS.iter().filter(|door| door.read.is_some());
+    read.map(|door| door.format.title()).collect()
+}
+
+#[cfg(test)]
+mod fixture_tests;
+#[cfg(test)]
+mod refusal_tests;
+#[cfg(test)]
+mod samples;
+#[cfg(test)]
+mod tests;

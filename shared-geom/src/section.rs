@@ -9,13 +9,16 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, Vector2, Vector3, Vector6};
 
 use crate::wrench;
 
+mod centers;
 mod check;
+mod engineering;
 pub(crate) mod file;
 mod history;
 pub(crate) mod json;
 
 pub use check::PropertyProblem;
 pub(crate) use check::{least_eigenvalue, matrix_problems};
+pub use engineering::Engineering;
 pub use file::{VERSION, parse, read, write};
 pub use history::{Change, Step};
 

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use super::blade_options::BladeOptions;
+
 const ABOUT: &str = "\
 Finds the natural frequencies of turning blades and rotors made of beams
 
@@ -52,12 +54,20 @@ folder DIR:
   NAME.frequencies.csv   a row for each speed and mode
   NAME.frequencies.txt   the tables as printed
   NAME.comparison.csv    measured and computed frequencies, where there are measurements
-  NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed
-where FILE is NAME.dynamics.toml.";
+  NAME.modes.csv         what each mode is: damping, growth, shares of the energy, whirl
+  NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed; damping
+  NAME.shapes_at_*.png, .svg   shapes along the span at the first and the last speed
+  NAME.modes/            with --vtu: a series .pvd of field files for each mode
+where FILE is NAME.dynamics.toml.
+
+A FILE can also be a blade by itself, in any of the formats that are read: its modes are \
+those of the blade clamped at its root and at rest, unless the options say otherwise.";
 
 const MODES_EXAMPLE: &str = "\
-Example:
-  beam-dynamics modes rotor/straight.dynamics.toml rotor/swept.dynamics.toml --out rotor/results";
+Examples:
+  beam-dynamics modes rotor/straight.dynamics.toml rotor/swept.dynamics.toml --out rotor/results
+  beam-dynamics modes nrel5mw.blade.json
+  beam-dynamics modes NREL_5MW_BeamDyn.dat --speeds 0,6.9,12.1 --hub-radius 1.5 --blades 3";
 
 const STATIC: &str = "\
 Finds equilibria under loads
@@ -99,6 +109,39 @@ const CHECK_EXAMPLE: &str = "\
 Example:
   beam-dynamics check rotor/swept.dynamics.toml";
 
+const DESCRIBE: &str = "\
+Says in words what blade files hold
+
+For files of any known format: BeamDyn, HAWC2, windIO, DYMORE, VABS, tables, blade and \
+property files. Tells the format, what its axes, order and reference point mean, the line \
+with twist, the stations, mass and moments, ranges of stiffness and centers, damping, whether \
+the stiffness is positive definite, what looks wrong and what is missing.";
+
+const DESCRIBE_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics describe NREL5MW_BeamDyn.dat
+  beam-dynamics describe NREL5MW_BeamDyn_Blade.dat --length 61.5";
+
+const CONVERT: &str = "\
+Converts a blade from one format to another
+
+Reads FROM in any format that `describe` knows and writes TO, in the format of its ending \
+or that named with --to, with companion files beside it. Numbers keep all their digits; what \
+the other format cannot carry is told, with its size. Never overwrites what it reads.";
+
+const CONVERT_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics convert NREL5MW_BeamDyn.dat nrel.blade.json
+  beam-dynamics convert nrel.blade.json nrel.st
+  beam-dynamics convert nrel.blade.json table.dat --to dymore";
+
+/// A length for files that have none: more than zero.
+fn length(text: &str) -> Result<f64, String> {
+    let value: Option<f64> = text.parse().ok();
+    let value = value.filter(|value| value.is_finite() && *value > 0.0);
+    value.ok_or_else(|| "expected a number of meters above zero".to_owned())
+}
+
 /// What a command does, for the list of commands.
 fn first_line(text: &'static str) -> &'static str {
     text.lines().next().unwrap_or(text)
@@ -116,12 +159,17 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     #[command(about = first_line(MODES), long_about = MODES, after_help = MODES_EXAMPLE)]
     Modes {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml, or blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
         /// Folder for the results; the folder "results" beside each FILE if not given
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
+        /// Write animated shapes of the modes for ParaView, as "shapes = true" of [modes] does
+        #[arg(long)]
+        vtu: bool,
+        #[command(flatten)]
+        blade: BladeOptions,
     },
     #[command(about = first_line(STATIC), long_about = STATIC, after_help = STATIC_EXAMPLE)]
     Static {
@@ -143,8 +191,32 @@ pub(super) enum Command {
     },
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
     Check {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml, or blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
+    },
+    #[command(about = first_line(DESCRIBE), long_about = DESCRIBE, after_help = DESCRIBE_EXAMPLE)]
+    Describe {
+        /// Blade files
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Length of a straight blade, for files that hold sections without a line
+        #[arg(long, value_name = "METERS", value_parser = length)]
+        length: Option<f64>,
+    },
+    #[command(about = first_line(CONVERT), long_about = CONVERT, after_help = CONVERT_EXAMPLE)]
+    Convert {
+        /// Blade file to read
+        #[arg(value_name = "FROM")]
+        from: PathBuf,
+        /// Blade file to write
+        #[arg(value_name = "TO")]
+        to: PathBuf,
+        /// Format to write; that of the ending of TO if not given
+        #[arg(long = "to", value_name = "NAME", id = "format")]
+        format: Option<String>,
+        /// Length of a straight blade, for files that hold sections without a line
+        #[arg(long, value_name = "METERS", value_parser = length)]
+        length: Option<f64>,
     },
 }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use shared_geom::files::OutputProblem;
 
+use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
 use super::{DONE, NOT_REACHED, NotAsked, WRONG_INPUT, read_with_places};
 use crate::analysis::buckling::buckling;
@@ -63,7 +64,8 @@ fn each<Q>(
     (question, asked): (impl Fn(&Input) -> Option<&Q>, NotAsked),
     answer: fn(&Input, &Q, &Results, &mut Terminal<'_>) -> u8,
 ) -> u8 {
-    let Some((inputs, places)) = read_with_places(files, out, terminal) else {
+    let Some((inputs, places)) = read_with_places(files, out, &BladeOptions::default(), terminal)
+    else {
         return WRONG_INPUT;
     };
     let mut complete = true;

@@ -5,6 +5,8 @@ mod elastic;
 mod geometry;
 mod inertia;
 mod interpolation;
+mod strain_rate;
+mod viscous;
 
 #[cfg(test)]
 mod objectivity_tests;
@@ -13,3 +15,4 @@ pub use distributed::{DistributedLoad, LineLoad};
 pub use elastic::ElasticBeam;
 pub use geometry::{BeamGeometry, BeamNode};
 pub use inertia::{BeamInertia, MassAlong, lumped_bodies};
+pub use viscous::ViscousBeam;

@@ -8,7 +8,9 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::wrench;
 
-use super::beams::{BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam};
+use super::beams::{
+    BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam, ViscousBeam,
+};
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use super::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
@@ -337,6 +339,19 @@ fn supports_that_turn_with_the_frame_and_that_stand_in_the_world() {
             let support = SupportSpring::new("support", 0, &nodes[0], law, stand);
             check(&support, &nodes, &mut random);
         }
+    }
+}
+
+#[test]
+fn viscous_beam_with_offsets_and_turned_sections() {
+    let mut random = Random(10);
+    for _ in 0..4 {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let damping = [random.stiffness(), random.stiffness()];
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let beam = ViscousBeam::new("beam", [0, 1, 2], geometry, undeformed, damping);
+        check(&beam, &nodes, &mut random);
     }
 }
 

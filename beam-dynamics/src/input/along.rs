@@ -10,6 +10,8 @@ use crate::elements::beams::MassAlong;
 pub(super) struct Along {
     /// 6x6 stiffness at the two evaluation points \[N, N m, N m^2\].
     pub stiffness: [Matrix6<f64>; 2],
+    /// 6x6 viscosity there; `None` without internal damping \[N s, N m s, N m^2 s\].
+    pub damping: Option<[Matrix6<f64>; 2]>,
     /// xi and 6x6 mass per length \[kg/m, kg, kg m\], in the order of xi; linear between
     /// them, and one alone holds everywhere.
     mass: Vec<(f64, Matrix6<f64>)>,
@@ -25,6 +27,7 @@ impl Along {
     pub fn constant(properties: &Properties) -> Self {
         Self {
             stiffness: [properties.stiffness; 2],
+            damping: properties.damping.map(|damping| [damping; 2]),
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
             length: None,
@@ -41,10 +44,16 @@ impl Along {
         let inside = mass.iter().map(|place| place.0);
         Self {
             stiffness,
+            damping: None,
             breaks: inside.filter(|xi| xi.abs() < 1.0).collect(),
             mass,
             length: Some(length),
         }
+    }
+
+    /// The same with internal damping at the evaluation points.
+    pub fn damped(self, damping: Option<[Matrix6<f64>; 2]>) -> Self {
+        Self { damping, ..self }
     }
 
     /// Calls `user` with the mass along the beam.
@@ -89,6 +98,7 @@ mod tests {
         let properties = Properties {
             stiffness: unit,
             mass: 7.0 * unit,
+            damping: None,
         };
         let constant = Along::constant(&properties);
         for xi in [-1.0, 0.0, 0.3, 1.0] {

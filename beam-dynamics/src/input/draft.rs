@@ -15,7 +15,7 @@ use super::properties::{Catalog, Properties};
 use crate::assembly::System;
 use crate::case::{BladeNodes, Model, Spin};
 use crate::elements::Element;
-use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, lumped_bodies};
+use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, ViscousBeam, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::Node;
@@ -443,6 +443,11 @@ impl Draft {
         let stiffness = along.stiffness;
         let elastic = ElasticBeam::new(label, *nodes, *geometry, self.ends(beam), stiffness);
         let mut elements = vec![boxed(elastic)];
+        if let Some(damping) = along.damping {
+            let ends = self.ends(beam);
+            let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
+            elements.push(boxed(viscous));
+        }
         match inertia {
             Inertia::Consistent => {
                 let ends = self.ends(beam);

@@ -1,20 +1,11 @@
 //! Properties given in place, by stiffnesses and inertias about their centers.
-//!
-//! ```text
-//! K = U(-t) diag(EA, 0, 0, 0, EIy, EIz) U(-t)^T + U(-s) diag(0, GAy, GAz, GJ, 0, 0) U(-s)^T
-//! M = U(-c) diag(m, m, m, Iy + Iz, Iy, Iz) U(-c)^T
-//! ```
-//!
-//! with t, s, c the tension, shear and mass centers as seen from the reference point
-//! and U(d) the change to the point O + d: the sums stand at the centers, and the
-//! reference point is at -t, -s, -c from them.
 
-use nalgebra::{Matrix6, Vector2, Vector3, Vector6};
+use nalgebra::Vector2;
 use shared_geom::document::Table;
-use shared_geom::section::{Centers, PrincipalAxes, Provenance, SectionProperties, half_turn};
+use shared_geom::section::{Centers, Engineering, Provenance, SectionProperties};
 use shared_geom::units::Dimension;
-use shared_geom::wrench;
 
+use super::damping;
 use super::number::not_negative;
 use super::problem::InputProblem;
 use super::properties::{Properties, usable};
@@ -35,16 +26,6 @@ pub(super) const KEYS: [&str; 12] = [
     "mass_center",
 ];
 
-/// Stiffnesses, inertias and centers as written.
-#[derive(Debug, Clone, Copy)]
-struct Written {
-    /// Axial and shear stiffnesses EA, GAy, GAz \[N\], GJ, EIy, EIz \[N m^2\].
-    stiffness: [f64; 6],
-    /// Mass m \[kg/m\], inertias Iy and Iz \[kg m\].
-    mass: [f64; 3],
-    centers: Centers,
-}
-
 /// Reads a table `[properties.NAME]` without a file.
 pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
     const FORCE: Dimension = Dimension::FORCE;
@@ -58,10 +39,11 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
         not_negative(table, "iz", Dimension::INERTIA_PER_LENGTH),
     ];
     let centers = ["tension_center", "shear_center", "mass_center"].map(|key| center(table, key));
+    let damping = damping::read(table);
     let [ea, gay, gaz, gj, eiy, eiz] = stiffness;
     let [m, iy, iz] = mass;
     let [tension, shear, mass_center] = centers;
-    let written = Written {
+    let written = Engineering {
         stiffness: [ea?, gay?, gaz?, gj?, eiy?, eiz?],
         mass: [m?, iy?, iz?],
         centers: Centers {
@@ -69,8 +51,14 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
             shear: shear?,
             mass: mass_center?,
         },
+        stiffness_angle: 0.0,
+        inertia_angle: 0.0,
     };
-    usable(name, table, "", &written.section(name))
+    let section = SectionProperties {
+        damping: damping?,
+        ..written.section(name, provenance())
+    };
+    usable(name, table, "", &section)
 }
 
 /// A point (y, z) of the section; the reference point when absent.
@@ -96,52 +84,22 @@ fn center(table: &Table<'_>, key: &'static str) -> Option<Vector2<f64>> {
     }
 }
 
-impl Written {
-    fn section(&self, name: &str) -> SectionProperties {
-        let [ea, gay, gaz, gj, eiy, eiz] = self.stiffness;
-        let [m, iy, iz] = self.mass;
-        let Centers {
-            tension,
-            shear,
-            mass,
-        } = self.centers;
-        let at = |center: &Vector2<f64>, diagonal: [f64; 6]| {
-            let diagonal = Matrix6::from_diagonal(&Vector6::from(diagonal));
-            wrench::shift(&diagonal, &-Vector3::new(0.0, center.x, center.y))
-        };
-        let bending = at(&tension, [ea, 0.0, 0.0, 0.0, eiy, eiz]);
-        let shearing = at(&shear, [0.0, gay, gaz, gj, 0.0, 0.0]);
-        SectionProperties {
-            name: name.to_owned(),
-            reference_point: Vector2::zeros(),
-            stiffness: bending + shearing,
-            mass: at(&mass, [m, m, m, iy + iz, iy, iz]),
-            centers: self.centers,
-            principal_axes: PrincipalAxes {
-                bending_angle: half_turn(0.0),
-                bending_stiffness: [eiy, eiz],
-                inertia_angle: half_turn(0.0),
-                inertia: [iy, iz],
-            },
-            initial_curvature: None,
-            piezo: None,
-            thermal_force: None,
-            damping: None,
-            provenance: Provenance {
-                program: env!("CARGO_PKG_NAME").to_owned(),
-                version: env!("CARGO_PKG_VERSION").to_owned(),
-                input_hash: String::new(),
-                nodes: 0,
-                cells: 0,
-                history: Vec::new(),
-            },
-        }
+/// Properties that this program made.
+fn provenance() -> Provenance {
+    Provenance {
+        program: env!("CARGO_PKG_NAME").to_owned(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        input_hash: String::new(),
+        nodes: 0,
+        cells: 0,
+        history: Vec::new(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::{Vector3, Vector6};
     use shared_geom::document::Document;
 
     const TEXT: &str = "ea = 7e6\ngay = 2e6\ngaz = 1e6\ngj = 30\neiy = 40\neiz = 900\n\

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use nalgebra::Matrix6;
 use shared_geom::document::Table;
-use shared_geom::section::{self, SectionProperties};
+use shared_geom::section::{self, Damping, SectionProperties};
 
+use super::damping;
 use super::in_place::{self, KEYS};
 use super::problem::InputProblem;
 
@@ -19,6 +20,8 @@ pub(super) struct Properties {
     pub stiffness: Matrix6<f64>,
     /// 6x6 mass per length \[kg/m, kg, kg m\].
     pub mass: Matrix6<f64>,
+    /// 6x6 viscosity; `None` without internal damping \[N s, N m s, N m^2 s\].
+    pub damping: Option<Matrix6<f64>>,
 }
 
 /// The properties of an input by name; those that are wrong are `None`.
@@ -87,7 +90,12 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
         table.note("file", &problem);
         return None;
     }
-    let properties = table.document().keep(section::read(&path))?;
+    let damping = damping::read(table);
+    let mut properties = table.document().keep(section::read(&path))?;
+    // The damping of the card takes the place of that of the file.
+    if let Some(damping) = damping? {
+        properties.damping = Some(damping);
+    }
     usable(name, table, "file", &properties)
 }
 
@@ -129,7 +137,6 @@ pub(super) fn usable(
             "a piezoelectric coupling",
             "piezo",
         ),
-        (properties.damping.is_some(), "damping", "damping"),
     ];
     let left_out = left_out.iter().filter(|part| part.0);
     for &(_, what, field) in left_out.clone() {
@@ -145,5 +152,9 @@ pub(super) fn usable(
     (problems.is_empty() && left_out.count() == 0).then_some(Properties {
         stiffness: properties.stiffness,
         mass: properties.mass,
+        damping: properties.damping.as_ref().map(|damping| match damping {
+            Damping::StiffnessProportional(time) => *time * properties.stiffness,
+            Damping::Viscous(matrix) => *matrix,
+        }),
     })
 }

@@ -7,12 +7,13 @@ use plotters::style::RGBColor;
 use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
 use shared_geom::files::{OutputProblem, write_figure};
 
-use super::text::RPM;
+use super::text::{DAMPED, RPM};
 use crate::result::{FrequencyTable, Measured, ModeBranch, ModeKind};
 
 mod axes;
 mod boxes;
 mod curves;
+mod damping;
 mod labels;
 mod legend;
 mod per_rev;
@@ -20,8 +21,10 @@ mod per_rev;
 use axes::Axes;
 use boxes::Obstacles;
 
-/// Width and height \[figure pixels\].
+/// Width and height, without the damping \[figure pixels\].
 const SIZE: (u32, u32) = (WIDTH, 1250);
+/// Height of the plot of damping below \[figure pixels\].
+const DAMPING: u32 = 480;
 /// Size of labels beside lines.
 const SMALL: f64 = 0.8 * TEXT;
 /// Colors of modes: those of categories without yellow, which is faint as a line.
@@ -46,8 +49,10 @@ struct Curve {
     /// Frequencies \[Hz\].
     frequencies: Vec<Option<f64>>,
     color: RGBColor,
-    /// Dashed where the colors come again.
-    dashed: bool,
+    /// Damping ratios \[%\].
+    damping: Vec<Option<f64>>,
+    /// Pattern of the line: another one each time that the colors come again.
+    pattern: usize,
 }
 
 impl FanPlot {
@@ -80,11 +85,18 @@ impl FanPlot {
     /// # Errors
     /// [`FigureProblem`]: another ending, or a file that cannot be written.
     pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        write_figure(path, SIZE, self)
+        let below = if self.is_damped() { DAMPING } else { 0 };
+        write_figure(path, (SIZE.0, SIZE.1 + below), self)
     }
 }
 
 impl FanPlot {
+    /// Whether any mode is damped or grows.
+    fn is_damped(&self) -> bool {
+        let mut ratios = self.curves.iter().flat_map(|c| c.damping.iter().flatten());
+        ratios.any(|per_cent| per_cent.abs() > 100.0 * DAMPED)
+    }
+
     /// The name above all, in smaller letters if it is long.
     fn draw_title<B: DrawingBackend>(
         &self,
@@ -93,7 +105,7 @@ impl FanPlot {
     ) -> Result<(), FigureProblem> {
         // Bold letters are wider than those that are measured.
         let width = 1.2 * canvas.text_width(&self.title, TEXT);
-        let (total, height) = canvas.size();
+        let (total, height) = (canvas.size().0, f64::from(SIZE.1));
         let size = TEXT * ((total - axes.left - 24.0) / width).min(1.0);
         canvas.text(
             &self.title,
@@ -112,8 +124,11 @@ impl Curve {
             frequencies: (0..speeds)
                 .map(|k| point(k).map(|point| point.frequency))
                 .collect(),
+            damping: (0..speeds)
+                .map(|k| point(k).map(|point| 100.0 * point.damping_ratio))
+                .collect(),
             color: CATEGORIES[index % COLORS],
-            dashed: (index / COLORS) % 2 == 1,
+            pattern: index / COLORS,
         }
     }
 
@@ -132,7 +147,7 @@ impl Drawing for FanPlot {
         let multiples = per_rev::multiples(&axes);
         let mut obstacles = Obstacles::default();
         for curve in &self.curves {
-            for run in curves::runs(self, curve, &axes) {
+            for run in curves::frequency_runs(self, curve, &axes) {
                 obstacles.add_line(&run);
             }
         }
@@ -146,7 +161,10 @@ impl Drawing for FanPlot {
         curves::draw(canvas, self, &axes)?;
         at_ends.draw(canvas)?;
         labels::draw_column(canvas, self, &axes)?;
-        axes.draw(canvas)?;
+        if self.is_damped() {
+            damping::draw(canvas, self, &axes)?;
+        }
+        axes.draw(canvas, self.is_damped())?;
         self.draw_title(canvas, &axes)?;
         legend::draw(canvas, self, &axes)
     }
@@ -217,11 +235,28 @@ mod tests {
         assert!(lines(&measured) < with_leaders);
     }
 
-    // Colors repeat with dashes, never alone.
+    #[test]
+    fn damping_is_drawn_below_where_there_is_any() {
+        let draw = |table: &FrequencyTable| {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("fan.svg");
+            let plot = FanPlot::new(table, &Measured::default()).unwrap();
+            plot.save(&path).unwrap();
+            std::fs::read_to_string(&path).unwrap()
+        };
+        let title = "\ndamping ratio [%]\n";
+        let damped = draw(&samples::crowded());
+        assert!(damped.contains(title));
+        assert_eq!(damped.matches("\nrotor speed [rpm]\n").count(), 1);
+        assert!(!draw(&samples::swept_tip(3)).contains(title));
+    }
+
+    // Colors repeat with other patterns, never alone.
     #[test]
     fn no_two_modes_look_alike() {
-        let plot = FanPlot::new(&samples::swept_tip(3), &Measured::default()).unwrap();
-        let looks: Vec<_> = plot.curves.iter().map(|c| (c.color, c.dashed)).collect();
+        let plot = FanPlot::new(&samples::crowded(), &Measured::default()).unwrap();
+        assert_eq!(plot.curves.len(), 4 * COLORS);
+        let looks: Vec<_> = plot.curves.iter().map(|c| (c.color, c.pattern)).collect();
         for (i, look) in looks.iter().enumerate() {
             assert!(!looks[i + 1..].contains(look), "{i}");
         }

@@ -4,12 +4,15 @@ use std::path::{Path, PathBuf};
 
 use shared_geom::files::{OutputProblem, make_folder, write_text};
 
-use super::{CONVENTION, FanPlot, comparison_csv, comparison_text, frequency_csv, frequency_text};
+use super::{
+    FanPlot, comparison_csv, comparison_text, convention, frequency_csv, frequency_text, mode_csv,
+};
 use crate::result::{FrequencyTable, Measured};
 
 /// Endings of all files that a result can have.
-const ENDINGS: [&str; 5] = [TABLE, TEXT, COMPARISON, PNG, SVG];
+const ENDINGS: [&str; 6] = [TABLE, MODES, TEXT, COMPARISON, PNG, SVG];
 const TABLE: &str = "frequencies.csv";
+const MODES: &str = "modes.csv";
 const TEXT: &str = "frequencies.txt";
 const COMPARISON: &str = "comparison.csv";
 const PNG: &str = "fan.png";
@@ -31,10 +34,14 @@ pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
         true => String::new(),
         false => comparison_text(measured, table) + "\n",
     };
-    format!("{}\n{comparison}{CONVENTION}", frequency_text(table))
+    format!(
+        "{}\n{comparison}{}",
+        frequency_text(table),
+        convention(table)
+    )
 }
 
-/// Writes `NAME.frequencies.csv`, `NAME.frequencies.txt`, with measurements
+/// Writes `NAME.frequencies.csv`, `NAME.modes.csv`, `NAME.frequencies.txt`, with measurements
 /// `NAME.comparison.csv`, and for two speeds or more `NAME.fan.png` and `NAME.fan.svg`
 /// into `folder`, which is made when it does not exist. Those that an earlier run left
 /// there and this one does not have are removed.
@@ -57,6 +64,7 @@ pub fn write(
     let mut written = Written::default();
     let mut texts = vec![
         (TABLE, frequency_csv(table)),
+        (MODES, mode_csv(table)),
         (TEXT, result_text(table, measured)),
     ];
     if !measured.points.is_empty() {
@@ -104,6 +112,7 @@ mod tests {
         let written = write(&samples::small(), &samples::measured(), &results, "x").unwrap();
         let expected = [
             "x.frequencies.csv",
+            "x.modes.csv",
             "x.frequencies.txt",
             "x.comparison.csv",
             "x.fan.png",
@@ -111,7 +120,7 @@ mod tests {
         ];
         assert_eq!(names(&written), expected);
         assert!(written.files.iter().all(|path| path.is_file()));
-        let text = std::fs::read_to_string(&written.files[1]).unwrap();
+        let text = std::fs::read_to_string(&written.files[2]).unwrap();
         assert!(
             text.contains("\n\nComparison with measurements\n\n"),
             "{text}"
@@ -125,8 +134,11 @@ mod tests {
         write(&table, &samples::measured(), folder.path(), "x").unwrap();
         table.speeds.truncate(1);
         let written = write(&table, &Measured::default(), folder.path(), "x").unwrap();
-        assert_eq!(names(&written), ["x.frequencies.csv", "x.frequencies.txt"]);
+        assert_eq!(
+            names(&written),
+            ["x.frequencies.csv", "x.modes.csv", "x.frequencies.txt"]
+        );
         assert_eq!(written.no_plot, Some("a single rotor speed makes no lines"));
-        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3);
     }
 }

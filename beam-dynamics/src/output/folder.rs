@@ -16,7 +16,7 @@ const FIELD_ENDINGS: [&str; 2] = ["vtu", "pvd"];
 pub(super) struct Results<'a> {
     folder: &'a Path,
     name: &'a str,
-    /// What was written so far; field files are not listed, their series are.
+    /// What was written so far; of many field files their folder.
     pub written: Written,
 }
 
@@ -100,11 +100,16 @@ impl<'a> Results<'a> {
     }
 
     /// Writes a series into the folder `NAME.FIELDS`, beside its grids.
-    pub fn series(&mut self, fields: &str, file: &str, text: &str) -> Result<(), OutputProblem> {
-        let path = self.path(fields).join(file);
-        write_text(&path, text)?;
-        self.written.files.push(path);
-        Ok(())
+    pub fn series(&self, fields: &str, file: &str, text: &str) -> Result<(), OutputProblem> {
+        write_text(&self.path(fields).join(file), text)
+    }
+
+    /// Lists the folder `NAME.FIELDS`, if there is one.
+    pub fn list_fields(&mut self, fields: &str) {
+        let path = self.path(fields);
+        if path.is_dir() {
+            self.written.files.push(path);
+        }
     }
 }
 

@@ -15,9 +15,11 @@ use crate::result::{
 };
 
 mod fields;
+mod shapes;
 mod statics;
 
 pub use fields::{read_back, values};
+pub use shapes::{shaped, tip_motion};
 pub use statics::{bent, column};
 
 /// Names of the files that were written.
@@ -160,6 +162,43 @@ pub(super) fn swept_tip(count: usize) -> FrequencyTable {
         name: "swept tip, 15 deg".to_owned(),
         branches: branches.collect(),
         equilibria: vec![report(3, 1e-12); count],
+        speeds,
+        remarks: Vec::new(),
+    }
+}
+
+/// Twenty-four damped modes at eleven speeds: four families of kinds whose frequencies
+/// rise at different rates.
+pub(super) fn crowded() -> FrequencyTable {
+    let speeds: Vec<_> = (0..11).map(|k| 3.0 * f64::from(k) / RPM).collect();
+    let kinds = [
+        ("flap", ModeKind::Flap, 0.6, 1.9),
+        ("lag", ModeKind::Lag, 0.8, 0.6),
+        ("torsion", ModeKind::Torsion, 6.0, 0.1),
+        ("coupled", ModeKind::Coupled, 3.0, 1.2),
+    ];
+    let branches = (0..24_usize).map(|i| {
+        let (word, kind, first, slope) = kinds[i % 4];
+        let number = (i / 4 + 1) as f64;
+        let points = speeds.iter().map(|speed| {
+            let rest = first * number.powf(1.4);
+            let mut point = point(
+                (rest * rest + slope * speed * speed).sqrt(),
+                [0.25; 4],
+                None,
+            );
+            if let Some(point) = &mut point {
+                point.damping_ratio = 0.003 * number + 0.004 * slope * speed;
+                point.growth = -point.damping_ratio * point.frequency;
+            }
+            point
+        });
+        branch(&format!("{word} {}", i / 4 + 1), kind, points.collect())
+    });
+    FrequencyTable {
+        name: "crowded rotor".to_owned(),
+        branches: branches.collect(),
+        equilibria: vec![report(3, 1e-12); speeds.len()],
         speeds,
         remarks: Vec::new(),
     }

@@ -154,15 +154,20 @@ impl Structure {
         (0..self.positions.len()).filter(is_loose).collect()
     }
 
+    /// Extent of the undeformed nodes along an axis of the model \[m\].
+    pub fn length(&self, axis: usize) -> f64 {
+        let places = || self.positions.iter().map(|place| place[axis]);
+        let [low, high] = [
+            places().fold(f64::INFINITY, f64::min),
+            places().fold(f64::NEG_INFINITY, f64::max),
+        ];
+        (high - low).max(0.0)
+    }
+
     /// Diagonal of the box around the undeformed nodes \[m\]; one where they are at one
     /// place.
     pub fn size(&self) -> f64 {
-        let Some(first) = self.positions.first() else {
-            return 1.0;
-        };
-        let low = self.positions.iter().fold(*first, |low, p| low.inf(p));
-        let high = self.positions.iter().fold(*first, |high, p| high.sup(p));
-        match (high - low).norm() {
+        match Vector3::from_fn(|axis, _| self.length(axis)).norm() {
             0.0 => 1.0,
             size => size,
         }

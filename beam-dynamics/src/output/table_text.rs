@@ -1,11 +1,12 @@
 //! The frequency table as text for a report: a row a mode, columns of speeds.
 
-use super::text::{RPM, aligned, per_rev};
+use super::text::{DAMPED, RPM, aligned, per_rev};
 use crate::input::short_number;
 use crate::result::FrequencyTable;
 
-/// Speeds side by side: four fill the width of a page. Blocks are of equal width.
-const SPEEDS_A_BLOCK: usize = 4;
+/// Speeds side by side, without and with damping: they fill the width of a page. Blocks
+/// are of equal width.
+const SPEEDS_A_BLOCK: [usize; 2] = [4, 3];
 
 /// What the numbers and names of the tables mean.
 pub const CONVENTION: &str = "\
@@ -22,6 +23,39 @@ Convention
   -     no value, or not among the modes computed at this speed
 ";
 
+/// What the tables of damped modes have beside.
+const DAMPING: &str = "\
+  %     damping ratio: part of the critical damping in per cent, negative where the motion
+        grows
+";
+
+/// What the names of modes of a rotor have beside.
+const WHIRL: &str = "\
+  collective, progressive, regressive, differential: how the blades move together, seen in
+        the turning axes: all alike, as a wave that runs with the rotation, as one that runs
+        against it, or neighbors against each other; x2 is a wave twice around the rotor
+";
+
+/// What the numbers and names of `table` mean.
+pub fn convention(table: &FrequencyTable) -> String {
+    let damping = if is_damped(table) { DAMPING } else { "" };
+    let mut branches = table.branches.iter();
+    let whirl = match branches.any(|branch| branch.harmonic.is_some()) {
+        true => WHIRL,
+        false => "",
+    };
+    format!("{CONVENTION}{damping}{whirl}")
+}
+
+/// Whether any mode is damped or grows.
+fn is_damped(table: &FrequencyTable) -> bool {
+    let mut points = table
+        .branches
+        .iter()
+        .flat_map(|b| b.points.iter().flatten());
+    points.any(|point| point.damping_ratio.abs() > DAMPED)
+}
+
 /// The table in blocks of speeds, and remarks; see [`CONVENTION`].
 pub fn frequency_text(table: &FrequencyTable) -> String {
     let mut text = format!("{}\n\nFrequencies over rotor speed\n\n", table.name);
@@ -29,7 +63,10 @@ pub fn frequency_text(table: &FrequencyTable) -> String {
         text.push_str("  no rotor speed was reached\n\n");
     }
     let speeds: Vec<_> = (0..table.speeds.len()).collect();
-    let blocks = speeds.len().div_ceil(SPEEDS_A_BLOCK).max(1);
+    let blocks = speeds
+        .len()
+        .div_ceil(SPEEDS_A_BLOCK[usize::from(is_damped(table))])
+        .max(1);
     for block in speeds.chunks(speeds.len().div_ceil(blocks).max(1)) {
         text.push_str(&aligned(&rows(table, block)));
         text.push('\n');
@@ -40,12 +77,17 @@ pub fn frequency_text(table: &FrequencyTable) -> String {
 
 /// Two lines of heading and a row for each mode that has a point in the block.
 fn rows(table: &FrequencyTable, block: &[usize]) -> Vec<Vec<String>> {
+    let damped = is_damped(table);
     let mut speeds = vec!["rotor speed [rpm]".to_owned()];
     let mut units = vec!["mode".to_owned()];
     for &speed in block {
         let rpm = short_number(table.speeds[speed] * RPM, 6);
         speeds.extend([String::new(), rpm, String::new()]);
         units.extend([String::new(), "Hz".to_owned(), "/rev".to_owned()]);
+        if damped {
+            speeds.push(String::new());
+            units.push("%".to_owned());
+        }
     }
     let mut rows = vec![speeds, units];
     for branch in &table.branches {
@@ -56,6 +98,10 @@ fn rows(table: &FrequencyTable, block: &[usize]) -> Vec<Vec<String>> {
             let frequency = point.map(|point| point.frequency);
             let over_speed = frequency.and_then(|f| per_rev(f, table.speeds[speed]));
             row.extend([String::new(), decimal(frequency), decimal(over_speed)]);
+            if damped {
+                let per_cent = point.map(|point| 100.0 * point.damping_ratio);
+                row.push(decimal(per_cent.map(|value| value + 0.0)));
+            }
             has_point |= point.is_some();
         }
         if has_point {
@@ -123,6 +169,28 @@ Remarks
 ";
         assert_eq!(text, expected);
         assert!(CONVENTION.lines().all(|line| line.len() <= 96));
+    }
+
+    #[test]
+    fn damping_has_a_column_where_there_is_any() {
+        let mut table = samples::small();
+        if let Some(point) = &mut table.branches[0].points[1] {
+            point.damping_ratio = 0.0123;
+        }
+        let text = frequency_text(&table);
+        let expected = "\
+rotor speed [rpm]         0                    600
+mode                     Hz  /rev      %        Hz   /rev      %
+flap 1                1.400     -  0.000    12.500  1.250  1.230
+lag 1                22.250     -  0.000    23.333  2.333  0.000
+torsion 1                 -     -      -    99.500  9.950  0.000
+";
+        assert!(text.contains(expected), "{text}");
+        assert!(convention(&table).contains("damping ratio"));
+        assert_eq!(convention(&samples::small()), CONVENTION);
+        table.branches[0].harmonic = Some(0);
+        assert!(convention(&table).contains("collective"));
+        assert!(convention(&table).lines().all(|line| line.len() <= 96));
     }
 
     #[test]

@@ -37,7 +37,7 @@ const FLAT: f64 = 1e-3;
 /// it.
 const DEEP: f64 = 0.3;
 /// Margins of a view: left, right, above, below \[figure pixels\].
-const MARGINS: [f64; 4] = [150.0, 40.0, 20.0, 120.0];
+pub(super) const MARGINS: [f64; 4] = [150.0, 40.0, 20.0, 120.0];
 
 impl Extent {
     /// The box around all points.
@@ -89,6 +89,28 @@ impl Extent {
         views
     }
 
+    /// Height over width of a view.
+    pub fn aspect(&self, view: View) -> f64 {
+        let [width, height] = view.map(|axis| {
+            let [low, high] = self.range(axis);
+            high - low
+        });
+        height / width
+    }
+
+    /// The view in a frame of `size` with the upper left corner at `corner`; its scales
+    /// are equal where the frame has the aspect of the view.
+    pub fn panel(&self, view: View, [left, top]: [f64; 2], size: [f64; 2]) -> Panel {
+        Panel {
+            left,
+            right: left + size[0],
+            top,
+            bottom: top + size[1],
+            x: self.range(view[0]),
+            y: self.range(view[1]),
+        }
+    }
+
     /// What the view shows along one of its axes: the extent with room.
     fn range(&self, axis: usize) -> [f64; 2] {
         let half = (0.5 * self.length(axis)).max(0.5 * LEAST * self.largest());
@@ -130,14 +152,7 @@ impl Arrangement {
         for (view, length) in views.into_iter().zip(lengths) {
             let left = corner[0] + MARGINS[0];
             let top = corner[1] + MARGINS[2];
-            let panel = Panel {
-                left,
-                right: left + scale * length[0],
-                top,
-                bottom: top + scale * length[1],
-                x: extent.range(view[0]),
-                y: extent.range(view[1]),
-            };
+            let panel = extent.panel(view, [left, top], length.map(|length| scale * length));
             let end = [panel.right + MARGINS[1], panel.bottom + MARGINS[3]];
             size = [size[0].max(end[0]), size[1].max(end[1])];
             corner = match is_beside {
@@ -159,18 +174,28 @@ impl Arrangement {
         marks: &[(Vector3<f64>, RGBColor)],
     ) -> Result<(), FigureProblem> {
         for (view, panel) in &self.panels {
-            let panel = panel.moved(corner);
-            for stroke in strokes {
-                let points: Vec<_> = stroke.points.iter().map(|p| view.map(|i| p[i])).collect();
-                panel.curve(canvas, &points, stroke.width, stroke.color)?;
-            }
-            for (mark, color) in marks {
-                canvas.disc(panel.place(view.map(|i| mark[i])), 7.0, *color)?;
-            }
-            draw_axes(canvas, *view, &panel)?;
+            draw_view(canvas, *view, &panel.moved(corner), strokes, marks)?;
         }
         Ok(())
     }
+}
+
+/// Draws strokes and marks as they are seen in a view, with its axes.
+pub(super) fn draw_view<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    view: View,
+    panel: &Panel,
+    strokes: &[Stroke],
+    marks: &[(Vector3<f64>, RGBColor)],
+) -> Result<(), FigureProblem> {
+    for stroke in strokes {
+        let points: Vec<_> = stroke.points.iter().map(|p| view.map(|i| p[i])).collect();
+        panel.curve(canvas, &points, stroke.width, stroke.color)?;
+    }
+    for (mark, color) in marks {
+        canvas.disc(panel.place(view.map(|i| mark[i])), 7.0, *color)?;
+    }
+    draw_axes(canvas, view, panel)
 }
 
 fn draw_axes<B: DrawingBackend>(

@@ -9,8 +9,8 @@ use std::process::{Command, Stdio};
 
 use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
 use shared_geom::section::{
-    self, Centers, Change, Damping, InitialCurvature, Piezo, PrincipalAxes, Provenance,
-    SectionProperties, Step,
+    self, Centers, Change, InitialCurvature, Piezo, PrincipalAxes, Provenance, SectionProperties,
+    Step,
 };
 use tempfile::TempDir;
 
@@ -146,10 +146,15 @@ fn a_good_run_writes_everything_and_says_where() {
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let files = [
         "frequencies.csv",
+        "modes.csv",
         "frequencies.txt",
         "comparison.csv",
         "fan.png",
         "fan.svg",
+        "shapes_at_0_rpm.png",
+        "shapes_at_0_rpm.svg",
+        "shapes_at_750_rpm.png",
+        "shapes_at_750_rpm.svg",
     ];
     let written = files
         .map(|ending| format!("  in/results/a.{ending}\n"))
@@ -187,6 +192,28 @@ fn a_good_run_writes_everything_and_says_where() {
     );
     let png = fs::read(folder.path("in/results/a.fan.png")).unwrap();
     assert_eq!(&png[..4], b"\x89PNG");
+}
+
+#[test]
+fn animated_shapes_are_written_when_asked_for() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", BLADE);
+    let run = folder.run(&["modes", "a.dynamics.toml", "--vtu"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(run.out.contains("results/a.modes\n"), "{}", run.out);
+    for file in ["flap_1_at_0_rpm.pvd", "flap_1_at_750_rpm_23.vtu"] {
+        assert!(folder.path(&format!("results/a.modes/{file}")).is_file());
+    }
+    let chosen = BLADE.replace("[modes]", "[modes]\nshapes = true\nshape_speeds = [750]");
+    folder.write("a.dynamics.toml", &chosen);
+    assert_eq!(folder.run(&["modes", "a.dynamics.toml"]).code, 0);
+    assert!(!folder.path("results/a.modes/flap_1_at_0_rpm.pvd").exists());
+    assert!(
+        folder
+            .path("results/a.modes/flap_1_at_750_rpm.pvd")
+            .is_file()
+    );
+    assert!(!folder.path("results/a.shapes_at_0_rpm.png").exists());
 }
 
 #[test]
@@ -310,7 +337,6 @@ fn what_would_be_left_out_is_refused() {
         coupling: DMatrix::zeros(6, 1),
         capacitance: DMatrix::from_element(1, 1, 1e-9),
     });
-    properties.damping = Some(Damping::StiffnessProportional(1e-4));
     folder.write("strip.properties.json", &section::write(&properties));
     let line = |what: &str, field: &str| {
         format!(
@@ -321,7 +347,6 @@ fn what_would_be_left_out_is_refused() {
     let all = [
         line("an initial curvature", "initial_curvature"),
         line("a piezoelectric coupling", "piezo"),
-        line("damping", "damping"),
     ];
     folder.refuses(BLADE, &all.join("\n"));
 }

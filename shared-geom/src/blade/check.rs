@@ -7,6 +7,9 @@ use crate::section::{self, PropertyProblem};
 /// a file left out.
 const BEYOND: f64 = 1e-6;
 
+/// Halvings of the distance between two stations: six digits for a message.
+const BISECTIONS: usize = 20;
+
 impl Blade {
     /// Everything that is wrong with the blade; empty when it is sound: a line that can
     /// be followed, stations in order on it, and at each of them a stiffness that is
@@ -112,20 +115,66 @@ impl Blade {
     /// the other two is told by [`Blade::remarks`]: tables round it.
     fn unsound(&self) -> impl Iterator<Item = (Option<usize>, BladeProblem)> {
         let stations = self.stations.iter().enumerate();
-        stations.flat_map(|(k, station)| {
-            let problems = section::matrix_problems(&station.stiffness, &station.mass);
-            let hard =
-                |problem: &PropertyProblem| !matches!(problem, PropertyProblem::Polar { .. });
-            let (number, place) = (k + 1, station.arc_length);
-            problems.into_iter().filter(hard).map(move |problem| {
-                let problem = BladeProblem::Station {
-                    station: number,
-                    place,
-                    problem,
+        stations.flat_map(move |(k, at)| {
+            let problems = section::matrix_problems(&at.stiffness, &at.mass);
+            let of_station = move |problem: PropertyProblem| {
+                let (station, place) = (k + 1, at.arc_length);
+                let told = match problem {
+                    PropertyProblem::Polar { .. } => return None,
+                    PropertyProblem::Indefinite {
+                        field: "stiffness",
+                        value,
+                        ..
+                    } => BladeProblem::IndefiniteStation {
+                        station,
+                        place,
+                        from: self.reach(k, k.checked_sub(1)),
+                        to: self.reach(k, Some(k + 1)),
+                        value,
+                    },
+                    problem => BladeProblem::Station {
+                        station,
+                        place,
+                        problem,
+                    },
                 };
-                (Some(k), problem)
-            })
+                Some((Some(k), told))
+            };
+            problems.into_iter().filter_map(of_station)
         })
+    }
+
+    /// How far from station `k`, whose stiffness is not positive definite, that reaches
+    /// toward the station `next`: to the arc length where the mean of both becomes so.
+    fn reach(&self, k: usize, next: Option<usize>) -> f64 {
+        let at = &self.stations[k];
+        let Some(next) = next.and_then(|next| self.stations.get(next)) else {
+            return at.arc_length;
+        };
+        let is_good = |part: f64| {
+            let mean = at.stiffness * (1.0 - part) + next.stiffness * part;
+            section::least_eigenvalue(&mean) > 0.0
+        };
+        let place = |part: f64| at.arc_length + part * (next.arc_length - at.arc_length);
+        if self.interpolation == Interpolation::Constant {
+            return place(if next.arc_length > at.arc_length {
+                1.0
+            } else {
+                0.0
+            });
+        }
+        if !is_good(1.0) {
+            return next.arc_length;
+        }
+        let (mut bad, mut good) = (0.0, 1.0);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (bad + good);
+            match is_good(middle) {
+                true => good = middle,
+                false => bad = middle,
+            }
+        }
+        place(good)
     }
 
     fn damping_problems(&self) -> impl Iterator<Item = BladeProblem> {

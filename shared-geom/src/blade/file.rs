@@ -5,7 +5,7 @@ use std::path::Path;
 use nalgebra::{Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{Blade, BladeDamping, BladeProblem, Interpolation, Station};
+use super::{Blade, BladeDamping, BladeProblem, Interpolation, Station, input};
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
 use crate::exchange::Reading;
@@ -100,7 +100,7 @@ pub fn write(blade: &Blade) -> String {
     }
 }
 
-/// Reads and checks the blade file at `path`: of those that programs write.
+/// Reads and checks the blade file at `path`, one that programs or one that people write.
 ///
 /// # Errors
 /// A file that cannot be read, and everything that [`parse`] finds.
@@ -108,12 +108,17 @@ pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
     parse(&read_text(path)?, &path.display().to_string())
 }
 
-/// Reads and checks the text of a blade file in JSON, shown as `file` in messages.
+/// Reads and checks the text of a blade file, in JSON or else in TOML, shown as `file` in
+/// messages; files that it names lie beside it.
 ///
 /// # Errors
+/// Every problem of a file in TOML, of the tables that it names, and of the blade. In JSON:
 /// Text of another format or a newer version, missing or unknown fields (with the
 /// line), and every [`BladeProblem`] of the content.
 pub fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
+    if !text.trim_start().starts_with('{') {
+        return input::parse(text, file);
+    }
     let malformed = |error: serde_json::Error| {
         let place = Place::line(file, error.line().max(1));
         let reason = error.to_string();

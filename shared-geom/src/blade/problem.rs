@@ -89,7 +89,23 @@ pub enum BladeProblem {
         /// What is wrong.
         problem: PropertyProblem,
     },
-    /// Stiffness that is not positive definite between stations.
+    /// A station with a stiffness that is not positive definite, and how far it reaches.
+    #[error(
+        "stiffness is not positive definite from {from} m to {to} m, about station {station} at {place} m: there its smallest scaled eigenvalue is {value:.3e}"
+    )]
+    IndefiniteStation {
+        /// Number of the station, from one.
+        station: usize,
+        /// Its arc length [m].
+        place: f64,
+        /// Where it begins, between this station and the one before [m].
+        from: f64,
+        /// Where it ends, between this station and the next [m].
+        to: f64,
+        /// Smallest eigenvalue of the matrix scaled to a unit diagonal [-].
+        value: f64,
+    },
+    /// Stiffness that is not positive definite at a place where it is evaluated.
     #[error(
         "stiffness is not positive definite at {place} m, between the stations at {inner} m and {outer} m: its smallest scaled eigenvalue is {value:.3e}"
     )]
@@ -126,6 +142,15 @@ impl Explain for BladeProblem {
             Self::Units { .. } => Some("blade files in JSON are always SI".to_owned()),
             Self::Line(problem) => problem.help(),
             Self::Station { problem, .. } => problem.help(),
+            Self::Order { .. } => Some(
+                "put the stations in the order of their arc length; two at one place are a jump"
+                    .to_owned(),
+            ),
+            Self::IndefiniteStation { .. } | Self::Indefinite { .. } => Some(
+                "check the signs of the couplings, and that frame and order are those of the \
+                 matrices"
+                    .to_owned(),
+            ),
             Self::Third { .. } => Some(
                 "of stations at one place the first is the inner, the second the outer side of a jump"
                     .to_owned(),

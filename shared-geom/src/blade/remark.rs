@@ -1,10 +1,137 @@
 //! What is allowed in a blade, and yet looks like a mistake.
+//!
+//! Stiffness over mass is the square of a speed of sound, which materials have between
+//! some 3 and 12 km/s and blades, with the mass that carries nothing, not much below:
+//!
+//! ```text
+//! c^2 = EA / m        c^2 = (EIy + EIz) / (Iy + Iz)
+//! ```
+//!
+//! A table in weight instead of mass has it too small by the acceleration of gravity.
 
-use super::Blade;
+use super::{Blade, Interpolation, Station};
+
+/// Speed of sound below which the mass is suspect: blades as heavy by their ballast
+/// have half that of their material [m/s].
+const SLOW: f64 = 2000.0;
+/// Speed of sound above which it is: no fiber reaches it [m/s].
+const FAST: f64 = 20_000.0;
+/// A usual speed of sound of a blade: the factor that leads nearest to it is named [m/s].
+const USUAL: f64 = 4000.0;
+/// Gravity in the units in which tables are written, and the weights they hold.
+const GRAVITY: [(f64, &str); 3] = [
+    (9.80665, "N/m"),
+    (32.174_048_556_430_45, "lbf/ft beside slugs"),
+    (386.088_582_677_165_4, "lbf/in beside inches"),
+];
+/// Modulus of a usual material, to speak of a density [Pa].
+const MODULUS: f64 = 70e9;
+/// A polar moment of inertia that differs by more from the sum of the two others, as
+/// part of it, is more than the rounding of a table.
+const POLAR: f64 = 1e-6;
+/// A blade so much stiffer in flap than in the chord plane has its axes exchanged,
+/// likely.
+const EXCHANGED: f64 = 2.0;
+/// Part of the length that may lie beyond the stations: digits that a file left out.
+const BEYOND: f64 = 1e-6;
 
 impl Blade {
     /// What looks like a mistake, in words; empty when nothing does.
     pub fn remarks(&self) -> Vec<String> {
-        Vec::new()
+        let on_line = self.on_line();
+        let found = [
+            on_line.mass_remark(),
+            on_line.axes_remark(),
+            self.polar_remark(),
+            self.ends_remark(),
+        ];
+        found.into_iter().flatten().collect()
+    }
+
+    /// A weight for a mass, or other units that do not fit each other.
+    fn mass_remark(&self) -> Option<String> {
+        let axial = self.median(|at| at.stiffness[(0, 0)] / at.mass[(0, 0)]);
+        let bending = self.median(|at| {
+            let sum = |matrix: &nalgebra::Matrix6<f64>| matrix[(4, 4)] + matrix[(5, 5)];
+            sum(&at.stiffness) / sum(&at.mass)
+        });
+        // Mass that carries nothing makes each of them smaller: the larger one tells.
+        let square = axial.into_iter().chain(bending).reduce(f64::max)?;
+        let (speed, density) = (square.sqrt(), MODULUS / square);
+        let implied = format!(
+            "stiffness over mass is {square:.3e} m^2/s^2 (median of the stations, the larger of \
+             EA / m and EI / I): a material of 70 GPa would weigh {density:.0} kg/m^3"
+        );
+        if speed > FAST {
+            return Some(format!(
+                "{implied}, lighter than any: check the units of mass and stiffness"
+            ));
+        }
+        if speed >= SLOW {
+            return None;
+        }
+        let distance = |factor: f64| (speed * factor.sqrt() / USUAL).ln().abs();
+        let nearest = |a: &&(f64, &str), b: &&(f64, &str)| distance(a.0).total_cmp(&distance(b.0));
+        let (factor, weight) = GRAVITY.iter().min_by(nearest)?;
+        Some(format!(
+            "{implied}, steel weighs 7850: the mass looks like a weight ({weight}), {factor:.5} \
+             times the mass; divide it by {factor:.5}, or declare the unit of mass that weighs \
+             one unit of force (lb for lbf)"
+        ))
+    }
+
+    /// Flap stiffer than lag: another frame or order than declared.
+    fn axes_remark(&self) -> Option<String> {
+        let ratio = self.median(|at| at.stiffness[(4, 4)] / at.stiffness[(5, 5)])?;
+        (ratio > EXCHANGED).then(|| {
+            format!(
+                "bending about y (flap) is {ratio:.3} times as stiff as about z (lag; median of \
+                 the stations): check frame and order"
+            )
+        })
+    }
+
+    fn polar_remark(&self) -> Option<String> {
+        let off = |at: &Station| {
+            let (polar, sum) = (at.mass[(3, 3)], at.mass[(4, 4)] + at.mass[(5, 5)]);
+            (polar - sum).abs() / polar.abs().max(sum.abs()).max(f64::MIN_POSITIVE)
+        };
+        let count = self.stations.iter().filter(|at| off(at) > POLAR).count();
+        let compare = |a: &&Station, b: &&Station| off(a).total_cmp(&off(b));
+        let worst = self.stations.iter().max_by(compare)?;
+        (count > 0).then(|| {
+            format!(
+                "the moment of inertia about the line is not the sum of the two others at {count} \
+                 of {} stations, most at {} m: {:e} and {:e} kg m; all are used as they are",
+                self.stations.len(),
+                worst.arc_length,
+                worst.mass[(3, 3)],
+                worst.mass[(4, 4)] + worst.mass[(5, 5)],
+            )
+        })
+    }
+
+    /// Stations that do not reach the ends of the line.
+    fn ends_remark(&self) -> Option<String> {
+        let length = self.length();
+        let (first, last) = (self.stations.first()?, self.stations.last()?);
+        let is_linear = self.interpolation == Interpolation::Linear;
+        let before = first.arc_length > BEYOND * length;
+        let behind = is_linear && last.arc_length < (1.0 - BEYOND) * length;
+        (before || behind).then(|| {
+            format!(
+                "stations from {} m to {} m on a line of {length} m: beyond them the properties \
+                 are those of the nearest",
+                first.arc_length, last.arc_length
+            )
+        })
+    }
+
+    /// The median of a positive number over the stations; `None` without any.
+    fn median(&self, of: impl Fn(&Station) -> f64) -> Option<f64> {
+        let numbers = self.stations.iter().map(of);
+        let mut numbers: Vec<_> = numbers.filter(|x| x.is_finite() && *x > 0.0).collect();
+        numbers.sort_by(f64::total_cmp);
+        numbers.get(numbers.len() / 2).copied()
     }
 }

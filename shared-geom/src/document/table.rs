@@ -95,6 +95,33 @@ impl<'a> Table<'a> {
         )
     }
 
+    /// Whether `key` holds a list of lists.
+    pub fn is_nested(&self, key: &str) -> bool {
+        match self.ask(key).map(|value| &value.kind) {
+            Some(Kind::Array(items)) => {
+                let is_list = |item: &Value| matches!(item.kind, Kind::Array(_));
+                items.first().is_some_and(is_list)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether `key` holds a list.
+    pub fn is_list(&self, key: &str) -> bool {
+        matches!(
+            self.ask(key),
+            Some(Value {
+                kind: Kind::Array(_),
+                ..
+            })
+        )
+    }
+
+    /// The keys of the table, in their order: for tables whose keys are names.
+    pub fn keys(&self) -> Vec<String> {
+        self.entries.iter().map(|entry| entry.key.clone()).collect()
+    }
+
     /// Text under `key`.
     pub fn text(&self, key: &str) -> Option<String> {
         let value = self.ask(key)?;

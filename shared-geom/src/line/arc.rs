@@ -8,6 +8,8 @@
 //!
 //! with `Gamma` the tangent operator of the rotation vector: a helix in general.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::{LinePoint, ReferenceLine, about_x, curve::twist_of};
@@ -37,16 +39,24 @@ pub(super) fn frames(line: &ReferenceLine) -> Vec<Frame> {
     frames
 }
 
+/// The twist of section axes: of those that differ by turns, the one nearest to
+/// `expected` [rad].
+pub(super) fn twist_near(axes: &Matrix3<f64>, expected: f64) -> f64 {
+    let found = twist_of(axes);
+    found + ((expected - found) / TAU).round() * TAU
+}
+
 /// The points at the ends of all arcs.
 pub(super) fn ends(line: &ReferenceLine) -> Vec<LinePoint> {
-    let root = line.points.first().map_or(0.0, |point| point.twist);
-    let mut twist = root;
-    let point = |(position, axes): Frame| {
-        // The turn nearest to that before: twist does not jump by whole turns.
-        let found = twist_of(&axes);
-        let whole = ((twist - found) / std::f64::consts::TAU).round();
-        twist = found + whole * std::f64::consts::TAU;
-        LinePoint { position, twist }
-    };
-    frames(line).into_iter().map(point).collect()
+    let frames = frames(line);
+    let mut twist = line.points.first().map_or(0.0, |point| point.twist);
+    let mut points = Vec::with_capacity(frames.len());
+    for (i, (position, axes)) in frames.into_iter().enumerate() {
+        if let Some(arc) = i.checked_sub(1) {
+            let rate = line.curvature[arc].x;
+            twist = twist_near(&axes, twist + rate * line.arc_length[arc]);
+        }
+        points.push(LinePoint { position, twist });
+    }
+    points
 }

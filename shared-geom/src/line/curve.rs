@@ -120,13 +120,11 @@ impl Curve {
                 twist,
             } => {
                 let (position, axes) = arc::along(&frames[i], &curvature[i], part);
-                let found = twist_of(&axes);
-                // The turn nearest to that of the point before.
-                let whole = ((twist[i] - found) / std::f64::consts::TAU).round();
+                let expected = twist[i] + curvature[i].x * part;
                 Placed {
                     position,
                     axes,
-                    twist: found + whole * std::f64::consts::TAU,
+                    twist: arc::twist_near(&axes, expected),
                     tangent: axes.column(0).into_owned(),
                 }
             }

@@ -45,7 +45,7 @@ const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189
 
 /// Nodes whose portions meet at each evaluation point: the force of the point acts
 /// with plus on the first and with minus on the second.
-const NEIGHBORS: [(usize, usize); 2] = [(0, 1), (1, 2)];
+pub(super) const NEIGHBORS: [(usize, usize); 2] = [(0, 1), (1, 2)];
 
 /// A geometrically exact elastic beam through three nodes.
 #[derive(Debug, Clone)]
@@ -109,6 +109,11 @@ impl ElasticBeam {
     /// xi of the two evaluation points.
     pub fn evaluation_points() -> [f64; 2] {
         EVALUATION_POINTS
+    }
+
+    /// How the beam is attached to its nodes.
+    pub fn geometry(&self) -> BeamGeometry {
+        self.geometry
     }
 
     /// Generalized strains at the two evaluation points, section axes, for the given

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
 
-use super::{BeamGeometry, BeamNode, ElasticBeam};
+use super::{BeamGeometry, BeamNode, ElasticBeam, ViscousBeam};
 use crate::elements::{Element, Local, LocalResidual};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion};
 
@@ -96,4 +96,51 @@ fn nodal_forces_balance() {
         force.norm() < 1e-14 && moment.norm() < 1e-14,
         "{force} {moment}"
     );
+}
+
+fn viscous() -> (ElasticBeam, ViscousBeam, Vec<NodeMotion>) {
+    let (elastic, nodes) = beam();
+    let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+    let damping = [Matrix6::identity(); 2];
+    let viscous = ViscousBeam::new("beam", [0, 1, 2], elastic.geometry(), undeformed, damping);
+    (elastic, viscous, deformed(&nodes))
+}
+
+/// Rates of order one; the terms that cancel are as large.
+#[test]
+fn a_rigid_velocity_strains_nothing() {
+    let (_, viscous, mut motion) = viscous();
+    let omega = Vector3::new(0.7, -1.1, 0.4);
+    for node in &mut motion {
+        node.angular_velocity = omega;
+        node.velocity = Vector3::new(1.0, 2.0, -0.5) + omega.cross(&node.position);
+    }
+    for rate in viscous.strain_rates(&motion) {
+        assert!(rate.amax() < 1e-14, "{rate}");
+    }
+}
+
+/// Central difference with h = 1e-5: truncation h^2 of rates of order one.
+#[test]
+fn the_strain_rate_is_the_derivative_of_the_strain() {
+    let (elastic, viscous, mut motion) = viscous();
+    for (i, node) in motion.iter_mut().enumerate() {
+        let i = i as f64;
+        node.velocity = Vector3::new(0.3 * i, -0.5, 0.2 * i * i);
+        node.angular_velocity = Vector3::new(0.4, 0.6 * i, -0.7 + 0.2 * i);
+    }
+    let after = |time: f64| {
+        let mut moved = motion.clone();
+        for node in &mut moved {
+            node.position += time * node.velocity;
+            node.rotation = vector::to_rotation(&(time * node.angular_velocity)) * node.rotation;
+        }
+        elastic.strains(&moved)
+    };
+    let (later, sooner) = (after(1e-5), after(-1e-5));
+    for (i, rate) in viscous.strain_rates(&motion).iter().enumerate() {
+        let difference = (later[i] - sooner[i]) / 2e-5;
+        assert!(rate.norm() > 0.1);
+        assert!((rate - difference).amax() < 1e-9, "{rate} {difference}");
+    }
 }

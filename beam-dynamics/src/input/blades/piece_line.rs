@@ -122,6 +122,7 @@ mod tests {
         let properties = Properties {
             stiffness: Matrix6::identity(),
             mass: Matrix6::identity(),
+            damping: None,
         };
         PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))
     }

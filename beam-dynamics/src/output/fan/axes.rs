@@ -4,7 +4,7 @@ use plotters::backend::DrawingBackend;
 use plotters::style::BLACK;
 use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks};
 
-use super::{FanPlot, SMALL};
+use super::{FanPlot, SIZE, SMALL};
 
 /// Room above the highest frequency, as part of it.
 const HEADROOM: f64 = 0.04;
@@ -30,7 +30,7 @@ pub(super) struct Axes {
 impl Axes {
     /// Axes that hold all points, with room for the names to the right.
     pub fn new<B: DrawingBackend>(canvas: &Canvas<B>, plot: &FanPlot) -> Self {
-        let (width, height) = canvas.size();
+        let (width, height) = (canvas.size().0, f64::from(SIZE.1));
         let names = plot
             .curves
             .iter()
@@ -71,8 +71,12 @@ impl Axes {
         ]
     }
 
-    /// Draws axes, ticks and titles.
-    pub fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    /// Draws axes, ticks and titles; that of the speeds where nothing is `below`.
+    pub fn draw<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        below: bool,
+    ) -> Result<(), FigureProblem> {
         const TICK: f64 = 12.0;
         const AXIS: f64 = 3.0;
         let Self {
@@ -98,7 +102,9 @@ impl Axes {
 
         let title = Label::new(TEXT).anchored(Anchor::Middle);
         let middle = [0.5 * (left + right), 0.5 * (top + bottom)];
-        canvas.text("rotor speed [rpm]", [middle[0], bottom + 92.0], title)?;
+        if !below {
+            canvas.text("rotor speed [rpm]", [middle[0], bottom + 92.0], title)?;
+        }
         canvas.text("frequency [Hz]", [34.0, middle[1]], title.upward())
     }
 }

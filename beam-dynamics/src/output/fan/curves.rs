@@ -15,14 +15,23 @@ const MARK: f64 = 9.0;
 /// Smallest distance of two marks of a line.
 const BETWEEN_MARKS: f64 = 80.0;
 const LINE: f64 = 4.0;
-/// Length of a dash and of a gap.
-const DASH: [f64; 2] = [26.0, 14.0];
+/// Lengths of dashes and gaps in turns; none for a whole line.
+const PATTERNS: [&[f64]; 4] = [&[], &[26.0, 14.0], &[7.0, 11.0], &[26.0, 9.0, 7.0, 9.0]];
 
 /// Runs of neighboring points of a curve.
-pub(super) fn runs(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Vec<Vec<[f64; 2]>> {
-    let points = plot.speeds.iter().zip(&curve.frequencies);
+pub(super) fn frequency_runs(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Vec<Vec<[f64; 2]>> {
+    runs(&plot.speeds, &curve.frequencies, |point| axes.place(point))
+}
+
+/// Runs of neighboring points at speeds where there is a value, at their places.
+pub(super) fn runs(
+    speeds: &[f64],
+    values: &[Option<f64>],
+    place: impl Fn([f64; 2]) -> [f64; 2],
+) -> Vec<Vec<[f64; 2]>> {
+    let points = speeds.iter().zip(values);
     let places: Vec<_> = points
-        .map(|(speed, f)| f.map(|frequency| axes.place([*speed, frequency])))
+        .map(|(speed, value)| value.map(|value| place([*speed, value])))
         .collect();
     let runs = places.split(Option::is_none);
     runs.map(|run| run.iter().flatten().copied().collect::<Vec<_>>())
@@ -37,8 +46,8 @@ pub(super) fn draw<B: DrawingBackend>(
     axes: &Axes,
 ) -> Result<(), FigureProblem> {
     for curve in &plot.curves {
-        for run in runs(plot, curve, axes) {
-            line(canvas, &run, curve.dashed, curve.color)?;
+        for run in frequency_runs(plot, curve, axes) {
+            line(canvas, &run, curve.pattern, curve.color)?;
         }
     }
     // Below the marks, which stay whole.
@@ -68,27 +77,28 @@ fn marked_every(plot: &FanPlot, axes: &Axes) -> usize {
     (BETWEEN_MARKS / between).ceil().max(1.0) as usize
 }
 
-/// A whole or dashed line.
+/// A whole or dashed line, by the number of its pattern.
 pub(super) fn line<B: DrawingBackend>(
     canvas: &Canvas<B>,
     points: &[[f64; 2]],
-    dashed: bool,
+    pattern: usize,
     color: RGBColor,
 ) -> Result<(), FigureProblem> {
-    if !dashed {
+    let pattern = PATTERNS[pattern % PATTERNS.len()];
+    if pattern.is_empty() {
         return canvas.line(points, LINE, color);
     }
-    for dash in dashes(points) {
+    for dash in dashes(points, pattern) {
         canvas.line(&dash, LINE, color)?;
     }
     Ok(())
 }
 
 /// The dashes of a line, which go on around its corners.
-fn dashes(points: &[[f64; 2]]) -> Vec<[[f64; 2]; 2]> {
+fn dashes(points: &[[f64; 2]], pattern: &[f64]) -> Vec<[[f64; 2]; 2]> {
     let mut dashes = Vec::new();
-    // How far the dash or gap reaches, and whether it is a dash.
-    let (mut left, mut is_dash) = (DASH[0], true);
+    // How far the dash or gap reaches, and its number: gaps are odd.
+    let (mut left, mut part) = (pattern[0], 0);
     for pair in points.windows(2) {
         let (a, b) = (pair[0], pair[1]);
         let length = (b[0] - a[0]).hypot(b[1] - a[1]);
@@ -96,14 +106,14 @@ fn dashes(points: &[[f64; 2]]) -> Vec<[[f64; 2]; 2]> {
         let mut done = 0.0;
         while done < length {
             let step = left.min(length - done);
-            if is_dash {
+            if part % 2 == 0 {
                 dashes.push([at(done), at(done + step)]);
             }
             done += step;
             left -= step;
             if left <= 0.0 {
-                is_dash = !is_dash;
-                left = DASH[usize::from(!is_dash)];
+                part = (part + 1) % pattern.len();
+                left = pattern[part];
             }
         }
     }
@@ -172,7 +182,7 @@ mod tests {
     fn dashes_go_on_around_corners() {
         let lengths = |points: &[[f64; 2]]| -> Vec<f64> {
             let length = |[a, b]: &[[f64; 2]; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
-            dashes(points).iter().map(length).collect()
+            dashes(points, PATTERNS[1]).iter().map(length).collect()
         };
         assert_eq!(lengths(&[[0.0, 0.0], [100.0, 0.0]]), [26.0, 26.0, 20.0]);
         let bent = [[0.0, 0.0], [50.0, 0.0], [50.0, 50.0]];

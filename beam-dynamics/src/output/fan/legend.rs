@@ -5,7 +5,7 @@ use plotters::style::RGBColor;
 use shared_geom::figure::{Canvas, FigureProblem, Label};
 
 use super::axes::Axes;
-use super::{FanPlot, SMALL, curves};
+use super::{FanPlot, SIZE, SMALL, curves};
 use crate::result::ModeKind;
 
 const GRAY: RGBColor = RGBColor(90, 90, 90);
@@ -18,7 +18,7 @@ pub(super) fn draw<B: DrawingBackend>(
     plot: &FanPlot,
     axes: &Axes,
 ) -> Result<(), FigureProblem> {
-    let y = 0.078 * canvas.size().1;
+    let y = 0.078 * f64::from(SIZE.1);
     let mut x = axes.left + 12.0;
     let word = |x: &mut f64, text: &str| {
         let start = *x + GAPS[0];

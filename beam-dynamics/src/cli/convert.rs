@@ -1,0 +1,227 @@
+//! `convert`: a blade from one format to another.
+
+use std::path::{Path, PathBuf};
+
+use shared_geom::error::{Explain, nearest_name};
+use shared_geom::exchange::{self, ExchangeProblem, Format, Options, Reading};
+use shared_geom::files::{make_folder, read_bytes, write_text};
+use shared_geom::hash::sha256_of_content;
+
+use crate::output::list;
+
+use super::{DONE, NOT_REACHED, Terminal, WRONG_INPUT};
+
+/// Why a conversion is refused.
+#[derive(Debug, thiserror::Error)]
+enum ConvertProblem {
+    #[error("\"{found}\" is no format, expected {}", names().join(", "))]
+    NoFormat { found: String },
+    #[error("the ending of \"{file}\" stands for no format")]
+    NoEnding { file: String },
+    #[error("\"{file}\" would be overwritten, and it is what is read")]
+    Input { file: String },
+    #[error(transparent)]
+    Exchange(#[from] ExchangeProblem),
+}
+
+impl Explain for ConvertProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::NoFormat { found } => {
+                nearest_name(found, names()).map(|name| format!("did you mean \"{name}\"?"))
+            }
+            Self::NoEnding { .. } => Some(format!(
+                "give the format with --to: {}; or an ending: {}",
+                names().join(", "),
+                endings().join(", ")
+            )),
+            Self::Input { .. } => Some("give another name to write to".to_owned()),
+            Self::Exchange(problem) => problem.help(),
+        }
+    }
+}
+
+/// Names of the formats that are written.
+fn names() -> Vec<&'static str> {
+    let written = Format::ALL.into_iter().filter(|format| format.is_written());
+    written.map(Format::name).collect()
+}
+
+/// Endings, each with its format.
+fn endings() -> Vec<String> {
+    let written = Format::ALL.into_iter().filter(|format| format.is_written());
+    let endings = written.filter_map(|format| {
+        let ending = format.endings().first()?;
+        Some(format!("{ending} ({})", format.name()))
+    });
+    endings.collect()
+}
+
+/// Reads `from` and writes `to`, in the format named or that of the ending.
+pub(super) fn convert(
+    from: &Path,
+    to: &Path,
+    format: Option<&str>,
+    length: Option<f64>,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let format = match format_of(to, format) {
+        Ok(format) => format,
+        Err(problem) => {
+            terminal.tell(&problem);
+            return WRONG_INPUT;
+        }
+    };
+    let (seen, mut reading) = match exchange::read_with(from, &Options { length }) {
+        Ok(read) => read,
+        Err(problems) => {
+            terminal.tell_text(&problems.to_string());
+            return WRONG_INPUT;
+        }
+    };
+    stamp(&mut reading, from);
+    let name = name_of(to);
+    let writing = match exchange::write(&reading.blade, format, &name) {
+        Ok(writing) => writing,
+        Err(problem) => {
+            terminal.tell(&problem);
+            return WRONG_INPUT;
+        }
+    };
+    let files = placed(writing.files, to);
+    if let Some(file) = files
+        .iter()
+        .map(|(file, _)| file)
+        .find(|file| is_input(file, from))
+    {
+        terminal.tell(&ConvertProblem::Input {
+            file: file.display().to_string(),
+        });
+        return WRONG_INPUT;
+    }
+    let mut text = format!(
+        "{}: {} -> {}\n",
+        from.display(),
+        seen.title(),
+        format.title()
+    );
+    list(&mut text, "Could not be carried", &writing.lost);
+    if writing.lost.is_empty() {
+        text.push_str("\nEverything is carried over\n");
+    }
+    list(&mut text, "Remarks", &reading.remarks);
+    let problems: Vec<_> = reading
+        .blade
+        .problems()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    list(&mut text, "Wrong with the blade", &problems);
+    terminal.show(&text);
+    write_files(&files, terminal)
+}
+
+/// States who wrote the blade, from what: readers of foreign files give the hash of all
+/// that they have read, a blade file of our own that of what it was made from.
+fn stamp(reading: &mut Reading, source: &Path) {
+    let provenance = &mut reading.blade.provenance;
+    let own = provenance.program == env!("CARGO_PKG_NAME") || provenance.input_hash.is_empty();
+    if let Some(bytes) = read_bytes(source).ok().filter(|_| own) {
+        provenance.input_hash = sha256_of_content(&bytes);
+    }
+    provenance.program = env!("CARGO_PKG_NAME").to_owned();
+    provenance.version = env!("CARGO_PKG_VERSION").to_owned();
+}
+
+fn format_of(to: &Path, format: Option<&str>) -> Result<Format, ConvertProblem> {
+    let found = match format {
+        Some(name) => Format::from_name(name).ok_or_else(|| ConvertProblem::NoFormat {
+            found: name.to_owned(),
+        }),
+        None => Format::of_path(to).ok_or_else(|| ConvertProblem::NoEnding {
+            file: to.display().to_string(),
+        }),
+    }?;
+    Ok(found)
+}
+
+/// The name of a blade file without folder and endings.
+fn name_of(file: &Path) -> String {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let lower = name.to_lowercase();
+    let endings = [".blade.json", ".blade.toml", ".sections.csv", ".line.csv"];
+    let ending = endings.iter().find(|ending| lower.ends_with(*ending));
+    let stem = match ending {
+        Some(ending) => name.get(..name.len() - ending.len()),
+        None => name.rsplit_once('.').map(|(stem, _)| stem),
+    };
+    stem.filter(|stem| !stem.is_empty())
+        .unwrap_or(&name)
+        .to_owned()
+}
+
+/// The files beside `to`; the first is `to` itself unless others are named after it.
+fn placed(files: Vec<(PathBuf, String)>, to: &Path) -> Vec<(PathBuf, String)> {
+    let folder = to.parent().unwrap_or(Path::new(""));
+    let beside = files.into_iter().enumerate().map(|(number, (name, text))| {
+        let same_kind = name.extension() == to.extension() || number == 0;
+        let is_index = name.to_string_lossy().ends_with(".sections.csv");
+        match number == 0 && same_kind && !is_index {
+            true => (to.to_owned(), text),
+            false => (folder.join(name), text),
+        }
+    });
+    beside.collect()
+}
+
+/// Whether a file that would be written is the input, or is named in it.
+fn is_input(file: &Path, input: &Path) -> bool {
+    let Ok(file) = file.canonicalize() else {
+        // What does not exist is not overwritten.
+        return false;
+    };
+    let Ok(input) = input.canonicalize() else {
+        return false;
+    };
+    let same_folder = file.parent() == input.parent();
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let named = || std::fs::read_to_string(&input).is_ok_and(|text| text.contains(&*name));
+    file == input || same_folder && named()
+}
+
+fn write_files(files: &[(PathBuf, String)], terminal: &mut Terminal<'_>) -> u8 {
+    let folder = files.first().and_then(|(file, _)| file.parent());
+    if let Some(folder) = folder.filter(|folder| !folder.as_os_str().is_empty())
+        && let Err(problem) = make_folder(folder)
+    {
+        terminal.tell(&problem);
+        return NOT_REACHED;
+    }
+    terminal.show("\nWritten\n");
+    for (file, text) in files {
+        if let Err(problem) = write_text(file, text) {
+            terminal.tell(&problem);
+            return NOT_REACHED;
+        }
+        terminal.show(&format!("  {}\n", file.display()));
+    }
+    DONE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lose_folder_and_endings() {
+        for (file, name) in [
+            ("a/blade.blade.json", "blade"),
+            ("blade.inp", "blade"),
+            ("my.blade.inp", "my.blade"),
+            ("blade", "blade"),
+            (".csv", ".csv"),
+        ] {
+            assert_eq!(name_of(Path::new(file)), name);
+        }
+    }
+}

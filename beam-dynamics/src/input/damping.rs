@@ -1,0 +1,45 @@
+//! Internal damping of a section: `damping = { time = ... }` or `{ matrix = [...] }`.
+
+use nalgebra::Matrix6;
+use shared_geom::document::Table;
+use shared_geom::section::Damping;
+use shared_geom::units::Dimension;
+
+use super::number::not_negative;
+use super::problem::InputProblem;
+
+/// The damping of a table of properties: `None` when it is wrong, `Some(None)` when
+/// there is none.
+pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
+    const KEYS: [&str; 2] = ["time", "matrix"];
+    if !table.has("damping") {
+        return Some(None);
+    }
+    let inner = table.table("damping")?;
+    let given = KEYS.map(|key| inner.has(key));
+    let damping = match given {
+        [true, false] => {
+            not_negative(&inner, "time", Dimension::TIME).map(Damping::StiffnessProportional)
+        }
+        [false, true] => matrix(&inner).map(Damping::Viscous),
+        _ => {
+            table.note("damping", &InputProblem::OneDamping);
+            None
+        }
+    };
+    inner.finish();
+    damping.map(Some)
+}
+
+/// The 6x6 matrix in SI units: N s among forces and shears, N m^2 s among moments and
+/// curvatures, N m s between them.
+fn matrix(table: &Table<'_>) -> Option<Matrix6<f64>> {
+    let rows = table.rows("matrix", 6, 6)?;
+    let factors = [
+        Dimension::FORCE_TIME,
+        Dimension::TURNING_DAMPER,
+        Dimension::BENDING_TIME,
+    ];
+    let factors = factors.map(|dimension| table.document().factor(dimension));
+    Some(Matrix6::from_fn(|i, j| rows[i][j] * factors[i / 3 + j / 3]))
+}

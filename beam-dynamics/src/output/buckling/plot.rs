@@ -1,0 +1,178 @@
+//! Shapes in which a model gives way, over the equilibrium in gray.
+
+use std::path::Path;
+
+use nalgebra::Vector3;
+use plotters::backend::DrawingBackend;
+use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, Label, WIDTH};
+use shared_geom::files::{OutputProblem, write_figure};
+
+use super::fields::{base, displaced};
+use crate::input::short_number;
+use crate::output::panel::{GRAY, SMALL, draw_legend, draw_title};
+use crate::output::structure::Structure;
+use crate::output::views::{Extent, MARGINS, Stroke, View, draw_view};
+use crate::result::{BucklingMode, BucklingResult};
+
+/// Shapes that are shown.
+const MOST: usize = 8;
+const HEAD: f64 = 170.0;
+/// Height of the title of a shape \[figure pixels\].
+const TITLE: f64 = 70.0;
+/// Greatest height of a shape \[figure pixels\].
+const TALLEST: f64 = 700.0;
+const LINE: f64 = 5.0;
+/// Columns of shapes that are wide, and of those that are tall.
+const COLUMNS: [usize; 2] = [2, 4];
+
+/// Shapes of critical loads, ready to be saved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BucklingPlot {
+    title: String,
+    modes: Vec<Shown>,
+    columns: usize,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Shown {
+    title: String,
+    view: View,
+    strokes: Vec<Stroke>,
+    extent: Extent,
+}
+
+impl BucklingPlot {
+    /// The first shapes, each in the plane in which it moves most; `None` without beams
+    /// or critical loads.
+    pub fn new(result: &BucklingResult) -> Option<Self> {
+        if result.beams.is_empty() || result.modes.is_empty() {
+            return None;
+        }
+        let structure = Structure::new(&result.nodes, &result.beams, &[]);
+        let base = base(result);
+        let shown = |(index, mode): (usize, &BucklingMode)| {
+            let moved = displaced(&structure, &base, mode);
+            let mut strokes = Vec::new();
+            for (positions, color) in [(&base, GRAY), (&moved, CATEGORIES[5])] {
+                let lines = structure.curves(positions).into_iter();
+                strokes.extend(lines.map(|points| Stroke {
+                    points,
+                    width: LINE,
+                    color,
+                }));
+            }
+            Shown {
+                title: format!("{}: factor {}", index + 1, short_number(mode.factor, 5)),
+                view: view(&structure, mode),
+                extent: Extent::around(&strokes, &[]),
+                strokes,
+            }
+        };
+        let modes = result.modes.iter().take(MOST).enumerate();
+        let modes: Vec<_> = modes.map(shown).collect();
+        let is_tall = modes.iter().any(|mode| mode.extent.aspect(mode.view) > 1.0);
+        Some(Self {
+            title: format!("{}: shapes of critical loads", result.name),
+            modes,
+            columns: COLUMNS[usize::from(is_tall)],
+        })
+    }
+
+    /// Width of a column \[figure pixels\].
+    fn column(&self) -> f64 {
+        (f64::from(WIDTH) - 40.0) / self.columns as f64
+    }
+
+    /// Room of the frame of a shape: width and height \[figure pixels\].
+    fn frame(&self, mode: &Shown) -> [f64; 2] {
+        let width = self.column() - MARGINS[0] - MARGINS[1];
+        let height = width * mode.extent.aspect(mode.view);
+        match height > TALLEST {
+            true => [width * TALLEST / height, TALLEST],
+            false => [width, height],
+        }
+    }
+
+    /// Height of each row \[figure pixels\].
+    fn rows(&self) -> Vec<f64> {
+        let row = |modes: &[Shown]| {
+            let heights = modes.iter().map(|mode| self.frame(mode)[1]);
+            heights.fold(0.0, f64::max) + TITLE + MARGINS[3]
+        };
+        self.modes.chunks(self.columns).map(row).collect()
+    }
+
+    /// Writes the plot to `path`, as PNG or SVG by its ending.
+    ///
+    /// # Errors
+    /// [`OutputProblem`]: another ending, or a file that cannot be written.
+    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
+        let height = HEAD + self.rows().iter().sum::<f64>();
+        write_figure(path, (WIDTH, height.ceil() as u32), self)
+    }
+}
+
+/// The direction in which a shape moves most, and the longest other one of the model.
+fn view(structure: &Structure, mode: &BucklingMode) -> View {
+    let moved = mode.displacements.iter();
+    let moved = moved.fold(Vector3::zeros(), |most: Vector3<f64>, v| most.sup(&v.abs()));
+    let toward = moved.imax();
+    let length = |axis: &usize| structure.length(*axis);
+    let others = (0..3).filter(|axis| *axis != toward);
+    let along = others.max_by(|a, b| length(a).total_cmp(&length(b)));
+    let along = along.unwrap_or((toward + 1) % 3);
+    [along.min(toward), along.max(toward)]
+}
+
+impl Drawing for BucklingPlot {
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        draw_title(canvas, &self.title, [40.0, 44.0])?;
+        let legend = [
+            ("equilibrium".to_owned(), LINE, GRAY),
+            ("shape, in arbitrary size".to_owned(), LINE, CATEGORIES[5]),
+        ];
+        draw_legend(canvas, [40.0, 104.0], &legend)?;
+        let mut top = HEAD;
+        for (modes, height) in self.modes.chunks(self.columns).zip(self.rows()) {
+            for (column, mode) in modes.iter().enumerate() {
+                let left = 20.0 + self.column() * column as f64 + MARGINS[0];
+                let frame = self.frame(mode);
+                let panel = mode.extent.panel(mode.view, [left, top + TITLE], frame);
+                let label = Label::new(SMALL).bold();
+                canvas.text(&mode.title, [left, top + 0.5 * TITLE], label)?;
+                draw_view(canvas, mode.view, &panel, &mode.strokes, &[])?;
+            }
+            top += height;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::samples;
+
+    #[test]
+    fn every_shape_is_seen_in_the_plane_of_its_motion() {
+        let plot = BucklingPlot::new(&samples::column()).unwrap();
+        let views: Vec<_> = plot.modes.iter().map(|mode| mode.view).collect();
+        assert_eq!(views, [[0, 2], [0, 1], [0, 2], [0, 1]]);
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.svg");
+        plot.save(&path).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        for expected in [
+            "column: shapes of critical loads",
+            "1: factor 2.4674",
+            "2: factor -9.8696",
+            "y [m]",
+            "z [m]",
+        ] {
+            assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+        }
+        let mut none = samples::column();
+        none.modes.clear();
+        assert_eq!(BucklingPlot::new(&none), None);
+    }
+}

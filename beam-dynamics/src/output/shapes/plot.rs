@@ -1,0 +1,205 @@
+//! Shapes of the lowest modes along the span, one small plot a mode.
+
+use std::path::Path;
+
+use plotters::backend::DrawingBackend;
+use plotters::style::RGBColor;
+use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
+use shared_geom::files::{OutputProblem, write_figure};
+
+use super::{Along, along, shaped, structure};
+use crate::case::Model;
+use crate::input::short_number;
+use crate::output::panel::{LIGHT, Panel, SMALL, draw_legend, draw_title};
+use crate::output::text::{DAMPED, RPM};
+use crate::result::FrequencyTable;
+
+/// Modes that are shown.
+const MOST: usize = 12;
+const COLUMNS: usize = 3;
+/// Height of a row of plots \[figure pixels\].
+const ROW: f64 = 330.0;
+const HEAD: f64 = 160.0;
+const FOOT: f64 = 110.0;
+const LINE: f64 = 4.5;
+const THIN: f64 = 2.0;
+/// Components that stay below this part of the largest are not drawn.
+const FAINT: f64 = 0.01;
+const NAMES: [&str; 4] = [
+    "flap",
+    "lag",
+    "torsion times a tenth of the length",
+    "axial",
+];
+const COLORS: [RGBColor; 4] = [CATEGORIES[0], CATEGORIES[5], CATEGORIES[2], CATEGORIES[3]];
+
+/// Shapes of modes at one speed, ready to be saved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShapePlot {
+    title: String,
+    modes: Vec<Shown>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Shown {
+    /// Name, frequency, member where there are several.
+    title: String,
+    length: f64,
+    along: Along,
+}
+
+impl ShapePlot {
+    /// Shapes of the lowest modes at speed number `speed` of `table`; `None` where
+    /// there are no shapes or no beams.
+    pub fn new(model: &Model, table: &FrequencyTable, speed: usize) -> Option<Self> {
+        let structure = structure(model);
+        let shown = shaped(table, speed).into_iter().filter_map(|mode| {
+            let along = along(&structure, &model.naming, mode.shape)?;
+            let member = &structure.members[along.member];
+            let mut title = format!("{}, {} Hz", mode.name, short_number(mode.frequency, 4));
+            if mode.damping_ratio.abs() > DAMPED {
+                let per_cent = short_number(100.0 * mode.damping_ratio, 2);
+                title.push_str(&format!(", {per_cent} %"));
+            }
+            if structure.members.len() > 1 {
+                title.push_str(&format!(" ({})", member.name));
+            }
+            Some(Shown {
+                title,
+                length: member.length,
+                along,
+            })
+        });
+        let modes: Vec<_> = shown.take(MOST).collect();
+        let rpm = short_number(table.speeds.get(speed)? * RPM, 6);
+        (!modes.is_empty()).then(|| Self {
+            title: format!("{}: shapes of modes at {rpm} rpm", table.name),
+            modes,
+        })
+    }
+
+    /// Writes the plot to `path`, as PNG or SVG by its ending.
+    ///
+    /// # Errors
+    /// [`OutputProblem`]: another ending, or a file that cannot be written.
+    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
+        let rows = self.modes.len().div_ceil(COLUMNS);
+        let height = HEAD + ROW * rows as f64 + FOOT;
+        write_figure(path, (WIDTH, height as u32), self)
+    }
+
+    /// Components that any of the modes has.
+    fn components(&self) -> Vec<usize> {
+        let has = |component: &usize| self.modes.iter().any(|mode| mode.has(*component));
+        (0..NAMES.len()).filter(has).collect()
+    }
+}
+
+impl Shown {
+    fn has(&self, component: usize) -> bool {
+        let mut points = self.along.points.iter();
+        points.any(|point| point.1[component].norm() > FAINT)
+    }
+
+    /// Whether a component moves in phase with the largest one.
+    fn is_real(&self, component: usize) -> bool {
+        let mut points = self.along.points.iter();
+        points.any(|point| point.1[component].re.abs() > FAINT)
+    }
+
+    /// Whether a component moves out of phase with the largest one.
+    fn is_complex(&self, component: usize) -> bool {
+        let mut points = self.along.points.iter();
+        points.any(|point| point.1[component].im.abs() > FAINT)
+    }
+
+    fn draw<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        panel: &Panel,
+    ) -> Result<(), FigureProblem> {
+        panel.curve(canvas, &[[0.0, 0.0], [self.length, 0.0]], THIN, LIGHT)?;
+        for component in 0..NAMES.len() {
+            let part = |pick: fn(&nalgebra::Complex<f64>) -> f64| -> Vec<_> {
+                let points = self.along.points.iter();
+                points
+                    .map(|(arc, motion)| [*arc, pick(&motion[component])])
+                    .collect()
+            };
+            if self.is_real(component) {
+                panel.curve(canvas, &part(|z| z.re), LINE, COLORS[component])?;
+            }
+            if self.is_complex(component) {
+                panel.curve(canvas, &part(|z| z.im), THIN, COLORS[component])?;
+            }
+        }
+        panel.draw_frame(canvas, [4, 2], true)?;
+        let room = panel.right - panel.left + 60.0;
+        let label = Label::new(SMALL).bold();
+        let title = canvas.shortened(&self.title, label, room);
+        canvas.text(&title, [panel.left, panel.top - 30.0], label)
+    }
+}
+
+impl Drawing for ShapePlot {
+    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+        let (width, height) = canvas.size();
+        draw_title(canvas, &self.title, [40.0, 44.0])?;
+        let entry = |component: usize| (NAMES[component].to_owned(), LINE, COLORS[component]);
+        let mut legend: Vec<_> = self.components().into_iter().map(entry).collect();
+        let mut all = self.modes.iter();
+        if all.any(|mode| (0..NAMES.len()).any(|component| mode.is_complex(component))) {
+            let gray = RGBColor(90, 90, 90);
+            legend.push(("thin: a quarter of a period earlier".to_owned(), THIN, gray));
+        }
+        draw_legend(canvas, [40.0, 104.0], &legend)?;
+        let column = (width - 60.0) / COLUMNS as f64;
+        for (place, mode) in self.modes.iter().enumerate() {
+            let left = 40.0 + column * (place % COLUMNS) as f64 + 90.0;
+            let top = HEAD + ROW * (place / COLUMNS) as f64 + 50.0;
+            let panel = Panel {
+                left,
+                right: left + column - 140.0,
+                top,
+                bottom: top + ROW - 130.0,
+                x: [0.0, mode.length],
+                y: [-1.1, 1.1],
+            };
+            mode.draw(canvas, &panel)?;
+        }
+        let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
+        let text =
+            "arc position along the undeformed line [m]; the largest component of each mode is 1";
+        canvas.text(text, [0.5 * width, height - 44.0], label)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::samples;
+
+    #[test]
+    fn every_mode_has_a_plot_with_its_name_and_frequency() {
+        let (model, table) = samples::shaped();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.svg");
+        ShapePlot::new(&model, &table, 0)
+            .unwrap()
+            .save(&path)
+            .unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        for expected in [
+            "shaped blade: shapes of modes at 0 rpm",
+            "flap 1, 1.4 Hz",
+            "lag 1, 22.25 Hz, 2 %",
+            "flap",
+            "torsion times a tenth of the length",
+            "thin: a quarter of a period earlier",
+        ] {
+            assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+        }
+        assert_eq!(ShapePlot::new(&model, &table, 1), None);
+        assert_eq!(ShapePlot::new(&model, &table, 9), None);
+    }
+}

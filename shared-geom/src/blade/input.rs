@@ -1,0 +1,234 @@
+//! The blade file that people write: TOML, with tables beside it.
+//!
+//! [`frame`](self::frame) reads the declared axes, [`line`](self::line) the reference
+//! line, [`stations`](self::stations) the properties; what they mean is in the book, on
+//! the page of the blade file.
+
+use std::cell::RefCell;
+use std::path::Path;
+
+use super::{Blade, BladeDamping, Interpolation, Station};
+use crate::document::{Document, Table, read_text};
+use crate::error::{Diagnostics, Place};
+use crate::exchange::Reading;
+use crate::files::name_without;
+use crate::hash::sha256_of;
+use crate::section::Provenance;
+use crate::units::Dimension;
+
+mod columns;
+mod engineering;
+mod frame;
+mod line;
+mod matrix;
+mod problem;
+mod station_file;
+mod stations;
+
+use frame::Frame;
+pub use problem::InputProblem;
+
+/// The ending of the files that people write.
+const ENDING: &str = ".blade.toml";
+
+/// What is read beside the file, and what is to be told.
+#[derive(Debug, Default)]
+struct Sources {
+    texts: RefCell<Vec<String>>,
+    remarks: RefCell<Vec<String>>,
+}
+
+impl Sources {
+    /// The text of a file, which then counts as an input.
+    fn read(&self, path: &Path) -> Result<String, Diagnostics> {
+        let text = read_text(path)?;
+        self.texts.borrow_mut().push(text.clone());
+        Ok(text)
+    }
+
+    fn remark(&self, remark: String) {
+        self.remarks.borrow_mut().push(remark);
+    }
+}
+
+/// A station, where it is written, and its own damping.
+#[derive(Debug)]
+struct Placed {
+    place: Place,
+    station: Station,
+    damping: Option<crate::section::Damping>,
+}
+
+/// Reads and checks the text of a blade file in TOML, shown as `file` in messages; what
+/// it names lies beside it.
+///
+/// # Errors
+/// Every problem of the file, of the tables that it names, and of the blade.
+pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
+    let document = Document::parse(text, file)?;
+    let sources = Sources::default();
+    sources.texts.borrow_mut().push(text.to_owned());
+    let root = document.root();
+    document.declare_units(&root);
+    let read = blade(&root, &sources);
+    root.finish();
+    let checked = read.and_then(|(blade, places)| {
+        document.keep(check(&blade, &places, file))?;
+        Some(blade)
+    });
+    let mut blade = document.finish(checked)?;
+    let texts = sources.texts.into_inner();
+    let parts: Vec<_> = texts.iter().map(|text| text.as_bytes()).collect();
+    blade.provenance.input_hash = sha256_of(&parts);
+    let mut remarks = sources.remarks.into_inner();
+    remarks.extend(blade.remarks());
+    Ok(Reading { blade, remarks })
+}
+
+/// The blade, and where its stations are written.
+fn blade(root: &Table<'_>, sources: &Sources) -> Option<(Blade, Vec<Place>)> {
+    let file = root.document().file();
+    let name = match root.has("name") {
+        true => root.text("name"),
+        false => Some(name_without(Path::new(file), ENDING)),
+    };
+    let frame = Frame::read(root);
+    let reference_point = frame::reference_point(root, frame.as_ref());
+    let interpolation = match root.has("interpolation") {
+        true => {
+            let known = [Interpolation::Linear, Interpolation::Constant];
+            let place = root.word("interpolation", &["linear", "constant"]);
+            place.map(|place| known[place])
+        }
+        false => Some(Interpolation::Linear),
+    };
+    let line = line::read(root, frame.as_ref(), sources);
+    // The length of a line that cannot be followed would be no number to count with.
+    let length = line.as_ref().filter(|line| line.problems().is_empty());
+    let length = length.map(|line| line.length());
+    let given = stations::Given {
+        frame: frame.as_ref(),
+        reference_point,
+        length,
+    };
+    let placed = stations::read(root, &given, sources);
+    let damping = damping(root, frame.as_ref());
+    let (placed, line) = (placed?, line?);
+    let damping = of_stations(root, damping?, &placed);
+    let (places, stations) = placed.into_iter().map(|p| (p.place, p.station)).unzip();
+    let blade = Blade {
+        name: name?,
+        line,
+        reference_point: reference_point?,
+        stations,
+        interpolation: interpolation?,
+        damping: damping?,
+        provenance: Provenance {
+            program: "helicoid".to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            input_hash: String::new(),
+            nodes: 0,
+            cells: 0,
+            history: Vec::new(),
+        },
+    };
+    Some((blade, places))
+}
+
+/// The table `[damping]`; `Some(None)` without one.
+fn damping(root: &Table<'_>, frame: Option<&Frame>) -> Option<Option<BladeDamping>> {
+    if !root.has("damping") {
+        return Some(None);
+    }
+    let table = root.table("damping")?;
+    let damping = match (table.has("proportional"), table.has("times")) {
+        (true, false) => {
+            let time = table.quantity("proportional", Dimension::TIME);
+            time.map(BladeDamping::Proportional)
+        }
+        (false, true) => times(&table, frame),
+        (true, true) => {
+            let problem = InputProblem::Both {
+                table: "[damping]".to_owned(),
+                one: "proportional".to_owned(),
+                other: "times".to_owned(),
+            };
+            table.note("times", &problem);
+            None
+        }
+        (false, false) => {
+            let problem = InputProblem::Neither {
+                table: "[damping]".to_owned(),
+                known: vec!["\"proportional\"", "\"times\""],
+            };
+            table.note("damping", &problem);
+            None
+        }
+    };
+    table.finish();
+    damping.map(Some)
+}
+
+/// Six times in the order of the frame.
+fn times(table: &Table<'_>, frame: Option<&Frame>) -> Option<BladeDamping> {
+    let key = "times".to_owned();
+    let times = table.quantities(&key, Dimension::TIME)?;
+    let found = times.len();
+    match <[f64; 6]>::try_from(times) {
+        Ok(times) => Some(BladeDamping::Times(frame?.values(times))),
+        Err(_) => {
+            let expected = "six times, one for each component";
+            let problem = InputProblem::Count {
+                key,
+                found,
+                expected,
+            };
+            table.note("times", &problem);
+            None
+        }
+    }
+}
+
+/// The damping of the blade, which is that of `[damping]` or that of its property files.
+fn of_stations(
+    root: &Table<'_>,
+    damping: Option<BladeDamping>,
+    placed: &[Placed],
+) -> Option<Option<BladeDamping>> {
+    use crate::section::Damping;
+    let Some(own) = placed.iter().find(|placed| placed.damping.is_some()) else {
+        return Some(damping);
+    };
+    if damping.is_some() {
+        let file = own.place.file.clone();
+        root.note("damping", &InputProblem::TwoDampings { file });
+        return None;
+    }
+    let first = placed.first().and_then(|placed| placed.damping);
+    let is_same = placed.iter().all(|placed| placed.damping == first);
+    if let (true, Some(Damping::StiffnessProportional(time))) = (is_same, first) {
+        return Some(Some(BladeDamping::Proportional(time)));
+    }
+    let matrix = |placed: &Placed| match placed.damping {
+        Some(Damping::StiffnessProportional(time)) => placed.station.stiffness * time,
+        Some(Damping::Viscous(matrix)) => matrix,
+        None => nalgebra::Matrix6::zeros(),
+    };
+    let matrices = placed.iter().map(matrix).collect();
+    Some(Some(BladeDamping::Viscous(matrices)))
+}
+
+/// The problems of the blade, those of a station where it is written.
+fn check(blade: &Blade, places: &[Place], file: &str) -> Result<(), Diagnostics> {
+    let mut problems = Diagnostics::new();
+    for (station, problem) in blade.placed_problems() {
+        let place = station.and_then(|station| places.get(station)).cloned();
+        problems.push(place.unwrap_or_else(|| Place::file(file)), &problem);
+    }
+    problems.into_result(())
+}
+
+#[cfg(test)]
+mod bad_tests;
+#[cfg(test)]
+mod tests;

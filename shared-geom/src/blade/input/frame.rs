@@ -1,0 +1,236 @@
+//! The declared axes of a blade file: frame, order of the components, reference point.
+
+use nalgebra::{Matrix3, Matrix6, Vector2, Vector3};
+
+use super::problem::InputProblem;
+use crate::document::{DocumentProblem, Table};
+use crate::exchange::frame::Convention;
+use crate::units::Dimension;
+use crate::wrench;
+
+/// Frames that have a name. Of BeamDyn's the twist is positive about minus its own z.
+const NAMED: [(&str, Convention); 6] = [
+    ("helicoid", Convention::Helicoid),
+    ("beamdyn", Convention::BeamDyn),
+    ("hawc2", Convention::Hawc2),
+    ("vabs", Convention::Vabs),
+    ("sonata", Convention::Vabs),
+    ("anba4", Convention::Anba4),
+];
+/// Directions by which axes are told, in ours.
+const DIRECTIONS: [(&str, [f64; 3]); 6] = [
+    ("tip", [1.0, 0.0, 0.0]),
+    ("root", [-1.0, 0.0, 0.0]),
+    ("leading edge", [0.0, 1.0, 0.0]),
+    ("trailing edge", [0.0, -1.0, 0.0]),
+    ("upper", [0.0, 0.0, 1.0]),
+    ("lower", [0.0, 0.0, -1.0]),
+];
+/// The six components along and about the axes of a frame.
+const COMPONENTS: [&str; 6] = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The axes in which the numbers of a file stand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Frame {
+    /// Its axes in ours, as columns.
+    axes: Matrix3<f64>,
+    /// The component, along and then about its axes, at each place of its six.
+    order: [usize; 6],
+    /// One where a positive twist is nose up, else minus one.
+    nose_up: f64,
+}
+
+impl Frame {
+    /// Reads `frame`, `order` and `twist_positive` of the file.
+    pub fn read(root: &Table<'_>) -> Option<Self> {
+        // All of them are known, whatever else is wrong.
+        let [has_frame, ..] = ["frame", "order", "twist_positive"].map(|key| root.has(key));
+        if !has_frame {
+            root.note("frame", &InputProblem::FrameUndeclared);
+            return None;
+        }
+        let named = root.is_text("frame");
+        let (axes, nose_up) = match named {
+            true => {
+                let words = NAMED.map(|name| name.0);
+                let convention = root.word("frame", &words).map(|place| NAMED[place].1);
+                let nose_up = match convention {
+                    Some(Convention::BeamDyn) => -1.0,
+                    _ => 1.0,
+                };
+                (convention.map(Convention::axes), nose_up)
+            }
+            false => {
+                let words = root.texts("frame")?;
+                let axes = directions(&words);
+                if axes.is_none() {
+                    root.note("frame", &InputProblem::Directions { found: words });
+                }
+                (axes, 1.0)
+            }
+        };
+        let order = order(root, named);
+        let nose_up = match root.has("twist_positive") {
+            true => {
+                let signs = [1.0, -1.0];
+                let place = root.word("twist_positive", &["nose up", "nose down"]);
+                place.map(|place| signs[place])
+            }
+            false => Some(nose_up),
+        };
+        Some(Self {
+            axes: axes?,
+            order: order?,
+            nose_up: nose_up?,
+        })
+    }
+
+    /// Ours.
+    pub fn ours() -> Self {
+        Self {
+            axes: Matrix3::identity(),
+            order: [0, 1, 2, 3, 4, 5],
+            nose_up: 1.0,
+        }
+    }
+
+    /// Whether its axes are ours.
+    pub fn is_ours(&self) -> bool {
+        self.axes == Matrix3::identity()
+    }
+
+    /// A vector of its components in our axes.
+    pub fn vector(&self, components: [f64; 3]) -> Vector3<f64> {
+        self.axes * Vector3::from(components)
+    }
+
+    /// A twist of its sign, nose up.
+    pub fn twist(&self, twist: f64) -> f64 {
+        self.nose_up * twist
+    }
+
+    /// A matrix of its axes and order in ours.
+    pub fn matrix(&self, matrix: &Matrix6<f64>) -> Matrix6<f64> {
+        let mut natural = Matrix6::zeros();
+        for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
+            natural[(self.order[i], self.order[j])] = matrix[(i, j)];
+        }
+        wrench::rotate(&natural, &self.axes.transpose())
+    }
+
+    /// What a place of its six components holds: a force (false) or a moment (true).
+    pub fn is_moment(&self, place: usize) -> bool {
+        self.order[place] >= 3
+    }
+
+    /// Six numbers in its order, one for each component, in ours; without signs.
+    pub fn values(&self, values: [f64; 6]) -> [f64; 6] {
+        let mut natural = [0.0; 6];
+        for (place, value) in self.order.into_iter().zip(values) {
+            natural[place] = value;
+        }
+        let theirs = |ours: usize| (0..3).find(|&j| self.axes[(ours, j)] != 0.0);
+        let place = |i: usize| match i {
+            0..3 => theirs(i).unwrap_or(i),
+            _ => theirs(i - 3).unwrap_or(i - 3) + 3,
+        };
+        std::array::from_fn(|i| natural[place(i)])
+    }
+
+    /// The indices of its two axes in the section.
+    fn plane(&self) -> [usize; 2] {
+        let along = (0..3).find(|&j| self.axes[(0, j)] != 0.0);
+        match along {
+            Some(1) => [0, 2],
+            Some(2) => [0, 1],
+            _ => [1, 2],
+        }
+    }
+
+    /// The names of its two axes in the section.
+    pub fn plane_names(&self) -> [&'static str; 2] {
+        self.plane().map(|axis| AXES[axis])
+    }
+
+    /// A point of the section, by the coordinates along its two axes there, as (y, z).
+    pub fn point(&self, coordinates: [f64; 2]) -> Vector2<f64> {
+        let mut components = [0.0; 3];
+        for (axis, coordinate) in self.plane().into_iter().zip(coordinates) {
+            components[axis] = coordinate;
+        }
+        let point = self.vector(components);
+        // Plus zero: no zero with a sign.
+        Vector2::new(point.y + 0.0, point.z + 0.0)
+    }
+}
+
+/// The axes of three directions; `None` when they are not those of a right-handed frame.
+fn directions(words: &[String]) -> Option<Matrix3<f64>> {
+    let of = |word: &String| {
+        let known = DIRECTIONS.iter().find(|direction| direction.0 == word)?;
+        Some(Vector3::from(known.1))
+    };
+    let columns: Option<Vec<_>> = words.iter().map(of).collect();
+    let axes = match columns?[..] {
+        [x, y, z] => Matrix3::from_columns(&[x, y, z]),
+        _ => return None,
+    };
+    (axes.determinant() == 1.0).then_some(axes)
+}
+
+/// The order of the components: as it is declared, or implied by a frame with a name.
+fn order(root: &Table<'_>, named: bool) -> Option<[usize; 6]> {
+    if !root.has("order") {
+        if named {
+            return Some([0, 1, 2, 3, 4, 5]);
+        }
+        root.note("frame", &InputProblem::OrderUndeclared);
+        return None;
+    }
+    let words = root.texts("order")?;
+    let place = |word: &String| COMPONENTS.iter().position(|known| known == word);
+    let places: Option<Vec<_>> = words.iter().map(place).collect();
+    let places: Option<[usize; 6]> = places.and_then(|places| places.try_into().ok());
+    let is_complete = |places: &[usize; 6]| (0..6).all(|i| places.contains(&i));
+    let places = places.filter(is_complete);
+    if places.is_none() {
+        root.note("order", &InputProblem::Order { found: words });
+    }
+    places
+}
+
+/// Reads the required `reference_point`: the word `"line"`, or two lengths.
+pub(super) fn reference_point(root: &Table<'_>, frame: Option<&Frame>) -> Option<Vector2<f64>> {
+    const KEY: &str = "reference_point";
+    if !root.has(KEY) {
+        root.note(KEY, &InputProblem::PointUndeclared);
+        return None;
+    }
+    if root.is_text(KEY) {
+        return root.word(KEY, &["line"]).map(|_| Vector2::zeros());
+    }
+    point(root, KEY, frame)
+}
+
+/// Two lengths, a point of the section in the axes of the frame, as (y, z).
+pub(super) fn point(
+    table: &Table<'_>,
+    key: &'static str,
+    frame: Option<&Frame>,
+) -> Option<Vector2<f64>> {
+    let lengths = table.quantities(key, Dimension::LENGTH)?;
+    match lengths[..] {
+        [a, b] => Some(frame?.point([a, b])),
+        _ => {
+            let names = frame.map_or(["y", "z"], Frame::plane_names);
+            let problem = DocumentProblem::WrongValue {
+                key: key.to_owned(),
+                found: format!("a list of {}", lengths.len()),
+                expected: format!("two lengths, {} and {}", names[0], names[1]),
+            };
+            table.note(key, &problem);
+            None
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! The table `[line]`: a length, points in place or of a file, or arcs.
+
+use nalgebra::Vector3;
+
+use super::Sources;
+use super::columns::{Columns, Measure};
+use super::frame::Frame;
+use super::problem::InputProblem;
+use crate::document::Table;
+use crate::line::{Course, LinePoint, ReferenceLine};
+use crate::units::Dimension;
+
+/// Inverse of a length: curvature, angle per length without the angle.
+const CURVATURE: Dimension = Dimension {
+    length: -1,
+    mass: 0,
+    time: 0,
+    angle: 0,
+};
+/// Twist rate: angle per length.
+const TWIST_RATE: Dimension = Dimension {
+    length: -1,
+    mass: 0,
+    time: 0,
+    angle: 1,
+};
+
+/// Keys of the coordinates of points in the axes of the frame.
+const AXES: [&str; 3] = ["x", "y", "z"];
+/// The same in words.
+const WORDS: [&str; 3] = ["span", "sweep", "prebend"];
+/// Keys of lists of points.
+const KEYS: [&str; 9] = [
+    "x",
+    "y",
+    "z",
+    "span",
+    "sweep",
+    "prebend",
+    "twist",
+    "offset_forward",
+    "offset_up",
+];
+
+/// Reads the line of a blade.
+pub(super) fn read(
+    root: &Table<'_>,
+    frame: Option<&Frame>,
+    sources: &Sources,
+) -> Option<ReferenceLine> {
+    let table = root.require_table("line", "the reference line")?;
+    let ways = ["length", "file", "arc", "span"];
+    let mut given: Vec<_> = ways.into_iter().filter(|way| table.has(way)).collect();
+    given.extend(AXES.into_iter().find(|axis| table.has(axis)));
+    let line = match given[..] {
+        ["length"] => straight(&table, frame),
+        ["arc"] => arcs(&table, frame),
+        ["file"] => {
+            let columns = Columns::read(&table, &KEYS.map(str::to_owned), sources);
+            let line = columns.as_ref().and_then(|columns| {
+                let lists = Lists::File(columns);
+                through(&table, &lists, frame)
+            });
+            if let Some(columns) = columns {
+                columns.finish(sources);
+            }
+            line
+        }
+        ["x" | "y" | "z" | "span"] => {
+            // All of them are known, whatever else is wrong.
+            for key in KEYS {
+                table.has(key);
+            }
+            through(&table, &Lists::InPlace(&table), frame)
+        }
+        [one, other, ..] => {
+            let problem = InputProblem::Both {
+                table: "[line]".to_owned(),
+                one: one.to_owned(),
+                other: other.to_owned(),
+            };
+            table.note(other, &problem);
+            None
+        }
+        _ => {
+            let problem = InputProblem::Neither {
+                table: "[line]".to_owned(),
+                known: vec![
+                    "\"length\" of a straight line",
+                    "points (\"x\", \"y\", \"z\", or \"span\")",
+                    "a \"file\" of points",
+                    "\"arc\"s",
+                ],
+            };
+            table.note("line", &problem);
+            None
+        }
+    };
+    table.finish();
+    line
+}
+
+/// A straight line of a given length; twist at its ends, or of the whole.
+fn straight(table: &Table<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
+    let length = table.require_positive("length", Dimension::LENGTH);
+    let twist = match table.has("twist") {
+        true => table.quantities("twist", Dimension::ANGLE),
+        false => Some(vec![0.0]),
+    };
+    let twist = match twist?[..] {
+        [both] => [both; 2],
+        [root, tip] => [root, tip],
+        ref list => {
+            let problem = InputProblem::Count {
+                key: "twist".to_owned(),
+                found: list.len(),
+                expected: "one angle, or those at root and tip",
+            };
+            table.note("twist", &problem);
+            return None;
+        }
+    };
+    let mut line = ReferenceLine::straight(length?);
+    for (point, twist) in line.points.iter_mut().zip(twist) {
+        point.twist = frame?.twist(twist);
+    }
+    Some(line)
+}
+
+/// Lists of a line: keys of the table, or columns of a file.
+enum Lists<'a> {
+    InPlace(&'a Table<'a>),
+    File(&'a Columns<'a>),
+}
+
+impl Lists<'_> {
+    fn has(&self, key: &str) -> bool {
+        match self {
+            Self::InPlace(table) => table.has(key),
+            Self::File(columns) => columns.has(key),
+        }
+    }
+
+    fn numbers(&self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vec<f64>> {
+        match self {
+            Self::InPlace(table) => table.quantities(key, dimension),
+            Self::File(columns) => {
+                let factor = table.document().factor(dimension);
+                columns.numbers(key, Measure { dimension, factor })
+            }
+        }
+    }
+
+    /// The numbers under `key`, as many as `count`; zeros without them.
+    fn of_points(
+        &self,
+        table: &Table<'_>,
+        key: &'static str,
+        dimension: Dimension,
+        first: (&'static str, usize),
+    ) -> Option<Vec<f64>> {
+        let (other, expected) = first;
+        if !self.has(key) {
+            return Some(vec![0.0; expected]);
+        }
+        let numbers = self.numbers(table, key, dimension)?;
+        let found = numbers.len();
+        if found != expected {
+            let problem = InputProblem::Lists {
+                key,
+                found,
+                other,
+                expected,
+            };
+            table.note(key, &problem);
+            return None;
+        }
+        Some(numbers)
+    }
+}
+
+/// A line through points: coordinates in the frame, or span, sweep and prebend.
+fn through(table: &Table<'_>, lists: &Lists<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
+    let course = {
+        let known = [Course::Polyline, Course::Spline];
+        let expected = "\"polyline\" or \"spline\": the course of the line between its points";
+        let word = table.require_text("course", expected);
+        let place = word.and_then(|_| table.word("course", &["polyline", "spline"]));
+        place.map(|place| known[place])
+    };
+    // In axes by their names, or in words; the first that is there counts the points.
+    let by_axes = AXES.iter().any(|axis| lists.has(axis));
+    let keys = if by_axes { AXES } else { WORDS };
+    let first = keys
+        .into_iter()
+        .find(|key| lists.has(key))
+        .unwrap_or(keys[0]);
+    let count = (first, lists.numbers(table, first, Dimension::LENGTH)?.len());
+    let [first, second, third] =
+        keys.map(|key| lists.of_points(table, key, Dimension::LENGTH, count));
+    let twist = lists.of_points(table, "twist", Dimension::ANGLE, count);
+    let offsets = ["offset_forward", "offset_up"]
+        .map(|key| lists.of_points(table, key, Dimension::LENGTH, count));
+    let (first, second, third) = (first?, second?, third?);
+    let (twist, frame) = (twist?, frame?);
+    let point = |i: usize| {
+        let position = match by_axes {
+            true => frame.vector([first[i], second[i], third[i]]),
+            // Sweep is positive aft.
+            false => Vector3::new(first[i], -second[i], third[i]),
+        };
+        LinePoint {
+            position,
+            twist: frame.twist(twist[i]),
+        }
+    };
+    let line = ReferenceLine::through((0..first.len()).map(point).collect(), course?);
+    let [forward, up] = offsets;
+    Some(displaced(line, &forward?, &up?))
+}
+
+/// The line beside `line`: each of its points moved in the section axes there.
+fn displaced(line: ReferenceLine, forward: &[f64], up: &[f64]) -> ReferenceLine {
+    let is_zero = |numbers: &[f64]| numbers.iter().all(|number| *number == 0.0);
+    if (is_zero(forward) && is_zero(up)) || !line.problems().is_empty() {
+        return line;
+    }
+    let curve = line.curve();
+    let places = curve.arc_lengths().iter();
+    let moved = places.zip(forward.iter().zip(up)).zip(&line.points);
+    let points = moved.map(|((&s, (&forward, &up)), point)| {
+        let axes = curve.at(s).axes;
+        LinePoint {
+            position: point.position + axes * Vector3::new(0.0, forward, up),
+            twist: point.twist,
+        }
+    });
+    ReferenceLine::through(points.collect(), line.course)
+}
+
+/// A line by its curvature: `[[line.arc]]`.
+fn arcs(table: &Table<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
+    let twist = match table.has("twist") {
+        true => table.quantity("twist", Dimension::ANGLE),
+        false => Some(0.0),
+    };
+    let tables = table.tables("arc");
+    let read = tables.iter().map(|arc| {
+        let length = arc.require_positive("length", Dimension::LENGTH);
+        let curvature = match arc.has("curvature") {
+            true => arc.vector("curvature", CURVATURE),
+            false => Some(Vector3::zeros()),
+        };
+        let rate = match arc.has("twist_rate") {
+            true => arc.quantity("twist_rate", TWIST_RATE),
+            false => Some(0.0),
+        };
+        arc.finish();
+        let curvature = frame?.vector(curvature?.into());
+        let rate = frame?.twist(rate?);
+        Some((length?, curvature + Vector3::new(rate, 0.0, 0.0)))
+    });
+    // Every arc is looked at, so that each wrong one is noted.
+    let read: Vec<_> = read.collect();
+    let arcs: Option<Vec<_>> = read.into_iter().collect();
+    let root = LinePoint {
+        position: Vector3::zeros(),
+        twist: frame?.twist(twist?),
+    };
+    Some(ReferenceLine::curved(root, &arcs?))
+}

@@ -1,0 +1,185 @@
+//! What can be wrong with a blade file that people write.
+
+use crate::error::{Explain, nearest_name};
+
+/// A problem of a blade file in TOML, or of a table that it names.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum InputProblem {
+    /// No frame.
+    #[error("the file declares no \"frame\": the axes in which its numbers stand")]
+    FrameUndeclared,
+    /// Axes by direction, and no order.
+    #[error("the file declares axes by their directions and no \"order\" of the six components")]
+    OrderUndeclared,
+    /// No reference point.
+    #[error("the file declares no \"reference_point\": the point about which K and M stand")]
+    PointUndeclared,
+    /// Directions that are no frame.
+    #[error("\"frame\" is [{}], expected three directions of a right-handed frame", .found.join(", "))]
+    Directions {
+        /// The words found.
+        found: Vec<String>,
+    },
+    /// Words that are no order.
+    #[error("\"order\" is [{}], expected each of Fx, Fy, Fz, Mx, My, Mz once", .found.join(", "))]
+    Order {
+        /// The words found.
+        found: Vec<String>,
+    },
+    /// Two ways to say one thing.
+    #[error("{table} has both \"{one}\" and \"{other}\", expected one of them")]
+    Both {
+        /// The table in words.
+        table: String,
+        /// A key.
+        one: String,
+        /// Another key.
+        other: String,
+    },
+    /// None of several ways.
+    #[error("{table} has neither {}", .known.join(" nor "))]
+    Neither {
+        /// The table in words.
+        table: String,
+        /// The ways, in words.
+        known: Vec<&'static str>,
+    },
+    /// Lists of different lengths.
+    #[error("\"{key}\" lists {found}, and \"{other}\" lists {expected}")]
+    Lists {
+        /// The key.
+        key: &'static str,
+        /// Its entries.
+        found: usize,
+        /// The key before.
+        other: &'static str,
+        /// Its entries.
+        expected: usize,
+    },
+    /// Another number of values.
+    #[error("\"{key}\" lists {found}, expected {expected}")]
+    Count {
+        /// The key.
+        key: String,
+        /// The number found.
+        found: usize,
+        /// What was expected, in words.
+        expected: &'static str,
+    },
+    /// A column that the table does not have.
+    #[error("{file} has no column \"{column}\"{purpose}")]
+    NoColumn {
+        /// The file with the table.
+        file: String,
+        /// The column.
+        column: String,
+        /// What it is for, in words.
+        purpose: String,
+        /// The columns that it has.
+        known: Vec<String>,
+    },
+    /// A table without rows.
+    #[error(
+        "the table has {found}, expected a line with the names of the columns and rows of numbers"
+    )]
+    NoRows {
+        /// What it has, in words.
+        found: &'static str,
+    },
+    /// A line with another number of columns.
+    #[error("the line has {found} columns, expected {expected} as the names of the columns")]
+    Columns {
+        /// Columns of the line.
+        found: usize,
+        /// Columns of the table.
+        expected: usize,
+    },
+    /// A line that cannot be read as part of a table.
+    #[error("the line cannot be read as part of a table: {reason}")]
+    Row {
+        /// The reader's words.
+        reason: String,
+    },
+    /// A cell that is no number.
+    #[error("column \"{column}\" has \"{found}\", expected a number")]
+    Cell {
+        /// The column.
+        column: String,
+        /// The cell.
+        found: String,
+    },
+    /// Further cells that are no numbers.
+    #[error("further cells of column \"{column}\" that are no numbers: {count}")]
+    MoreCells {
+        /// The column.
+        column: String,
+        /// Cells that are not told one by one.
+        count: usize,
+    },
+    /// A weight where a mass is expected.
+    #[error("\"{unit}\" measures a weight, expected a mass")]
+    Weight {
+        /// The unit.
+        unit: String,
+    },
+    /// Engineering properties in foreign axes.
+    #[error(
+        "{table} gives engineering properties (\"{key}\") in axes that are not those of Helicoid"
+    )]
+    EngineeringFrame {
+        /// The table in words.
+        table: String,
+        /// The first of the keys.
+        key: &'static str,
+    },
+    /// Damping in the sections and for the whole blade.
+    #[error("the file has [damping], and the property file \"{file}\" has damping of its own")]
+    TwoDampings {
+        /// The property file.
+        file: String,
+    },
+}
+
+impl Explain for InputProblem {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::FrameUndeclared => {
+                "frame = \"helicoid\" (x to the tip, y to the leading edge, z to the upper side), \
+                 \"beamdyn\" (x to the suction side, y to the trailing edge, z to the tip), \
+                 \"hawc2\" or \"anba4\" (x to the leading edge, y to the suction side, z to the \
+                 tip), \"vabs\" or \"sonata\" (as helicoid), or three directions such as \
+                 [\"upper\", \"trailing edge\", \"tip\"]"
+            }
+            Self::OrderUndeclared => {
+                "order = [\"Fx\", \"Fy\", \"Fz\", \"Mx\", \"My\", \"Mz\"] is the order of the \
+                 rows of K and M, by forces along and moments about these axes"
+            }
+            Self::PointUndeclared => {
+                "reference_point = \"line\" where K and M stand about the reference line, else \
+                 the point in section axes as two lengths from the line"
+            }
+            Self::Directions { .. } => {
+                "directions: \"tip\" or \"root\", \"leading edge\" or \"trailing edge\", \
+                 \"upper\" or \"lower\""
+            }
+            Self::NoColumn { column, known, .. } => {
+                let near = nearest_name(column, known.iter().map(String::as_str));
+                return Some(match near {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => format!("columns: {}", known.join(", ")),
+                });
+            }
+            Self::Columns { .. } => "the file may have been cut short",
+            Self::Weight { .. } => {
+                "a weight in lbf is a mass in lb, one in N is a mass in kg times 9.80665: divide \
+                 by it with factor = 0.10197162129779283 and unit = \"kg/m\""
+            }
+            Self::EngineeringFrame { .. } => {
+                "EIy, EIz and the centers belong to y and z of frame = \"helicoid\": declare it, \
+                 or give matrices"
+            }
+            _ => return None,
+        };
+        Some(help.to_owned())
+    }
+}

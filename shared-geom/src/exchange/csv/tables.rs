@@ -1,0 +1,296 @@
+//! The tables: points of the line, stations, names of section files.
+
+use std::path::Path;
+
+use nalgebra::{Matrix6, Vector3};
+
+use crate::blade::Station;
+use crate::document::read_text;
+use crate::error::{Diagnostics, nearest_name};
+use crate::exchange::frame::Convention;
+use crate::exchange::problem::{ExchangeProblem, Problems};
+use crate::exchange::text::{Line, from_upper, not_a_number, number};
+use crate::exchange::vabs;
+use crate::line::{Course, LinePoint, ReferenceLine};
+use crate::section;
+
+/// The tables of a file, as lines.
+#[derive(Debug, Default)]
+pub(super) struct Tables<'a> {
+    line: Vec<Line<'a>>,
+    stations: Option<Vec<Line<'a>>>,
+    sections: Option<Vec<Line<'a>>>,
+}
+
+const NAMES: [&str; 3] = ["line", "stations", "sections"];
+
+/// Names of the columns of stations.
+pub(super) fn station_columns() -> Vec<String> {
+    let pairs = || (1..=6).flat_map(|i| (i..=6).map(move |j| (i, j)));
+    let of = |letter: &'static str| pairs().map(move |(i, j)| format!("{letter}{i}{j}"));
+    std::iter::once("s".to_owned())
+        .chain(of("K"))
+        .chain(of("M"))
+        .collect()
+}
+
+impl<'a> Tables<'a> {
+    /// Takes the file apart; notes tables of other names.
+    pub fn parse(lines: &[Line<'a>], problems: &mut Problems) -> Self {
+        let mut tables = Self::default();
+        let mut into: Option<&mut Vec<Line<'a>>> = None;
+        for line in lines.iter().filter(|line| !line.text.starts_with('#')) {
+            if let Some(name) = line.text.strip_prefix("table,") {
+                into = match name.trim_matches([' ', ',']) {
+                    "line" => Some(&mut tables.line),
+                    "stations" => Some(tables.stations.insert(Vec::new())),
+                    "sections" => Some(tables.sections.insert(Vec::new())),
+                    other => {
+                        problems.push(line.number, &unknown_table(other));
+                        None
+                    }
+                };
+            } else if let Some(table) = &mut into {
+                table.push(*line);
+            }
+        }
+        tables
+    }
+
+    /// The line through its points.
+    pub fn line(&self, course: Course, problems: &mut Problems) -> Option<ReferenceLine> {
+        let names = ["x", "y", "z", "twist"].map(str::to_owned);
+        let rows = body(&self.line, "line", &names, problems)?;
+        let mut points: Vec<LinePoint> = Vec::new();
+        for (i, line) in rows.iter().enumerate() {
+            let Some([x, y, z, twist]) = line.numbers(&format!("point {}", i + 1), problems) else {
+                continue;
+            };
+            let position = Vector3::new(x, y, z);
+            let before = points.last().map(|point| point.position);
+            if let Some(before) = before
+                .filter(|before| *before == position || before.x >= x && course == Course::Spline)
+            {
+                let problem = ExchangeProblem::Other {
+                    what: format!("x of point {}", i + 1),
+                    found: x.to_string(),
+                    expected: format!("more than that of the point before, {}", before.x),
+                    help: "put the points in order from the root to the tip".to_owned(),
+                };
+                problems.push(line.number, &problem);
+            }
+            points.push(LinePoint { position, twist });
+        }
+        if rows.len() < 2 {
+            let problem = ExchangeProblem::CutShort {
+                what: format!("the table \"line\", which has {} points", rows.len()),
+                expected: "at least two points, root and tip".to_owned(),
+            };
+            problems.push(self.line.last().map_or(0, |line| line.number), &problem);
+        }
+        Some(ReferenceLine::through(points, course))
+    }
+
+    /// The stations, or those of the section files.
+    pub fn stations(
+        &self,
+        frame: Option<Convention>,
+        file: &Path,
+        problems: &mut Problems,
+        all: &mut Diagnostics,
+    ) -> Option<Vec<Station>> {
+        match (&self.stations, &self.sections) {
+            (Some(lines), None) => stations(lines, frame?, problems),
+            (None, Some(lines)) => sections(lines, frame?, file, problems, all),
+            (None, None) => {
+                problems.push(0, &no_stations());
+                None
+            }
+            (Some(_), Some(lines)) => {
+                let problem = ExchangeProblem::Other {
+                    what: "tables".to_owned(),
+                    found: "both \"stations\" and \"sections\"".to_owned(),
+                    expected: "one of them".to_owned(),
+                    help: "remove one".to_owned(),
+                };
+                problems.push(lines.first().map_or(0, |line| line.number), &problem);
+                None
+            }
+        }
+    }
+}
+
+fn unknown_table(name: &str) -> ExchangeProblem {
+    ExchangeProblem::Other {
+        what: "table".to_owned(),
+        found: format!("\"{name}\""),
+        expected: "\"line\", \"stations\" or \"sections\"".to_owned(),
+        help: nearest_name(name, NAMES).map_or_else(
+            || "remove it".to_owned(),
+            |name| format!("did you mean \"{name}\"?"),
+        ),
+    }
+}
+
+fn no_stations() -> ExchangeProblem {
+    ExchangeProblem::Missing {
+        what: "the table of stations".to_owned(),
+        help: "a line \"table,stations\" begins it, or \"table,sections\" for section files; is \
+               the file cut short?"
+            .to_owned(),
+    }
+}
+
+/// The lines below the names of the columns, which must be those expected.
+fn body<'t, 'a>(
+    lines: &'t [Line<'a>],
+    table: &str,
+    names: &[String],
+    problems: &mut Problems,
+) -> Option<&'t [Line<'a>]> {
+    let Some((head, rows)) = lines.split_first() else {
+        problems.push(
+            0,
+            &ExchangeProblem::Missing {
+                what: format!("the table \"{table}\""),
+                help: format!(
+                    "a line \"table,{table}\" begins it, then the names of its columns: {}",
+                    names.join(",")
+                ),
+            },
+        );
+        return None;
+    };
+    let found: Vec<_> = head.text.split(',').map(str::trim).collect();
+    if found != names {
+        let differs = found
+            .iter()
+            .zip(names)
+            .position(|(found, name)| found != name);
+        let place = differs.unwrap_or(found.len().min(names.len()));
+        problems.push(
+            head.number,
+            &ExchangeProblem::Other {
+                what: format!("columns of the table \"{table}\""),
+                found: format!(
+                    "{}, of which number {} is \"{}\"",
+                    found.len(),
+                    place + 1,
+                    found.get(place).unwrap_or(&"missing")
+                ),
+                expected: format!(
+                    "{}, with \"{}\" there",
+                    names.len(),
+                    names.get(place).map_or("none", String::as_str)
+                ),
+                help: format!("the columns are {}", names.join(",")),
+            },
+        );
+        return None;
+    }
+    Some(rows)
+}
+
+/// Notes a place before that of the station before.
+fn check_order(
+    place: f64,
+    line: &Line<'_>,
+    number: usize,
+    last: Option<&Station>,
+    problems: &mut Problems,
+) {
+    if let Some(before) = last
+        .map(|last| last.arc_length)
+        .filter(|&before| before > place)
+    {
+        let (what, found) = (format!("arc length s of station {number}"), place);
+        let problem = ExchangeProblem::Order {
+            what,
+            found,
+            before,
+        };
+        problems.push(line.number, &problem);
+    }
+}
+
+fn stations(
+    lines: &[Line<'_>],
+    frame: Convention,
+    problems: &mut Problems,
+) -> Option<Vec<Station>> {
+    let rows = body(lines, "stations", &station_columns(), problems)?;
+    let mut stations: Vec<Station> = Vec::new();
+    for (i, line) in rows.iter().enumerate() {
+        let Some(values) = line.numbers::<43>(&format!("station {}", i + 1), problems) else {
+            continue;
+        };
+        check_order(values[0], line, i + 1, stations.last(), problems);
+        stations.push(Station {
+            arc_length: values[0],
+            stiffness: frame.to_ours(&from_upper(&values[1..22])),
+            mass: frame.to_ours(&from_upper(&values[22..43])),
+        });
+    }
+    if rows.is_empty() {
+        problems.push(0, &no_stations());
+    }
+    Some(stations)
+}
+
+fn sections(
+    lines: &[Line<'_>],
+    frame: Convention,
+    file: &Path,
+    problems: &mut Problems,
+    all: &mut Diagnostics,
+) -> Option<Vec<Station>> {
+    let names = ["s", "file"].map(str::to_owned);
+    let rows = body(lines, "sections", &names, problems)?;
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let mut stations: Vec<Station> = Vec::new();
+    for (i, line) in rows.iter().enumerate() {
+        let Some((place, name)) = line.text.split_once(',') else {
+            let (what, expected, found) = (format!("section {}", i + 1), 2, 1);
+            let problem = ExchangeProblem::Count {
+                what,
+                expected,
+                found,
+            };
+            problems.push(line.number, &problem);
+            continue;
+        };
+        let Some(arc_length) = number(place.trim()) else {
+            problems.push(line.number, &not_a_number("arc length s", place.trim()));
+            continue;
+        };
+        check_order(arc_length, line, i + 1, stations.last(), problems);
+        let path = folder.join(name.trim().trim_matches('"'));
+        if let Some((stiffness, mass)) = all.keep(section_file(&path, frame)) {
+            stations.push(Station {
+                arc_length,
+                stiffness,
+                mass,
+            });
+        }
+    }
+    if rows.is_empty() {
+        problems.push(0, &no_stations());
+    }
+    Some(stations)
+}
+
+/// Stiffness and mass of a section file: VABS output, in the axes of the frame stated,
+/// or a property file of section-analyzer, which is in ours.
+fn section_file(
+    path: &Path,
+    frame: Convention,
+) -> Result<(Matrix6<f64>, Matrix6<f64>), Diagnostics> {
+    let text = read_text(path)?;
+    let shown = path.display().to_string();
+    if vabs::recognize(&text) {
+        let (stiffness, mass) = vabs::section(&text, &shown)?;
+        return Ok((frame.to_ours(&stiffness), frame.to_ours(&mass)));
+    }
+    let section = section::parse(&text, &shown)?;
+    Ok((section.stiffness, section.mass))
+}

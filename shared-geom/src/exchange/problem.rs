@@ -1,0 +1,190 @@
+//! What can be wrong with a file of another tool.
+
+use crate::error::{Diagnostics, Explain, Place};
+
+/// How many problems of one file are told; the others are counted.
+const LIMIT: usize = 20;
+
+/// A problem of a blade file.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ExchangeProblem {
+    /// A text of no known format.
+    #[error("the format of the file is not known: it begins with \"{begin}\", tried {}", tried.join(", "))]
+    Unknown {
+        /// Its first line that is not blank.
+        begin: String,
+        /// The formats that were tried.
+        tried: Vec<&'static str>,
+    },
+    /// A format that is only written.
+    #[error("{title}: this format is written, but cannot be read")]
+    NotRead {
+        /// The format.
+        title: &'static str,
+    },
+    /// A format that is only read.
+    #[error("{title}: this format is read, but cannot be written")]
+    NotWritten {
+        /// The format.
+        title: &'static str,
+    },
+    /// Another number of values on a line.
+    #[error("{what}: expected {expected} numbers, found {found}")]
+    Count {
+        /// What stands on the line.
+        what: String,
+        /// How many numbers are expected.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// A word in the place of a number.
+    #[error("{what}: expected a finite number, found \"{found}\"")]
+    NotANumber {
+        /// What the number is.
+        what: String,
+        /// The word.
+        found: String,
+    },
+    /// The end of the file before that of its content.
+    #[error("the file ends within {what}, expected {expected}")]
+    CutShort {
+        /// Where it ends.
+        what: String,
+        /// What should follow.
+        expected: String,
+    },
+    /// A value that does not follow the one before.
+    #[error("{what} is {found}, expected at least that of the station before, {before}")]
+    Order {
+        /// The value.
+        what: String,
+        /// As found.
+        found: f64,
+        /// That of the station before.
+        before: f64,
+    },
+    /// Anything else: what was found, what was expected, and the remedy.
+    #[error("{what}: found {found}, expected {expected}")]
+    Other {
+        /// What is wrong.
+        what: String,
+        /// As found.
+        found: String,
+        /// What is expected.
+        expected: String,
+        /// The remedy.
+        help: String,
+    },
+    /// Something that must be stated and is not.
+    #[error("{what} is missing")]
+    Missing {
+        /// What is missing.
+        what: String,
+        /// The remedy.
+        help: String,
+    },
+    /// More problems than are told.
+    #[error("and {0} more problems")]
+    More(usize),
+}
+
+impl ExchangeProblem {
+    /// That `text` is of no known format.
+    pub(super) fn unknown(text: &str, tried: Vec<&'static str>) -> Self {
+        let first = text.lines().map(str::trim).find(|line| !line.is_empty());
+        Self::Unknown {
+            begin: shortened(first.unwrap_or_default()),
+            tried,
+        }
+    }
+}
+
+impl Explain for ExchangeProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Unknown { .. } => Some(
+                "give a file of one of these formats, or describe the stations in a \
+                 NAME.blade.toml"
+                    .to_owned(),
+            ),
+            Self::CutShort { .. } => Some(
+                "the file may have been cut off while it was written or copied, or a count in \
+                 it is wrong"
+                    .to_owned(),
+            ),
+            Self::Count { .. } => {
+                Some("columns are separated by blanks; see the page on formats".to_owned())
+            }
+            Self::Order { .. } => {
+                Some("put the stations in order from the root to the tip".to_owned())
+            }
+            Self::Other { help, .. } | Self::Missing { help, .. } => Some(help.clone()),
+            _ => None,
+        }
+    }
+}
+
+/// The problems of one file, the first of many.
+#[derive(Debug)]
+pub(super) struct Problems {
+    file: String,
+    all: Diagnostics,
+    count: usize,
+}
+
+impl Problems {
+    /// None so far, of `file`.
+    pub(super) fn new(file: &str) -> Self {
+        Self {
+            file: file.to_owned(),
+            all: Diagnostics::new(),
+            count: 0,
+        }
+    }
+
+    /// Adds the problem of a line, counted from one; 0 for the whole file.
+    pub(super) fn push(&mut self, line: usize, problem: &ExchangeProblem) {
+        self.count += 1;
+        if self.count > LIMIT {
+            return;
+        }
+        let place = match line {
+            0 => Place::file(&self.file),
+            _ => Place::line(&self.file, line),
+        };
+        self.all.push(place, problem);
+    }
+
+    /// Whether there is none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// All of them, in the order of their lines.
+    pub(super) fn into_diagnostics(mut self) -> Diagnostics {
+        self.all.sort_by_line();
+        if self.count > LIMIT {
+            let more = ExchangeProblem::More(self.count - LIMIT);
+            self.all.push(Place::file(&self.file), &more);
+        }
+        self.all
+    }
+
+    /// The value, when there is one and no problem.
+    pub(super) fn finish<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
+        match value {
+            Some(value) if self.is_empty() => Ok(value),
+            _ => Err(self.into_diagnostics()),
+        }
+    }
+}
+
+/// The beginning of a text, for messages.
+pub(super) fn shortened(text: &str) -> String {
+    const LETTERS: usize = 40;
+    match text.char_indices().nth(LETTERS) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}

@@ -1,0 +1,247 @@
+//! What the readers say about files with problems.
+
+use std::path::Path;
+
+use super::samples::{blade, written};
+use super::{Format, Options, read_with};
+
+/// The messages for the files of the sample blade, of which that at `index` is changed.
+fn refused(format: Format, index: usize, change: impl Fn(&str) -> String) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let first = written(&blade(), format, folder.path());
+    let writing = super::write(&blade(), format, "sample").unwrap();
+    let (name, text) = &writing.files[index];
+    let changed = change(text);
+    assert_ne!(&changed, text, "the change changes something");
+    std::fs::write(folder.path().join(name), changed).unwrap();
+    let problems = read_with(&first, &Options::default()).unwrap_err();
+    let folder = format!("{}/", folder.path().display());
+    problems.to_string().replace(&folder, "")
+}
+
+fn assert_says(messages: &str, expected: &str) {
+    assert!(
+        messages.contains(expected),
+        "expected {expected:?} in:\n{messages}"
+    );
+}
+
+/// `text` with line `number` (from one) made by `change`.
+fn with_line(text: &str, number: usize, change: impl Fn(&str) -> String) -> String {
+    let lines = text.lines().enumerate();
+    let lines = lines.map(|(i, line)| {
+        if i + 1 == number {
+            change(line)
+        } else {
+            line.to_owned()
+        }
+    });
+    lines.collect::<Vec<_>>().join("\n") + "\n"
+}
+
+fn until(text: &str, lines: usize) -> String {
+    text.lines().take(lines).collect::<Vec<_>>().join("\n")
+}
+
+// The blade file has 13 lines of header, then 15 a station: eta, 6, blank, 6, blank.
+#[test]
+fn a_beamdyn_blade_file_cut_short_is_told_with_line_and_count() {
+    let messages = refused(Format::BeamDyn, 1, |text| until(text, 13 + 15 + 3));
+    assert_says(
+        &messages,
+        "sample_blade.dat:31: the file ends within the stiffness of station 2, after 2 of 6 rows, \
+         expected rows of six numbers",
+    );
+    assert_says(&messages, "help: the file may have been cut off");
+    let messages = refused(Format::BeamDyn, 1, |text| until(text, 13 + 2 * 15));
+    assert_says(
+        &messages,
+        "the file ends within the table of stations, after 2 of 5",
+    );
+}
+
+#[test]
+fn all_problems_of_a_beamdyn_blade_file_are_told_at_once() {
+    let messages = refused(Format::BeamDyn, 1, |text| {
+        let text = with_line(text, 15, |line| format!("{line} 1.0"));
+        let text = with_line(&text, 16, |_| "1 2 x 4 nan 6".to_owned());
+        with_line(&text, 44, |_| "0.01".to_owned())
+    });
+    for expected in [
+        "sample_blade.dat:15: stiffness of station 1, row 1: expected 6 numbers, found 7",
+        "sample_blade.dat:16: stiffness of station 1, row 2: expected a finite number, found \"x\"",
+        "sample_blade.dat:16: stiffness of station 1, row 2: expected a finite number, found \"nan\"",
+        "sample_blade.dat:44: place eta of station 3 is 0.01, expected at least that of the \
+         station before, 0.13",
+        "help: put the stations in order from the root to the tip",
+    ] {
+        assert_says(&messages, expected);
+    }
+}
+
+#[test]
+fn problems_of_both_beamdyn_files_are_told_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = written(&blade(), Format::BeamDyn, folder.path());
+    let primary = std::fs::read_to_string(&first).unwrap();
+    std::fs::write(
+        &first,
+        until(&primary, 25) + "\n\"sample_blade.dat\" BldFile\n",
+    )
+    .unwrap();
+    std::fs::write(folder.path().join("sample_blade.dat"), "x\n").unwrap();
+    let messages = read_with(&first, &Options::default())
+        .unwrap_err()
+        .to_string();
+    assert_says(&messages, "sample.inp");
+    assert_says(&messages, "key point");
+    assert_says(&messages, "the line of \"station_total\" is missing");
+    assert_says(&messages, "the line of \"damp_type\" is missing");
+}
+
+#[test]
+fn a_beamdyn_primary_with_points_out_of_order_or_without_blade_file_is_refused() {
+    let messages = refused(Format::BeamDyn, 0, |text| {
+        with_line(text, 27, |_| "0 0 1.0 0".to_owned())
+    });
+    assert_says(
+        &messages,
+        "sample.inp:27: kp_zr of key point 3: found 1, expected more than",
+    );
+    let messages = refused(Format::BeamDyn, 0, |text| text.replace("BldFile", "Other"));
+    assert_says(&messages, "the name of the blade file is missing");
+    let messages = refused(Format::BeamDyn, 0, |text| {
+        text.replace("sample_blade.dat", "nowhere.dat")
+    });
+    assert_says(&messages, "nowhere.dat");
+}
+
+#[test]
+fn a_matrix_that_is_not_symmetric_is_refused() {
+    let messages = refused(Format::BeamDyn, 1, |text| {
+        with_line(text, 15, |_| "1e9 5e8 0 0 0 0".to_owned())
+    });
+    assert_says(
+        &messages,
+        "sample_blade.dat:15: stiffness of station 1 at (1, 2) and (2, 1)",
+    );
+}
+
+#[test]
+fn a_dymore_table_with_other_columns_words_or_order_is_refused() {
+    let messages = refused(Format::Dymore, 0, |text| {
+        let text = with_line(text, 9, |line| format!("{line} 7"));
+        let text = with_line(&text, 10, |line| line.replacen('e', "x", 1));
+        with_line(&text, 11, |line| {
+            let mut words: Vec<_> = line.split_whitespace().collect();
+            words[28] = "-0.5";
+            words.join(" ")
+        })
+    });
+    assert_says(
+        &messages,
+        "sample.dym:9: station 2: expected 29 numbers, found 30",
+    );
+    assert_says(
+        &messages,
+        "sample.dym:10: station 3: expected a finite number, found",
+    );
+    assert_says(
+        &messages,
+        "sample.dym:11: eta of station 4 is -0.5, expected at least",
+    );
+    let messages = refused(Format::Dymore, 0, |text| {
+        text.replace("# line:", "# lines:")
+    });
+    assert_says(
+        &messages,
+        "the reference line of the blade (a DYMORE table has the matrices only)",
+    );
+    let messages = refused(Format::Dymore, 0, |text| until(text, 8));
+    assert_says(
+        &messages,
+        "the file ends within the table, which has 1 lines",
+    );
+}
+
+#[test]
+fn a_table_that_does_not_state_what_it_means_is_refused() {
+    for (key, shown) in [
+        ("units", "the statement of units is missing"),
+        ("frame", "the statement of frame is missing"),
+        ("order", "the statement of order is missing"),
+        (
+            "reference point",
+            "the statement of reference point is missing",
+        ),
+    ] {
+        let messages = refused(Format::Csv, 0, |text| {
+            let stays = |line: &&str| !line.starts_with(&format!("# {key}:"));
+            text.lines().filter(stays).collect::<Vec<_>>().join("\n")
+        });
+        assert_says(&messages, shown);
+        assert_says(&messages, &format!("such as \"# {key}:"));
+    }
+    let messages = refused(Format::Csv, 0, |text| {
+        text.replace("# frame: helicoid", "# frame: beamdin")
+    });
+    assert_says(&messages, "sample.csv:4: frame: found \"beamdin\"");
+    assert_says(&messages, "did you mean \"beamdyn\"?");
+    let messages = refused(Format::Csv, 0, |text| {
+        text.replace("# units: SI", "# units: US")
+    });
+    assert_says(&messages, "units: found \"US\", expected \"SI\"");
+}
+
+#[test]
+fn a_table_with_other_columns_or_order_is_refused() {
+    let messages = refused(Format::Csv, 0, |text| text.replace("K12,K13", "K13,K12"));
+    assert_says(
+        &messages,
+        "43, of which number 3 is \"K13\", expected 43, with \"K12\" there",
+    );
+    let messages = refused(Format::Csv, 0, |text| {
+        let rows = text.lines().count();
+        with_line(text, rows, |line| {
+            format!("1.02{}", line.trim_start_matches(|letter| letter != ','))
+        })
+    });
+    assert_says(&messages, "arc length s of station 5 is 1.02");
+    let messages = refused(Format::Csv, 0, |text| {
+        text.replace("table,stations", "table,station")
+    });
+    assert_says(&messages, "did you mean \"stations\"?");
+}
+
+#[test]
+fn a_vabs_output_cut_short_or_without_timoshenko_model_is_refused() {
+    let messages = refused(Format::Vabs, 2, |text| {
+        text.replace("Timoshenko Stiffness", "Classical Stiffness")
+    });
+    assert_says(
+        &messages,
+        "the block \"Timoshenko Stiffness Matrix\" is missing",
+    );
+    assert_says(&messages, "timoshenko flag 1");
+    let messages = refused(Format::Vabs, 3, |text| until(text, 14));
+    assert_says(
+        &messages,
+        "sample.003.K:14: the file ends within the block \"The 6X6 Mass Matrix\"",
+    );
+}
+
+#[test]
+fn a_file_of_no_known_format_is_told_what_was_tried() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("notes.txt");
+    std::fs::write(&path, "\n dear colleague\n").unwrap();
+    let messages = read_with(&path, &Options::default())
+        .unwrap_err()
+        .to_string();
+    assert_says(
+        &messages,
+        "it begins with \"dear colleague\", tried Helicoid blade file",
+    );
+    assert_says(&messages, "BeamDyn (OpenFAST) blade");
+    assert!(read_with(Path::new("/no/such/file"), &Options::default()).is_err());
+}

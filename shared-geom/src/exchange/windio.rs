@@ -1,0 +1,93 @@
+//! Blades of windIO turbine files, versions 1 and 2: the 6x6 matrices along the
+//! reference axis.
+//!
+//! Both versions are numerically in the axes and order of BeamDyn, whatever the prose of
+//! the schema says of x, y and K44: the converter between the versions, the one to
+//! BeamDyn and the files of the reference turbines agree on that. Places are parts of
+//! the length of the reference axis. The twist of windIO is that of BeamDyn: positive
+//! nose down.
+//!
+//! | | version 1 | version 2 |
+//! |---|---|---|
+//! | under `components.blade` | `elastic_properties_mb.six_x_six` | `structure.elastic_properties` |
+//! | stiffness | `stiff_matrix.values`: upper triangles | `stiffness_matrix`: K11 to K66 |
+//! | mass | `inertia_matrix.values`: upper triangles | mass, cm_x, cm_y, i_edge, i_flap, i_plr, i_cp |
+//! | axis | `reference_axis` there | `reference_axis` of the blade |
+//! | twist | `twist` there [rad] | `outer_shape.twist` [deg] |
+//! | damping | none | `structural_damping.mu` [s] |
+
+use std::path::Path;
+
+use super::problem::Problems;
+use super::{Options, Reading, Writing};
+use crate::blade::Blade;
+use crate::error::Diagnostics;
+
+mod assemble;
+mod fields;
+mod mass;
+mod version1;
+mod version2;
+mod write;
+mod yaml;
+
+#[cfg(test)]
+mod tests;
+
+/// Where the matrices of version 1 stand.
+const VERSION_1: [&str; 3] = ["components", "blade", "elastic_properties_mb"];
+
+/// Whether `text` is a turbine file of windIO with a blade.
+pub(super) fn recognize(text: &str) -> bool {
+    let key = |line: &str, name: &str| line.trim_start().starts_with(name);
+    let has = |name: &str| text.lines().any(|line| key(line, name));
+    let marked = has("windIO_version") || has("elastic_properties") || has("outer_shape");
+    has("components:") && has("blade:") && marked
+}
+
+/// Whether `text` is of version 1.
+pub(super) fn is_version_1(text: &str) -> bool {
+    let begins = |name: &str| text.lines().any(|line| line.trim_start().starts_with(name));
+    recognize(text) && (begins("elastic_properties_mb") || begins("outer_shape_bem"))
+}
+
+/// Whether `text` is of version 2.
+pub(super) fn is_version_2(text: &str) -> bool {
+    recognize(text) && !is_version_1(text)
+}
+
+/// Reads the blade of a turbine file of either version.
+///
+/// # Errors
+/// Everything that is wrong with what is needed of the file.
+pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics> {
+    let mut problems = Problems::new(&file.display().to_string());
+    let root = match yaml::parse(text) {
+        Ok(root) => root,
+        Err((line, problem)) => {
+            problems.push(line, &problem);
+            return Err(problems.into_diagnostics());
+        }
+    };
+    let tables = if root.path(&VERSION_1).is_some() || is_version_1(text) {
+        version1::tables(&root, &mut problems)
+    } else {
+        version2::tables(&root, &mut problems)
+    };
+    let name = root.entry("name").and_then(yaml::Node::text);
+    let reading = tables.map(|tables| {
+        let name = name.unwrap_or("blade").to_owned();
+        assemble::reading(tables, name, text)
+    });
+    problems.finish(reading)
+}
+
+/// The blade as a file of version 1.
+pub(super) fn write_version_1(blade: &Blade, name: &str) -> Writing {
+    write::version_1(blade, name)
+}
+
+/// The blade as a file of version 2.
+pub(super) fn write_version_2(blade: &Blade, name: &str) -> Writing {
+    write::version_2(blade, name)
+}

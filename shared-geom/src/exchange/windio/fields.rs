@@ -1,0 +1,174 @@
+//! Fields of a windIO file: tables on a grid, and what is wrong with them.
+
+use super::super::problem::{ExchangeProblem, Problems};
+use super::super::text::{not_a_number, number};
+use super::yaml::{Node, Value};
+use crate::error::nearest_name;
+
+/// Grid places that differ by less are one [-].
+pub(super) const SAME: f64 = 1e-12;
+
+/// Values on a grid of parts of the length.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Column {
+    pub grid: Vec<f64>,
+    pub values: Vec<f64>,
+}
+
+impl Column {
+    /// The value at `part`, straight between the places of the grid.
+    pub fn at(&self, part: f64) -> f64 {
+        let (i, v) = interval(&self.grid, part);
+        let next = self.values.get(i + 1).copied();
+        let value = self.values.get(i).copied().unwrap_or(0.0);
+        match next {
+            // Values at the places of the grid are those of the file, to the digit.
+            Some(next) if v >= 1.0 => next,
+            Some(next) if v > 0.0 => value + v * (next - value),
+            _ => value,
+        }
+    }
+}
+
+/// The interval of `grid` in which `part` lies, and where in it (0 to 1).
+pub(super) fn interval(grid: &[f64], part: f64) -> (usize, f64) {
+    let last = grid.len().saturating_sub(2);
+    let behind = grid.iter().position(|&place| place > part);
+    let i = behind
+        .map_or(last, |behind| behind.saturating_sub(1))
+        .min(last);
+    let (Some(&from), Some(&to)) = (grid.get(i), grid.get(i + 1)) else {
+        return (i, 0.0);
+    };
+    let v = if to > from {
+        (part - from) / (to - from)
+    } else {
+        1.0
+    };
+    (i, v.clamp(0.0, 1.0))
+}
+
+/// The value of `key` in the table `node`, which is called `parent`; notes that it is
+/// missing, with the nearest key there is.
+pub(super) fn required<'n>(
+    node: &'n Node,
+    parent: &str,
+    key: &str,
+    problems: &mut Problems,
+) -> Option<&'n Node> {
+    let found = node.entry(key);
+    if found.is_none() {
+        let keys = node.keys();
+        let help = match nearest_name(key, keys.iter().copied()) {
+            Some(near) => format!("did you mean \"{near}\" to be \"{key}\"?"),
+            None if keys.is_empty() => format!("{parent} is {}", node.kind()),
+            None => format!("there are {}", keys.join(", ")),
+        };
+        let what = format!("key \"{key}\" of {parent}");
+        problems.push(node.line, &ExchangeProblem::Missing { what, help });
+    }
+    found
+}
+
+/// The numbers of a list; notes what is no number.
+pub(super) fn numbers(node: &Node, what: &str, problems: &mut Problems) -> Option<Vec<f64>> {
+    let Value::List(items) = &node.value else {
+        problems.push(node.line, &not_a_list(node, what));
+        return None;
+    };
+    let value = |item: &std::rc::Rc<Node>| {
+        let value = item.text().and_then(number);
+        if value.is_none() {
+            let found = item.text().map_or_else(|| item.kind(), str::to_owned);
+            problems.push(item.line, &not_a_number(what, &found));
+        }
+        value
+    };
+    // All are looked at, so that all problems are told.
+    let values: Vec<_> = items.iter().map(value).collect();
+    values.into_iter().collect()
+}
+
+/// That `node` is no list.
+pub(super) fn not_a_list(node: &Node, what: &str) -> ExchangeProblem {
+    ExchangeProblem::Other {
+        what: what.to_owned(),
+        found: node.kind(),
+        expected: "a list of numbers".to_owned(),
+        help: "write [0.0, 0.5, 1.0]".to_owned(),
+    }
+}
+
+/// The grid of the table `node`: growing parts of the length.
+pub(super) fn grid(node: &Node, what: &str, problems: &mut Problems) -> Option<Vec<f64>> {
+    let at = required(node, what, "grid", problems)?;
+    let of_grid = format!("grid of {what}");
+    let grid = numbers(at, &of_grid, problems)?;
+    let bad = |found: String, expected: &str| ExchangeProblem::Other {
+        what: of_grid.clone(),
+        found,
+        expected: expected.to_owned(),
+        help: "the grid runs from 0 (root) to 1 (tip) along the reference axis".to_owned(),
+    };
+    if grid.len() < 2 {
+        let found = format!("{} places", grid.len());
+        problems.push(at.line, &bad(found, "at least two places"));
+        return None;
+    }
+    let outside = grid
+        .iter()
+        .find(|&&place| !(-SAME..=1.0 + SAME).contains(&place));
+    if let Some(place) = outside {
+        problems.push(at.line, &bad(place.to_string(), "places from 0 to 1"));
+        return None;
+    }
+    if let Some(two) = grid.windows(2).find(|two| two[1] <= two[0]) {
+        let found = format!("{} behind {}", two[1], two[0]);
+        problems.push(at.line, &bad(found, "places that grow"));
+        return None;
+    }
+    Some(grid)
+}
+
+/// A table with `grid` and `values` of equal length.
+pub(super) fn column(node: &Node, what: &str, problems: &mut Problems) -> Option<Column> {
+    let grid = grid(node, what, problems);
+    let at = required(node, what, "values", problems)?;
+    let values = numbers(at, &format!("values of {what}"), problems)?;
+    let grid = grid?;
+    same_length(at.line, what, &grid, values.len(), problems)?;
+    Some(Column { grid, values })
+}
+
+/// Notes another number of values than places of the grid.
+pub(super) fn same_length(
+    line: usize,
+    what: &str,
+    grid: &[f64],
+    found: usize,
+    problems: &mut Problems,
+) -> Option<()> {
+    if grid.len() == found {
+        return Some(());
+    }
+    problems.push(
+        line,
+        &ExchangeProblem::Other {
+            what: what.to_owned(),
+            found: format!("{found} values"),
+            expected: format!("{}, as many as its grid has places", grid.len()),
+            help: "the file may have been cut off, or a line of numbers is not complete".to_owned(),
+        },
+    );
+    None
+}
+
+/// The columns x, y and z of a reference axis.
+pub(super) fn axis(node: &Node, problems: &mut Problems) -> Option<[Column; 3]> {
+    let columns = ["x", "y", "z"].map(|key| {
+        let at = required(node, "reference_axis", key, problems)?;
+        column(at, &format!("reference_axis.{key}"), problems)
+    });
+    let [x, y, z] = columns;
+    Some([x?, y?, z?])
+}
