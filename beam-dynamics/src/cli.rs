@@ -16,6 +16,7 @@ mod arguments;
 mod blade_options;
 mod convert;
 mod describe;
+mod statics;
 mod terminal;
 
 use arguments::{Arguments, Command};
@@ -92,8 +93,17 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         }
     };
     match arguments.command {
-        Command::Modes { files, out, blade } => {
-            modes_of_files(&files, out.as_deref(), &blade, terminal)
+        Command::Modes {
+            files,
+            out,
+            vtu,
+            blade,
+        } => modes_of_files(&files, out.as_deref(), (&blade, vtu), terminal),
+        Command::Static { files, out } => {
+            statics::static_of_files(&files, out.as_deref(), terminal)
+        }
+        Command::Buckling { files, out } => {
+            statics::buckling_of_files(&files, out.as_deref(), terminal)
         }
         Command::Check { files } => check_files(&files, terminal),
         Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
@@ -159,18 +169,13 @@ impl Explain for NotABlade {
     }
 }
 
-fn modes_of_files(
+/// Places of the results, each of its own, and the inputs; tells what is wrong.
+fn read_with_places(
     files: &[PathBuf],
     out: Option<&Path>,
     options: &BladeOptions,
     terminal: &mut Terminal<'_>,
-) -> u8 {
-    let dynamics = files.iter().find(|file| !input::is_blade_file(file));
-    if let (Some(file), Some(option)) = (dynamics, options.given()) {
-        let file = file.display().to_string();
-        terminal.tell(&NotABlade { file, option });
-        return WRONG_INPUT;
-    }
+) -> Option<(Vec<Input>, Vec<(PathBuf, String)>)> {
     let places: Vec<_> = files.iter().map(|file| place(file, out)).collect();
     for (i, target) in places.iter().enumerate() {
         if let Some(first) = places[..i].iter().position(|other| other == target) {
@@ -185,16 +190,38 @@ fn modes_of_files(
                 second,
                 target,
             });
-            return WRONG_INPUT;
+            return None;
         }
     }
-    let Some(inputs) = read(files, options, terminal) else {
+    Some((read(files, options, terminal)?, places))
+}
+
+fn modes_of_files(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    (options, animate): (&BladeOptions, bool),
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let dynamics = files.iter().find(|file| !input::is_blade_file(file));
+    if let (Some(file), Some(option)) = (dynamics, options.given()) {
+        let file = file.display().to_string();
+        terminal.tell(&NotABlade { file, option });
+        return WRONG_INPUT;
+    }
+    let Some((inputs, places)) = read_with_places(files, out, options, terminal) else {
         return WRONG_INPUT;
     };
     let mut questions = Vec::with_capacity(inputs.len());
     for (file, input) in files.iter().zip(&inputs) {
         match &input.modes {
-            Some(question) => questions.push((input, question)),
+            Some(question) => {
+                let mut question = question.clone();
+                question.animate |= animate;
+                if question.shapes.is_empty() {
+                    question.shapes = question.ends();
+                }
+                questions.push((input, question));
+            }
             None => terminal.tell(&NotAsked {
                 file: file.display().to_string(),
                 table: "modes",
@@ -210,7 +237,7 @@ fn modes_of_files(
             if number > 0 {
                 terminal.show("\n\n");
             }
-            modes_of(input, question, place, terminal)
+            modes_of(input, &question, place, terminal)
         },
     );
     codes.max().unwrap_or(DONE)
@@ -238,7 +265,11 @@ fn modes_of(
     if let Some(failure) = &outcome.failure {
         table.remarks.push(format!("stopped early: {failure}"));
     }
-    let written = output::write(&table, &input.measured, folder, name);
+    let written = output::write(&table, &input.measured, folder, name).and_then(|mut written| {
+        let shapes = output::write_shapes(&input.model, &table, question.animate, folder, name)?;
+        written.files.extend(shapes.files);
+        Ok(written)
+    });
     terminal.show(&output::result_text(&table, &input.measured));
     let mut code = DONE;
     if let Some(failure) = &outcome.failure {

@@ -11,7 +11,7 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 
 use crate::assembly::mechanism;
-use crate::case::{Model, ModesQuestion};
+use crate::case::{BucklingQuestion, Model, ModesQuestion, StaticQuestion};
 use crate::result::Measured;
 
 mod along;
@@ -27,6 +27,7 @@ mod hub;
 mod hub_support;
 mod in_place;
 mod joints;
+mod loads;
 mod measured;
 mod modal_damping;
 mod naming;
@@ -34,6 +35,7 @@ mod nodes;
 mod number;
 mod problem;
 mod properties;
+mod questions;
 mod shapes;
 mod speeds;
 mod springs;
@@ -46,11 +48,13 @@ mod tests;
 
 pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
+pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
 pub use summary::Summary;
 
 use draft::Draft;
+use questions::Questions;
 
 /// Ending of the names of dynamics inputs.
 pub const ENDING: &str = ".dynamics.toml";
@@ -62,8 +66,14 @@ pub struct Input {
     pub model: Model,
     /// What is asked about modes; `None` without `[modes]`.
     pub modes: Option<ModesQuestion>,
+    /// What is asked about equilibria under loads; `None` without `[static]`.
+    pub statics: Option<StaticQuestion>,
+    /// What is asked about critical loads; `None` without `[buckling]`.
+    pub buckling: Option<BucklingQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
+    /// Names of the hinges that nothing but motion and loads holds.
+    pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
     /// What the reader must know of the files: defaults that were taken, plausibility.
@@ -92,6 +102,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
         problems.push(Place::file(file), found);
     }
     input.remarks.extend(free_hinges(&mobility.free_hinges));
+    input.free_hinges = mobility.free_hinges;
     problems.into_result(input)
 }
 
@@ -135,32 +146,33 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     joints::read_hinges(&root, &mut draft);
     joints::read_rigid(&root, &mut draft);
     springs::read(&root, &mut draft);
-    let question = match root.has("modes") {
-        true => speeds::read(&root).map(Some),
-        false => Some(None),
-    };
+    loads::read(&root, &mut draft);
+    let gravity = loads::gravity(&root);
+    let questions = questions::read(&root);
     let measured = measured::read(&root);
     root.finish();
 
     draft.check(&root);
-    finish(name, draft, question?, measured?)
+    let (gravity, questions) = (gravity?, questions?);
+    questions.check(&root, &gravity, &draft.hub()?.spin());
+    let mut input = finish(name, draft, questions, measured?)?;
+    input.model.gravity = gravity;
+    Some(input)
 }
 
 /// The input as a value, when the model is complete.
-fn finish(
-    name: String,
-    draft: Draft,
-    modes: Option<ModesQuestion>,
-    measured: Measured,
-) -> Option<Input> {
-    let summary = draft.summary(modes.as_ref(), &measured);
+fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) -> Option<Input> {
+    let summary = draft.summary(questions.modes.as_ref(), &measured);
     let remarks = draft.remarks().to_vec();
     let spin = draft.hub()?.spin();
     let model = draft.model(name, spin)?;
     Some(Input {
         model,
-        modes,
+        modes: questions.modes,
+        statics: questions.statics,
+        buckling: questions.buckling,
         measured,
+        free_hinges: Vec::new(),
         summary,
         remarks,
     })

@@ -23,6 +23,9 @@ pub(super) struct BladeOptions {
     /// Number of modes to report at each speed
     #[arg(long, value_name = "N")]
     count: Option<usize>,
+    /// Length in m of a straight blade, for files of sections without a line
+    #[arg(long, value_parser = finite, value_name = "M")]
+    length: Option<f64>,
     /// Distance in m of the root from the axis of rotation, along the blade; 0 if not given
     #[arg(long, value_parser = finite, value_name = "M")]
     hub_radius: Option<f64>,
@@ -57,6 +60,7 @@ impl BladeOptions {
         let given = [
             (self.speeds.is_some(), "--speeds"),
             (self.count.is_some(), "--count"),
+            (self.length.is_some(), "--length"),
             (self.hub_radius.is_some(), "--hub-radius"),
             (self.root.is_some(), "--root"),
             (self.precone.is_some(), "--precone"),
@@ -74,6 +78,7 @@ impl BladeOptions {
             speeds_rpm: self.speeds.clone().unwrap_or(default.speeds_rpm),
             count: self.count,
             elements: self.elements,
+            length: self.length,
             hub_radius: self.hub_radius.unwrap_or(default.hub_radius),
             precone_deg: self.precone.unwrap_or(default.precone_deg),
             pitch_deg: self.pitch.unwrap_or(default.pitch_deg),

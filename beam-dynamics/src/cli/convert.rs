@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use shared_geom::error::{Explain, nearest_name};
 use shared_geom::exchange::{self, ExchangeProblem, Format, Options, Reading};
-use shared_geom::files::{make_folder, write_text};
+use shared_geom::files::{make_folder, read_bytes, write_text};
 use shared_geom::hash::sha256_of_content;
 
 use crate::output::list;
@@ -79,9 +79,7 @@ pub(super) fn convert(
             return WRONG_INPUT;
         }
     };
-    if let Ok(bytes) = shared_geom::files::read_bytes(from) {
-        stamp(&mut reading, &bytes);
-    }
+    stamp(&mut reading, from);
     let name = name_of(to);
     let writing = match exchange::write(&reading.blade, format, &name) {
         Ok(writing) => writing,
@@ -123,12 +121,16 @@ pub(super) fn convert(
     write_files(&files, terminal)
 }
 
-/// States who wrote the blade, from what.
-fn stamp(reading: &mut Reading, source: &[u8]) {
+/// States who wrote the blade, from what: readers of foreign files give the hash of all
+/// that they have read, a blade file of our own that of what it was made from.
+fn stamp(reading: &mut Reading, source: &Path) {
     let provenance = &mut reading.blade.provenance;
+    let own = provenance.program == env!("CARGO_PKG_NAME") || provenance.input_hash.is_empty();
+    if let Some(bytes) = read_bytes(source).ok().filter(|_| own) {
+        provenance.input_hash = sha256_of_content(&bytes);
+    }
     provenance.program = env!("CARGO_PKG_NAME").to_owned();
     provenance.version = env!("CARGO_PKG_VERSION").to_owned();
-    provenance.input_hash = sha256_of_content(source);
 }
 
 fn format_of(to: &Path, format: Option<&str>) -> Result<Format, ConvertProblem> {

@@ -24,6 +24,8 @@ pub struct BladeQuestion {
     pub count: Option<usize>,
     /// Number of elements; `None` for element ends at the stations.
     pub elements: Option<usize>,
+    /// Length of a straight blade, for files of sections without a line \[m\].
+    pub length: Option<f64>,
     /// Distance of the root from the axis, along the blade \[m\].
     pub hub_radius: f64,
     /// Precone, positive up \[deg\].
@@ -43,6 +45,7 @@ impl Default for BladeQuestion {
             speeds_rpm: vec![0.0],
             count: None,
             elements: None,
+            length: None,
             hub_radius: 0.0,
             precone_deg: 0.0,
             pitch_deg: 0.0,
@@ -69,6 +72,9 @@ impl BladeQuestion {
                 // A string takes all that is written to it.
                 let _ = writeln!(text, "{key} = {number}");
             }
+        }
+        if let Some(length) = self.length {
+            let _ = writeln!(text, "length = {length:e}");
         }
         if self.is_hinged {
             text += "hinges = [{ kind = \"flap\" }, { kind = \"lag\" }]\n";

@@ -179,11 +179,11 @@ Remarks
         }
         let text = frequency_text(&table);
         let expected = "\
-rotor speed [rpm]         0                   600
-mode                     Hz  /rev      %       Hz   /rev      %
-flap 1                1.400     -  0.000   12.500  1.250  1.230
-lag 1                22.250     -  0.000   23.333  2.333  0.000
-torsion 1                 -     -      -   99.500  9.950  0.000
+rotor speed [rpm]         0                    600
+mode                     Hz  /rev      %        Hz   /rev      %
+flap 1                1.400     -  0.000    12.500  1.250  1.230
+lag 1                22.250     -  0.000    23.333  2.333  0.000
+torsion 1                 -     -      -    99.500  9.950  0.000
 ";
         assert!(text.contains(expected), "{text}");
         assert!(convention(&table).contains("damping ratio"));

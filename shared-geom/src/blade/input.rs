@@ -229,4 +229,6 @@ fn check(blade: &Blade, places: &[Place], file: &str) -> Result<(), Diagnostics>
 }
 
 #[cfg(test)]
+mod bad_tests;
+#[cfg(test)]
 mod tests;

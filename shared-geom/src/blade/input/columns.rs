@@ -218,26 +218,15 @@ fn is_weight(text: &str, mass: Dimension) -> bool {
 
 /// Line of the names, names, and rows of the text of a table.
 fn rows(text: &str, file: &str) -> Result<(usize, Vec<String>, Vec<Row>), Diagnostics> {
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
     let mut problems = Diagnostics::new();
     let mut rows = Vec::new();
-    for record in reader.records() {
-        match record {
-            Ok(record) => {
-                let line = record.position().map_or(1, csv::Position::line);
-                rows.push(Row {
-                    line: usize::try_from(line).unwrap_or(1),
-                    cells: record.iter().map(str::to_owned).collect(),
-                });
-            }
-            Err(error) => {
-                let reason = error.to_string();
-                problems.push(Place::file(file), &InputProblem::Row { reason });
+    let lines = text.lines().enumerate();
+    let written = |line: &str| !(line.is_empty() || line.starts_with('#'));
+    for (i, text) in lines.filter(|(_, line)| written(line.trim_start())) {
+        match cells(text) {
+            Ok(cells) => rows.push(Row { line: i + 1, cells }),
+            Err(reason) => {
+                problems.push(Place::line(file, i + 1), &InputProblem::Row { reason });
             }
         }
     }
@@ -262,4 +251,18 @@ fn rows(text: &str, file: &str) -> Result<(usize, Vec<String>, Vec<Row>), Diagno
         problems.push(Place::line(file, row.line), &problem);
     }
     problems.into_result((names.line, names.cells, rows))
+}
+
+/// The cells of one line: read alone, so that its number is known.
+fn cells(line: &str) -> Result<Vec<String>, String> {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .trim(csv::Trim::All)
+        .from_reader(line.as_bytes());
+    let record = reader.records().next();
+    match record {
+        Some(Ok(record)) => Ok(record.iter().map(str::to_owned).collect()),
+        Some(Err(error)) => Err(error.to_string()),
+        None => Ok(Vec::new()),
+    }
 }

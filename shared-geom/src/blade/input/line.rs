@@ -25,6 +25,10 @@ const TWIST_RATE: Dimension = Dimension {
     angle: 1,
 };
 
+/// Keys of the coordinates of points in the axes of the frame.
+const AXES: [&str; 3] = ["x", "y", "z"];
+/// The same in words.
+const WORDS: [&str; 3] = ["span", "sweep", "prebend"];
 /// Keys of lists of points.
 const KEYS: [&str; 9] = [
     "x",
@@ -45,8 +49,9 @@ pub(super) fn read(
     sources: &Sources,
 ) -> Option<ReferenceLine> {
     let table = root.require_table("line", "the reference line")?;
-    let ways = ["length", "file", "arc", "x", "span"];
-    let given: Vec<_> = ways.into_iter().filter(|way| table.has(way)).collect();
+    let ways = ["length", "file", "arc", "span"];
+    let mut given: Vec<_> = ways.into_iter().filter(|way| table.has(way)).collect();
+    given.extend(AXES.into_iter().find(|axis| table.has(axis)));
     let line = match given[..] {
         ["length"] => straight(&table, frame),
         ["arc"] => arcs(&table, frame),
@@ -61,7 +66,7 @@ pub(super) fn read(
             }
             line
         }
-        ["x"] | ["span"] => {
+        ["x" | "y" | "z" | "span"] => {
             // All of them are known, whatever else is wrong.
             for key in KEYS {
                 table.has(key);
@@ -82,7 +87,7 @@ pub(super) fn read(
                 table: "[line]".to_owned(),
                 known: vec![
                     "\"length\" of a straight line",
-                    "points (\"x\" or \"span\")",
+                    "points (\"x\", \"y\", \"z\", or \"span\")",
                     "a \"file\" of points",
                     "\"arc\"s",
                 ],
@@ -183,20 +188,21 @@ fn through(table: &Table<'_>, lists: &Lists<'_>, frame: Option<&Frame>) -> Optio
         let place = word.and_then(|_| table.word("course", &["polyline", "spline"]));
         place.map(|place| known[place])
     };
-    // In axes by their names, or in words.
-    let by_axes = lists.has("x");
-    let keys = match by_axes {
-        true => ["x", "y", "z"],
-        false => ["span", "sweep", "prebend"],
-    };
-    let first = lists.numbers(table, keys[0], Dimension::LENGTH)?;
-    let count = (keys[0], first.len());
-    let [second, third] =
-        [keys[1], keys[2]].map(|key| lists.of_points(table, key, Dimension::LENGTH, count));
+    // In axes by their names, or in words; the first that is there counts the points.
+    let by_axes = AXES.iter().any(|axis| lists.has(axis));
+    let keys = if by_axes { AXES } else { WORDS };
+    let first = keys
+        .into_iter()
+        .find(|key| lists.has(key))
+        .unwrap_or(keys[0]);
+    let count = (first, lists.numbers(table, first, Dimension::LENGTH)?.len());
+    let [first, second, third] =
+        keys.map(|key| lists.of_points(table, key, Dimension::LENGTH, count));
     let twist = lists.of_points(table, "twist", Dimension::ANGLE, count);
     let offsets = ["offset_forward", "offset_up"]
         .map(|key| lists.of_points(table, key, Dimension::LENGTH, count));
-    let (second, third, twist, frame) = (second?, third?, twist?, frame?);
+    let (first, second, third) = (first?, second?, third?);
+    let (twist, frame) = (twist?, frame?);
     let point = |i: usize| {
         let position = match by_axes {
             true => frame.vector([first[i], second[i], third[i]]),
