@@ -3,6 +3,8 @@
 // A test that cannot go on panics.
 #![allow(clippy::unwrap_used)]
 
+mod exchange;
+
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
