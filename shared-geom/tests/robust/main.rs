@@ -9,6 +9,7 @@
     reason = "tests of this suite read their own seeds"
 )]
 
+mod blade_files;
 mod mesh_files;
 mod mutation;
 mod property_files;
