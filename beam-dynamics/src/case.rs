@@ -87,6 +87,37 @@ impl Model {
     }
 }
 
+/// Damping ratios of modes that are given, and not found from the model.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum ModalDamping {
+    /// None is given.
+    #[default]
+    Found,
+    /// The same ratio for all modes [-].
+    All(f64),
+    /// Ratios of the lowest modes, in the order of their frequencies at the first
+    /// speed [-].
+    ByOrder(Vec<f64>),
+    /// Ratios by the name of the mode [-].
+    ByName(Vec<(String, f64)>),
+}
+
+impl ModalDamping {
+    /// The ratio that is given for the mode called `name`, whose place among the modes at
+    /// the first speed is `order` (from zero) [-].
+    pub fn ratio(&self, order: usize, name: &str) -> Option<f64> {
+        match self {
+            Self::Found => None,
+            Self::All(ratio) => Some(*ratio),
+            Self::ByOrder(ratios) => ratios.get(order).copied(),
+            Self::ByName(ratios) => {
+                let own = ratios.iter().find(|named| named.0 == name);
+                own.map(|named| named.1)
+            }
+        }
+    }
+}
+
 /// What is asked about modes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModesQuestion {
@@ -94,6 +125,8 @@ pub struct ModesQuestion {
     pub speeds: Vec<f64>,
     /// Number of modes to report at each speed.
     pub count: usize,
+    /// Damping ratios that are given.
+    pub damping: ModalDamping,
     /// Speeds, among `speeds`, at which the shapes of the modes are handed out [rad/s].
     pub shapes: Vec<f64>,
     /// Whether these shapes are animated as field files.
@@ -108,6 +141,7 @@ impl ModesQuestion {
             count,
             shapes: Vec::new(),
             animate: false,
+            damping: ModalDamping::Found,
         }
     }
 

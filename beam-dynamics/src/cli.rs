@@ -13,11 +13,14 @@ use crate::input::{self, Input};
 use crate::output;
 
 mod arguments;
+mod blade_options;
 mod convert;
 mod describe;
+mod statics;
 mod terminal;
 
 use arguments::{Arguments, Command};
+use blade_options::BladeOptions;
 use terminal::Terminal;
 
 /// The work is done.
@@ -90,7 +93,18 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         }
     };
     match arguments.command {
-        Command::Modes { files, out } => modes_of_files(&files, out.as_deref(), terminal),
+        Command::Modes {
+            files,
+            out,
+            vtu,
+            blade,
+        } => modes_of_files(&files, out.as_deref(), (&blade, vtu), terminal),
+        Command::Static { files, out } => {
+            statics::static_of_files(&files, out.as_deref(), terminal)
+        }
+        Command::Buckling { files, out } => {
+            statics::buckling_of_files(&files, out.as_deref(), terminal)
+        }
         Command::Check { files } => check_files(&files, terminal),
         Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
         Command::Convert {
@@ -102,12 +116,21 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
     }
 }
 
-/// Reads all files; when one is wrong, tells all that is and gives none.
-fn read(files: &[PathBuf], terminal: &mut Terminal<'_>) -> Option<Vec<Input>> {
+/// Reads all files, those of blades with the question of the options; when one is
+/// wrong, tells all that is and gives none.
+fn read(
+    files: &[PathBuf],
+    options: &BladeOptions,
+    terminal: &mut Terminal<'_>,
+) -> Option<Vec<Input>> {
+    let question = options.question();
     let read: Vec<_> = files
         .iter()
         .map(|file| {
-            let input = input::read(file);
+            let input = match input::is_blade_file(file) {
+                true => input::read_blade(file, &question),
+                false => input::read(file),
+            };
             input
                 .map_err(|problems| terminal.tell_text(&problems.to_string()))
                 .ok()
@@ -117,17 +140,42 @@ fn read(files: &[PathBuf], terminal: &mut Terminal<'_>) -> Option<Vec<Input>> {
 }
 
 fn check_files(files: &[PathBuf], terminal: &mut Terminal<'_>) -> u8 {
-    let Some(inputs) = read(files, terminal) else {
+    let Some(inputs) = read(files, &BladeOptions::default(), terminal) else {
         return WRONG_INPUT;
     };
     for (file, input) in files.iter().zip(&inputs) {
         terminal.show(&format!("{}: {}\n", file.display(), input.summary));
+        for remark in &input.remarks {
+            terminal.show(&format!("  note: {remark}\n"));
+        }
     }
     terminal.show("\nNo problem found\n");
     DONE
 }
 
-fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal<'_>) -> u8 {
+/// Options for blade files beside a dynamics file.
+#[derive(Debug, thiserror::Error)]
+#[error("\"{file}\" is a dynamics file, for which {option} is not an option")]
+struct NotABlade {
+    file: String,
+    option: &'static str,
+}
+
+impl Explain for NotABlade {
+    fn help(&self) -> Option<String> {
+        let text = "options for blade files mount a blade that is given by itself; a dynamics \
+                    file says it in [[blade]] and [modes]";
+        Some(text.to_owned())
+    }
+}
+
+/// Places of the results, each of its own, and the inputs; tells what is wrong.
+fn read_with_places(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    options: &BladeOptions,
+    terminal: &mut Terminal<'_>,
+) -> Option<(Vec<Input>, Vec<(PathBuf, String)>)> {
     let places: Vec<_> = files.iter().map(|file| place(file, out)).collect();
     for (i, target) in places.iter().enumerate() {
         if let Some(first) = places[..i].iter().position(|other| other == target) {
@@ -142,16 +190,38 @@ fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal
                 second,
                 target,
             });
-            return WRONG_INPUT;
+            return None;
         }
     }
-    let Some(inputs) = read(files, terminal) else {
+    Some((read(files, options, terminal)?, places))
+}
+
+fn modes_of_files(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    (options, animate): (&BladeOptions, bool),
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let dynamics = files.iter().find(|file| !input::is_blade_file(file));
+    if let (Some(file), Some(option)) = (dynamics, options.given()) {
+        let file = file.display().to_string();
+        terminal.tell(&NotABlade { file, option });
+        return WRONG_INPUT;
+    }
+    let Some((inputs, places)) = read_with_places(files, out, options, terminal) else {
         return WRONG_INPUT;
     };
     let mut questions = Vec::with_capacity(inputs.len());
     for (file, input) in files.iter().zip(&inputs) {
         match &input.modes {
-            Some(question) => questions.push((input, question)),
+            Some(question) => {
+                let mut question = question.clone();
+                question.animate |= animate;
+                if question.shapes.is_empty() {
+                    question.shapes = question.ends();
+                }
+                questions.push((input, question));
+            }
             None => terminal.tell(&NotAsked {
                 file: file.display().to_string(),
                 table: "modes",
@@ -167,7 +237,7 @@ fn modes_of_files(files: &[PathBuf], out: Option<&Path>, terminal: &mut Terminal
             if number > 0 {
                 terminal.show("\n\n");
             }
-            modes_of(input, question, place, terminal)
+            modes_of(input, &question, place, terminal)
         },
     );
     codes.max().unwrap_or(DONE)
@@ -191,10 +261,15 @@ fn modes_of(
 ) -> u8 {
     let outcome = modes(&input.model, question);
     let mut table = outcome.table;
+    table.remarks.splice(0..0, input.remarks.iter().cloned());
     if let Some(failure) = &outcome.failure {
         table.remarks.push(format!("stopped early: {failure}"));
     }
-    let written = output::write(&table, &input.measured, folder, name);
+    let written = output::write(&table, &input.measured, folder, name).and_then(|mut written| {
+        let shapes = output::write_shapes(&input.model, &table, question.animate, folder, name)?;
+        written.files.extend(shapes.files);
+        Ok(written)
+    });
     terminal.show(&output::result_text(&table, &input.measured));
     let mut code = DONE;
     if let Some(failure) = &outcome.failure {

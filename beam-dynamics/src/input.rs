@@ -11,12 +11,13 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 
 use crate::assembly::mechanism;
-use crate::case::{Model, ModesQuestion};
+use crate::case::{BucklingQuestion, Model, ModesQuestion, StaticQuestion};
 use crate::result::Measured;
 
 mod along;
 mod beam_check;
 mod beams;
+mod blade_file;
 mod blades;
 mod bodies;
 mod clamps;
@@ -26,26 +27,34 @@ mod hub;
 mod hub_support;
 mod in_place;
 mod joints;
+mod loads;
 mod measured;
+mod modal_damping;
 mod naming;
 mod nodes;
 mod number;
 mod problem;
 mod properties;
+mod questions;
 mod shapes;
 mod speeds;
 mod springs;
 mod summary;
 
 #[cfg(test)]
+mod joint_tests;
+#[cfg(test)]
 mod tests;
 
+pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
+pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
 pub use summary::Summary;
 
 use draft::Draft;
+use questions::Questions;
 
 /// Ending of the names of dynamics inputs.
 pub const ENDING: &str = ".dynamics.toml";
@@ -57,10 +66,12 @@ pub struct Input {
     pub model: Model,
     /// What is asked about modes; `None` without `[modes]`.
     pub modes: Option<ModesQuestion>,
+    /// What is asked about equilibria under loads; `None` without `[static]`.
+    pub statics: Option<StaticQuestion>,
+    /// What is asked about critical loads; `None` without `[buckling]`.
+    pub buckling: Option<BucklingQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
-    /// Names of the hinges that nothing but motion and loads holds.
-    pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
     /// What the reader must know of the files: defaults that were taken, plausibility.
@@ -75,22 +86,43 @@ pub struct Input {
 /// kind, the ways in which the model can move freely.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let file = path.display().to_string();
-    let text = read_text(path)?;
-    let document = Document::parse(&text, &file)?;
-    let input = cards(&document, &name_of(path));
+    checked(&read_text(path)?, &file, &name_of(path))
+}
+
+/// The input in the text of a file, whose results are called `name`.
+fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
+    let document = Document::parse(text, file)?;
+    let input = cards(&document, name);
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
     let mobility = mechanism::find(&input.model.system);
     for found in &mobility.mechanisms {
-        problems.push(Place::file(&file), found);
+        problems.push(Place::file(file), found);
     }
-    input.free_hinges = mobility.free_hinges;
+    input.remarks.extend(free_hinges(&mobility.free_hinges));
     problems.into_result(input)
+}
+
+/// What the reader must know of hinges without a spring.
+fn free_hinges(names: &[String]) -> Option<String> {
+    let [first, others @ ..] = names else {
+        return None;
+    };
+    let others = match others.len() {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    Some(format!(
+        "hinge \"{first}\"{others} can turn freely: at rest this is a motion of frequency zero"
+    ))
 }
 
 /// The file's name without folder and ending: what outputs are named by.
 pub fn name_of(path: &Path) -> String {
-    name_without(path, ENDING)
+    match is_blade_file(path) {
+        true => blade_file::name_of(path),
+        false => name_without(path, ENDING),
+    }
 }
 
 /// Reads every card, in an order in which each finds the names that it uses.
@@ -111,33 +143,32 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     joints::read_hinges(&root, &mut draft);
     joints::read_rigid(&root, &mut draft);
     springs::read(&root, &mut draft);
-    let question = match root.has("modes") {
-        true => speeds::read(&root).map(Some),
-        false => Some(None),
-    };
+    loads::read(&root, &mut draft);
+    let gravity = loads::gravity(&root);
+    let questions = questions::read(&root);
     let measured = measured::read(&root);
     root.finish();
 
     draft.check(&root);
-    finish(name, draft, question?, measured?)
+    let (gravity, questions) = (gravity?, questions?);
+    questions.check(&root, &gravity, &draft.hub()?.spin());
+    let mut input = finish(name, draft, questions, measured?)?;
+    input.model.gravity = gravity;
+    Some(input)
 }
 
 /// The input as a value, when the model is complete.
-fn finish(
-    name: String,
-    draft: Draft,
-    modes: Option<ModesQuestion>,
-    measured: Measured,
-) -> Option<Input> {
-    let summary = draft.summary(modes.as_ref(), &measured);
+fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) -> Option<Input> {
+    let summary = draft.summary(questions.modes.as_ref(), &measured);
     let remarks = draft.remarks().to_vec();
     let spin = draft.hub()?.spin();
     let model = draft.model(name, spin)?;
     Some(Input {
         model,
-        modes,
+        modes: questions.modes,
+        statics: questions.statics,
+        buckling: questions.buckling,
         measured,
-        free_hinges: Vec::new(),
         summary,
         remarks,
     })

@@ -1,13 +1,21 @@
-//! Blade files, those of people and those of programs. What is accepted can be written,
-//! and read again.
+//! Blade files of all formats that are told from their content. What is read without a
+//! problem can be written in all formats.
 #![no_main]
 
+use std::path::Path;
+
 use libfuzzer_sys::fuzz_target;
-use shared_geom::blade;
+use shared_geom::exchange::{Format, Options, parse, write};
 
 fuzz_target!(|text: &str| {
-    match blade::parse(text, "a.blade.toml") {
-        Ok(reading) => assert!(blade::parse(&blade::write(&reading.blade), "again").is_ok()),
+    let options = Options { length: Some(3.0) };
+    match parse(text, Path::new("no_folder/a"), &options) {
+        Ok((_, reading)) if reading.blade.problems().is_empty() => {
+            for format in Format::ALL.into_iter().filter(|format| format.is_written()) {
+                assert!(write(&reading.blade, format, "again").is_ok());
+            }
+        }
+        Ok(_) => {}
         Err(problems) => assert!(!problems.to_string().is_empty()),
     }
 });

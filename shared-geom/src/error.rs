@@ -155,6 +155,15 @@ impl Diagnostics {
         self.items = files.iter().filter_map(next).collect();
     }
 
+    /// The same problems, with those of the file `from` told of `place` instead: for a
+    /// text that a program wrote and no user has seen.
+    pub fn told_of(mut self, from: &str, place: &Place) -> Self {
+        for item in self.items.iter_mut().filter(|item| item.place.file == from) {
+            item.place = place.clone();
+        }
+        self
+    }
+
     /// Whether no problem was found.
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()

@@ -65,6 +65,11 @@ impl Dimension {
     /// Bending and torsional viscosity of a section, in N m^2 s inside.
     pub const BENDING_TIME: Self = Self::of(3, 1, -1, 0);
 
+    /// Force per length, in N/m inside.
+    pub const FORCE_PER_LENGTH: Self = Self::of(0, 1, -2, 0);
+    /// Acceleration, in m/s^2 inside.
+    pub const ACCELERATION: Self = Self::of(1, 0, -2, 0);
+
     const fn of(length: i8, mass: i8, time: i8, angle: i8) -> Self {
         Self {
             length,
@@ -105,7 +110,7 @@ impl fmt::Display for Dimension {
             Self::MASS_PER_LENGTH => "a mass per length",
             Self::INERTIA_PER_LENGTH => "a moment of inertia per length",
             Self::INERTIA => "a moment of inertia",
-            Self::SPRING_STIFFNESS => "a force per displacement",
+            Self::SPRING_STIFFNESS => "a force per length",
             Self::DAMPER => "a force per velocity",
             Self::TURNING_DAMPER => "a moment per angular velocity",
             _ => return self.write_units(f),

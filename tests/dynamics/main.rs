@@ -3,14 +3,19 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod beam_statics;
+mod blade_roots;
 mod buckling;
+mod case_files;
 mod chain;
 mod damping;
 mod equal_blades;
+mod formats;
 mod joints;
+mod loads;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;
 mod statics;
+mod tm4760;
 mod uniform_beam;
 mod wind_blades;

@@ -54,6 +54,12 @@ impl UniformBeam {
 
     pub fn system(&self) -> System {
         let nodes = self.nodes();
+        let elements = self.elements(&nodes);
+        System::new(nodes, elements)
+    }
+
+    /// The elements on `nodes`.
+    pub fn elements(&self, nodes: &[Node]) -> Vec<Box<dyn Element>> {
         let geometry = BeamGeometry {
             nodes: [BeamNode::aligned(); 3],
         };
@@ -91,7 +97,7 @@ impl UniformBeam {
                 }
             }
         }
-        System::new(nodes, elements)
+        elements
     }
 
     /// Modes at the given speeds of rotation about z through the root [rad/s].

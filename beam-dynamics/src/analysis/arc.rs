@@ -61,11 +61,9 @@ impl Walker<'_> {
     fn follow(&self, points: &mut Vec<Point>) -> Result<(), PathEnd> {
         let start = self.at(0.0, &self.balance.state);
         let rate = start.factorize().and_then(|tangent| start.rate(&tangent));
-        let rate = rate.filter(|rate| start.length(rate).is_finite());
-        let rate = rate.ok_or_else(|| PathEnd::Stuck {
-            factor: 0.0,
-            reason: "the tangent is singular without the loads",
-            equation: "none".to_owned(),
+        let stiff = |rate: &Vec<f64>| start.length(rate).is_finite() && !start.is_free(rate);
+        let rate = rate.filter(stiff).ok_or_else(|| PathEnd::Free {
+            motion: self.free_motion(),
         })?;
         let speed = start.length(&rate);
         let arc = Arc {

@@ -11,6 +11,7 @@ use crate::modes::{
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
 
+use super::modal_damping;
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
 
 /// Modes computed beyond those reported, so that a mode that rises out of the list
@@ -104,6 +105,8 @@ pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
     };
     let failure = run(case, &mut branches, &mut table).err();
     table.branches = branches.into_table(case.question.count, table.speeds.len());
+    let unknown = modal_damping::give(&question.damping, &mut table.branches);
+    table.remarks.extend(unknown);
     ModesOutcome { table, failure }
 }
 
@@ -164,7 +167,7 @@ fn steady(
     from: (f64, &State),
     speed: f64,
 ) -> Result<Equilibrium, Box<NoEquilibrium>> {
-    let [there, here] = [from.0, speed].map(|speed| case.model.conditions(speed, 1.0, 0.0));
+    let [there, here] = [from.0, speed].map(|speed| case.model.conditions(speed, 1.0, 1.0));
     equilibrium(case.model, solver, (&there, from.1), &here)
 }
 

@@ -15,11 +15,13 @@ use crate::model::{Conditions, State};
 use crate::solver::{Equations, Newton, NewtonReport, NewtonStatus, solve};
 
 use super::balance::Balance;
+use super::transient::free_motion;
 
 /// Part of a way that the rates at its ends may leave unexplained.
 const UNEXPLAINED: f64 = 0.25;
-/// Motion below which a way is not judged: sizes of the model, radians.
-const SMALL: f64 = 1e-3;
+/// Motion below which a way is not judged: sizes of the model, radians. The iteration
+/// leaves 1e-9.
+const SMALL: f64 = 1e-7;
 /// Largest rotation of one step that a rotation vector can tell \[rad\].
 const TURN: f64 = 2.0;
 /// Steps are not cut below this part of the whole way.
@@ -56,6 +58,15 @@ pub enum PathEnd {
         /// The worst equation of the last step tried, in words.
         equation: String,
     },
+    /// The loads move what nothing resists.
+    #[error(
+        "no equilibrium beyond the load factor 0: the loads drive a motion without stiffness{}",
+        mostly(.motion)
+    )]
+    Free {
+        /// The motion in words, if it is known.
+        motion: Option<String>,
+    },
     /// The iteration fails however short the step.
     #[error(
         "no equilibrium beyond the load factor {factor:.6}: {reason}; worst equation: {equation}"
@@ -78,6 +89,11 @@ pub enum PathEnd {
         /// Steps taken.
         steps: usize,
     },
+}
+
+fn mostly(motion: &Option<String>) -> String {
+    let words = motion.as_ref().map(|motion| format!(", mostly {motion}"));
+    words.unwrap_or_default()
 }
 
 /// Points that were reached, and why there are no more if the end was not.
@@ -124,14 +140,7 @@ impl<'a> Walker<'a> {
     }
 
     fn walk(&self, points: &mut Vec<Point>) -> Result<(), PathEnd> {
-        let stuck = |reason| PathEnd::Stuck {
-            factor: 0.0,
-            reason,
-            equation: "none".to_owned(),
-        };
-        let mut here = self
-            .here(0.0, self.balance.state.clone())
-            .ok_or_else(|| stuck("the tangent is singular without the loads"))?;
+        let mut here = self.start()?;
         let mut rates = Rates::new(&here);
         let targets = self.steps.unwrap_or(1);
         let mut step = self.to * self.steps.map_or(FIRST, |steps| 1.0 / steps as f64);
@@ -174,6 +183,24 @@ impl<'a> Walker<'a> {
             }
         }
         Ok(())
+    }
+
+    /// The state without the loads, whose rate must be one that stiffness allows.
+    fn start(&self) -> Result<Here, PathEnd> {
+        let free = || PathEnd::Free {
+            motion: self.free_motion(),
+        };
+        let here = self.here(0.0, self.balance.state.clone());
+        let here = here.ok_or_else(free)?;
+        match self.balance.is_free(&here.rate) {
+            true => Err(free()),
+            false => Ok(here),
+        }
+    }
+
+    /// The motion that the loads drive and nothing resists.
+    pub fn free_motion(&self) -> Option<String> {
+        free_motion(&self.at(self.to, &self.balance.state))
     }
 
     fn here(&self, factor: f64, state: State) -> Option<Here> {

@@ -7,8 +7,10 @@ use crate::result::{StaticResult, StaticStep};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
-use super::path::{PathEnd, Point, Walker};
+use super::path::{Point, Walker};
 use super::steady::{NoEquilibrium, equilibrium};
+
+pub use super::path::PathEnd;
 
 /// Why statics stopped before the end of the path.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -37,7 +39,7 @@ impl StaticFailure {
             Self::Path(PathEnd::Stuck { .. }) => {
                 "look at the last equilibrium; smaller \"steps\" or arc_length = true may help"
             }
-            Self::Base(_) | Self::Structure => {
+            Self::Base(_) | Self::Structure | Self::Path(PathEnd::Free { .. }) => {
                 "hold what is free, or take away the load that nothing can carry"
             }
         }

@@ -301,7 +301,8 @@ mod tests {
     use super::*;
     use crate::elements::Element;
     use crate::elements::beams::{BeamGeometry, BeamNode, ElasticBeam};
-    use crate::elements::joints::Clamp;
+    use crate::elements::joints::{Clamp, Hinge, HingeSpring};
+    use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
     use crate::model::Node;
     use nalgebra::{Matrix3, Matrix6};
 
@@ -359,5 +360,54 @@ mod tests {
             "{shown}"
         );
         assert!(shown.contains("translation along x"), "{shown}");
+    }
+
+    fn hinge(nodes: &[Node], stiffness: f64) -> Box<dyn Element> {
+        let spring = HingeSpring {
+            stiffness,
+            ..HingeSpring::default()
+        };
+        let (on, ends) = ([0, 1], [&nodes[0], &nodes[1]]);
+        let place = nodes[1].position;
+        Box::new(Hinge::new("flap", on, ends, &place, &Vector3::y(), spring))
+    }
+
+    #[test]
+    fn a_hinge_may_turn_and_a_forgotten_clamp_is_told_beside_it() {
+        let nodes = vec![node("hub", 0.0), node("blade", 1.0)];
+        let clamp = || -> Box<dyn Element> { Box::new(Clamp::new("clamp", 0, &nodes[0])) };
+        let free = find(&System::new(
+            nodes.clone(),
+            vec![clamp(), hinge(&nodes, 0.0)],
+        ));
+        assert_eq!(free.mechanisms, []);
+        assert_eq!(free.free_hinges, ["flap"]);
+        let held = find(&System::new(
+            nodes.clone(),
+            vec![clamp(), hinge(&nodes, 2.0)],
+        ));
+        assert_eq!(held, Mobility::default());
+        let loose = find(&System::new(nodes.clone(), vec![hinge(&nodes, 0.0)]));
+        assert_eq!(loose.mechanisms.len(), 2, "both parts move, as one");
+        assert!(loose.mechanisms.iter().all(|part| !part.motions.is_empty()));
+        assert_eq!(loose.free_hinges, ["flap"]);
+    }
+
+    #[test]
+    fn springs_resist_in_their_directions() {
+        let nodes = vec![node("mass", 3.0)];
+        let law = |stiffness: [f64; 6]| {
+            let axes = Matrix3::identity();
+            SupportLaw::along(&axes, &stiffness, &[1.0; 6])
+        };
+        let found = |stiffness: [f64; 6]| {
+            let law = law(stiffness);
+            let spring = SupportSpring::new("spring", 0, &nodes[0], law, Stand::Frame);
+            find(&System::new(nodes.clone(), vec![Box::new(spring)]))
+        };
+        assert_eq!(found([1.0, 1e-3, 1e6, 2.0, 3.0, 4.0]), Mobility::default());
+        let free = found([1.0, 0.0, 1.0, 2.0, 0.0, 4.0]);
+        let expected = ["translation along y", "rotation about y"];
+        assert_eq!(free.mechanisms[0].motions, expected);
     }
 }

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use super::blade_options::BladeOptions;
+
 const ABOUT: &str = "\
 Finds the natural frequencies of turning blades and rotors made of beams
 
@@ -52,12 +54,50 @@ folder DIR:
   NAME.frequencies.csv   a row for each speed and mode
   NAME.frequencies.txt   the tables as printed
   NAME.comparison.csv    measured and computed frequencies, where there are measurements
-  NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed
-where FILE is NAME.dynamics.toml.";
+  NAME.modes.csv         what each mode is: damping, growth, shares of the energy, whirl
+  NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed; damping
+  NAME.shapes_at_*.png, .svg   shapes along the span at the first and the last speed
+  NAME.modes/            with --vtu: a series .pvd of field files for each mode
+where FILE is NAME.dynamics.toml.
+
+A FILE can also be a blade by itself, in any of the formats that are read: its modes are \
+those of the blade clamped at its root and at rest, unless the options say otherwise.";
 
 const MODES_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics modes rotor/straight.dynamics.toml rotor/swept.dynamics.toml --out rotor/results
+  beam-dynamics modes nrel5mw.blade.json
+  beam-dynamics modes NREL_5MW_BeamDyn.dat --speeds 0,6.9,12.1 --hub-radius 1.5 --blades 3";
+
+const STATIC: &str = "\
+Finds equilibria under loads
+
+Reads the dynamics files and the files that they name, finds the equilibrium under rotation \
+and constant loads and then along the path of the proportional loads, as [static] asks, \
+prints the steps, and writes displacements, internal forces, strains, reactions, plots and \
+field files into the folder DIR, named by FILE, which is NAME.dynamics.toml.";
+
+const STATIC_EXAMPLE: &str = "\
+Example, a load at a node of a blade:
+  cat >> blade.dynamics.toml <<'END'
+  [[load]]
+  node = \"blade/tip\"
+  force = [0, 0, 20]
+  [static]
+  END
+  beam-dynamics static blade.dynamics.toml";
+
+const BUCKLING: &str = "\
+Finds critical loads and the shapes in which the model gives way
+
+Reads the dynamics files and the files that they name, finds the factors of the \
+proportional loads at which the model gives way, by linearized prestress about the \
+equilibrium under rotation and constant loads, prints them, and writes factors and shapes \
+into the folder DIR, named by FILE, which is NAME.dynamics.toml.";
+
+const BUCKLING_EXAMPLE: &str = "\
 Example:
-  beam-dynamics modes rotor/straight.dynamics.toml rotor/swept.dynamics.toml --out rotor/results";
+  beam-dynamics buckling frame.dynamics.toml";
 
 const CHECK: &str = "\
 Reads and checks dynamics files without analyzing them
@@ -119,6 +159,29 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     #[command(about = first_line(MODES), long_about = MODES, after_help = MODES_EXAMPLE)]
     Modes {
+        /// Dynamics files, NAME.dynamics.toml, or blade files
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Folder for the results; the folder "results" beside each FILE if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Write animated shapes of the modes for ParaView, as "shapes = true" of [modes] does
+        #[arg(long)]
+        vtu: bool,
+        #[command(flatten)]
+        blade: BladeOptions,
+    },
+    #[command(about = first_line(STATIC), long_about = STATIC, after_help = STATIC_EXAMPLE)]
+    Static {
+        /// Dynamics files, NAME.dynamics.toml
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Folder for the results; the folder "results" beside each FILE if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
+    #[command(about = first_line(BUCKLING), long_about = BUCKLING, after_help = BUCKLING_EXAMPLE)]
+    Buckling {
         /// Dynamics files, NAME.dynamics.toml
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
@@ -128,7 +191,7 @@ pub(super) enum Command {
     },
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
     Check {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml, or blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },

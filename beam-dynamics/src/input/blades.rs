@@ -21,6 +21,9 @@ mod seats;
 mod source;
 mod stations;
 
+#[cfg(test)]
+mod tests;
+
 pub use problem::BladeProblem;
 
 use hinges::BladeHinge;

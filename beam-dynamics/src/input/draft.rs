@@ -75,6 +75,7 @@ pub(super) struct Draft {
     bodies: Vec<(String, usize, RigidInertia)>,
     /// Hinges, rigid connections and supports.
     joints: Vec<Box<dyn Element>>,
+    loads: Vec<Box<dyn Element>>,
     /// Node of a hub that is not held by the frame.
     hub_node: Option<usize>,
     blades: Vec<BladeNodes>,
@@ -100,6 +101,7 @@ impl Draft {
             clamps: BTreeMap::new(),
             bodies: Vec::new(),
             joints: Vec::new(),
+            loads: Vec::new(),
             hub_node: None,
             blades: Vec::new(),
             remarks: Vec::new(),
@@ -168,6 +170,21 @@ impl Draft {
         self.names
             .insert(name.to_owned(), Named { node: index, line });
         true
+    }
+
+    /// Adds a load or an imposed motion.
+    pub fn add_load(&mut self, load: Box<dyn Element>) {
+        self.loads.push(load);
+    }
+
+    /// Blades so far.
+    pub fn blades(&self) -> &[BladeNodes] {
+        &self.blades
+    }
+
+    /// Whether a blade of this name could not be read.
+    pub fn is_broken_blade(&self, blade: &str) -> bool {
+        self.broken_blades.contains(blade)
     }
 
     /// Notes that a card could not be read.
@@ -333,7 +350,10 @@ impl Draft {
             root.document()
                 .note(line, &InputProblem::UnusedNode { node });
         }
-        if !self.broken && self.moving_mass() <= 0.0 {
+        // Statics does without mass.
+        let massless = ["static", "buckling"].iter().any(|card| root.has(card));
+        let massless = massless && !root.has("modes");
+        if !self.broken && !massless && self.moving_mass() <= 0.0 {
             root.note("", &InputProblem::NoMass);
         }
     }
@@ -400,6 +420,7 @@ impl Draft {
             elements.push(boxed(Clamp::new(label, node, &self.nodes[node])));
         }
         elements.extend(self.joints);
+        elements.extend(self.loads);
         Some(Model {
             name,
             beams: self.beams.iter().map(|beam| beam.nodes).collect(),

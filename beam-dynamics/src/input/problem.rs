@@ -257,6 +257,20 @@ pub enum InputProblem {
         /// Name of the spring.
         spring: String,
     },
+    /// A damping ratio that no oscillation has.
+    #[error("\"{name}\" is {}, expected a damping ratio from 0 to below 1", six(*.found))]
+    NoRatio {
+        /// The key, or the name of the mode.
+        name: String,
+        /// The number found [-].
+        found: f64,
+    },
+    /// A name that no mode can have.
+    #[error("\"{name}\" is no name of a mode, expected one such as \"flap 1\"")]
+    NoModeName {
+        /// The name found.
+        name: String,
+    },
     /// No rotor speed.
     #[error("\"speeds\" is empty, expected at least one rotor speed")]
     NoSpeeds,
@@ -351,6 +365,10 @@ impl Explain for InputProblem {
             Self::ShapeSpeed { nearest, .. } => {
                 return Some(format!("the nearest is {} rpm", six(*nearest)));
             }
+            Self::NoModeName { .. } => {
+                "modes are called by flap, lag, torsion, axial or coupled, and a number, as the table of modes has them"
+            }
+            Self::NoRatio { .. } => "the ratio is that to critical damping: 1 % is 0.01",
             Self::UnusedNode { .. } => "name it in a [[beam]], or remove it",
             Self::AxisAlongSpan => {
                 "azimuth 0 is where x lies across the axis: turn the model, for example axis = [0, 0, 1]"

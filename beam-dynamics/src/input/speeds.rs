@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
+use super::modal_damping;
 use super::problem::InputProblem;
 use super::shapes;
 use crate::case::ModesQuestion;
@@ -30,9 +31,11 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
         false => Some(DEFAULT_COUNT),
     };
     let shapes = shapes::read(&table, speeds.as_deref());
+    let damping = modal_damping::read(&table);
     table.finish();
     let mut question = ModesQuestion::new(speeds?, count?);
     (question.animate, question.shapes) = shapes?;
+    question.damping = damping?;
     if question.shapes.is_empty() {
         question.shapes = question.ends();
     }
@@ -116,6 +119,7 @@ fn ascending(table: &Table<'_>, mut speeds: Vec<f64>) -> Option<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::ModalDamping;
     use shared_geom::document::Document;
 
     fn question(text: &str) -> Result<ModesQuestion, String> {
@@ -150,6 +154,24 @@ mod tests {
     }
 
     #[test]
+    fn damping_ratios_are_given_for_all_by_order_or_by_name() {
+        let ratio = |value: &str, order, name| {
+            let text = format!("speeds = [0]\ndamping_ratio = {value}");
+            question(&text).unwrap().damping.ratio(order, name)
+        };
+        assert_eq!(ratio("0.01", 7, "lag 3"), Some(0.01));
+        assert_eq!(ratio("[0.01, 0.02]", 1, "lag 1"), Some(0.02));
+        assert_eq!(ratio("[0.01]", 1, "lag 1"), None);
+        let named = "{ \"flap 1\" = 0.03, \"lag 1\" = 0 }";
+        assert_eq!(ratio(named, 5, "flap 1"), Some(0.03));
+        assert_eq!(ratio(named, 0, "flap 2"), None);
+        assert_eq!(
+            question("speeds = [0]").unwrap().damping,
+            ModalDamping::Found
+        );
+    }
+
+    #[test]
     fn shapes_are_those_of_the_ends_or_of_speeds_that_are_named() {
         let shapes = |text: &str| {
             let question = question(&format!("speeds = [0, 100, 200]\n{text}")).unwrap();
@@ -167,6 +189,14 @@ mod tests {
     #[test]
     fn wrong_speeds_are_told() {
         for (text, expected) in [
+            (
+                "speeds = [1]\ndamping_ratio = 1.5",
+                "\"damping_ratio\" is 1.5, expected a damping ratio from 0 to below 1",
+            ),
+            (
+                "speeds = [1]\ndamping_ratio = { \"flap 1\" = -1, flop = 0.1 }",
+                "\"flop\" is no name of a mode",
+            ),
             ("speeds = []", "\"speeds\" is empty"),
             (
                 "speeds = [-3, 0]",

@@ -33,6 +33,8 @@ const BELOW: f64 = 1e-5;
 /// Inverse iterations; the first already leaves other modes smaller by 1e-10 over
 /// their distance.
 const ITERATIONS: usize = 3;
+/// Part of itself by which inverse iteration may change a value that it confirms.
+const CONFIRMED: f64 = 1e-3;
 /// Real parts below this part of the magnitude are round-off of an undamped mode.
 const OSCILLATING: f64 = 1e-9;
 
@@ -139,15 +141,19 @@ impl<'a> EigenProblem<'a> {
             .filter(|s| !is_real(&s) && s.im > 0.0)
             .collect();
         above.sort_by(|a, b| a.im.total_cmp(&b.im));
-        above.truncate(count);
         // A motion without stiffness is a double zero.
         let mut pairs = self.free(zeros.len().div_ceil(2).min(count));
-        let free = pairs.len();
-        while pairs.len() - free < above.len() {
-            let rest = &above[pairs.len() - free..];
-            let near = |s: &&c64| (**s - rest[0]).norm() <= COPIES * rest[0].norm();
+        let mut rest = &above[..];
+        while let Some(first) = rest.first().filter(|_| pairs.len() < count) {
+            let near = |s: &&c64| (**s - first).norm() <= COPIES * first.norm();
             let copies = rest.iter().take_while(near).count().max(1);
-            pairs.extend(self.vectors(&rest[..copies]));
+            let found = self.vectors(&rest[..copies]);
+            // Multipliers and massless freedoms, whose values are infinite, come out as
+            // large ones by round-off, which no vector confirms.
+            let s = |pair: &Eigenpair| c64::new(pair.growth, pair.angular_frequency);
+            let confirmed = |pair: &Eigenpair| (s(pair) - first).norm() <= CONFIRMED * first.norm();
+            pairs.extend(found.into_iter().filter(confirmed));
+            rest = &rest[copies..];
         }
         pairs.truncate(count);
         (pairs, real)
@@ -256,10 +262,12 @@ impl<'a> EigenProblem<'a> {
     }
 }
 
-/// The highest frequency of a node on its own, `sqrt(|F_force,x| / |F_p,v|)` \[1/s\]; `None`
-/// without mass or stiffness.
+/// The highest frequency of a node on its own, `sqrt(|F_force,x| / |F_p,v|)`; of bodies
+/// that only turn, `sqrt(|F_moment,theta| / |F_h,omega|)` or the speed of the frame \[1/s\].
+/// `None` without mass or stiffness.
 fn highest_of_a_node(tangent: &Tangent, nodes: usize) -> Option<f64> {
-    let largest = |matrix: &Sparse, row: usize, column: usize| {
+    let largest = |matrix: &Sparse, row: Equation, column: Variable| {
+        let (row, column) = (row.row(), column.column());
         let of_nodes = matrix
             .triplets()
             .filter(|(i, j, _)| i.max(j) < &(NODE_UNKNOWNS * nodes));
@@ -269,11 +277,24 @@ fn highest_of_a_node(tangent: &Tangent, nodes: usize) -> Option<f64> {
         });
         block.map(|(_, _, value)| value.abs()).fold(0.0, f64::max)
     };
-    let place = Variable::Position.column();
-    let stiffness = largest(&tangent.by_unknowns, Equation::Force.row(), place);
-    let mass = largest(&tangent.by_rates, Equation::Momentum.row(), place);
-    let highest = (stiffness / mass).sqrt();
-    (highest > 0.0 && highest.is_finite()).then_some(highest)
+    let frequency = |balance: Equation, momentum: Equation, place: Variable| {
+        let stiffness = largest(&tangent.by_unknowns, balance, place);
+        let mass = largest(&tangent.by_rates, momentum, place);
+        (stiffness / mass).sqrt()
+    };
+    let is_some = |frequency: &f64| *frequency > 0.0 && frequency.is_finite();
+    let along = frequency(Equation::Force, Equation::Momentum, Variable::Position);
+    if is_some(&along) {
+        return Some(along);
+    }
+    let about = frequency(
+        Equation::Moment,
+        Equation::AngularMomentum,
+        Variable::Rotation,
+    );
+    let turning = largest(&tangent.by_unknowns, Equation::Force, Variable::Momentum);
+    let found = [about, turning].into_iter().filter(is_some);
+    found.max_by(f64::total_cmp)
 }
 
 /// Magnitude of the lowest eigenvalue above `zero`, among rough ones.

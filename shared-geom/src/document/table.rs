@@ -106,6 +106,22 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// Whether `key` holds a list.
+    pub fn is_list(&self, key: &str) -> bool {
+        matches!(
+            self.ask(key),
+            Some(Value {
+                kind: Kind::Array(_),
+                ..
+            })
+        )
+    }
+
+    /// The keys of the table, in their order: for tables whose keys are names.
+    pub fn keys(&self) -> Vec<String> {
+        self.entries.iter().map(|entry| entry.key.clone()).collect()
+    }
+
     /// Text under `key`.
     pub fn text(&self, key: &str) -> Option<String> {
         let value = self.ask(key)?;
@@ -230,6 +246,34 @@ impl<'a> Table<'a> {
                 None
             }
         }
+    }
+
+    /// Vectors of three quantities under `key`, in SI units; one vector is a list of one.
+    pub fn vectors(&self, key: &str, dimension: Dimension) -> Option<Vec<Vector3<f64>>> {
+        let value = self.ask(key)?;
+        let expected = format!("an array of 3, each {dimension}, or a list of such arrays");
+        let Kind::Array(items) = &value.kind else {
+            return self.wrong_value(key, value, &expected);
+        };
+        if !items.iter().any(|item| matches!(item.kind, Kind::Array(_))) {
+            return self.vector(key, dimension).map(|vector| vec![vector]);
+        }
+        let row = |item: &Value| -> Option<Vector3<f64>> {
+            let Kind::Array(numbers) = &item.kind else {
+                return self.wrong_value(key, item, &expected);
+            };
+            let numbers: Vec<_> = numbers
+                .iter()
+                .map(|number| self.in_si(key, number, dimension))
+                .collect();
+            let numbers: Option<Vec<_>> = numbers.into_iter().collect();
+            match numbers?[..] {
+                [x, y, z] => Some(Vector3::new(x, y, z)),
+                _ => self.wrong_value(key, item, &expected),
+            }
+        };
+        let rows: Vec<_> = items.iter().map(row).collect();
+        rows.into_iter().collect()
     }
 
     /// Rows of plain numbers under `key`, each of `columns`; no unit is applied.

@@ -8,9 +8,10 @@
 //! matrices about the line, which is the same at the rows and close to it between them.
 //!
 //! # References
-//! - T. J. Larsen, A. M. Hansen, "How 2 HAWC2, the user's manual", Riso-R-1597, DTU Wind
-//!   Energy: main body, `timoschenko_input`, `c2_def`, data format of the st file.
-//! - Columns as the `wetb` package of DTU (0.1.33) documents them.
+//! - Columns and their points of reference: documentation of the `wetb` package of DTU
+//!   (0.1.33), which follows the user's manual of HAWC2; the sign of the pitch is settled
+//!   by the tests of [`section`] and by two descriptions of the IEA-15.
+//! - Radii of gyration about the elastic center: also the converter of BECAS.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! Our own files: blade files in JSON, and property files of section-analyzer as a
+//! Our own files: blade files in JSON and TOML, and property files of section-analyzer as a
 //! uniform blade.
 
 use std::path::Path;
@@ -16,6 +16,13 @@ use super::{Options, Reading, Writing};
 /// Whether `text` is such a file.
 pub fn recognize(text: &str) -> bool {
     text.contains("\"helicoid blade\"") || is_section(text)
+}
+
+/// Whether a file has the ending of such a file.
+pub(super) fn is_named(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let endings = [".blade.json", ".properties.json", ".toml"];
+    endings.iter().any(|ending| name.ends_with(ending))
 }
 
 /// Whether `text` is a property file of one section.

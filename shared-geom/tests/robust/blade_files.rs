@@ -1,21 +1,21 @@
-//! Blade files: those that people write, in TOML, and those of programs, in JSON.
+//! Blade files of all formats, with the files that they name.
 
-use shared_geom::blade;
+use std::fs;
+use std::path::Path;
+
+use shared_geom::exchange::{Format, Options, parse, write};
 
 use crate::mutation::{Random, mutated};
-use crate::{alone, seeds};
+use crate::{alone, seeds, within_memory};
 
-const MUTATIONS: usize = 1000;
+const MUTATIONS: usize = 400;
 
-fn read(bytes: &[u8]) -> bool {
+/// Reads `bytes` as the file `name` of `folder`.
+fn read(folder: &Path, name: &str, bytes: &[u8]) -> bool {
     let text = String::from_utf8_lossy(bytes);
-    match blade::parse(&text, "a.blade.toml") {
-        Ok(reading) => {
-            // what is accepted can be written and read again
-            let again = blade::parse(&blade::write(&reading.blade), "again").unwrap();
-            assert_eq!(again.blade, reading.blade);
-            true
-        }
+    let options = Options { length: Some(3.0) };
+    match parse(&text, &folder.join(name), &options) {
+        Ok(_) => true,
         Err(problems) => {
             assert!(!problems.to_string().is_empty());
             false
@@ -23,15 +23,52 @@ fn read(bytes: &[u8]) -> bool {
     }
 }
 
-// A text in TOML that is cut within its last number is a text in TOML.
-#[test]
-fn seeds_are_read_and_those_of_programs_refused_when_cut() {
-    let _alone = alone();
+/// What is read is described and, when nothing is wrong with it, written in all formats
+/// and read again from our own.
+fn use_it(folder: &Path, name: &str, bytes: &[u8]) {
+    let text = String::from_utf8_lossy(bytes);
+    let options = Options { length: Some(3.0) };
+    let Ok((_, reading)) = parse(&text, &folder.join(name), &options) else {
+        return;
+    };
+    let blade = reading.blade;
+    if !blade.problems().is_empty() {
+        return;
+    }
+    assert!(blade.mass_moments().mass.is_finite(), "{name}");
+    for format in Format::ALL.into_iter().filter(|format| format.is_written()) {
+        let writing = write(&blade, format, "again").unwrap();
+        assert!(!writing.files.is_empty());
+        if format == Format::Helicoid {
+            let again = parse(&writing.files[0].1, Path::new("again.blade.json"), &options);
+            assert!(again.is_ok(), "{name}: {}", again.unwrap_err());
+        }
+    }
+}
+
+/// A folder with all seeds.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
     for (name, bytes) in seeds("blade_file") {
-        assert!(read(&bytes), "{name}");
-        for end in 0..bytes.trim_ascii_end().len() {
-            let is_read = read(&bytes[..end]);
-            assert!(!is_read || name.ends_with(".toml"), "{name} cut at {end}");
+        fs::write(folder.path().join(name), bytes).unwrap();
+    }
+    folder
+}
+
+#[test]
+fn seeds_are_read_and_survive_being_cut() {
+    let _alone = alone();
+    let folder = folder();
+    for (name, bytes) in seeds("blade_file") {
+        let line_alone = name.ends_with(".line.csv");
+        assert_ne!(read(folder.path(), &name, &bytes), line_alone, "{name}");
+        for end in (0..bytes.len()).step_by(7) {
+            let what = format!("{name} cut at byte {end}");
+            // Files that are named are read too.
+            let all: usize = seeds("blade_file").iter().map(|(_, seed)| seed.len()).sum();
+            let mut cut = bytes[..end].to_vec();
+            cut.resize(cut.len().max(1) + all, b' ');
+            within_memory(&what, &cut, |bytes| read(folder.path(), &name, bytes));
         }
     }
 }
@@ -39,10 +76,12 @@ fn seeds_are_read_and_those_of_programs_refused_when_cut() {
 #[test]
 fn changed_files_are_read_or_refused() {
     let _alone = alone();
-    for (number, (_, bytes)) in seeds("blade_file").into_iter().enumerate() {
+    let folder = folder();
+    for (number, (name, bytes)) in seeds("blade_file").into_iter().enumerate() {
         let mut random = Random::new(number as u64);
         for _ in 0..MUTATIONS {
-            read(&mutated(&bytes, &mut random));
+            let changed = mutated(&bytes, &mut random);
+            use_it(folder.path(), &name, &changed);
         }
     }
 }

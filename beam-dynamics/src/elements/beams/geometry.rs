@@ -5,6 +5,10 @@ use nalgebra::{Matrix3, Vector3};
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::model::{Node, NodeMotion};
 
+/// Newton iterations for the place of an arc length: each squares the error, which is a
+/// few percent at first.
+const PLACE_ITERATIONS: usize = 5;
+
 /// How the beam is attached to one of its nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamNode {
@@ -62,6 +66,35 @@ impl BeamGeometry {
             slope,
             curvature,
         }
+    }
+
+    /// Undeformed length of the reference line from the first node to xi [m].
+    pub fn arc_length(&self, nodes: &[&Node; 3], xi: f64) -> f64 {
+        let half = 0.5 * (xi + 1.0);
+        shared_geom::quadrature::line(3)
+            .iter()
+            .map(|(at, weight)| {
+                let place = half * (at + 1.0) - 1.0;
+                half * weight * self.reference_point(nodes, place).j0
+            })
+            .sum()
+    }
+
+    /// The place xi at an arc length from the first node.
+    pub fn place(&self, nodes: &[&Node; 3], arc_length: f64) -> f64 {
+        let length = self.length(nodes);
+        let mut xi = 2.0 * arc_length / length - 1.0;
+        // Nearly linear already: the middle node is near the middle.
+        for _ in 0..PLACE_ITERATIONS {
+            let excess = self.arc_length(nodes, xi) - arc_length;
+            xi = (xi - excess / self.reference_point(nodes, xi).j0).clamp(-1.0, 1.0);
+        }
+        xi
+    }
+
+    /// Section axes at xi of the undeformed beam (columns) [-].
+    pub fn section_axes(&self, nodes: &[&Node; 3], xi: f64) -> Matrix3<f64> {
+        self.reference_point(nodes, xi).r
     }
 
     /// Undeformed length of the reference line, by three Gauss points [m].

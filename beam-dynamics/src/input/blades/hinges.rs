@@ -20,15 +20,8 @@ use super::problem::BladeProblem;
 use super::seats::Seat;
 use crate::elements::joints::HingeSpring;
 use crate::input::draft::Draft;
+use crate::input::number::not_negative;
 use crate::model::Node;
-
-/// Moment per angular velocity.
-const TURNING_DAMPER: Dimension = Dimension {
-    length: 2,
-    mass: 1,
-    time: -1,
-    angle: 0,
-};
 
 /// What a hinge lets the blade do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,8 +77,12 @@ fn hinge(table: &Table<'_>) -> Option<BladeHinge> {
         true => table.quantity("offset", Dimension::LENGTH).map(Some),
         false => Some(None),
     };
-    let stiffness = not_negative(table, "stiffness", Dimension::MOMENT);
-    let damping = not_negative(table, "damping", TURNING_DAMPER);
+    let number = |key, dimension| match table.has(key) {
+        true => not_negative(table, key, dimension),
+        false => Some(0.0),
+    };
+    let stiffness = number("stiffness", Dimension::MOMENT);
+    let damping = number("damping", Dimension::TURNING_DAMPER);
     let angle = super::seats::angle(table, "angle");
     table.finish();
     Some(BladeHinge {
@@ -97,17 +94,6 @@ fn hinge(table: &Table<'_>) -> Option<BladeHinge> {
             angle: angle?,
         },
     })
-}
-
-fn not_negative(table: &Table<'_>, key: &'static str, dimension: Dimension) -> Option<f64> {
-    if !table.has(key) {
-        return Some(0.0);
-    }
-    let found = table.quantity(key, dimension)?;
-    if found < 0.0 {
-        table.note(key, &BladeProblem::Negative { key, found });
-    }
-    (found >= 0.0).then_some(found)
 }
 
 /// Offsets of all hinges of a blade whose root is at `root` \[m\]; notes those that do

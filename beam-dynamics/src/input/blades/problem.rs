@@ -106,14 +106,6 @@ pub enum BladeProblem {
         /// Radius of the root \[m\].
         root: f64,
     },
-    /// A spring or damper that pushes.
-    #[error("\"{key}\" is {}, expected zero or more", short_number(*.found, 6))]
-    Negative {
-        /// The key.
-        key: &'static str,
-        /// The value in SI units.
-        found: f64,
-    },
     /// A root with hinges that is free or clamped as well.
     #[error("blade \"{blade}\" has \"hinges\" and \"clamp_root\", expected one of them")]
     HingesAndClamp {

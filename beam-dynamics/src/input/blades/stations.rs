@@ -12,9 +12,11 @@
 //! element sees its own.
 
 use nalgebra::{Matrix6, Vector3};
-use shared_geom::blade::{self, Blade, Side};
+use shared_geom::blade::{Blade, Side};
 use shared_geom::document::Table;
+use shared_geom::exchange::{self, Options};
 use shared_geom::line::{Course, Curve};
+use shared_geom::units::Dimension;
 
 use super::laid::{Laid, LaidNode};
 use super::mesh::Ends;
@@ -50,10 +52,17 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
         true => elements(table).map(Some),
         false => Some(None),
     };
+    let length = match table.has("length") {
+        true => table
+            .require_positive("length", Dimension::LENGTH)
+            .map(Some),
+        false => Some(None),
+    };
     let written = table.text("file")?;
     let document = table.document();
     let path = document.path(&written);
-    let reading = document.keep(blade::read(&path))?;
+    let options = Options { length: length? };
+    let (_, reading) = document.keep(exchange::read_with(&path, &options))?;
     draft.add_remarks(reading.remarks);
     Some(StationLine {
         curve: reading.blade.line.curve(),

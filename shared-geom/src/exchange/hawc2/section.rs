@@ -18,9 +18,9 @@
 //! ```
 //!
 //! both in the principal axes. Mass: `m`, the mass center, and the radii of gyration
-//! about the elastic center along the principal axes of bending, as HAWC2's manual and
-//! the converter of BECAS have them. A product of inertia is not stated: the axes of the
-//! slice at its mass center are taken along those of bending.
+//! about the elastic center along the principal axes of bending, as HAWC2's columns are
+//! documented and as the converter of BECAS computes them. A product of inertia is not
+//! stated: the axes of the slice at its mass center are taken along those of bending.
 //!
 //! # Symbols
 //! | symbol | meaning | unit |

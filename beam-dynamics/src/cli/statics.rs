@@ -1,0 +1,182 @@
+//! `static` and `buckling`: analyzes each file, writes its results and prints them.
+
+use std::path::{Path, PathBuf};
+
+use shared_geom::files::OutputProblem;
+
+use super::blade_options::BladeOptions;
+use super::terminal::Terminal;
+use super::{DONE, NOT_REACHED, NotAsked, WRONG_INPUT, read_with_places};
+use crate::analysis::buckling::buckling;
+use crate::analysis::statics::statics;
+use crate::case::{BucklingQuestion, StaticQuestion};
+use crate::input::{Input, short_number};
+use crate::output::{self, Written};
+
+/// Folder and name of the results of a file.
+type Results = (PathBuf, String);
+
+/// `static FILE...`
+pub(super) fn static_of_files(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let asked = NotAsked {
+        file: String::new(),
+        table: "static",
+        example: "speed = 0 and to = 1, or nothing for the loads as they are",
+    };
+    each(
+        files,
+        out,
+        terminal,
+        (|input| input.statics.as_ref(), asked),
+        static_of,
+    )
+}
+
+/// `buckling FILE...`
+pub(super) fn buckling_of_files(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let asked = NotAsked {
+        file: String::new(),
+        table: "buckling",
+        example: "count = 4",
+    };
+    each(
+        files,
+        out,
+        terminal,
+        (|input| input.buckling.as_ref(), asked),
+        buckling_of,
+    )
+}
+
+/// Answers the question of every file; the worst exit code.
+fn each<Q>(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    terminal: &mut Terminal<'_>,
+    (question, asked): (impl Fn(&Input) -> Option<&Q>, NotAsked),
+    answer: fn(&Input, &Q, &Results, &mut Terminal<'_>) -> u8,
+) -> u8 {
+    let Some((inputs, places)) = read_with_places(files, out, &BladeOptions::default(), terminal)
+    else {
+        return WRONG_INPUT;
+    };
+    let mut complete = true;
+    for (file, input) in files.iter().zip(&inputs) {
+        if question(input).is_none() {
+            complete = false;
+            terminal.tell(&NotAsked {
+                file: file.display().to_string(),
+                ..asked
+            });
+        }
+    }
+    if !complete {
+        return WRONG_INPUT;
+    }
+    let mut code = DONE;
+    for (number, (input, results)) in inputs.iter().zip(&places).enumerate() {
+        if number > 0 {
+            terminal.show("\n\n");
+        }
+        if let Some(question) = question(input) {
+            code = code.max(answer(input, question, results, terminal));
+        }
+    }
+    code
+}
+
+fn static_of(
+    input: &Input,
+    question: &StaticQuestion,
+    (folder, name): &Results,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let outcome = statics(&input.model, question);
+    let mut result = outcome.result;
+    if let Some(failure) = &outcome.failure {
+        result.remarks.push(format!("stopped early: {failure}"));
+    }
+    let written = output::write_static(&result, folder, name);
+    let text = format!(
+        "{}\n{}",
+        output::static_text(&result),
+        output::STATIC_CONVENTION
+    );
+    terminal.show(&text);
+    let failure = outcome.failure.map(|failure| {
+        let last = result.last().map_or_else(
+            || "nothing was reached".to_owned(),
+            |step| {
+                let kept = result.steps.len();
+                format!(
+                    "{kept} equilibria up to the load factor {} are written",
+                    short_number(step.factor, 6)
+                )
+            },
+        );
+        format!(
+            "error: {name}: {failure}\n  help: {}; {last}",
+            failure.remedy()
+        )
+    });
+    finish(failure, written, terminal)
+}
+
+fn buckling_of(
+    input: &Input,
+    question: &BucklingQuestion,
+    (folder, name): &Results,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let outcome = buckling(&input.model, question);
+    let mut result = outcome.result;
+    if let Some(failure) = &outcome.failure {
+        result.remarks.push(format!("stopped early: {failure}"));
+    }
+    let written = output::write_buckling(&result, folder, name);
+    let text = format!(
+        "{}\n{}",
+        output::buckling_text(&result),
+        output::BUCKLING_CONVENTION
+    );
+    terminal.show(&text);
+    let failure = outcome.failure.map(|failure| {
+        let remedy = failure.remedy();
+        format!("error: {name}: {failure}\n  help: {remedy}")
+    });
+    finish(failure, written, terminal)
+}
+
+/// Tells what went wrong and which files there are; the exit code.
+fn finish(
+    failure: Option<String>,
+    written: Result<Written, OutputProblem>,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let mut code = DONE;
+    if let Some(failure) = failure {
+        terminal.tell_text(&failure);
+        code = NOT_REACHED;
+    }
+    match written {
+        Ok(written) => {
+            terminal.show("\nWritten\n");
+            for file in &written.files {
+                terminal.show(&format!("  {}\n", file.display()));
+            }
+        }
+        Err(problem) => {
+            terminal.tell(&problem);
+            code = NOT_REACHED;
+        }
+    }
+    code
+}

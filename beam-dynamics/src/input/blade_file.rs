@@ -1,0 +1,187 @@
+//! A model of blades from a blade file alone, with what is asked of it.
+//!
+//! The words of the question become the text of a dynamics input, which is read as any
+//! other: a blade file means the same from both doors.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use shared_geom::error::{Diagnostics, Place};
+
+use super::Input;
+
+/// The file name of the text that the question becomes.
+const MADE: &str = "(made from the options)";
+/// Endings that name a blade file.
+const ENDINGS: [&str; 2] = [".blade.json", ".blade.toml"];
+
+/// What is asked of the blade of a file, and how it is mounted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BladeQuestion {
+    /// Rotor speeds \[rpm\].
+    pub speeds_rpm: Vec<f64>,
+    /// Number of modes to report at each speed; `None` for the default.
+    pub count: Option<usize>,
+    /// Number of elements; `None` for element ends at the stations.
+    pub elements: Option<usize>,
+    /// Length of a straight blade, for files of sections without a line \[m\].
+    pub length: Option<f64>,
+    /// Distance of the root from the axis, along the blade \[m\].
+    pub hub_radius: f64,
+    /// Precone, positive up \[deg\].
+    pub precone_deg: f64,
+    /// Pitch, nose up \[deg\].
+    pub pitch_deg: f64,
+    /// Number of blades; `None` for a single one.
+    pub blades: Option<usize>,
+    /// Whether the root is free to flap and lag, about hinges that coincide at it.
+    pub is_hinged: bool,
+}
+
+impl Default for BladeQuestion {
+    /// The modes of a single blade, clamped and at rest.
+    fn default() -> Self {
+        Self {
+            speeds_rpm: vec![0.0],
+            count: None,
+            elements: None,
+            length: None,
+            hub_radius: 0.0,
+            precone_deg: 0.0,
+            pitch_deg: 0.0,
+            blades: None,
+            is_hinged: false,
+        }
+    }
+}
+
+impl BladeQuestion {
+    /// The text of the dynamics input.
+    fn text(&self, file: &str) -> String {
+        let mut text = format!(
+            "units = \"SI\"\n[[blade]]\nname = \"blade\"\nfile = {}\nhub_radius = {:e}\n\
+             precone = {:e}\npitch = {:e}\n",
+            quoted(file),
+            self.hub_radius,
+            self.precone_deg,
+            self.pitch_deg
+        );
+        let numbers = [("elements", self.elements), ("count", self.blades)];
+        for (key, number) in numbers {
+            if let Some(number) = number {
+                // A string takes all that is written to it.
+                let _ = writeln!(text, "{key} = {number}");
+            }
+        }
+        if let Some(length) = self.length {
+            let _ = writeln!(text, "length = {length:e}");
+        }
+        if self.is_hinged {
+            text += "hinges = [{ kind = \"flap\" }, { kind = \"lag\" }]\n";
+        }
+        let speeds: Vec<_> = self
+            .speeds_rpm
+            .iter()
+            .map(|rpm| format!("{rpm:e}"))
+            .collect();
+        let _ = writeln!(text, "[modes]\nspeeds = [{}]", speeds.join(", "));
+        if let Some(count) = self.count {
+            let _ = writeln!(text, "count = {count}");
+        }
+        text
+    }
+}
+
+/// A basic string of TOML.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => quoted.extend(['\\', letter]),
+            letter if letter.is_control() => {
+                let _ = write!(quoted, "\\u{:04x}", letter as u32);
+            }
+            letter => quoted.push(letter),
+        }
+    }
+    quoted + "\""
+}
+
+/// Whether a file is a blade file by its name: no `.toml`, or one called
+/// `NAME.blade.toml`.
+pub fn is_blade_file(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    !name.ends_with(".toml") || name.ends_with(ENDINGS[1])
+}
+
+/// The name of a blade file without folder and ending.
+pub(super) fn name_of(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let stem = ENDINGS.iter().find_map(|ending| name.strip_suffix(ending));
+    let stem = stem.or_else(|| name.rsplit_once('.').map(|(stem, _)| stem));
+    stem.filter(|stem| !stem.is_empty())
+        .unwrap_or(&name)
+        .to_owned()
+}
+
+/// Reads and checks the blade file at `path`: in our formats, or in that of another tool.
+///
+/// # Errors
+/// Everything that is wrong with the file and the question.
+pub fn read_blade(path: &Path, question: &BladeQuestion) -> Result<Input, Diagnostics> {
+    let file = path.display().to_string();
+    let input = super::checked(&question.text(&file), MADE, &name_of(path));
+    input.map_err(|problems| problems.told_of(MADE, &Place::file(file)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shared_geom::document::Document;
+
+    #[test]
+    fn a_question_becomes_a_sound_text() {
+        let question = BladeQuestion {
+            speeds_rpm: vec![0.0, 12.1],
+            count: Some(8),
+            elements: Some(30),
+            hub_radius: 1.5,
+            blades: Some(3),
+            is_hinged: true,
+            ..BladeQuestion::default()
+        };
+        let file = "a \"b\"\\c\t.dat";
+        let text = question.text(file);
+        let document = Document::parse(&text, MADE).unwrap();
+        let blades = document.root().tables("blade");
+        assert_eq!(blades[0].text("file").as_deref(), Some(file));
+        assert_eq!(blades[0].tables("hinges").len(), 2);
+        for line in [
+            "elements = 30",
+            "count = 3",
+            "count = 8",
+            "speeds = [0e0, 1.21e1]",
+        ] {
+            assert!(
+                text.lines().any(|found| found == line),
+                "{line} is not in {text}"
+            );
+        }
+    }
+
+    #[test]
+    fn blade_files_are_known_by_their_names() {
+        for (file, is_blade, name) in [
+            ("a/x.blade.json", true, "x"),
+            ("x.blade.toml", true, "x"),
+            ("NREL_5MW.v2.dat", true, "NREL_5MW.v2"),
+            ("st", true, "st"),
+            ("x.toml", false, "x"),
+            ("x.dynamics.toml", false, "x"),
+        ] {
+            let path = Path::new(file);
+            assert_eq!(is_blade_file(path), is_blade, "{file}");
+            assert_eq!(super::super::name_of(path), name);
+        }
+    }
+}

@@ -1,0 +1,276 @@
+//! Loads along blades and beams.
+
+use nalgebra::Vector3;
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::{LoadProblem, axes, kind, label};
+use crate::elements::beams::{BeamGeometry, DistributedLoad, LineLoad};
+use crate::elements::loads::{LoadFactor, Turning};
+use crate::input::draft::{Beam, Draft};
+use crate::model::Node;
+
+/// Coefficients of a polynomial: the fifth degree is integrated exactly.
+const COEFFICIENTS: usize = 6;
+/// A place may pass the end of the line by this part of its length: digits lost in the
+/// input.
+const ROUNDING: f64 = 1e-6;
+
+/// A quantity along a line.
+#[derive(Debug, Clone)]
+enum Course {
+    /// Coefficients of the powers of arc length over length.
+    Polynomial(Vec<Vector3<f64>>),
+    /// Values at arc lengths, linear between them, zero beyond.
+    Table(Vec<(f64, Vector3<f64>)>),
+}
+
+/// The load of a card.
+struct Card {
+    beams: Vec<usize>,
+    force: Course,
+    moment: Course,
+    kind: (Turning, LoadFactor),
+    in_section: bool,
+}
+
+/// Adds every `[[distributed_load]]` to the model.
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("distributed_load").iter().enumerate() {
+        let label = label(table, "distributed load", number);
+        let is_new = draft.take_label("distributed load", &label, table);
+        let card = card(table, draft, &label);
+        table.finish();
+        match card {
+            Some(card) if is_new => {
+                for load in elements(&label, &card, draft) {
+                    draft.add_load(Box::new(load));
+                }
+            }
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
+    let beams = beams(table, draft, label);
+    let in_section = axes(table, "section");
+    let kind = kind(table);
+    let places = places(table);
+    let force = course(table, "force", Dimension::FORCE_PER_LENGTH, &places);
+    let moment = course(table, "moment", Dimension::FORCE, &places);
+    if !table.has("force") && !table.has("moment") {
+        table.note("", &LoadProblem::NoLoad);
+        return None;
+    }
+    let card = Card {
+        beams: beams?,
+        force: force?,
+        moment: moment?,
+        kind: kind?,
+        in_section: in_section?,
+    };
+    let length = length(&card.beams, draft);
+    let beyond = places.flatten().unwrap_or_default();
+    let beyond = beyond
+        .into_iter()
+        .find(|place| *place < 0.0 || *place > length * (1.0 + ROUNDING));
+    if let Some(found) = beyond {
+        table.note("at", &LoadProblem::Beyond { found, length });
+        return None;
+    }
+    Some(card)
+}
+
+/// Arc lengths of a table; `None` when they are wrong, `Some(None)` without a table.
+fn places(table: &Table<'_>) -> Option<Option<Vec<f64>>> {
+    if !table.has("at") {
+        return Some(None);
+    }
+    let places = table.quantities("at", Dimension::LENGTH)?;
+    if places.len() < 2 {
+        let found = places.len();
+        table.note("at", &LoadProblem::FewPlaces { found });
+        return None;
+    }
+    if let Some(pair) = places.windows(2).find(|pair| pair[1] < pair[0]) {
+        let (before, after) = (pair[0], pair[1]);
+        table.note("at", &LoadProblem::Falling { before, after });
+        return None;
+    }
+    Some(Some(places))
+}
+
+fn course(
+    table: &Table<'_>,
+    key: &'static str,
+    dimension: Dimension,
+    places: &Option<Option<Vec<f64>>>,
+) -> Option<Course> {
+    if !table.has(key) {
+        return Some(Course::Polynomial(Vec::new()));
+    }
+    let rows = table.vectors(key, dimension)?;
+    let found = rows.len();
+    let Some(places) = places.as_ref()? else {
+        if found > COEFFICIENTS {
+            let limit = COEFFICIENTS;
+            table.note(key, &LoadProblem::Degree { key, found, limit });
+            return None;
+        }
+        return Some(Course::Polynomial(rows));
+    };
+    let expected = places.len();
+    if found != expected {
+        let problem = LoadProblem::Rows {
+            key,
+            found,
+            expected,
+        };
+        table.note(key, &problem);
+        return None;
+    }
+    Some(Course::Table(places.iter().copied().zip(rows).collect()))
+}
+
+/// The beams of a load, in order along it.
+fn beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usize>> {
+    match (table.has("blade"), table.has("beams")) {
+        (false, false) => table.note("", &LoadProblem::NoLine),
+        (true, true) => table.note("beams", &LoadProblem::BladeAndBeams),
+        (true, false) => {
+            let name = table.text("blade")?;
+            if draft.is_broken_blade(&name) {
+                return None;
+            }
+            let Some(blade) = draft.blades().iter().find(|blade| blade.name == name) else {
+                let known = draft.blades().iter().map(|blade| blade.name.clone());
+                let problem = LoadProblem::UnknownLine {
+                    kind: "blade",
+                    name,
+                    user: label.to_owned(),
+                    known: known.collect(),
+                };
+                table.note("blade", &problem);
+                return None;
+            };
+            let place = |node: usize| blade.nodes.iter().position(|own| *own == node);
+            let mut found: Vec<_> = draft.beams().iter().enumerate().collect();
+            found.retain(|(_, beam)| beam.nodes.iter().all(|node| place(*node).is_some()));
+            found.sort_by_key(|(_, beam)| beam.nodes.map(place).into_iter().min());
+            return Some(found.into_iter().map(|(index, _)| index).collect());
+        }
+        (false, true) => return named_beams(table, draft, label),
+    }
+    None
+}
+
+fn named_beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usize>> {
+    let mut found: Vec<usize> = Vec::new();
+    for name in table.texts("beams")? {
+        let index = draft.beams().iter().position(|beam| beam.label == name);
+        let Some(index) = index else {
+            let known = draft.beams().iter().map(|beam| beam.label.clone());
+            let problem = LoadProblem::UnknownLine {
+                kind: "beam",
+                name,
+                user: label.to_owned(),
+                known: known.collect(),
+            };
+            table.note("beams", &problem);
+            return None;
+        };
+        if found.contains(&index) {
+            table.note("beams", &LoadProblem::BeamTwice { name });
+            return None;
+        }
+        found.push(index);
+    }
+    Some(found)
+}
+
+fn ends<'a>(beam: &Beam, draft: &'a Draft) -> [&'a Node; 3] {
+    beam.nodes.map(|node| &draft.nodes()[node])
+}
+
+fn length(beams: &[usize], draft: &Draft) -> f64 {
+    let of_beam = |index: &usize| {
+        let beam = &draft.beams()[*index];
+        beam.geometry.length(&ends(beam, draft))
+    };
+    beams.iter().map(of_beam).sum()
+}
+
+fn elements(label: &str, card: &Card, draft: &Draft) -> Vec<DistributedLoad> {
+    let whole = length(&card.beams, draft);
+    let mut start = 0.0;
+    let mut loads = Vec::with_capacity(card.beams.len());
+    for &index in &card.beams {
+        let beam = &draft.beams()[index];
+        let ends = ends(beam, draft);
+        let arc = |xi: f64| start + beam.geometry.arc_length(&ends, xi);
+        let kinks = kinks(card, &beam.geometry, &ends, start);
+        let load = |xi: f64| -> LineLoad {
+            let s = arc(xi);
+            let turn = match card.in_section {
+                true => Some(beam.geometry.section_axes(&ends, xi)),
+                false => None,
+            };
+            [&card.force, &card.moment].map(|course| {
+                let value = course.at(s, whole);
+                turn.map_or(value, |axes| axes * value)
+            })
+        };
+        let name = format!("{label} on {}", beam.label);
+        loads.push(DistributedLoad::new(
+            name,
+            beam.nodes,
+            beam.geometry,
+            ends,
+            card.kind,
+            &kinks,
+            load,
+        ));
+        start += beam.geometry.length(&ends);
+    }
+    loads
+}
+
+/// Places xi of the rows of tables inside a beam that begins at arc length `start`.
+fn kinks(card: &Card, geometry: &BeamGeometry, ends: &[&Node; 3], start: f64) -> Vec<f64> {
+    let length = geometry.length(ends);
+    let mut found = Vec::new();
+    for course in [&card.force, &card.moment] {
+        let Course::Table(rows) = course else {
+            continue;
+        };
+        let inside = rows.iter().map(|row| row.0 - start);
+        let inside = inside.filter(|s| *s > 0.0 && *s < length);
+        found.extend(inside.map(|s| geometry.place(ends, s)));
+    }
+    found
+}
+
+impl Course {
+    /// The value at arc length `s` of a line of length `whole`.
+    fn at(&self, s: f64, whole: f64) -> Vector3<f64> {
+        match self {
+            Self::Polynomial(coefficients) => {
+                let powers = coefficients.iter().rev();
+                powers.fold(Vector3::zeros(), |sum, c| sum * (s / whole) + c)
+            }
+            Self::Table(rows) => {
+                let around = rows
+                    .windows(2)
+                    .find(|pair| pair[0].0 <= s && s <= pair[1].0);
+                around.map_or_else(Vector3::zeros, |pair| {
+                    let part = (s - pair[0].0) / (pair[1].0 - pair[0].0);
+                    match part.is_finite() {
+                        true => pair[0].1.lerp(&pair[1].1, part),
+                        false => pair[0].1,
+                    }
+                })
+            }
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! What can be wrong with loads.
+
+use shared_geom::error::{Explain, nearest_name};
+
+use crate::input::short_number;
+
+/// A problem of a load, an imposed motion or gravity.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LoadProblem {
+    /// A load without force and moment.
+    #[error("the load has neither \"force\" nor \"moment\", expected one of them or both")]
+    NoLoad,
+    /// An imposed motion without components.
+    #[error("nothing is imposed, expected \"displacement\", \"rotation\" or both")]
+    NothingImposed,
+    /// A node that is clamped and moved.
+    #[error("node \"{node}\" is clamped, expected a node that can be moved")]
+    Clamped {
+        /// Name of the node.
+        node: String,
+    },
+    /// A load along nothing.
+    #[error("the load has neither \"blade\" nor \"beams\", expected one of them")]
+    NoLine,
+    /// A load along a blade and along beams.
+    #[error("the load has \"blade\" and \"beams\", expected one of them")]
+    BladeAndBeams,
+    /// A name of no beam or blade.
+    #[error("unknown {kind} \"{name}\" in \"{user}\"")]
+    UnknownLine {
+        /// `beam` or `blade`.
+        kind: &'static str,
+        /// The name found.
+        name: String,
+        /// Name of the load.
+        user: String,
+        /// The names of this kind.
+        known: Vec<String>,
+    },
+    /// A beam twice along one load.
+    #[error("\"beams\" lists \"{name}\" twice, expected each beam once")]
+    BeamTwice {
+        /// Name of the beam.
+        name: String,
+    },
+    /// Too many coefficients.
+    #[error("\"{key}\" has {found} rows of coefficients, expected at most {limit}")]
+    Degree {
+        /// The key.
+        key: &'static str,
+        /// Number of rows.
+        found: usize,
+        /// The largest number accepted.
+        limit: usize,
+    },
+    /// Rows of another number than places.
+    #[error("\"{key}\" has {found} rows, expected {expected}: one for each place of \"at\"")]
+    Rows {
+        /// The key.
+        key: &'static str,
+        /// Number of rows.
+        found: usize,
+        /// Number of places.
+        expected: usize,
+    },
+    /// A table of one place.
+    #[error("\"at\" has {found} places, expected at least two")]
+    FewPlaces {
+        /// Number of places.
+        found: usize,
+    },
+    /// Places that fall.
+    #[error(
+        "\"at\" falls from {} m to {} m, expected ascending arc lengths",
+        short_number(*.before, 6),
+        short_number(*.after, 6)
+    )]
+    Falling {
+        /// A place \[m\].
+        before: f64,
+        /// The next \[m\].
+        after: f64,
+    },
+    /// A place beyond the line.
+    #[error(
+        "\"at\" has {} m, expected 0 to {} m, the length of the line",
+        short_number(*.found, 6),
+        short_number(*.length, 6)
+    )]
+    Beyond {
+        /// The place \[m\].
+        found: f64,
+        /// Length of the line \[m\].
+        length: f64,
+    },
+    /// Gravity across the axis of a turning model.
+    #[error(
+        "gravity has {} m/s^2 across the axis of rotation, and the model turns at {} rpm: \
+         seen from the model it goes round, so that there is no steady equilibrium",
+        short_number(*.across, 6),
+        short_number(*.rpm, 6)
+    )]
+    GravityGoesRound {
+        /// The part across the axis \[m/s^2\].
+        across: f64,
+        /// The highest speed \[rpm\].
+        rpm: f64,
+    },
+}
+
+impl Explain for LoadProblem {
+    fn help(&self) -> Option<String> {
+        let fixed = match self {
+            Self::UnknownLine { name, known, .. } => {
+                return Some(match nearest_name(name, known.iter().map(String::as_str)) {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => format!("known: {}", known.join(", ")),
+                });
+            }
+            Self::NothingImposed => {
+                "name the held components, for example displacement = { x = 0, z = 0 }"
+            }
+            Self::Clamped { .. } => {
+                "take the [[clamp]] away: [[imposed]] holds the components that it names"
+            }
+            Self::GravityGoesRound { .. } => {
+                "give gravity along the axis, or ask for speed 0, at one azimuth after the other"
+            }
+            Self::Degree { .. } => "give a table: \"at\" with a row for each place",
+            _ => return None,
+        };
+        Some(fixed.to_owned())
+    }
+}

@@ -1,0 +1,72 @@
+//! Damping ratios of modes that are given: `damping_ratio` of `[modes]`.
+
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::problem::InputProblem;
+use crate::case::ModalDamping;
+use crate::result::ModeKind;
+
+const KEY: &str = "damping_ratio";
+
+/// Reads the key; `None` when it is wrong.
+pub(super) fn read(modes: &Table<'_>) -> Option<ModalDamping> {
+    if !modes.has(KEY) {
+        return Some(ModalDamping::Found);
+    }
+    if modes.is_table(KEY) {
+        return by_name(&modes.table(KEY)?);
+    }
+    let ratios = modes.quantities(KEY, Dimension::NUMBER)?;
+    let wrong = ratios.iter().find(|ratio| !is_ratio(**ratio));
+    if let Some(&found) = wrong {
+        let name = KEY.to_owned();
+        modes.note(KEY, &InputProblem::NoRatio { name, found });
+        return None;
+    }
+    // One number is that of all modes, a list of one that of the first.
+    Some(match (modes.is_list(KEY), &ratios[..]) {
+        (false, [all]) => ModalDamping::All(*all),
+        _ => ModalDamping::ByOrder(ratios),
+    })
+}
+
+fn by_name(table: &Table<'_>) -> Option<ModalDamping> {
+    let mut ratios = Vec::new();
+    let mut sound = true;
+    for name in table.keys() {
+        let ratio = table.quantity(&name, Dimension::NUMBER);
+        match ratio {
+            Some(found) if !is_ratio(found) => {
+                let name = name.clone();
+                table.note(&name.clone(), &InputProblem::NoRatio { name, found });
+                sound = false;
+            }
+            Some(ratio) => ratios.push((name.clone(), ratio)),
+            None => sound = false,
+        }
+        if !begins_with_kind(&name) {
+            table.note(&name, &InputProblem::NoModeName { name: name.clone() });
+            sound = false;
+        }
+    }
+    sound.then_some(ModalDamping::ByName(ratios))
+}
+
+/// Damping ratios of motions that oscillate.
+fn is_ratio(number: f64) -> bool {
+    (0.0..1.0).contains(&number)
+}
+
+/// Modes are called by a kind and more.
+fn begins_with_kind(name: &str) -> bool {
+    let coupled = ModeKind::Coupled.word();
+    let mut kinds = ModeKind::PURE
+        .iter()
+        .map(|kind| kind.word())
+        .chain([coupled]);
+    kinds.any(|kind| {
+        name.strip_prefix(kind)
+            .is_some_and(|rest| rest.starts_with(' '))
+    })
+}

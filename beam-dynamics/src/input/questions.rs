@@ -1,0 +1,131 @@
+//! What is asked about equilibria under loads and about critical loads.
+
+use nalgebra::Vector3;
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::loads::{LoadProblem, flag};
+use super::problem::InputProblem;
+use super::speeds::{self, RPM};
+use crate::case::{BucklingQuestion, ModesQuestion, Spin, StaticQuestion};
+
+/// Steps along a path at most, unless a number is given.
+const DEFAULT_MOST_STEPS: usize = 500;
+/// Steps of one run: more are a slip of the pen.
+const MOST_STEPS: usize = 100_000;
+/// Critical loads that are reported unless a number is given.
+const DEFAULT_COUNT: usize = 4;
+/// Critical loads of one run at most.
+const MOST_LOADS: usize = 1000;
+/// Part of gravity across the axis below which it is along it: digits lost in the input.
+const ALONG: f64 = 1e-9;
+
+/// All that can be asked of a model.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Questions {
+    pub modes: Option<ModesQuestion>,
+    pub statics: Option<StaticQuestion>,
+    pub buckling: Option<BucklingQuestion>,
+}
+
+/// Reads every question.
+pub(super) fn read(root: &Table<'_>) -> Option<Questions> {
+    let modes = match root.has("modes") {
+        true => speeds::read(root).map(Some),
+        false => Some(None),
+    };
+    let (statics, buckling) = (statics(root), buckling(root));
+    Some(Questions {
+        modes: modes?,
+        statics: statics?,
+        buckling: buckling?,
+    })
+}
+
+/// Reads `[static]`; `Some(None)` without the card.
+fn statics(root: &Table<'_>) -> Option<Option<StaticQuestion>> {
+    if !root.has("static") {
+        return Some(None);
+    }
+    let table = root.table("static")?;
+    let speed = speed(&table);
+    let to = match table.has("to") {
+        true => table.quantity("to", Dimension::NUMBER),
+        false => Some(1.0),
+    };
+    let steps = match table.has("steps") {
+        true => at_most(&table, "steps", MOST_STEPS).map(Some),
+        false => Some(None),
+    };
+    let arc_length = flag(&table, "arc_length");
+    let most_steps = match table.has("most_steps") {
+        true => at_most(&table, "most_steps", MOST_STEPS),
+        false => Some(DEFAULT_MOST_STEPS),
+    };
+    table.finish();
+    let steps = steps?;
+    Some(Some(StaticQuestion {
+        speed: speed?,
+        to: to?,
+        steps,
+        arc_length: arc_length?,
+        // Steps that are asked for count as allowed.
+        most_steps: most_steps?.max(steps.unwrap_or(0)),
+    }))
+}
+
+/// Reads `[buckling]`; `Some(None)` without the card.
+fn buckling(root: &Table<'_>) -> Option<Option<BucklingQuestion>> {
+    if !root.has("buckling") {
+        return Some(None);
+    }
+    let table = root.table("buckling")?;
+    let speed = speed(&table);
+    let count = match table.has("count") {
+        true => at_most(&table, "count", MOST_LOADS),
+        false => Some(DEFAULT_COUNT),
+    };
+    table.finish();
+    Some(Some(BucklingQuestion {
+        speed: speed?,
+        count: count?,
+    }))
+}
+
+fn speed(table: &Table<'_>) -> Option<f64> {
+    if !table.has("speed") {
+        return Some(0.0);
+    }
+    let speed = table.quantity("speed", Dimension::ROTATION_SPEED)?;
+    if speed < 0.0 {
+        let (key, rpm) = ("speed", speed / RPM);
+        table.note(key, &InputProblem::NegativeSpeed { key, rpm });
+        return None;
+    }
+    Some(speed)
+}
+
+fn at_most(table: &Table<'_>, key: &'static str, limit: usize) -> Option<usize> {
+    let found = table.count(key)?;
+    if found > limit {
+        table.note(key, &InputProblem::TooMany { key, found, limit });
+        return None;
+    }
+    Some(found)
+}
+
+impl Questions {
+    /// Notes gravity across the axis of a model that turns: it has no steady equilibrium.
+    pub fn check(&self, root: &Table<'_>, gravity: &Vector3<f64>, spin: &Spin) {
+        let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());
+        let of_statics = self.statics.iter().map(|statics| &statics.speed);
+        let of_buckling = self.buckling.iter().map(|buckling| &buckling.speed);
+        let speeds = of_modes.chain(of_statics).chain(of_buckling);
+        let highest = speeds.copied().fold(0.0, f64::max);
+        let across = (gravity - spin.axis * spin.axis.dot(gravity)).norm();
+        if highest > 0.0 && across > ALONG * gravity.norm() {
+            let rpm = highest / RPM;
+            root.note("gravity", &LoadProblem::GravityGoesRound { across, rpm });
+        }
+    }
+}
