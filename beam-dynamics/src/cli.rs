@@ -93,9 +93,12 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         }
     };
     match arguments.command {
-        Command::Modes { files, out, blade } => {
-            modes_of_files(&files, out.as_deref(), &blade, terminal)
-        }
+        Command::Modes {
+            files,
+            out,
+            vtu,
+            blade,
+        } => modes_of_files(&files, out.as_deref(), (&blade, vtu), terminal),
         Command::Static { files, out } => {
             statics::static_of_files(&files, out.as_deref(), terminal)
         }
@@ -196,7 +199,7 @@ fn read_with_places(
 fn modes_of_files(
     files: &[PathBuf],
     out: Option<&Path>,
-    options: &BladeOptions,
+    (options, animate): (&BladeOptions, bool),
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let dynamics = files.iter().find(|file| !input::is_blade_file(file));
@@ -211,7 +214,14 @@ fn modes_of_files(
     let mut questions = Vec::with_capacity(inputs.len());
     for (file, input) in files.iter().zip(&inputs) {
         match &input.modes {
-            Some(question) => questions.push((input, question)),
+            Some(question) => {
+                let mut question = question.clone();
+                question.animate |= animate;
+                if question.shapes.is_empty() {
+                    question.shapes = question.ends();
+                }
+                questions.push((input, question));
+            }
             None => terminal.tell(&NotAsked {
                 file: file.display().to_string(),
                 table: "modes",
@@ -227,7 +237,7 @@ fn modes_of_files(
             if number > 0 {
                 terminal.show("\n\n");
             }
-            modes_of(input, question, place, terminal)
+            modes_of(input, &question, place, terminal)
         },
     );
     codes.max().unwrap_or(DONE)
@@ -255,7 +265,11 @@ fn modes_of(
     if let Some(failure) = &outcome.failure {
         table.remarks.push(format!("stopped early: {failure}"));
     }
-    let written = output::write(&table, &input.measured, folder, name);
+    let written = output::write(&table, &input.measured, folder, name).and_then(|mut written| {
+        let shapes = output::write_shapes(&input.model, &table, question.animate, folder, name)?;
+        written.files.extend(shapes.files);
+        Ok(written)
+    });
     terminal.show(&output::result_text(&table, &input.measured));
     let mut code = DONE;
     if let Some(failure) = &outcome.failure {

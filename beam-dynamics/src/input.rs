@@ -42,6 +42,8 @@ mod springs;
 mod summary;
 
 #[cfg(test)]
+mod joint_tests;
+#[cfg(test)]
 mod tests;
 
 pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
@@ -70,8 +72,6 @@ pub struct Input {
     pub buckling: Option<BucklingQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
-    /// Names of the hinges that nothing but motion and loads holds.
-    pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
     /// What the reader must know of the files: defaults that were taken, plausibility.
@@ -99,8 +99,22 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     for found in &mobility.mechanisms {
         problems.push(Place::file(file), found);
     }
-    input.free_hinges = mobility.free_hinges;
+    input.remarks.extend(free_hinges(&mobility.free_hinges));
     problems.into_result(input)
+}
+
+/// What the reader must know of hinges without a spring.
+fn free_hinges(names: &[String]) -> Option<String> {
+    let [first, others @ ..] = names else {
+        return None;
+    };
+    let others = match others.len() {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    Some(format!(
+        "hinge \"{first}\"{others} can turn freely: at rest this is a motion of frequency zero"
+    ))
 }
 
 /// The file's name without folder and ending: what outputs are named by.
@@ -155,7 +169,6 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         statics: questions.statics,
         buckling: questions.buckling,
         measured,
-        free_hinges: Vec::new(),
         summary,
         remarks,
     })

@@ -69,7 +69,8 @@ fn without_shear(load: f64) -> f64 {
 }
 
 /// One element has `6 (5 -+ sqrt 21) EI / L^2`, derived by hand: round-off, 1e-9. Two and
-/// four elements as an independent script gives them, seven digits; four within 1e-4 of
+/// four elements as an independent script gives them, whose prestress comes from
+/// difference quotients: six digits; four within 1e-4 of
 /// `pi^2 EI / 4 L^2`. Both bending directions give way at the same load.
 #[test]
 fn a_clamped_column_of_few_elements() {
@@ -79,7 +80,7 @@ fn a_clamped_column_of_few_elements() {
     for (elements, source, tolerance, expected) in [
         (1, formula, 1e-9, [6.0 * (5.0 - root), 6.0 * (5.0 + root)]),
         (2, script, 1e-6, [2.469_922, 23.767_537]),
-        (4, script, 1e-6, [2.467_559, 22.317_134]),
+        (4, script, 2e-6, [2.467_559, 22.317_134]),
     ] {
         let found = factors(column(elements, -1.0), 4);
         for (pair, expected) in found.chunks(2).zip(expected) {
@@ -222,8 +223,8 @@ fn the_lowest_frequency_of_a_turning_blade_vanishes_at_its_critical_load() {
     let outcome = buckling(&model(1.0), &question);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let critical = outcome.result.modes[0].factor;
-    // In the plane the turning blade is no stiffer than one at rest, across it it is.
-    assert!(critical > 2.0 && critical < 2.5, "{critical}");
+    // Turning stiffens.
+    assert!(critical > PI * PI / 4.0 && critical < 4.0, "{critical}");
     let squares = [0.98, 0.99].map(|part| {
         let outcome = modes(&model(part * critical), &ModesQuestion::new(vec![speed], 1));
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);

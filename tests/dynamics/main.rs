@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod beam_statics;
+mod blade_roots;
 mod buckling;
 mod case_files;
 mod chain;

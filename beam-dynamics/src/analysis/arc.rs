@@ -18,7 +18,7 @@ use crate::model::State;
 use crate::solver::{Equations, Newton, NewtonStatus, Worst, solve};
 
 use super::balance::Balance;
-use super::path::{PathEnd, Point, WITHOUT_STIFFNESS, Walk, Walker};
+use super::path::{PathEnd, Point, Walk, Walker};
 
 /// First step where none is asked for, as a part of the whole way.
 const FIRST: f64 = 0.05;
@@ -61,7 +61,7 @@ impl Walker<'_> {
     fn follow(&self, points: &mut Vec<Point>) -> Result<(), PathEnd> {
         let start = self.at(0.0, &self.balance.state);
         let rate = start.factorize().and_then(|tangent| start.rate(&tangent));
-        let stiff = |rate: &Vec<f64>| start.length(rate) * self.to.abs() < WITHOUT_STIFFNESS;
+        let stiff = |rate: &Vec<f64>| start.length(rate).is_finite() && !start.is_free(rate);
         let rate = rate.filter(stiff).ok_or_else(|| PathEnd::Free {
             motion: self.free_motion(),
         })?;

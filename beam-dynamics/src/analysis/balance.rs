@@ -7,6 +7,10 @@ use crate::assembly::{Residual, System};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
 use crate::solver::{Equations, Factorization, LinearSolver, Worst};
 
+/// A sum this small beside its terms is round-off. Slender beams of many elements come
+/// down to 1e-10 or so.
+const ROUND_OFF: f64 = 1e-13;
+
 /// The equations `F(y, 0) = 0` of a system, and a state that is to fulfill them.
 #[derive(Clone)]
 pub(super) struct Balance<'a> {
@@ -65,6 +69,26 @@ impl<'a> Balance<'a> {
         rate.iter_mut().for_each(|value| *value = -*value);
         tangent.solve(&mut rate)?;
         Some(rate)
+    }
+
+    /// Whether nothing resists the motion `rate` that the loads drive: its image under the
+    /// tangent, which is the load, is round-off of the terms of which it is the sum.
+    pub fn is_free(&self, rate: &[f64]) -> bool {
+        let tangent = self.system.tangent(&self.state, &self.conditions);
+        let load = self.system.by_factor(&self.state, &self.conditions);
+        let (mut terms, mut largest) = (vec![0.0; rate.len()], vec![0.0_f64; rate.len()]);
+        for (row, column, value) in tangent.by_unknowns.triplets() {
+            terms[row] += (value * rate[column]).abs();
+            largest[row] = largest[row].max(value.abs());
+        }
+        let greatest = |sums: &[f64]| {
+            let scaled = sums.iter().zip(&largest);
+            let scaled = scaled.filter(|(_, size)| **size > 0.0);
+            scaled
+                .map(|(sum, size)| sum.abs() / size)
+                .fold(0.0, f64::max)
+        };
+        greatest(&load) < ROUND_OFF * greatest(&terms)
     }
 
     /// Displacement and rotation of every node from `before` to the present state, in

@@ -11,6 +11,7 @@ use crate::modes::{
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
 
+use super::modal_damping;
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
 
 /// Modes computed beyond those reported, so that a mode that rises out of the list
@@ -104,6 +105,8 @@ pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
     };
     let failure = run(case, &mut branches, &mut table).err();
     table.branches = branches.into_table(case.question.count, table.speeds.len());
+    let unknown = modal_damping::give(&question.damping, &mut table.branches);
+    table.remarks.extend(unknown);
     ModesOutcome { table, failure }
 }
 

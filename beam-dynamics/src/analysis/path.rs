@@ -19,8 +19,9 @@ use super::transient::free_motion;
 
 /// Part of a way that the rates at its ends may leave unexplained.
 const UNEXPLAINED: f64 = 0.25;
-/// Motion below which a way is not judged: sizes of the model, radians.
-const SMALL: f64 = 1e-3;
+/// Motion below which a way is not judged: sizes of the model, radians. The iteration
+/// leaves 1e-9.
+const SMALL: f64 = 1e-7;
 /// Largest rotation of one step that a rotation vector can tell \[rad\].
 const TURN: f64 = 2.0;
 /// Steps are not cut below this part of the whole way.
@@ -29,9 +30,6 @@ const SMALLEST: f64 = 1e-5;
 const GROWN: f64 = 4.0;
 /// First step where none is asked for, as a part of the whole way.
 const FIRST: f64 = 0.1;
-/// Motion to the end of the path, in sizes of the model or radians, that shows that
-/// nothing resists it.
-pub(super) const WITHOUT_STIFFNESS: f64 = 1e8;
 /// Iterations up to which the next step is longer.
 const QUICK: usize = 7;
 
@@ -189,11 +187,15 @@ impl<'a> Walker<'a> {
 
     /// The state without the loads, whose rate must be one that stiffness allows.
     fn start(&self) -> Result<Here, PathEnd> {
-        let here = self.here(0.0, self.balance.state.clone());
-        let stiff = |here: &Here| here.speed * self.to.abs() < WITHOUT_STIFFNESS;
-        here.filter(stiff).ok_or_else(|| PathEnd::Free {
+        let free = || PathEnd::Free {
             motion: self.free_motion(),
-        })
+        };
+        let here = self.here(0.0, self.balance.state.clone());
+        let here = here.ok_or_else(free)?;
+        match self.balance.is_free(&here.rate) {
+            true => Err(free()),
+            false => Ok(here),
+        }
     }
 
     /// The motion that the loads drive and nothing resists.

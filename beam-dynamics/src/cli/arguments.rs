@@ -54,7 +54,10 @@ folder DIR:
   NAME.frequencies.csv   a row for each speed and mode
   NAME.frequencies.txt   the tables as printed
   NAME.comparison.csv    measured and computed frequencies, where there are measurements
-  NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed
+  NAME.modes.csv         what each mode is: damping, growth, shares of the energy, whirl
+  NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed; damping
+  NAME.shapes_at_*.png, .svg   shapes along the span at the first and the last speed
+  NAME.modes/            with --vtu: a series .pvd of field files for each mode
 where FILE is NAME.dynamics.toml.
 
 A FILE can also be a blade by itself, in any of the formats that are read: its modes are \
@@ -162,6 +165,9 @@ pub(super) enum Command {
         /// Folder for the results; the folder "results" beside each FILE if not given
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
+        /// Write animated shapes of the modes for ParaView, as "shapes = true" of [modes] does
+        #[arg(long)]
+        vtu: bool,
         #[command(flatten)]
         blade: BladeOptions,
     },

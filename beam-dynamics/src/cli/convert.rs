@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use shared_geom::error::{Explain, nearest_name};
+use shared_geom::error::{Diagnostics, Explain, nearest_name};
 use shared_geom::exchange::{self, ExchangeProblem, Format, Options, Reading};
 use shared_geom::files::{make_folder, read_bytes, write_text};
 use shared_geom::hash::sha256_of_content;
@@ -65,39 +65,51 @@ pub(super) fn convert(
     length: Option<f64>,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let format = match format_of(to, format) {
-        Ok(format) => format,
-        Err(problem) => {
+    let (text, files) = match prepare(from, to, format, length) {
+        Ok(prepared) => prepared,
+        Err(Refusal::Problem(problem)) => {
             terminal.tell(&problem);
             return WRONG_INPUT;
         }
-    };
-    let (seen, mut reading) = match exchange::read_with(from, &Options { length }) {
-        Ok(read) => read,
-        Err(problems) => {
+        Err(Refusal::File(problems)) => {
             terminal.tell_text(&problems.to_string());
             return WRONG_INPUT;
         }
     };
+    terminal.show(&text);
+    write_files(&files, terminal)
+}
+
+/// Why nothing is written.
+enum Refusal {
+    Problem(ConvertProblem),
+    File(Diagnostics),
+}
+
+impl From<ConvertProblem> for Refusal {
+    fn from(problem: ConvertProblem) -> Self {
+        Self::Problem(problem)
+    }
+}
+
+/// What is told of the conversion, and the files to write.
+fn prepare(
+    from: &Path,
+    to: &Path,
+    format: Option<&str>,
+    length: Option<f64>,
+) -> Result<(String, Vec<(PathBuf, String)>), Refusal> {
+    let format = format_of(to, format)?;
+    let read = exchange::read_with(from, &Options { length });
+    let (seen, mut reading) = read.map_err(Refusal::File)?;
     stamp(&mut reading, from);
-    let name = name_of(to);
-    let writing = match exchange::write(&reading.blade, format, &name) {
-        Ok(writing) => writing,
-        Err(problem) => {
-            terminal.tell(&problem);
-            return WRONG_INPUT;
-        }
-    };
+    let writing = exchange::write(&reading.blade, format, &name_of(to));
+    let writing = writing.map_err(ConvertProblem::from)?;
     let files = placed(writing.files, to);
-    if let Some(file) = files
-        .iter()
-        .map(|(file, _)| file)
-        .find(|file| is_input(file, from))
-    {
-        terminal.tell(&ConvertProblem::Input {
-            file: file.display().to_string(),
-        });
-        return WRONG_INPUT;
+    let input = files.iter().find(|(file, _)| is_input(file, from));
+    if let Some((file, _)) = input {
+        let file = file.display().to_string();
+        return Err(ConvertProblem::Input { file }.into());
     }
     let mut text = format!(
         "{}: {} -> {}\n",
@@ -110,15 +122,10 @@ pub(super) fn convert(
         text.push_str("\nEverything is carried over\n");
     }
     list(&mut text, "Remarks", &reading.remarks);
-    let problems: Vec<_> = reading
-        .blade
-        .problems()
-        .iter()
-        .map(ToString::to_string)
-        .collect();
+    let problems = reading.blade.problems();
+    let problems: Vec<_> = problems.iter().map(ToString::to_string).collect();
     list(&mut text, "Wrong with the blade", &problems);
-    terminal.show(&text);
-    write_files(&files, terminal)
+    Ok((text, files))
 }
 
 /// States who wrote the blade, from what: readers of foreign files give the hash of all
@@ -160,13 +167,14 @@ fn name_of(file: &Path) -> String {
         .to_owned()
 }
 
-/// The files beside `to`; the first is `to` itself unless others are named after it.
+/// The files beside `to`; the first is `to` itself, unless the ending of `to` stands for
+/// another kind of file.
 fn placed(files: Vec<(PathBuf, String)>, to: &Path) -> Vec<(PathBuf, String)> {
     let folder = to.parent().unwrap_or(Path::new(""));
+    let extension = |path: &Path| path.extension().map(|ending| ending.to_ascii_lowercase());
     let beside = files.into_iter().enumerate().map(|(number, (name, text))| {
-        let same_kind = name.extension() == to.extension() || number == 0;
-        let is_index = name.to_string_lossy().ends_with(".sections.csv");
-        match number == 0 && same_kind && !is_index {
+        let fits = extension(&name) == extension(to) || Format::of_path(to).is_none();
+        match number == 0 && fits {
             true => (to.to_owned(), text),
             false => (folder.join(name), text),
         }

@@ -5,7 +5,7 @@ use nalgebra::{Complex, Vector3};
 use super::structure::{Member, Structure};
 use crate::case::Model;
 use crate::model::NamingAxes;
-use crate::result::{FrequencyTable, ModeShape};
+use crate::result::{FrequencyTable, ModeKind, ModeShape};
 
 mod fields;
 mod files;
@@ -82,6 +82,7 @@ fn motion(
 #[derive(Debug, Clone, Copy)]
 struct Shaped<'a> {
     name: &'a str,
+    kind: ModeKind,
     /// Frequency \[Hz\].
     frequency: f64,
     damping_ratio: f64,
@@ -94,6 +95,7 @@ fn shaped(table: &FrequencyTable, speed: usize) -> Vec<Shaped<'_>> {
     let shaped = modes.filter_map(|(branch, point)| {
         Some(Shaped {
             name: &branch.name,
+            kind: branch.kind,
             frequency: point.frequency,
             damping_ratio: point.damping_ratio,
             shape: point.shape.as_ref()?,

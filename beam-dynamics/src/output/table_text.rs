@@ -25,13 +25,13 @@ Convention
 
 /// What the tables of damped modes have beside.
 const DAMPING: &str = "\
-  %     damping ratio: part of the critical damping in per cent, negative where the motion
+\x20 %     damping ratio: part of the critical damping in per cent, negative where the motion
         grows
 ";
 
 /// What the names of modes of a rotor have beside.
 const WHIRL: &str = "\
-  collective, progressive, regressive, differential: how the blades move together, seen in
+\x20 collective, progressive, regressive, differential: how the blades move together, seen in
         the turning axes: all alike, as a wave that runs with the rotation, as one that runs
         against it, or neighbors against each other; x2 is a wave twice around the rotor
 ";
@@ -100,7 +100,8 @@ fn rows(table: &FrequencyTable, block: &[usize]) -> Vec<Vec<String>> {
             row.extend([String::new(), decimal(frequency), decimal(over_speed)]);
             if damped {
                 let per_cent = point.map(|point| 100.0 * point.damping_ratio);
-                row.push(decimal(per_cent.map(|value| value + 0.0)));
+                // Adding zero takes away the sign of a negative zero.
+                row.push(decimal(per_cent.map(|x| (1e3 * x).round() / 1e3 + 0.0)));
             }
             has_point |= point.is_some();
         }
@@ -179,17 +180,17 @@ Remarks
         }
         let text = frequency_text(&table);
         let expected = "\
-rotor speed [rpm]         0                   600
-mode                     Hz  /rev      %       Hz   /rev      %
-flap 1                1.400     -  0.000   12.500  1.250  1.230
-lag 1                22.250     -  0.000   23.333  2.333  0.000
-torsion 1                 -     -      -   99.500  9.950  0.000
+rotor speed [rpm]         0                    600
+mode                     Hz  /rev      %        Hz   /rev      %
+flap 1                1.400     -  0.000    12.500  1.250  1.230
+lag 1                22.250     -  0.000    23.333  2.333  0.000
+torsion 1                 -     -      -    99.500  9.950  0.000
 ";
         assert!(text.contains(expected), "{text}");
-        assert!(convention(&table).contains("damping ratio"));
+        assert!(convention(&table).contains("\n  %     damping ratio"));
         assert_eq!(convention(&samples::small()), CONVENTION);
         table.branches[0].harmonic = Some(0);
-        assert!(convention(&table).contains("collective"));
+        assert!(convention(&table).contains("\n  collective, progressive"));
         assert!(convention(&table).lines().all(|line| line.len() <= 96));
     }
 

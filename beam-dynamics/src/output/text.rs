@@ -5,8 +5,9 @@ use std::f64::consts::PI;
 /// Revolutions per minute in one radian per second.
 pub(super) const RPM: f64 = 30.0 / PI;
 
-/// Damping ratios up to this are round-off \[-\].
-pub(super) const DAMPED: f64 = 1e-6;
+/// Damping ratios up to this are those of undamped models: the round-off of the
+/// eigenvalues of stiff models, far below what any structure has \[-\].
+pub(super) const DAMPED: f64 = 1e-4;
 
 /// Frequency over rotor speed [-]; `None` at rest.
 pub(super) fn per_rev(frequency: f64, speed: f64) -> Option<f64> {

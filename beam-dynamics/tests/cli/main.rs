@@ -3,6 +3,8 @@
 // A test that cannot go on panics.
 #![allow(clippy::unwrap_used)]
 
+mod exchange;
+
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
@@ -146,10 +148,15 @@ fn a_good_run_writes_everything_and_says_where() {
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let files = [
         "frequencies.csv",
+        "modes.csv",
         "frequencies.txt",
         "comparison.csv",
         "fan.png",
         "fan.svg",
+        "shapes_at_0_rpm.png",
+        "shapes_at_0_rpm.svg",
+        "shapes_at_750_rpm.png",
+        "shapes_at_750_rpm.svg",
     ];
     let written = files
         .map(|ending| format!("  in/results/a.{ending}\n"))
@@ -187,6 +194,28 @@ fn a_good_run_writes_everything_and_says_where() {
     );
     let png = fs::read(folder.path("in/results/a.fan.png")).unwrap();
     assert_eq!(&png[..4], b"\x89PNG");
+}
+
+#[test]
+fn animated_shapes_are_written_when_asked_for() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", BLADE);
+    let run = folder.run(&["modes", "a.dynamics.toml", "--vtu"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(run.out.contains("results/a.modes\n"), "{}", run.out);
+    for file in ["flap_1_at_0_rpm.pvd", "flap_1_at_750_rpm_23.vtu"] {
+        assert!(folder.path(&format!("results/a.modes/{file}")).is_file());
+    }
+    let chosen = BLADE.replace("[modes]", "[modes]\nshapes = true\nshape_speeds = [750]");
+    folder.write("a.dynamics.toml", &chosen);
+    assert_eq!(folder.run(&["modes", "a.dynamics.toml"]).code, 0);
+    assert!(!folder.path("results/a.modes/flap_1_at_0_rpm.pvd").exists());
+    assert!(
+        folder
+            .path("results/a.modes/flap_1_at_750_rpm.pvd")
+            .is_file()
+    );
+    assert!(!folder.path("results/a.shapes_at_0_rpm.png").exists());
 }
 
 #[test]

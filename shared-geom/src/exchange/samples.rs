@@ -13,12 +13,12 @@ use super::{Format, Options, Reading, read_with, write};
 
 /// A stiffness whose 21 entries all differ, positive definite: a dominant diagonal.
 pub fn stiffness(scale: f64) -> Matrix6<f64> {
-    let diagonal = [9.1e8, 1.7e8, 1.3e8, 2.3e6, 3.7e6, 1.9e7];
+    let diagonal: [f64; 6] = [9.1e8, 1.7e8, 1.3e8, 2.3e6, 3.7e6, 1.9e7];
     Matrix6::from_fn(|i, j| {
         let (i, j) = (i.min(j), i.max(j));
         let coupling = (0.01 * (3 * i + 7 * j + i * j) as f64).sin() * 0.11;
         let part = if i == j { 1.0 } else { coupling };
-        scale * part * (diagonal[i] * diagonal[j] as f64).sqrt()
+        scale * part * f64::sqrt(diagonal[i] * diagonal[j])
     })
 }
 
@@ -69,18 +69,18 @@ pub fn blade() -> Blade {
 
 /// Writes a blade into `folder`; the place of the first file.
 pub fn written(blade: &Blade, format: Format, folder: &Path) -> PathBuf {
-    let writing = write(blade, format, "sample").unwrap();
+    let writing = write(blade, format, "sample").expect("the format is written");
     for (name, text) in &writing.files {
-        std::fs::write(folder.join(name), text).unwrap();
+        std::fs::write(folder.join(name), text).expect("the folder takes files");
     }
     folder.join(&writing.files[0].0)
 }
 
 /// A blade after writing and reading.
 pub fn through(blade: &Blade, format: Format) -> Reading {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = tempfile::tempdir().expect("there is room for a folder");
     let first = written(blade, format, folder.path());
-    let (_, reading) = read_with(&first, &Options::default()).unwrap();
+    let (_, reading) = read_with(&first, &Options::default()).expect("it is read again");
     reading
 }
 

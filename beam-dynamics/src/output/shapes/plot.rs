@@ -7,7 +7,7 @@ use plotters::style::RGBColor;
 use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
 use shared_geom::files::{OutputProblem, write_figure};
 
-use super::{Along, along, shaped, structure};
+use super::{Along, Shaped, along, shaped, structure};
 use crate::case::Model;
 use crate::input::short_number;
 use crate::output::panel::{LIGHT, Panel, SMALL, draw_legend, draw_title};
@@ -20,11 +20,13 @@ const COLUMNS: usize = 3;
 /// Height of a row of plots \[figure pixels\].
 const ROW: f64 = 330.0;
 const HEAD: f64 = 160.0;
-const FOOT: f64 = 110.0;
+const FOOT: f64 = 120.0;
 const LINE: f64 = 4.5;
 const THIN: f64 = 2.0;
 /// Components that stay below this part of the largest are not drawn.
 const FAINT: f64 = 0.01;
+/// Frequencies within this part of each other are those of the equal blades of a rotor.
+const EQUAL: f64 = 1e-5;
 const NAMES: [&str; 4] = [
     "flap",
     "lag",
@@ -38,6 +40,8 @@ const COLORS: [RGBColor; 4] = [CATEGORIES[0], CATEGORIES[5], CATEGORIES[2], CATE
 pub struct ShapePlot {
     title: String,
     modes: Vec<Shown>,
+    /// Whether modes like others were left out.
+    thinned: bool,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +57,11 @@ impl ShapePlot {
     /// there are no shapes or no beams.
     pub fn new(model: &Model, table: &FrequencyTable, speed: usize) -> Option<Self> {
         let structure = structure(model);
-        let shown = shaped(table, speed).into_iter().filter_map(|mode| {
+        let mut found = shaped(table, speed);
+        let count = found.len();
+        found.dedup_by(|mode, before| mode.is_like(before));
+        let thinned = found.len() < count;
+        let shown = found.into_iter().filter_map(|mode| {
             let along = along(&structure, &model.naming, mode.shape)?;
             let member = &structure.members[along.member];
             let mut title = format!("{}, {} Hz", mode.name, short_number(mode.frequency, 4));
@@ -75,6 +83,7 @@ impl ShapePlot {
         (!modes.is_empty()).then(|| Self {
             title: format!("{}: shapes of modes at {rpm} rpm", table.name),
             modes,
+            thinned,
         })
     }
 
@@ -92,6 +101,14 @@ impl ShapePlot {
     fn components(&self) -> Vec<usize> {
         let has = |component: &usize| self.modes.iter().any(|mode| mode.has(*component));
         (0..NAMES.len()).filter(has).collect()
+    }
+}
+
+impl Shaped<'_> {
+    /// Whether the mode looks like another: that of another of equal blades.
+    fn is_like(&self, other: &Self) -> bool {
+        let apart = (self.frequency - other.frequency).abs();
+        self.kind == other.kind && apart <= EQUAL * self.frequency
     }
 }
 
@@ -168,9 +185,14 @@ impl Drawing for ShapePlot {
             mode.draw(canvas, &panel)?;
         }
         let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
-        let text =
-            "arc position along the undeformed line [m]; the largest component of each mode is 1";
-        canvas.text(text, [0.5 * width, height - 44.0], label)
+        let text = "arc position along the undeformed line [m]; the largest component is 1";
+        canvas.text(text, [0.5 * width, height - 70.0], label)?;
+        if self.thinned {
+            let text = "of modes of one kind and frequency only the first is shown";
+            let label = Label::new(SMALL).anchored(Anchor::Middle);
+            canvas.text(text, [0.5 * width, height - 28.0], label)?;
+        }
+        Ok(())
     }
 }
 
@@ -199,6 +221,10 @@ mod tests {
         ] {
             assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
         }
+        let mut twice = table.clone();
+        twice.branches.push(twice.branches[0].clone());
+        let plot = ShapePlot::new(&model, &twice, 0).unwrap();
+        assert_eq!((plot.modes.len(), plot.thinned), (2, true));
         assert_eq!(ShapePlot::new(&model, &table, 1), None);
         assert_eq!(ShapePlot::new(&model, &table, 9), None);
     }
