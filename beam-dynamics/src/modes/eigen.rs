@@ -146,9 +146,6 @@ impl<'a> EigenProblem<'a> {
         // A motion without stiffness is a double zero.
         let mut pairs = self.free(zeros.len().div_ceil(2).min(count));
         let mut rest = &above[..];
-        if std::env::var("DEBUG_EIGEN").is_ok() {
-            eprintln!("{above:?}");
-        }
         while let Some(first) = rest.first().filter(|_| pairs.len() < count) {
             let near = |s: &&c64| (**s - first).norm() <= COPIES * first.norm();
             let copies = rest.iter().take_while(near).count().max(1);
