@@ -98,6 +98,13 @@ fn formats_debug() {
                 }
             }
         }
+        let writing = exchange::write(&blade, Format::MbDyn, "blade").unwrap();
+        let found = crate::mbdyn_model::frequencies(&writing.files[0].1, COUNT);
+        println!(
+            "mbdyn {:e} {:?} {found:?}",
+            difference(&found, &expected),
+            writing.lost
+        );
         for by in [Vector2::new(0.3, -0.2), Vector2::new(-1.0, 0.5)] {
             println!(
                 "shift {:e}",

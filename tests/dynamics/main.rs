@@ -12,9 +12,11 @@ mod equal_blades;
 mod formats;
 mod joints;
 mod loads;
+mod mbdyn_model;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;
+mod rotor;
 mod statics;
 mod tm4760;
 mod uniform_beam;

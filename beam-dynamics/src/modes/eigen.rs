@@ -8,7 +8,7 @@
 //! iteration on the original matrices, for all copies of a repeated value at once: a
 //! round blade, or a rotor of equal blades, has every frequency several times.
 
-use faer::c64;
+use faer::{Mat, c64};
 
 use super::inverse::Inverse;
 use crate::assembly::{Sparse, Tangent};
@@ -18,6 +18,8 @@ use crate::solver::{ComplexFactorization, LinearSolver};
 /// Values within this part of each other are copies of one value: far above the
 /// round-off of the eigenvalues of stiff models, far below what frequencies differ by.
 pub(super) const COPIES: f64 = 1e-6;
+/// Values within this part of each other cannot be told apart.
+const SAME: f64 = 1e-9;
 /// The matrix is inverted this part beside the eigenvalue: near enough that one
 /// iteration suffices, far enough that the factorization keeps its digits.
 const BESIDE: f64 = 1e-10;
@@ -195,10 +197,21 @@ impl<'a> EigenProblem<'a> {
         pairs
     }
 
-    /// Independent vectors of a value and its copies.
+    /// Independent vectors of a value and its copies; of values that lie near each other
+    /// but are not the same, each with its own.
     fn vectors(&self, copies: &[c64]) -> Vec<Eigenpair> {
         let mean = copies.iter().sum::<c64>() / copies.len() as f64;
-        self.vectors_beside(mean * (1.0 + BESIDE), copies.len())
+        let pairs = self.vectors_beside(mean * (1.0 + BESIDE), copies.len());
+        let value = |pair: &Eigenpair| c64::new(pair.growth, pair.angular_frequency);
+        let values: Vec<_> = pairs.iter().map(value).collect();
+        let groups = groups(&values);
+        if groups.len() < 2 {
+            return pairs;
+        }
+        let beside = |group: &Vec<c64>| group.iter().sum::<c64>() / group.len() as f64;
+        let of_group =
+            |group: &Vec<c64>| self.vectors_beside(beside(group) * (1.0 + BESIDE), group.len());
+        groups.iter().flat_map(of_group).collect()
     }
 
     /// The `count` eigenpairs nearest to `beside`.
@@ -212,22 +225,28 @@ impl<'a> EigenProblem<'a> {
             .factorize_complex(by_unknowns, beside, by_rates)
             .and_then(|matrix| self.iterate(&matrix, count));
         // Where the inversion overflows there is no vector: the mode moves nothing.
-        let nothing = || (vec![vec![c64::new(0.0, 0.0); self.size]; count], None);
-        let (vectors, amplification) = solved.unwrap_or_else(nothing);
-        let s = amplification.map_or(beside, |amplification| beside - amplification.inv());
-        let pair = |vector: Vec<c64>| Eigenpair {
+        let nothing = || (vec![vec![c64::new(0.0, 0.0); self.size]; count], Vec::new());
+        let (vectors, factors) = solved.unwrap_or_else(nothing);
+        let mut values: Vec<_> = factors.iter().map(|factor| beside - factor.inv()).collect();
+        values.resize(count, beside);
+        if groups(&values).len() < 2 {
+            let mean = values.iter().sum::<c64>() / count as f64;
+            values.fill(mean);
+        }
+        let pair = |(vector, s): (Vec<c64>, c64)| Eigenpair {
             growth: s.re,
             angular_frequency: s.im,
             real: vector.iter().map(|v| v.re).collect(),
             imaginary: vector.iter().map(|v| v.im).collect(),
             residual: self.inverse.residual(s, &vector),
         };
-        vectors.into_iter().map(pair).collect()
+        vectors.into_iter().zip(values).map(pair).collect()
     }
 
     /// `x <- (F_y + beside F_y')^-1 F_y' x`, orthonormal, for several x at once, and the
-    /// mean factor `1 / (beside - s)` by which they grow; `None` when a solution is not
-    /// finite.
+    /// factors `1 / (beside - s)` by which they grow: the eigenvalues of the operator
+    /// projected on them; `None` when a solution is not finite. On one side of the shift
+    /// and on the other they have opposite signs, so that a mean would not do.
     fn iterate(&self, matrix: &ComplexFactorization, count: usize) -> Option<Vectors> {
         let n = self.tangent.by_rates.pattern().size();
         let start = |copy: usize| {
@@ -240,23 +259,26 @@ impl<'a> EigenProblem<'a> {
             (0..n).map(value).collect::<Vec<_>>()
         };
         let mut vectors: Vec<_> = (0..count).map(start).collect();
-        let mut amplification = None;
+        let mut factors = Vec::new();
         for _ in 0..ITERATIONS {
-            let mut sum = c64::new(0.0, 0.0);
-            for vector in &mut vectors {
-                let before = std::mem::replace(vector, self.rates_times(vector));
-                matrix.solve(vector)?;
-                let size = product(&before, &before, self.size).re;
-                sum += product(&before, vector, self.size) / size;
-            }
-            amplification = Some(sum / count as f64);
             orthonormalize(&mut vectors, self.size);
+            let before = vectors.clone();
+            for vector in &mut vectors {
+                *vector = self.rates_times(vector);
+                matrix.solve(vector)?;
+            }
+            let projected = Mat::from_fn(count, count, |i, j| {
+                product(&before[i], &vectors[j], self.size)
+            });
+            factors = projected.eigenvalues().unwrap_or_default();
         }
+        orthonormalize(&mut vectors, self.size);
         vectors
             .iter_mut()
             .for_each(|vector| vector.truncate(self.size));
         let sound = |factor: &c64| factor.is_finite() && factor.norm() > 0.0;
-        Some((vectors, amplification.filter(sound)))
+        factors.retain(sound);
+        Some((vectors, factors))
     }
 
     /// `F_y' x`.
@@ -311,8 +333,22 @@ fn lowest_oscillation(values: &[c64], zero: f64) -> Option<f64> {
     above.min_by(f64::total_cmp)
 }
 
-/// Vectors of copies, and the factor by which the last iteration made them grow.
-type Vectors = (Vec<Vec<c64>>, Option<c64>);
+/// Vectors of copies, and the factors by which the last iteration made them grow.
+type Vectors = (Vec<Vec<c64>>, Vec<c64>);
+
+/// Values that are the same up to round-off, put together; ascending.
+fn groups(values: &[c64]) -> Vec<Vec<c64>> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(|a, b| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
+    let mut groups: Vec<Vec<c64>> = Vec::new();
+    for value in sorted {
+        match groups.last_mut() {
+            Some(group) if (value - group[0]).norm() <= SAME * value.norm() => group.push(value),
+            _ => groups.push(vec![value]),
+        }
+    }
+    groups
+}
 
 /// `a^H b` over the positions and rotations of the nodes: the reactions, which follow
 /// from these, are larger by the stiffness and would hide them.

@@ -1,0 +1,289 @@
+//! Rotors of several equal blades, from `cases/dynamics/four_blades`, as theory says.
+//!
+//! For equal blades, equally spaced on a hub that is the same in all directions about
+//! the axis, the motions fall apart by what blade k does, `exp(-i h psi_k)` times the
+//! first (Coleman and Feingold, NACA 1351; Johnson, *Helicopter Theory*, section 8.3):
+//! h = 0 moves the hub along and about its axis only, h = +-1 across the axis and in
+//! tilt only, others not at all. The loads of N blades on the hub add up to N for h = 0
+//! and N/2 for h = +-1.
+
+use std::f64::consts::TAU;
+
+use beam_dynamics::result::FrequencyTable;
+
+use crate::case_files::{Case, frequency};
+use crate::record;
+
+const ROTOR: &str = "rotor.dynamics.toml";
+const SOURCE: &str = "Multiblade coordinates, the same blades in another rotor";
+
+/// Round-off of the eigenvalues of two models of different size.
+const ROUND_OFF: f64 = 1e-8;
+
+fn case() -> Case {
+    Case::new("four_blades")
+}
+
+/// The rotor of the case with other blades, hub and support.
+struct Changed<'a> {
+    blades: usize,
+    /// Factor of mass, moments of inertia and springs of the hub.
+    hub: f64,
+    /// Springs of the hub; what is not named is held.
+    support: &'a [(&'a str, f64)],
+}
+
+/// Springs of the case.
+const SUPPORT: [(&str, f64); 4] = [
+    ("in_plane", 2e6),
+    ("axial", 1e6),
+    ("tilt", 2e5),
+    ("torsion", 4e5),
+];
+
+impl Changed<'_> {
+    fn modes(&self, count: usize) -> FrequencyTable {
+        let case = case();
+        let springs: String = SUPPORT
+            .iter()
+            .map(|(word, k)| format!("{word} = {}\n", short(*k)))
+            .collect();
+        let wanted = self
+            .support
+            .iter()
+            .map(|(word, k)| format!("{word} = {:e}\n", k * self.hub));
+        case.replace(ROTOR, &springs, &wanted.collect::<String>());
+        case.replace(ROTOR, "mass = 60", &format!("mass = {:e}", 60.0 * self.hub));
+        let moments = [5.0, 5.0, 10.0]
+            .map(|moment| format!("{:e}", moment * self.hub))
+            .join(", ");
+        case.replace(ROTOR, "[5, 5, 10]", &format!("[{moments}]"));
+        case.replace(ROTOR, "count = 4", &format!("count = {}", self.blades));
+        case.replace(ROTOR, "count = 24", &format!("count = {count}"));
+        case.modes(ROTOR)
+    }
+}
+
+/// As the file of the case has it, `2e6`.
+fn short(number: f64) -> String {
+    format!("{number:e}")
+}
+
+/// Frequencies at a speed of the modes whose blades move together as `harmonic`,
+/// ascending \[Hz\].
+fn with_harmonic(table: &FrequencyTable, speed: usize, harmonic: i32) -> Vec<f64> {
+    let modes = table.at_speed(speed).into_iter();
+    let like = modes.filter(|mode| mode.1.whirl.is_some_and(|whirl| whirl.harmonic == harmonic));
+    like.map(|mode| mode.1.frequency).collect()
+}
+
+/// All frequencies at a speed, ascending \[Hz\].
+fn all(table: &FrequencyTable, speed: usize) -> Vec<f64> {
+    let modes = table.at_speed(speed).into_iter();
+    modes.map(|mode| mode.1.frequency).collect()
+}
+
+/// Compares the first `count` of both, at a speed.
+fn compare(case: &str, found: &[f64], expected: &[f64], count: usize) {
+    assert!(
+        found.len() >= count && expected.len() >= count,
+        "{case}: {found:?} {expected:?}"
+    );
+    for (k, (found, expected)) in found.iter().zip(expected).take(count).enumerate() {
+        let error = (found / expected - 1.0).abs();
+        let quantity = format!("mode {} [Hz], nine speeds", k + 1);
+        record::value(
+            SOURCE,
+            case,
+            &quantity,
+            [*found, *expected],
+            error,
+            ROUND_OFF,
+        );
+        assert!(error < ROUND_OFF, "{case}, mode {k}: {found} {expected}");
+    }
+}
+
+/// On a rigid hub the blades do not feel each other: the fan of one, four times, and
+/// each time collective, progressive, regressive and differential.
+#[test]
+fn a_rigid_hub_gives_the_fan_of_one_blade_four_times() {
+    let case = case();
+    let [one, four] =
+        ["one_blade", "rigid_hub"].map(|name| case.modes(&format!("{name}.dynamics.toml")));
+    assert_eq!((one.speeds.len(), &one.speeds), (9, &four.speeds));
+    for speed in 0..9 {
+        let single = all(&one, speed);
+        let copies: Vec<_> = single.iter().flat_map(|f| [*f; 4]).collect();
+        compare("four blades, rigid hub", &all(&four, speed), &copies, 24);
+        for harmonic in [-1, 0, 1, 2] {
+            let way = with_harmonic(&four, speed, harmonic);
+            compare("four blades, rigid hub, by ways to move", &way, &single, 6);
+        }
+    }
+    // A branch is one mode all along, called by the blade's and the rotor's motion.
+    for branch in &one.branches[..6] {
+        for way in ["collective", "progressive", "regressive", "differential"] {
+            let name = format!("{} {way}", branch.name);
+            for speed in 0..9 {
+                let [found, expected] =
+                    [(&four, &name), (&one, &branch.name)].map(|(t, n)| frequency(t, n, speed));
+                assert!((found / expected - 1.0).abs() < ROUND_OFF, "{name}");
+            }
+        }
+    }
+}
+
+/// Differential modes leave the hub alone: those of one clamped blade, whatever the hub.
+/// Collective modes are those of one blade on a quarter of the hub, which moves along
+/// and about its axis.
+#[test]
+fn a_flexible_hub_leaves_differential_modes_and_quarters_for_collective_ones() {
+    let case = case();
+    let one = case.modes("one_blade.dynamics.toml");
+    let rotor = case.modes(ROTOR);
+    let quarter = Changed {
+        blades: 1,
+        hub: 0.25,
+        support: &[SUPPORT[1], SUPPORT[3]],
+    };
+    let quarter = quarter.modes(8);
+    for speed in 0..9 {
+        let differential = with_harmonic(&rotor, speed, 2);
+        compare(
+            "four blades, flexible hub, differential",
+            &differential,
+            &all(&one, speed),
+            5,
+        );
+        let collective = with_harmonic(&rotor, speed, 0);
+        compare(
+            "four blades, flexible hub, collective",
+            &collective,
+            &all(&quarter, speed),
+            5,
+        );
+    }
+    // The hub matters: a quarter of the difference would be seen.
+    let [hub, clamped] =
+        [&rotor, &one].map(|table| frequency(table, table.branches[1].name.as_str(), 0));
+    assert!((hub / clamped - 1.0).abs() > 1e-3);
+}
+
+/// Cyclic modes of three, four and five blades are the same on hubs of three, four and
+/// five quarters.
+#[test]
+fn cyclic_modes_depend_on_the_hub_for_each_blade_alone() {
+    let four = case().modes(ROTOR);
+    for blades in [3, 5] {
+        let other = Changed {
+            blades,
+            hub: blades as f64 / 4.0,
+            support: &SUPPORT,
+        };
+        let other = other.modes(6 * blades);
+        for speed in 0..9 {
+            for (harmonic, word) in [(1, "progressive"), (-1, "regressive")] {
+                let [found, expected] =
+                    [&four, &other].map(|table| with_harmonic(table, speed, harmonic));
+                let case = format!("four blades beside {blades}, {word}");
+                compare(&case, &found, &expected, 4);
+            }
+        }
+    }
+}
+
+/// At rest the modes in which the hub only goes along its axis or across it have a
+/// frequency equation in closed form: the force that the root of a clamped
+/// Euler-Bernoulli beam needs to go up and down with unit amplitude is
+///
+/// ```text
+/// -E I beta^3 (sin b cosh b + cos b sinh b) / (1 + cos b cosh b),   b = beta L,  beta^4 = m omega^2 / E I
+/// ```
+///
+/// so that `k - M omega^2` meets four of them along the axis, and across it two, in lag,
+/// with two blades that go along as masses `m L` (E A is large).
+#[test]
+fn a_hub_at_rest_follows_the_frequency_equation() {
+    const LENGTH: f64 = 4.612;
+    let slender = |case: &Case| {
+        // No shear, no rotatory inertia, no stretch: 1e-6 of the first frequencies.
+        for (old, new) in [
+            ("ea = 1e8", "ea = 1e12"),
+            ("gay = 3e7", "gay = 1e12"),
+            ("gaz = 3e7", "gaz = 1e12"),
+            ("gj = 5e3", "gj = 5e2"),
+            ("iy = 0.002", "iy = 1e-6"),
+            ("iz = 0.078", "iz = 1e-6"),
+            ("elements = 6", "elements = 24"),
+            ("hub_radius = 0.3", "hub_radius = 0"),
+            ("speeds = { from = 0, to = 424, steps = 9 }", "speeds = [0]"),
+        ] {
+            case.replace(ROTOR, old, new);
+        }
+    };
+    let case_axial = case();
+    slender(&case_axial);
+    case_axial.replace(ROTOR, "in_plane = 2e6\n", "");
+    case_axial.replace(ROTOR, "tilt = 2e5\ntorsion = 4e5\n", "");
+    let case_across = case();
+    slender(&case_across);
+    case_across.replace(ROTOR, "axial = 1e6\ntilt = 2e5\ntorsion = 4e5\n", "");
+    // Bending stiffness, beams that bend, beams that go along, spring, harmonic.
+    for (word, case, [ei, bent, along, spring], harmonic) in [
+        ("axial", case_axial, [9e3, 4.0, 0.0, 1e6], 0),
+        ("in plane", case_across, [1.2e5, 2.0, 2.0, 2e6], 1),
+    ] {
+        let residual = |hz: f64| {
+            let omega = TAU * hz;
+            let beta = (5.5 * omega * omega / ei).powf(0.25);
+            let b = beta * LENGTH;
+            let (sin, cos) = b.sin_cos();
+            let root = ei * beta.powi(3) * (sin * b.cosh() + cos * b.sinh());
+            let mass = 60.0 + along * 5.5 * LENGTH;
+            (spring - mass * omega * omega) * (1.0 + cos * b.cosh()) - bent * root
+        };
+        let roots = roots(residual, 40.0);
+        let found = with_harmonic(&case.modes(ROTOR), 0, harmonic);
+        // Lag of the collective, flap of the cyclic modes are clamped and come between.
+        for (k, expected) in roots.iter().take(3).enumerate() {
+            let nearest = found
+                .iter()
+                .map(|f| (f / expected - 1.0).abs())
+                .fold(1.0, f64::min);
+            let quantity = format!("{word}, mode {} [Hz]", k + 1);
+            record::value(
+                "Euler-Bernoulli beams on a moving hub, closed form",
+                "four blades at rest",
+                &quantity,
+                [expected * (1.0 + nearest), *expected],
+                nearest,
+                2e-5,
+            );
+            println!("{word} {expected} {nearest:e} {found:?}");
+            assert!(nearest < 2e-5, "{word}: {expected} not in {found:?}");
+        }
+    }
+}
+
+/// Zeros of a function below `to`, by its changes of sign on a fine grid and bisection.
+fn roots(function: impl Fn(f64) -> f64, to: f64) -> Vec<f64> {
+    let step = 1e-3;
+    let mut roots = Vec::new();
+    let mut low = step;
+    while low < to {
+        let (mut a, mut b) = (low, low + step);
+        if function(a) * function(b) < 0.0 {
+            for _ in 0..60 {
+                let middle = 0.5 * (a + b);
+                match function(a) * function(middle) < 0.0 {
+                    true => b = middle,
+                    false => a = middle,
+                }
+            }
+            roots.push(0.5 * (a + b));
+        }
+        low += step;
+    }
+    roots
+}
