@@ -8,6 +8,7 @@ use shared_geom::blade::{self, Blade};
 use shared_geom::exchange::{self, Format};
 
 use crate::case_files::{Case, table};
+use crate::mbdyn_model;
 use crate::record;
 
 const SOURCE: &str = "The blade before it was written";
@@ -64,60 +65,125 @@ fn first(files: &[(std::path::PathBuf, String)]) -> &Path {
     &files[0].0
 }
 
+/// Compares the eight lowest frequencies with those of the blade itself.
+fn compare(case: &str, found: &[f64], expected: &[f64], tolerance: f64) {
+    let error = difference(found, expected);
+    record::largest(SOURCE, case, "eight frequencies", error, tolerance);
+    println!("{case}: {error:e} of {tolerance:e}");
+    assert!(error < tolerance, "{case}: {found:?} {expected:?}");
+}
+
+/// Formats that carry all of a blade: 1e-9, far above the round-off of the eigenvalues
+/// and of 17 digits.
+///
+/// DYMORE's six numbers are the mass of a rigid slice. That of the IEA 15 MW blade is
+/// printed with so few digits that it is none, by 5e-8 of its largest entries, which the
+/// writer says; a frequency changes by half of what its mass does at most.
 #[test]
-fn formats_debug() {
+fn modes_are_the_same_after_formats_that_carry_a_blade() {
     for name in BLADES {
         let blade = blade_of(name);
         let expected = frequencies(&blade, "");
-        println!("{name} {expected:?}");
-        for format in Format::ALL {
-            if !format.is_written() || !format.is_read() {
-                println!("{} not", format.name());
-                continue;
-            }
-            let folder = tempfile::tempdir().unwrap();
-            let writing = exchange::write(&blade, format, "blade").unwrap();
-            for (name, text) in &writing.files {
-                fs::write(folder.path().join(name), text).unwrap();
-            }
-            let names: Vec<_> = writing
-                .files
+        for format in [
+            Format::Helicoid,
+            Format::BeamDyn,
+            Format::BeamDyn4,
+            Format::WindIo1,
+            Format::WindIo2,
+            Format::Dymore,
+            Format::Vabs,
+            Format::Csv,
+        ] {
+            let (back, lost) = there_and_back(&blade, format);
+            let is_rounded = (name, format) == ("iea15", Format::Dymore);
+            let says_so = lost
                 .iter()
-                .map(|f| f.0.display().to_string())
-                .collect();
-            println!("{}: {names:?} lost {:?}", format.name(), writing.lost);
-            match exchange::read(&folder.path().join(first(&writing.files))) {
-                Err(e) => println!("   {e}"),
-                Ok(reading) => {
-                    let found = frequencies(&reading.blade, "");
-                    println!(
-                        "   {:e} {:?}",
-                        difference(&found, &expected),
-                        reading.remarks
-                    );
-                }
-            }
+                .any(|what| what.contains("not that of a rigid slice"));
+            assert_eq!(is_rounded, says_so, "{name} {}: {lost:?}", format.name());
+            let tolerance = if is_rounded { 2.5e-8 } else { 1e-9 };
+            let case = format!("{name} through {}", format.title());
+            compare(&case, &frequencies(&back, ""), &expected, tolerance);
         }
-        let writing = exchange::write(&blade, Format::MbDyn, "blade").unwrap();
-        let found = crate::mbdyn_model::frequencies(&writing.files[0].1, COUNT);
-        println!(
-            "mbdyn {:e} {:?} {found:?}",
-            difference(&found, &expected),
-            writing.lost
-        );
+    }
+}
+
+/// The same blade about another point or in other axes has the same modes, although
+/// every entry of its matrices is another.
+#[test]
+fn modes_are_the_same_about_another_axis() {
+    for name in BLADES {
+        let blade = blade_of(name);
+        let expected = frequencies(&blade, "");
         for by in [Vector2::new(0.3, -0.2), Vector2::new(-1.0, 0.5)] {
-            println!(
-                "shift {:e}",
-                difference(&frequencies(&blade.shift(by), ""), &expected)
-            );
+            let moved = blade.shift(by);
+            assert!(moved.stations[0] != blade.stations[0]);
+            let case = format!("{name}, axis moved");
+            compare(&case, &frequencies(&moved, ""), &expected, 1e-9);
         }
         for angle in [0.2, -1.5] {
-            println!(
-                "rotate {:e}",
-                difference(&frequencies(&blade.rotate(angle), ""), &expected)
-            );
+            let turned = blade.rotate(angle);
+            assert!(turned.stations[0] != blade.stations[0]);
+            let case = format!("{name}, axes turned");
+            compare(&case, &frequencies(&turned, ""), &expected, 1e-9);
         }
+        let both = blade.rotate(0.7).shift(Vector2::new(0.4, 0.1));
+        let case = format!("{name}, axes turned and moved");
+        compare(&case, &frequencies(&both, ""), &expected, 1e-9);
+    }
+}
+
+/// HAWC2's rows have no product of inertia in the principal axes of bending, and each
+/// column runs straight between rows. The matrices of NREL 5MW have nothing of both, and
+/// its modes stay. Those of IEA 15 MW have: the writer says that a quarter of the moments
+/// of inertia is lost at one place, but they are 1e-4 of what bending moves, `(r / L)^2`
+/// with r = 2 m and L = 117 m, in lag and flap; torsion, which feels the sum of both, does
+/// not lose it. The stiffness half way between two rows is off by a tenth where the blade
+/// hardly bends, at the tip. 1e-3 is what the modes themselves are asked to meet.
+#[test]
+fn what_hawc2_cannot_carry_is_told_and_small() {
+    for (name, tolerance, told) in [("nrel5mw", 1e-9, 1), ("iea15", 1e-3, 4)] {
+        let blade = blade_of(name);
+        let (back, lost) = there_and_back(&blade, Format::Hawc2);
+        assert_eq!(lost.len(), told, "{lost:?}");
+        let expected = frequencies(&blade, "");
+        let found = frequencies(&back, "");
+        println!("{found:?}\n{expected:?}");
+        compare(
+            &format!("{name} through HAWC2"),
+            &found,
+            &expected,
+            tolerance,
+        );
+        let is_changed = difference(&found, &expected) > 1e-9;
+        assert_eq!(is_changed, told > 1);
+    }
+}
+
+/// MBDyn's model has the mass in bodies at the nodes, which is of second order: with
+/// N elements on the half wave of a mode, the error is that of lumped elements,
+/// `(pi / 2 N)^2 / 24` or so, 1e-3 for five. The highest of the eight modes has its
+/// shortest half wave on five elements (NREL 5MW) and three (IEA 15 MW, where it is
+/// short only in the stiff directions).
+///
+/// Our elements with lumped inertia on the same nodes are the same model, built from the
+/// blade and not from the file: they agree to the sums, and for the curved blade to the
+/// squared slope between parabola and line, (1e-3 m over elements of 4.7 m)^2 of the
+/// axes, with a hundred for the coupling of bending with torsion.
+#[test]
+fn what_mbdyn_cannot_carry_is_told_and_small() {
+    for (name, tolerance, same, told) in [("nrel5mw", 1e-3, 1e-8, 2), ("iea15", 2e-3, 1e-5, 3)] {
+        let blade = blade_of(name);
+        let writing = exchange::write(&blade, Format::MbDyn, "blade").unwrap();
+        assert_eq!(writing.lost.len(), told, "{:?}", writing.lost);
+        let found = mbdyn_model::frequencies(&writing.files[0].1, COUNT);
+        let case = format!("{name}, model for MBDyn");
+        compare(&case, &found, &frequencies(&blade, ""), tolerance);
         let lumped = frequencies(&blade, "inertia = \"lumped\"");
-        println!("lumped {:e} {lumped:?}", difference(&lumped, &expected));
+        compare(
+            &format!("{case}, beside lumped elements"),
+            &found,
+            &lumped,
+            same,
+        );
     }
 }

@@ -17,6 +17,9 @@ use crate::record;
 const ROTOR: &str = "rotor.dynamics.toml";
 const SOURCE: &str = "Multiblade coordinates, the same blades in another rotor";
 
+/// Values within 1e-6 of each other count as copies of one; what their modes are called
+/// may be exchanged.
+const COPIES: f64 = 1e-6;
 /// Round-off of the eigenvalues of two models of different size.
 const ROUND_OFF: f64 = 1e-8;
 
@@ -43,7 +46,16 @@ const SUPPORT: [(&str, f64); 4] = [
 
 impl Changed<'_> {
     fn modes(&self, count: usize) -> FrequencyTable {
+        self.of(&case(), count)
+    }
+
+    fn at_three_speeds(&self, count: usize) -> FrequencyTable {
         let case = case();
+        case.replace(ROTOR, "steps = 9", "steps = 3");
+        self.of(&case, count)
+    }
+
+    fn of(&self, case: &Case, count: usize) -> FrequencyTable {
         let springs: String = SUPPORT
             .iter()
             .map(|(word, k)| format!("{word} = {}\n", short(*k)))
@@ -83,24 +95,39 @@ fn all(table: &FrequencyTable, speed: usize) -> Vec<f64> {
     modes.map(|mode| mode.1.frequency).collect()
 }
 
-/// Compares the first `count` of both, at a speed.
-fn compare(case: &str, found: &[f64], expected: &[f64], count: usize) {
+/// Finds each of the first `count` of `expected` among all frequencies of `table` at a
+/// speed, and as the one in its place among those of a way to move, `named`.
+fn compare(
+    case: &str,
+    (table, speed): (&FrequencyTable, usize),
+    named: &[f64],
+    expected: &[f64],
+    count: usize,
+) {
     assert!(
-        found.len() >= count && expected.len() >= count,
-        "{case}: {found:?} {expected:?}"
+        named.len() >= count && expected.len() >= count,
+        "{case}: {named:?} {expected:?}"
     );
-    for (k, (found, expected)) in found.iter().zip(expected).take(count).enumerate() {
-        let error = (found / expected - 1.0).abs();
-        let quantity = format!("mode {} [Hz], nine speeds", k + 1);
+    let found = all(table, speed);
+    for (k, (named, expected)) in named.iter().zip(expected).take(count).enumerate() {
+        let apart = |f: &f64| (f / expected - 1.0).abs();
+        let nearest = found.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        let nearest = nearest.unwrap();
+        let error = apart(nearest);
+        let quantity = format!("mode {} [Hz]", k + 1);
         record::value(
             SOURCE,
             case,
             &quantity,
-            [*found, *expected],
+            [*nearest, *expected],
             error,
             ROUND_OFF,
         );
-        assert!(error < ROUND_OFF, "{case}, mode {k}: {found} {expected}");
+        assert!(error < ROUND_OFF, "{case}, mode {k}: {found:?} {expected}");
+        assert!(
+            apart(named) < COPIES,
+            "{case}, mode {k}: {named} {expected}"
+        );
     }
 }
 
@@ -114,11 +141,15 @@ fn a_rigid_hub_gives_the_fan_of_one_blade_four_times() {
     assert_eq!((one.speeds.len(), &one.speeds), (9, &four.speeds));
     for speed in 0..9 {
         let single = all(&one, speed);
-        let copies: Vec<_> = single.iter().flat_map(|f| [*f; 4]).collect();
-        compare("four blades, rigid hub", &all(&four, speed), &copies, 24);
+        for (k, found) in all(&four, speed).iter().take(24).enumerate() {
+            assert!(
+                (found / single[k / 4] - 1.0).abs() < ROUND_OFF,
+                "{k} {found}"
+            );
+        }
         for harmonic in [-1, 0, 1, 2] {
             let way = with_harmonic(&four, speed, harmonic);
-            compare("four blades, rigid hub, by ways to move", &way, &single, 6);
+            compare("four blades, rigid hub", (&four, speed), &way, &single, 6);
         }
     }
     // A branch is one mode all along, called by the blade's and the rotor's motion.
@@ -152,6 +183,7 @@ fn a_flexible_hub_leaves_differential_modes_and_quarters_for_collective_ones() {
         let differential = with_harmonic(&rotor, speed, 2);
         compare(
             "four blades, flexible hub, differential",
+            (&rotor, speed),
             &differential,
             &all(&one, speed),
             5,
@@ -159,35 +191,41 @@ fn a_flexible_hub_leaves_differential_modes_and_quarters_for_collective_ones() {
         let collective = with_harmonic(&rotor, speed, 0);
         compare(
             "four blades, flexible hub, collective",
+            (&rotor, speed),
             &collective,
             &all(&quarter, speed),
             5,
         );
     }
-    // The hub matters: a quarter of the difference would be seen.
+    // The hub matters.
     let [hub, clamped] =
-        [&rotor, &one].map(|table| frequency(table, table.branches[1].name.as_str(), 0));
-    assert!((hub / clamped - 1.0).abs() > 1e-3);
+        [(&rotor, "lag 1 collective"), (&one, "lag 1")].map(|(t, name)| frequency(t, name, 0));
+    assert!(hub < 0.9 * clamped);
 }
 
 /// Cyclic modes of three, four and five blades are the same on hubs of three, four and
 /// five quarters.
 #[test]
 fn cyclic_modes_depend_on_the_hub_for_each_blade_alone() {
-    let four = case().modes(ROTOR);
+    let four = Changed {
+        blades: 4,
+        hub: 1.0,
+        support: &SUPPORT,
+    };
+    let four = four.at_three_speeds(24);
     for blades in [3, 5] {
         let other = Changed {
             blades,
             hub: blades as f64 / 4.0,
             support: &SUPPORT,
         };
-        let other = other.modes(6 * blades);
-        for speed in 0..9 {
+        let other = other.at_three_speeds(6 * blades);
+        for speed in 0..3 {
             for (harmonic, word) in [(1, "progressive"), (-1, "regressive")] {
                 let [found, expected] =
                     [&four, &other].map(|table| with_harmonic(table, speed, harmonic));
                 let case = format!("four blades beside {blades}, {word}");
-                compare(&case, &found, &expected, 4);
+                compare(&case, (&four, speed), &found, &expected, 4);
             }
         }
     }
@@ -209,13 +247,14 @@ fn a_hub_at_rest_follows_the_frequency_equation() {
     let slender = |case: &Case| {
         // No shear, no rotatory inertia, no stretch: 1e-6 of the first frequencies.
         for (old, new) in [
-            ("ea = 1e8", "ea = 1e12"),
-            ("gay = 3e7", "gay = 1e12"),
-            ("gaz = 3e7", "gaz = 1e12"),
+            ("ea = 1e8", "ea = 1e10"),
+            ("gay = 3e7", "gay = 1e11"),
+            ("gaz = 3e7", "gaz = 1e11"),
             ("gj = 5e3", "gj = 5e2"),
             ("iy = 0.002", "iy = 1e-6"),
             ("iz = 0.078", "iz = 1e-6"),
             ("elements = 6", "elements = 24"),
+            ("count = 24", "count = 40"),
             ("hub_radius = 0.3", "hub_radius = 0"),
             ("speeds = { from = 0, to = 424, steps = 9 }", "speeds = [0]"),
         ] {
