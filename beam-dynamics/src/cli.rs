@@ -169,13 +169,16 @@ impl Explain for NotABlade {
     }
 }
 
+/// Folder and name of the results of a file.
+type ResultPlace = (PathBuf, String);
+
 /// Places of the results, each of its own, and the inputs; tells what is wrong.
 fn read_with_places(
     files: &[PathBuf],
     out: Option<&Path>,
     options: &BladeOptions,
     terminal: &mut Terminal<'_>,
-) -> Option<(Vec<Input>, Vec<(PathBuf, String)>)> {
+) -> Option<(Vec<Input>, Vec<ResultPlace>)> {
     let places: Vec<_> = files.iter().map(|file| place(file, out)).collect();
     for (i, target) in places.iter().enumerate() {
         if let Some(first) = places[..i].iter().position(|other| other == target) {

@@ -84,24 +84,35 @@ pub trait Element: Debug + Send + Sync {
     /// small motion, and with the loads themselves. For an element whose forces are
     /// linear in its multipliers and that has no others, this is what stands here.
     fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
-        if self.multipliers() == 0 {
-            return;
-        }
-        let sums = at.multipliers.iter().zip(along.multipliers);
-        let multipliers: Vec<_> = sums.map(|(now, change)| now + change).collect();
-        let later = Local {
-            multipliers: &multipliers,
-            ..*at
-        };
-        let of = |at: &Local<'_>| {
-            let mut jacobian = LocalJacobian::new(at.nodes.len(), self.multipliers());
-            self.jacobian(at, &mut jacobian);
-            jacobian
-        };
-        out.add_difference(&of(&later), &of(at));
+        prestress_of_multipliers(self, at, along, out);
     }
 
     /// Tells what the element knows of a state beside its forces on the nodes: strains
     /// and internal forces of sections, reactions of joints.
     fn observe(&self, _at: &Local<'_>, _out: &mut Observations) {}
+}
+
+/// Adds the growth of an element's Jacobian with its multipliers, which change `along` a
+/// small motion, at fixed geometry.
+fn prestress_of_multipliers<E: Element + ?Sized>(
+    element: &E,
+    at: &Local<'_>,
+    along: &Along<'_>,
+    out: &mut LocalJacobian,
+) {
+    if element.multipliers() == 0 {
+        return;
+    }
+    let sums = at.multipliers.iter().zip(along.multipliers);
+    let multipliers: Vec<_> = sums.map(|(now, change)| now + change).collect();
+    let later = Local {
+        multipliers: &multipliers,
+        ..*at
+    };
+    let of = |at: &Local<'_>| {
+        let mut jacobian = LocalJacobian::new(at.nodes.len(), element.multipliers());
+        element.jacobian(at, &mut jacobian);
+        jacobian
+    };
+    out.add_difference(&of(&later), &of(at));
 }

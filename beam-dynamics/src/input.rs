@@ -72,6 +72,8 @@ pub struct Input {
     pub buckling: Option<BucklingQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
+    /// Names of the hinges that nothing but motion and loads holds.
+    pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
     /// What the reader must know of the files: defaults that were taken, plausibility.
@@ -100,6 +102,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
         problems.push(Place::file(file), found);
     }
     input.remarks.extend(free_hinges(&mobility.free_hinges));
+    input.free_hinges = mobility.free_hinges;
     problems.into_result(input)
 }
 
@@ -169,6 +172,7 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         statics: questions.statics,
         buckling: questions.buckling,
         measured,
+        free_hinges: Vec::new(),
         summary,
         remarks,
     })

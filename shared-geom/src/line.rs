@@ -73,11 +73,11 @@ pub enum Side {
 pub struct Placed {
     /// Place in root axes [m].
     pub position: Vector3<f64>,
-    /// Section axes (columns) in root axes, twist included.
+    /// Section axes (columns) in root axes, twist included [-].
     pub axes: Matrix3<f64>,
     /// Twist, positive nose up [rad].
     pub twist: f64,
-    /// Unit vector along the line, outward: the first of the axes.
+    /// Unit vector along the line, outward: the first of the axes [-].
     pub tangent: Vector3<f64>,
 }
 

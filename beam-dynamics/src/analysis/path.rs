@@ -146,7 +146,10 @@ impl<'a> Walker<'a> {
         let mut step = self.to * self.steps.map_or(FIRST, |steps| 1.0 / steps as f64);
         let (mut iterations, mut taken) = (0, 0);
         for target in 1..=targets {
-            let goal = self.to * target as f64 / targets as f64;
+            let goal = match target == targets {
+                true => self.to,
+                false => self.to * target as f64 / targets as f64,
+            };
             while here.factor != goal {
                 let next = match (goal - here.factor).abs() <= 1.001 * step.abs() {
                     true => goal,

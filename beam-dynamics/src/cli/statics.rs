@@ -6,15 +6,12 @@ use shared_geom::files::OutputProblem;
 
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
-use super::{DONE, NOT_REACHED, NotAsked, WRONG_INPUT, read_with_places};
+use super::{DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
 use crate::analysis::buckling::buckling;
 use crate::analysis::statics::statics;
 use crate::case::{BucklingQuestion, StaticQuestion};
 use crate::input::{Input, short_number};
 use crate::output::{self, Written};
-
-/// Folder and name of the results of a file.
-type Results = (PathBuf, String);
 
 /// `static FILE...`
 pub(super) fn static_of_files(
@@ -62,7 +59,7 @@ fn each<Q>(
     out: Option<&Path>,
     terminal: &mut Terminal<'_>,
     (question, asked): (impl Fn(&Input) -> Option<&Q>, NotAsked),
-    answer: fn(&Input, &Q, &Results, &mut Terminal<'_>) -> u8,
+    answer: fn(&Input, &Q, &ResultPlace, &mut Terminal<'_>) -> u8,
 ) -> u8 {
     let Some((inputs, places)) = read_with_places(files, out, &BladeOptions::default(), terminal)
     else {
@@ -96,7 +93,7 @@ fn each<Q>(
 fn static_of(
     input: &Input,
     question: &StaticQuestion,
-    (folder, name): &Results,
+    (folder, name): &ResultPlace,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let outcome = statics(&input.model, question);
@@ -133,7 +130,7 @@ fn static_of(
 fn buckling_of(
     input: &Input,
     question: &BucklingQuestion,
-    (folder, name): &Results,
+    (folder, name): &ResultPlace,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let outcome = buckling(&input.model, question);

@@ -9,3 +9,6 @@ pub use algebra::Attachment;
 pub use clamp::Clamp;
 pub use hinge::{Hinge, HingeSpring};
 pub use rigid::RigidConnection;
+
+#[cfg(test)]
+mod tests;

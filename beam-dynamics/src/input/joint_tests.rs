@@ -204,7 +204,7 @@ fn every_wrong_key_of_joints_and_supports_is_told() {
         "has no \"axis\", expected the direction of the axis",
         "\"angle\" is that of the relaxed spring, but the hinge has none",
         "unknown node \"tipp\" in rigid connection \"rigid connection 1\"",
-        "expected an array of 3, each a force per displacement, zero or more",
+        "expected an array of 3, each a force per length, zero or more",
     ] {
         assert!(shown.contains(expected), "{expected} is not in\n{shown}");
     }

@@ -35,6 +35,10 @@ const BELOW: f64 = 1e-5;
 /// Inverse iterations; the first already leaves other modes smaller by 1e-10 over
 /// their distance.
 const ITERATIONS: usize = 3;
+/// Imaginary parts below this part of the magnitude are those of a motion that dies
+/// without an oscillation: internal damping gathers many such values at -1 / time, where
+/// round-off makes pairs of them.
+const OVERDAMPED: f64 = 0.03;
 /// Part of itself by which inverse iteration may change a value that it confirms.
 const CONFIRMED: f64 = 1e-3;
 /// Real parts below this part of the magnitude are round-off of an undamped mode.
@@ -135,7 +139,10 @@ impl<'a> EigenProblem<'a> {
         let values = self.inverse.smallest(count, self.copies);
         let (zeros, values): (Vec<_>, Vec<_>) =
             values.into_iter().partition(|s| s.norm() <= self.zero);
-        let is_real = |s: &&c64| s.im.abs() <= OSCILLATING * s.norm();
+        let is_real = |s: &&c64| {
+            let part = if s.re < 0.0 { OVERDAMPED } else { OSCILLATING };
+            s.im.abs() <= part * s.norm()
+        };
         let mut real: Vec<_> = values.iter().filter(is_real).map(|s| s.re).collect();
         real.sort_by(f64::total_cmp);
         let mut above: Vec<_> = values

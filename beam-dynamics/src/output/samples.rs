@@ -1,7 +1,5 @@
 //! Made-up results for the tests of output.
 
-#![allow(clippy::unwrap_used, reason = "test code")]
-
 use std::path::PathBuf;
 
 use nalgebra::{Matrix3, Vector3};
@@ -24,7 +22,12 @@ pub use statics::{bent, column};
 
 /// Names of the files that were written.
 pub(super) fn names(written: &Written) -> Vec<String> {
-    let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+    let name = |path: &PathBuf| {
+        path.file_name()
+            .expect("a file has a name")
+            .to_string_lossy()
+            .into_owned()
+    };
     written.files.iter().map(name).collect()
 }
 

@@ -104,13 +104,7 @@ fn a_section_is_described_and_made_a_blade_with_a_length() {
     let run = folder.run(&["convert", "strip.properties.json", "a.csv", "--length", "3"]);
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(run.out.contains("straight and uniform, 3 m long"));
-    let run = folder.run(&[
-        "convert",
-        "strip.properties.json",
-        "a.csv",
-        "--length",
-        "-3",
-    ]);
+    let run = folder.run(&["convert", "strip.properties.json", "a.csv", "--length=-3"]);
     assert_eq!(run.code, 2);
     assert!(run.err.contains("expected a number of meters above zero"));
 }
@@ -240,12 +234,7 @@ fn several_sections_become_a_blade() {
     let run = folder.run(&["convert", "both.csv", "both.inp"]);
     assert_eq!(run.code, 0, "{}", run.err);
     let run = folder.run(&["describe", "both.inp"]);
-    assert!(
-        run.out
-            .contains("axial [N]                 1.4850e6  2.000"),
-        "{}",
-        run.out
-    );
+    assert!(run.out.contains("  1.4850e6  2.000"), "{}", run.out);
 }
 
 // The table of the page on formats, with two sections of the tests.

@@ -165,3 +165,39 @@ fn wrong_loads_are_told_where_they_stand() {
         );
     }
 }
+
+/// Resultants by hand, with L = 0.95 m: a polynomial L (0.1 + 0.2 / 2), a table with a jump
+/// 0.2 (0.1 + 0.3), in section axes whose z is the model's; a force 0.01. The root carries
+/// their sum to the last digits, however far the blade bends.
+#[test]
+fn the_root_carries_the_sum_of_the_loads() {
+    let folder = Folder::new();
+    let loads = "\
+[[distributed_load]]
+blade = \"blade\"
+force = [[0, 0, 0.1], [0, 0, 0.2]]
+[[distributed_load]]
+name = \"patch\"
+blade = \"blade\"
+axes = \"section\"
+at = [0.1, 0.3, 0.3, 0.5]
+force = [[0, 0, 0.1], [0, 0, 0.1], [0, 0, 0.3], [0, 0, 0.3]]
+constant = true
+[[load]]
+node = \"blade/tip\"
+force = [0, 0, 0.01]
+[static]
+steps = 2
+";
+    folder.write("a.dynamics.toml", &format!("{BLADE}{loads}"));
+    let run = folder.run(&["static", "a.dynamics.toml"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let table = folder.read("results/a.reactions.csv");
+    let sums = [0.08, 0.08 + 0.5 * 0.2, 0.08 + 0.2];
+    assert_eq!(table.lines().count(), 1 + sums.len(), "{table}");
+    for (line, sum) in table.lines().skip(1).zip(sums) {
+        let cells: Vec<_> = line.split(',').collect();
+        let force: f64 = cells[6].parse().unwrap();
+        assert!((force + sum).abs() < 1e-8, "{line}");
+    }
+}

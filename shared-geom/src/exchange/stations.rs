@@ -36,6 +36,9 @@ pub(super) fn name_of(file: &std::path::Path) -> String {
     if stem.is_empty() { "blade" } else { stem }.to_owned()
 }
 
+/// A station is at an end of the line within this part of its length.
+const END: f64 = 1e-9;
+
 /// Points by which an arc of a line is written for a format that has none.
 const POINTS_OF_ARC: usize = 8;
 
@@ -115,23 +118,54 @@ fn sampled(line: &ReferenceLine) -> (ReferenceLine, f64) {
     (through, apart)
 }
 
-/// The stations of `blade` for a format that is linear between stations: those of a
-/// blade with constant pieces are doubled at the ends of the pieces.
+/// The stations of `blade` for a format that is linear between stations, from end to end:
+/// those of a blade with constant pieces are doubled at the ends of the pieces.
 pub(super) fn linear_stations(blade: &Blade) -> Vec<Station> {
-    if blade.interpolation == Interpolation::Linear {
-        return blade.stations.clone();
+    let length = blade.length();
+    let margin = END * length;
+    let mut stations = match blade.interpolation {
+        Interpolation::Linear => blade.stations.clone(),
+        Interpolation::Constant => doubled(&blade.stations, length - margin),
+    };
+    // Beyond the outer stations the properties are theirs.
+    if let Some(&first) = stations.first().filter(|first| first.arc_length > margin) {
+        let arc_length = 0.0;
+        stations.insert(
+            0,
+            Station {
+                arc_length,
+                ..first
+            },
+        );
     }
-    let mut stations = Vec::with_capacity(2 * blade.stations.len());
-    for pair in blade.stations.windows(2) {
-        if pair[1].arc_length > pair[0].arc_length {
-            let outer = Station {
-                arc_length: pair[1].arc_length,
-                ..pair[0]
-            };
-            stations.extend([pair[0], outer]);
-        }
+    let short = |last: &&Station| last.arc_length < length - margin;
+    if let Some(&last) = stations.last().filter(short) {
+        let arc_length = length;
+        stations.push(Station { arc_length, ..last });
     }
     stations
+}
+
+/// Two stations for each piece of constant properties; the last begins a piece only where
+/// it is before the `end` [m].
+fn doubled(stations: &[Station], end: f64) -> Vec<Station> {
+    let pieces = stations
+        .windows(2)
+        .filter(|pair| pair[1].arc_length > pair[0].arc_length);
+    let ends = pieces.flat_map(|pair| {
+        let arc_length = pair[1].arc_length;
+        [
+            pair[0],
+            Station {
+                arc_length,
+                ..pair[0]
+            },
+        ]
+    });
+    let mut all: Vec<_> = ends.collect();
+    let last = stations.last();
+    all.extend(last.filter(|last| all.is_empty() || last.arc_length < end));
+    all
 }
 
 /// Arc lengths at which the properties of a list of stations jump.

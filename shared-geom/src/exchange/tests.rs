@@ -127,6 +127,29 @@ fn constant_pieces_become_doubled_stations() {
     assert!(difference(&blade, &back) < ROUNDINGS);
 }
 
+// The last of constant pieces goes to the tip, and what lies before the first station and
+// behind the last is theirs: 17 digits of eta and the ramps of BeamDyn change 1e-7.
+#[test]
+fn pieces_at_both_ends_are_written() {
+    for interpolation in [Interpolation::Constant, Interpolation::Linear] {
+        let mut blade = blade();
+        blade.interpolation = interpolation;
+        blade.stations.pop();
+        blade.stations.remove(0);
+        for format in [Format::Dymore, Format::Vabs, Format::BeamDyn] {
+            let back = through(&blade, format).blade;
+            let error = back.mass() / blade.mass() - 1.0;
+            assert!(
+                error.abs() < 1e-7,
+                "{format:?}, {interpolation:?}: {error:e}"
+            );
+            let places = back.places();
+            let last = places[places.len() - 1] / blade.length();
+            assert!(places[0] == 0.0 && (last - 1.0).abs() < 1e-12, "{format:?}");
+        }
+    }
+}
+
 // Moved reference point: what is written stands about the line, as the blade is there.
 #[test]
 fn a_reference_point_off_the_line_is_moved_to_it() {

@@ -10,6 +10,7 @@
 )]
 
 mod blade_files;
+mod helicoid_blades;
 mod mesh_files;
 mod mutation;
 mod property_files;

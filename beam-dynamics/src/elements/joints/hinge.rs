@@ -34,7 +34,8 @@ use shared_geom::rotation::skew;
 
 use super::algebra::{Attachment, Direction, Orthogonality, Point, three};
 use crate::elements::{
-    Element, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
+    Along, Element, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
+    prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Node, NodeMotion, Variable};
@@ -229,6 +230,21 @@ impl Element for Hinge {
         }
         if !self.is_free() {
             self.spring_jacobian(&state, out);
+        }
+    }
+
+    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        prestress_of_multipliers(self, at, along, out);
+        if self.spring.stiffness == 0.0 {
+            return;
+        }
+        // The spring's moment M h_a grows by k d phi; h_a turns with the first node.
+        let state = self.state(at.nodes);
+        let against = along.nodes[1][1] - along.nodes[0][1];
+        let growth = self.spring.stiffness * state.angle_gradient().dot(&against);
+        let by_a = -growth * skew(&state.axis());
+        for (node, sign) in [(0, 1.0), (1, -1.0)] {
+            out.add((node, Moment), (0, Variable::Rotation), &(sign * by_a));
         }
     }
 

@@ -29,7 +29,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use crate::elements::{
-    Element, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
+    Along, Element, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
@@ -184,6 +184,15 @@ impl Element for SupportSpring {
             let by_velocity = transposed * law.turning_damping * state.inverse;
             out.add((0, Moment), (0, Variable::AngularVelocity), &-by_velocity);
         }
+    }
+
+    /// `d(T^-T q)/d psi d psi` with the growth of q, `K_psi d psi` along the motion.
+    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        let state = self.state(&at.nodes[0], at.frame);
+        let growth = self.law.turning_stiffness * state.inverse * along.nodes[0][1];
+        let by_psi = vector::tangent_inverse_derivative(&-state.psi, &growth);
+        let by_rotation = by_psi * state.inverse;
+        out.add((0, Moment), (0, Variable::Rotation), &by_rotation);
     }
 
     fn motions(&self) -> Vec<Motion> {

@@ -6,11 +6,12 @@ use vtkio::xml::VTKFile;
 
 /// The grid of a file, after it has been written and parsed again.
 pub fn read_back(file: FieldFile) -> UnstructuredGridPiece {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.vtu");
-    file.write(&path).unwrap();
-    let text = std::fs::read(&path).unwrap();
-    let grid: Vtk = VTKFile::parse(&text[..]).unwrap().try_into().unwrap();
+    file.write(&path).expect("a file that is written");
+    let text = std::fs::read(&path).expect("a file that is read");
+    let grid = VTKFile::parse(&text[..]).expect("XML of VTK");
+    let grid: Vtk = grid.try_into().expect("a grid");
     let DataSet::UnstructuredGrid { mut pieces, .. } = grid.data else {
         panic!("no unstructured grid");
     };
@@ -27,5 +28,8 @@ pub fn values(attributes: &[Attribute], name: &str) -> (usize, Vec<f64>) {
         _ => None,
     });
     let array = found.unwrap_or_else(|| panic!("no array {name}"));
-    (array.num_comp(), array.data.clone().cast_into().unwrap())
+    (
+        array.num_comp(),
+        array.data.clone().cast_into().expect("numbers"),
+    )
 }

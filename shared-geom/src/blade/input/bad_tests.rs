@@ -51,6 +51,13 @@ fn assert_told(text: &str, expected: &[&str]) {
     }
 }
 
+/// Each text tells what stands beside it.
+fn assert_each(cases: &[(String, &str)]) {
+    for (text, expected) in cases {
+        assert_told(text, &[expected]);
+    }
+}
+
 #[test]
 fn the_good_file_is_good() {
     assert_eq!(told(GOOD), "");
@@ -170,16 +177,8 @@ fn a_weight_for_a_mass_is_remarked() {
 }
 
 #[test]
-fn slips_of_the_pen_are_told() {
-    let cases = [
-        (
-            GOOD.replace("gaz", "gax"),
-            "unknown key \"gax\" in [[station]] number 1",
-        ),
-        (
-            GOOD.replace("gj = 30", "gj = \"30 N\""),
-            "\"N\" measures a force, expected a bending or torsional stiffness",
-        ),
+fn slips_of_the_pen_in_the_line_are_told() {
+    assert_each(&[
         (
             GOOD.replace("length = 10\n\n", "length = -1\n\n"),
             "expected a length greater than zero",
@@ -206,6 +205,20 @@ fn slips_of_the_pen_are_told() {
         (
             GOOD.replace("\"line\"", "[1, 2, 3]"),
             "\"reference_point\" is a list of 3, expected two lengths, y and z",
+        ),
+    ]);
+}
+
+#[test]
+fn slips_of_the_pen_in_the_stations_are_told() {
+    assert_each(&[
+        (
+            GOOD.replace("gaz", "gax"),
+            "unknown key \"gax\" in [[station]] number 1",
+        ),
+        (
+            GOOD.replace("gj = 30", "gj = \"30 N\""),
+            "\"N\" measures a force, expected a bending or torsional stiffness",
         ),
         (
             GOOD.replace("\"helicoid\"", "\"beamdyn\""),
@@ -243,11 +256,7 @@ fn slips_of_the_pen_are_told() {
             GOOD[..GOOD.find("[[station]]").unwrap()].to_owned(),
             "has neither [stations] with a \"file\" nor tables [[station]]",
         ),
-    ];
-    for (text, expected) in cases {
-        let shown = told(&text);
-        assert!(shown.contains(expected), "{expected} is not in\n{shown}");
-    }
+    ]);
 }
 
 /// One problem does not make keys unknown that are known.
@@ -351,6 +360,12 @@ fn what_is_wrong_with_a_table_is_told_with_its_line() {
         assert!(shown.contains(expected), "{expected} is not in\n{shown}");
         assert_eq!(shown.is_empty(), expected.is_empty(), "{shown}");
     }
+}
+
+#[test]
+fn a_table_or_column_that_is_not_there_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let good = "s,A,w\n0,2.0,0.5\n10,2.0,0.5\n";
     let shown = read_told(&with_table(folder.path(), good, "mm = \"w\""));
     assert!(shown.contains("unknown key \"mm\" in [columns]"), "{shown}");
     assert!(shown.contains("t.csv has no column \"m\", and \"columns\" names no other"));

@@ -1,0 +1,93 @@
+//! Growth of the tangent with the moments of springs, at fixed geometry.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::rotation::vector;
+
+use super::{Hinge, HingeSpring};
+use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
+use crate::elements::{Along, Element, Local, LocalJacobian};
+use crate::model::{Conditions, Node, NodeMotion};
+
+fn node(x: f64) -> Node {
+    Node {
+        label: format!("at {x}"),
+        position: Vector3::new(x, 0.0, 0.0),
+        rotation: Matrix3::identity(),
+    }
+}
+
+/// Jacobian by the unknowns, or with `along` its growth.
+fn tangent(
+    element: &dyn Element,
+    nodes: &[NodeMotion],
+    along: Option<&[[Vector3<f64>; 2]]>,
+) -> nalgebra::DMatrix<f64> {
+    let conditions = Conditions::at_rest();
+    let multipliers = [0.3, -0.2, 0.5, 0.7, -0.4];
+    let multipliers = &multipliers[..element.multipliers()];
+    let at = Local {
+        nodes,
+        multipliers,
+        frame: &conditions.frame,
+        loading: &conditions.loading,
+    };
+    let mut out = LocalJacobian::new(nodes.len(), multipliers.len());
+    match along {
+        None => element.jacobian(&at, &mut out),
+        Some(nodes) => {
+            let multipliers = &vec![0.0; multipliers.len()];
+            element.prestress(&at, &Along { nodes, multipliers }, &mut out);
+        }
+    }
+    out.by_unknowns().clone()
+}
+
+// The moment k (phi - phi_0) grows at fixed geometry when phi_0 falls: the growth along a
+// relative rotation by delta about the hinge is that of a spring relaxed delta lower. Linear
+// in the moment: round-off of terms of order one.
+#[test]
+fn growth_with_the_spring_of_a_hinge() {
+    let nodes = [node(0.0), node(1.0)];
+    let axis = Vector3::new(0.3, -0.5, 0.8);
+    let hinge = |angle: f64| {
+        let spring = HingeSpring {
+            stiffness: 1.7,
+            damping: 0.0,
+            angle,
+        };
+        let ends = [&nodes[0], &nodes[1]];
+        Hinge::new("hinge", [0, 1], ends, &nodes[1].position, &axis, spring)
+    };
+    let unit = axis.normalize();
+    let mut motion = [
+        NodeMotion::at_rest(&nodes[0]),
+        NodeMotion::at_rest(&nodes[1]),
+    ];
+    motion[1].rotation = vector::to_rotation(&(0.6 * unit));
+    let zero = Vector3::zeros();
+    let along = [[zero, 0.1 * unit], [zero, 0.35 * unit]];
+    let growth = tangent(&hinge(0.2), &motion, Some(&along));
+    let expected = tangent(&hinge(0.2 - 0.25), &motion, None) - tangent(&hinge(0.2), &motion, None);
+    assert!(expected.amax() > 0.1);
+    assert!((growth - expected).amax() < 1e-14);
+}
+
+// J = -T^-T K T^-1 + (part linear in the moment q = K psi). Along theta = s psi the moment
+// grows by s q, and the second part by s of itself.
+#[test]
+fn growth_with_the_moment_of_a_support() {
+    let node = node(0.0);
+    let axes = vector::to_rotation(&Vector3::new(0.2, 0.5, -0.3));
+    let law = SupportLaw::along(&axes, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0], &[0.0; 6]);
+    let support = SupportSpring::new("support", 0, &node, law, Stand::Frame);
+    let psi = Vector3::new(0.4, -0.3, 0.6);
+    let mut motion = [NodeMotion::at_rest(&node)];
+    motion[0].rotation = vector::to_rotation(&psi);
+    let inverse = vector::tangent_inverse(&psi);
+    let elastic = -inverse.transpose() * law.turning_stiffness * inverse;
+    let whole = tangent(&support, &motion, None);
+    let expected = 0.5 * (whole.fixed_view::<3, 3>(9, 3) - elastic);
+    let growth = tangent(&support, &motion, Some(&[[Vector3::zeros(), 0.5 * psi]]));
+    assert!(expected.amax() > 0.1);
+    assert!((growth.fixed_view::<3, 3>(9, 3) - expected).amax() < 1e-14);
+}

@@ -1,0 +1,111 @@
+//! Modes of a blade file by itself.
+
+use nalgebra::Vector2;
+use shared_geom::blade::{self, Blade, Interpolation, Station};
+use shared_geom::line::ReferenceLine;
+
+use crate::{Folder, strip};
+
+/// A folder with a blade file: the strip, 2 m long.
+fn folder() -> Folder {
+    let folder = Folder::new();
+    let section = strip();
+    let station = |arc_length| Station {
+        arc_length,
+        stiffness: section.stiffness,
+        mass: section.mass,
+    };
+    let blade = Blade {
+        name: "strip".to_owned(),
+        line: ReferenceLine::straight(2.0),
+        reference_point: Vector2::zeros(),
+        stations: vec![station(0.0), station(2.0)],
+        interpolation: Interpolation::Linear,
+        damping: None,
+        provenance: section.provenance.clone(),
+    };
+    folder.write("a.blade.json", &blade::write(&blade));
+    folder
+}
+
+// Clamped and at rest: flap 1 of a uniform beam, 3.5160 sqrt(EI/(m L^4))/2 pi with EI =
+// 0.634, m = 0.109, L = 2 is 0.3374 Hz; torsion 1, sqrt(GJ/J)/(4 L), is the twelfth, 81 Hz.
+#[test]
+fn one_command_gives_the_modes_of_a_blade() {
+    let folder = folder();
+    let run = folder.run(&["modes", "a.blade.json", "--count", "14"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
+    assert!(run.out.contains("0.337"), "{}", run.out);
+    assert!(run.out.contains("torsion 1"), "{}", run.out);
+    let table = folder.read("results/a.frequencies.csv");
+    assert!(table.lines().count() > 14, "{table}");
+    let run = folder.run(&["check", "a.blade.json"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(
+        run.out.contains("20 beams, 1 clamp, mass 0.218 kg"),
+        "{}",
+        run.out
+    );
+}
+
+#[test]
+fn options_mount_the_blade() {
+    let folder = folder();
+    let options = [
+        "--speeds",
+        "0,300",
+        "--hub-radius",
+        "0.2",
+        "--root",
+        "hinged",
+    ];
+    let more = [
+        "--blades",
+        "2",
+        "--elements",
+        "6",
+        "--precone",
+        "-2",
+        "--pitch",
+        "5",
+        "--count",
+        "6",
+    ];
+    let run = folder.run(&[&["modes", "a.blade.json"][..], &options, &more].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
+    assert!(run.out.contains("300"), "{}", run.out);
+    assert!(folder.path("results/a.fan.svg").exists());
+}
+
+#[test]
+fn wrong_blade_files_and_options_are_explained() {
+    let folder = folder();
+    folder.write("words.dat", "some words\nand no numbers\n");
+    folder.write("a.dynamics.toml", crate::BLADE);
+    for (arguments, expected) in [
+        (&["words.dat"][..], "error: words.dat"),
+        (&["none.dat"], "none.dat"),
+        (
+            &["a.dynamics.toml", "--speeds", "3"],
+            "error: \"a.dynamics.toml\" is a dynamics file, for which --speeds is not an option\n  help:",
+        ),
+        (
+            &["a.blade.json", "--elements", "0"],
+            "error: a.blade.json: \"elements\" is 0, expected a whole number",
+        ),
+        (
+            &["a.blade.json", "--speeds=-3"],
+            "error: a.blade.json: \"speeds\" has the speed -3 rpm, expected zero or more",
+        ),
+        (
+            &["a.blade.json", "--hub-radius", "nan"],
+            "expected a number",
+        ),
+        (&["a.blade.json", "--root", "clamp"], "clamped"),
+    ] {
+        let run = folder.run(&[&["modes"][..], arguments].concat());
+        assert_eq!(run.code, 2, "{arguments:?}: {}{}", run.out, run.err);
+        assert!(run.err.contains(expected), "{arguments:?}: {}", run.err);
+        assert!(!folder.path("results").exists());
+    }
+}
