@@ -11,6 +11,9 @@ use crate::solver::{Equations, Factorization, LinearSolver, Worst};
 /// down to 1e-10 or so.
 const ROUND_OFF: f64 = 1e-13;
 
+/// A short arm of a force, in sizes of the model.
+const SHORT: f64 = 1e-3;
+
 /// The equations `F(y, 0) = 0` of a system, and a state that is to fulfill them.
 #[derive(Clone)]
 pub(super) struct Balance<'a> {
@@ -125,7 +128,7 @@ impl<'a> Balance<'a> {
 impl Equations for Balance<'_> {
     fn residual(&mut self) -> (Vec<f64>, Worst) {
         let residual = self.system.residual(&self.state, &self.conditions);
-        let worst = worst(&residual, self.system.nodes().len());
+        let worst = worst(&residual, self.system.nodes().len(), self.size);
         (residual.values, worst)
     }
 
@@ -154,8 +157,10 @@ impl Equations for Balance<'_> {
     }
 }
 
-/// The worst equation: residual against the largest term of its kind.
-pub(super) fn worst(residual: &Residual, nodes: usize) -> Worst {
+/// The worst equation: residual against the largest term of its kind; moments, which may
+/// all be round-off, at least against a short arm of the largest force in a model of
+/// size `reach` [m].
+pub(super) fn worst(residual: &Residual, nodes: usize, reach: f64) -> Worst {
     // Kinds: the four vector equations of the nodes, and the constraints.
     let kind = |place: usize| {
         if place < NODE_UNKNOWNS * nodes {
@@ -168,6 +173,8 @@ pub(super) fn worst(residual: &Residual, nodes: usize) -> Worst {
     for (place, size) in residual.sizes.iter().enumerate() {
         largest[kind(place)] = largest[kind(place)].max(*size);
     }
+    let [force, moment] = [Equation::Force, Equation::Moment].map(|kind| kind.row() / 3);
+    largest[moment] = largest[moment].max(SHORT * reach * largest[force]);
     // The terms of a constraint vanish with it: they are measured against one.
     largest[Equation::ALL.len()] = 1.0;
     let relative = |place: usize| {
