@@ -11,9 +11,6 @@ use crate::solver::{Equations, Factorization, LinearSolver, Worst};
 /// down to 1e-10 or so.
 const ROUND_OFF: f64 = 1e-13;
 
-/// A short arm of a force, in sizes of the model.
-const SHORT: f64 = 1e-3;
-
 /// The equations `F(y, 0) = 0` of a system, and a state that is to fulfill them.
 #[derive(Clone)]
 pub(super) struct Balance<'a> {
@@ -128,7 +125,9 @@ impl<'a> Balance<'a> {
 impl Equations for Balance<'_> {
     fn residual(&mut self) -> (Vec<f64>, Worst) {
         let residual = self.system.residual(&self.state, &self.conditions);
-        let worst = worst(&residual, self.system.nodes().len(), self.size);
+        let nodes = self.system.nodes().len();
+        // The distance of neighbors: moments are taken about the nodes.
+        let worst = worst(&residual, nodes, self.size / nodes.max(1) as f64);
         (residual.values, worst)
     }
 
@@ -157,10 +156,11 @@ impl Equations for Balance<'_> {
     }
 }
 
-/// The worst equation: residual against the largest term of its kind; moments, which may
-/// all be round-off, at least against a short arm of the largest force in a model of
-/// size `reach` [m].
-pub(super) fn worst(residual: &Residual, nodes: usize, reach: f64) -> Worst {
+/// The worst equation: residual against the largest term of its kind. Moments, and
+/// angular momenta, have the largest force, or momentum, on a lever of `arm` \[m\] among
+/// their terms: on a straight blade that turns they are the round-off of it, and nothing
+/// else.
+pub(super) fn worst(residual: &Residual, nodes: usize, arm: f64) -> Worst {
     // Kinds: the four vector equations of the nodes, and the constraints.
     let kind = |place: usize| {
         if place < NODE_UNKNOWNS * nodes {
@@ -173,8 +173,13 @@ pub(super) fn worst(residual: &Residual, nodes: usize, reach: f64) -> Worst {
     for (place, size) in residual.sizes.iter().enumerate() {
         largest[kind(place)] = largest[kind(place)].max(*size);
     }
-    let [force, moment] = [Equation::Force, Equation::Moment].map(|kind| kind.row() / 3);
-    largest[moment] = largest[moment].max(SHORT * reach * largest[force]);
+    for (force, moment) in [
+        (Equation::Force, Equation::Moment),
+        (Equation::Momentum, Equation::AngularMomentum),
+    ] {
+        let of_force = arm * largest[force as usize];
+        largest[moment as usize] = largest[moment as usize].max(of_force);
+    }
     // The terms of a constraint vanish with it: they are measured against one.
     largest[Equation::ALL.len()] = 1.0;
     let relative = |place: usize| {
