@@ -267,18 +267,18 @@ impl<'a> EigenProblem<'a> {
         let mut vectors: Vec<_> = (0..count).map(start).collect();
         let mut factors = Vec::new();
         for _ in 0..ITERATIONS {
-            orthonormalize(&mut vectors, self.size);
             let before = vectors.clone();
             for vector in &mut vectors {
                 *vector = self.rates_times(vector);
                 matrix.solve(vector)?;
             }
+            // Those of the last iteration count, before which the vectors are orthonormal.
             let projected = Mat::from_fn(count, count, |i, j| {
                 product(&before[i], &vectors[j], self.size)
             });
             factors = projected.eigenvalues().unwrap_or_default();
+            orthonormalize(&mut vectors, self.size);
         }
-        orthonormalize(&mut vectors, self.size);
         vectors
             .iter_mut()
             .for_each(|vector| vector.truncate(self.size));
