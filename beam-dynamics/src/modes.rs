@@ -8,6 +8,7 @@ mod krylov;
 mod motion;
 mod multiblade;
 mod separation;
+mod sorted;
 mod tracking;
 
 pub use eigen::{EigenProblem, Eigenpair};

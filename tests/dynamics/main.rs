@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+mod articulated;
 mod beam_statics;
 mod blade_roots;
 mod buckling;

@@ -1,6 +1,7 @@
 //! Modes over rotor speed: equilibrium, linearization, eigenvalues, names.
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use shared_geom::rotation::vector;
 
 use crate::assembly::System;
 use crate::case::{Model, ModesQuestion};
@@ -59,6 +60,8 @@ struct Modes {
     state: State,
     found: Vec<Mode>,
     unstable: Vec<f64>,
+    /// Number of motions found that die out without oscillating.
+    overdamped: usize,
     /// Largest residual of the eigenpairs and of the equilibrium, relative.
     residual: f64,
 }
@@ -146,7 +149,7 @@ fn run(
         branches.add(&now, links.as_deref(), with_shapes);
         table.speeds.push(*speed);
         table.equilibria.push(report(steady));
-        table.remarks.extend(remarks(&now));
+        table.remarks.extend(remarks(case, &now));
         last = Some(now);
     }
     failure.map_or(Ok(()), Err)
@@ -202,9 +205,23 @@ fn report(steady: &Equilibrium) -> EquilibriumReport {
 }
 
 /// What a reader must know of the modes at one speed.
-fn remarks(modes: &Modes) -> Vec<String> {
+fn remarks(case: &Case<'_>, modes: &Modes) -> Vec<String> {
     let at = format!("at {}", rpm(modes.speed));
     let mut found = Vec::new();
+    if let Some((node, angle)) = folded(case.model, modes) {
+        found.push(format!(
+            "{at} node \"{node}\" has turned by {angle:.0} deg: the model is folded, and another \
+             equilibrium may be the one that is sought"
+        ));
+    }
+    let missing = case.question.count.saturating_sub(modes.found.len());
+    if missing > 0 && modes.overdamped > 0 {
+        found.push(format!(
+            "{at} {missing} of {} modes are missing: {} motions are so damped that they do not \
+             oscillate",
+            case.question.count, modes.overdamped
+        ));
+    }
     if let Some(worst) = modes.unstable.last() {
         found.push(format!(
             "{at} the equilibrium is unstable: a motion grows with {worst:.3e} 1/s"
@@ -218,6 +235,22 @@ fn remarks(modes: &Modes) -> Vec<String> {
         ));
     }
     found
+}
+
+/// The node of a turning model that has turned farthest from its undeformed attitude, and
+/// by how much \[deg\], where that is more than a quarter turn.
+fn folded(model: &Model, modes: &Modes) -> Option<(String, f64)> {
+    if modes.speed == 0.0 {
+        return None;
+    }
+    let pairs = model.system.nodes().iter().zip(&modes.state.nodes);
+    let turned = pairs.map(|(node, now)| {
+        let turn = vector::from_rotation(&(now.rotation * node.rotation.transpose()));
+        (node.label.clone(), turn.norm().to_degrees())
+    });
+    turned
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .filter(|most| most.1 > 90.0)
 }
 
 /// Linearizes at an equilibrium and finds the lowest modes.
@@ -268,6 +301,7 @@ fn at_equilibrium(
         speed,
         state: steady.state.clone(),
         found: pairs.iter().zip(motions).map(mode).collect(),
+        overdamped: real.iter().filter(|growth| **growth < 0.0).count(),
         unstable: real.into_iter().filter(|growth| *growth > 0.0).collect(),
         residual: residual.fold(steady_residual, larger),
     })

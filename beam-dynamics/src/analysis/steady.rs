@@ -119,6 +119,9 @@ pub fn equilibrium(
         center: to.frame.center,
         ..TurningFrame::at_rest()
     });
+    if from.0.frame.angular_velocity.norm() == 0.0 && to.frame != nothing.frame {
+        return spun_up(&Balance::new(system, solver, *to, rest), &nothing, to);
+    }
     let known = if *from.1 == rest { &nothing } else { from.0 };
     let balance = Balance::new(system, solver, *to, from.1.clone());
     match advance(&balance, known, to) {
@@ -126,6 +129,24 @@ pub fn equilibrium(
         Err(_) if known == to => advance(&balance.at(*to, rest), &nothing, to),
         other => other,
     }
+}
+
+/// The equilibrium of a turning model from the undeformed state: first the rotation, then
+/// the loads. A hinged blade needs its tension before it can carry anything: under the
+/// loads alone it would hang, and swing up to a state beyond the hub.
+fn spun_up(
+    rest: &Balance<'_>,
+    nothing: &Conditions,
+    to: &Conditions,
+) -> Result<Equilibrium, Box<NoEquilibrium>> {
+    let turning = Conditions::turning(to.frame);
+    let first = advance(rest, nothing, &turning)?;
+    if turning == *to {
+        return Ok(first);
+    }
+    let mut loaded = advance(&rest.at(*to, first.state), &turning, to)?;
+    loaded.iterations += first.iterations;
+    Ok(loaded)
 }
 
 /// Whether `to` asks nothing of the undeformed state: to the last digit the residual is

@@ -11,6 +11,7 @@
 use faer::{Mat, c64};
 
 use super::inverse::Inverse;
+use super::sorted::{OSCILLATING, Sorted};
 use crate::assembly::{Sparse, Tangent};
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 use crate::solver::{ComplexFactorization, LinearSolver};
@@ -34,17 +35,16 @@ const ZERO: f64 = 3e-8;
 const FREE_SHIFT: f64 = 1e-2;
 /// The first shift, in parts of the highest frequency of a node on its own.
 const BELOW: f64 = 1e-5;
+/// Part of a unit vector beside a space by which it is independent of it: far above what
+/// three iterations leave of other modes.
+const INDEPENDENT: f64 = 1e-3;
+/// Eigenvalues that are asked for at most, in parts of the oscillations that are wanted.
+const MOST: usize = 8;
 /// Inverse iterations; the first already leaves other modes smaller by 1e-10 over
 /// their distance.
 const ITERATIONS: usize = 3;
-/// Imaginary parts below this part of the magnitude are those of a motion that dies
-/// without an oscillation: internal damping gathers many such values at -1 / time, where
-/// round-off makes pairs of them.
-const OVERDAMPED: f64 = 0.03;
 /// Part of itself by which inverse iteration may change a value that it confirms.
 const CONFIRMED: f64 = 1e-3;
-/// Real parts below this part of the magnitude are round-off of an undamped mode.
-const OSCILLATING: f64 = 1e-9;
 
 /// An eigenvalue `s` [1/s] and its vector: twelve entries a node.
 #[derive(Debug, Clone)]
@@ -138,22 +138,8 @@ impl<'a> EigenProblem<'a> {
     /// The `count` eigenpairs of smallest angular frequency, ascending, where there are
     /// so many, those without stiffness first; and the real eigenvalues found on the way.
     pub fn lowest(&self, count: usize) -> (Vec<Eigenpair>, Vec<f64>) {
-        let values = self.inverse.smallest(count, self.copies);
-        let (zeros, values): (Vec<_>, Vec<_>) =
-            values.into_iter().partition(|s| s.norm() <= self.zero);
-        let is_real = |s: &&c64| {
-            let part = if s.re < 0.0 { OVERDAMPED } else { OSCILLATING };
-            s.im.abs() <= part * s.norm()
-        };
-        let mut real: Vec<_> = values.iter().filter(is_real).map(|s| s.re).collect();
-        real.sort_by(f64::total_cmp);
-        let mut above: Vec<_> = values
-            .into_iter()
-            .filter(|s| !is_real(&s) && s.im > 0.0)
-            .collect();
-        above.sort_by(|a, b| a.im.total_cmp(&b.im));
-        // A motion without stiffness is a double zero.
-        let mut pairs = self.free(zeros.len().div_ceil(2).min(count));
+        let Sorted { zeros, real, above } = self.sorted(count);
+        let mut pairs = self.free(zeros);
         let mut rest = &above[..];
         while let Some(first) = rest.first().filter(|_| pairs.len() < count) {
             let near = |s: &&c64| (**s - first).norm() <= COPIES * first.norm();
@@ -168,6 +154,22 @@ impl<'a> EigenProblem<'a> {
         }
         pairs.truncate(count);
         (pairs, real)
+    }
+
+    /// The values nearest to the shift, as many as hold `count` oscillations, where real
+    /// ones of overdamped motions do not use up too many.
+    fn sorted(&self, count: usize) -> Sorted {
+        let mut asked = count;
+        loop {
+            let values = self.inverse.smallest(asked, self.copies);
+            let is_all = values.len() < 2 * asked;
+            let sorted = Sorted::new(values, self.zero);
+            let found = sorted.zeros.div_ceil(2) + sorted.above.len();
+            if found >= count || is_all || asked >= MOST * count {
+                return sorted;
+            }
+            asked *= 2;
+        }
     }
 
     /// The real eigenvalues of smallest magnitude with their vectors, at most `count`.
@@ -187,16 +189,50 @@ impl<'a> EigenProblem<'a> {
         pairs
     }
 
-    /// Motions without stiffness: from a shift far below the lowest frequency.
-    fn free(&self, count: usize) -> Vec<Eigenpair> {
-        if count == 0 {
+    /// Motions without stiffness, of `zeros` eigenvalues: from a shift far below the lowest
+    /// frequency. A zero is double, with one vector, or simple where a damper acts: the
+    /// vectors that are independent of those before are the motions.
+    fn free(&self, zeros: usize) -> Vec<Eigenpair> {
+        let beside = c64::new(FREE_SHIFT * self.lowest, 0.0);
+        let Tangent {
+            by_unknowns,
+            by_rates,
+        } = self.tangent;
+        let matrix = match zeros {
+            0 => None,
+            _ => self.solver.factorize_complex(by_unknowns, beside, by_rates),
+        };
+        let Some(matrix) = matrix else {
             return Vec::new();
+        };
+        let found = (0..zeros).filter_map(|copy| self.iterate_alone(&matrix, copy));
+        let pair = |vector: Vec<c64>| Eigenpair {
+            growth: 0.0,
+            angular_frequency: 0.0,
+            real: vector.iter().map(|v| v.re).collect(),
+            imaginary: vector.iter().map(|v| v.im).collect(),
+            residual: 0.0,
+        };
+        independent(found, self.size)
+            .into_iter()
+            .map(pair)
+            .collect()
+    }
+
+    /// `x <- (F_y + beside F_y')^-1 F_y' x` from start vector number `copy`, on its own.
+    fn iterate_alone(&self, matrix: &ComplexFactorization, copy: usize) -> Option<Vec<c64>> {
+        let n = self.tangent.by_rates.pattern().size();
+        let mut x: Vec<_> = (0..n)
+            .map(|i| c64::new(start_value(i + copy * n), 0.0))
+            .collect();
+        for _ in 0..ITERATIONS {
+            x = self.rates_times(&x);
+            matrix.solve(&mut x)?;
+            let norm = product(&x, &x, self.size).re.sqrt();
+            x.iter_mut().for_each(|value| *value /= norm);
         }
-        let mut pairs = self.vectors_beside(c64::new(FREE_SHIFT * self.lowest, 0.0), count);
-        for pair in &mut pairs {
-            (pair.growth, pair.angular_frequency, pair.residual) = (0.0, 0.0, 0.0);
-        }
-        pairs
+        x.truncate(self.size);
+        Some(x)
     }
 
     /// Independent vectors of a value and its copies; of values that lie near each other
@@ -337,6 +373,24 @@ fn lowest_oscillation(values: &[c64], zero: f64) -> Option<f64> {
     let sizes = values.iter().map(|s| s.norm());
     let above = sizes.filter(|size| size.is_finite() && *size > zero);
     above.min_by(f64::total_cmp)
+}
+
+/// Those of unit vectors that are not in the space of the ones before, orthonormal.
+fn independent(vectors: impl Iterator<Item = Vec<c64>>, size: usize) -> Vec<Vec<c64>> {
+    let mut kept: Vec<Vec<c64>> = Vec::new();
+    for mut vector in vectors {
+        for other in kept.iter().chain(&kept) {
+            let along = product(other, &vector, size);
+            let pairs = vector.iter_mut().zip(other);
+            pairs.for_each(|(v, o)| *v -= along * o);
+        }
+        let norm = product(&vector, &vector, size).re.sqrt();
+        if norm > INDEPENDENT {
+            vector.iter_mut().for_each(|value| *value /= norm);
+            kept.push(vector);
+        }
+    }
+    kept
 }
 
 /// Vectors of copies, and the factors by which the last iteration made them grow.

@@ -1,0 +1,67 @@
+//! Eigenvalues by what they are: zeros of motions without stiffness, real ones of motions
+//! that do not oscillate, and oscillations.
+
+use faer::c64;
+
+/// Imaginary parts below this part of the magnitude are those of a motion that dies
+/// without an oscillation: internal damping gathers many such values at -1 / time, where
+/// round-off makes pairs of them.
+const OVERDAMPED: f64 = 0.03;
+/// Real parts below this part of the magnitude are round-off of an undamped mode.
+pub(super) const OSCILLATING: f64 = 1e-9;
+
+/// Eigenvalues by what they are.
+pub(super) struct Sorted {
+    /// Number of those that are zero.
+    pub zeros: usize,
+    /// The real ones, ascending.
+    pub real: Vec<f64>,
+    /// Those of oscillations, one of each pair, by their angular frequency.
+    pub above: Vec<c64>,
+}
+
+impl Sorted {
+    /// Sorts eigenvalues, of which those up to `zero` in magnitude are zero.
+    pub fn new(values: Vec<c64>, zero: f64) -> Self {
+        let (zeros, values): (Vec<_>, Vec<_>) = values.into_iter().partition(|s| s.norm() <= zero);
+        let is_real = |s: &&c64| {
+            let part = if s.re < 0.0 { OVERDAMPED } else { OSCILLATING };
+            s.im.abs() <= part * s.norm()
+        };
+        let mut real: Vec<_> = values.iter().filter(is_real).map(|s| s.re).collect();
+        real.sort_by(f64::total_cmp);
+        let mut above: Vec<_> = values
+            .into_iter()
+            .filter(|s| !is_real(&s) && s.im > 0.0)
+            .collect();
+        above.sort_by(|a, b| a.im.total_cmp(&b.im));
+        Self {
+            zeros: zeros.len(),
+            real,
+            above,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_value_has_its_place() {
+        let values = [
+            (1e-9, 2e-9),
+            (-3.0, 0.0),
+            (0.0, 7.0),
+            (0.0, -7.0),
+            (-1.0, 5.0),
+            (-1.0, -5.0),
+            (2.0, 0.0),
+        ];
+        let values = values.map(|(re, im)| c64::new(re, im)).to_vec();
+        let sorted = Sorted::new(values, 1e-6);
+        assert_eq!((sorted.zeros, sorted.real), (1, vec![-3.0, 2.0]));
+        let frequencies: Vec<_> = sorted.above.iter().map(|s| s.im).collect();
+        assert_eq!(frequencies, [5.0, 7.0]);
+    }
+}
