@@ -35,9 +35,6 @@ const ZERO: f64 = 3e-8;
 const FREE_SHIFT: f64 = 1e-2;
 /// The first shift, in parts of the highest frequency of a node on its own.
 const BELOW: f64 = 1e-5;
-/// Part of a unit vector beside a space by which it is independent of it: far above what
-/// three iterations leave of other modes.
-const INDEPENDENT: f64 = 1e-3;
 /// Eigenvalues that are asked for at most, in parts of the oscillations that are wanted.
 const MOST: usize = 8;
 /// Inverse iterations; the first already leaves other modes smaller by 1e-10 over
@@ -139,7 +136,7 @@ impl<'a> EigenProblem<'a> {
     /// so many, those without stiffness first; and the real eigenvalues found on the way.
     pub fn lowest(&self, count: usize) -> (Vec<Eigenpair>, Vec<f64>) {
         let Sorted { zeros, real, above } = self.sorted(count);
-        let mut pairs = self.free(zeros);
+        let mut pairs = self.free(self.free_motions(zeros, count).min(count));
         let mut rest = &above[..];
         while let Some(first) = rest.first().filter(|_| pairs.len() < count) {
             let near = |s: &&c64| (**s - first).norm() <= COPIES * first.norm();
@@ -189,50 +186,37 @@ impl<'a> EigenProblem<'a> {
         pairs
     }
 
-    /// Motions without stiffness, of `zeros` eigenvalues: from a shift far below the lowest
-    /// frequency. A zero is double, with one vector, or simple where a damper acts: the
-    /// vectors that are independent of those before are the motions.
-    fn free(&self, zeros: usize) -> Vec<Eigenpair> {
-        let beside = c64::new(FREE_SHIFT * self.lowest, 0.0);
-        let Tangent {
-            by_unknowns,
-            by_rates,
-        } = self.tangent;
-        let matrix = match zeros {
-            0 => None,
-            _ => self.solver.factorize_complex(by_unknowns, beside, by_rates),
-        };
-        let Some(matrix) = matrix else {
+    /// Motions without stiffness: from a shift far below the lowest frequency.
+    fn free(&self, count: usize) -> Vec<Eigenpair> {
+        if count == 0 {
             return Vec::new();
-        };
-        let found = (0..zeros).filter_map(|copy| self.iterate_alone(&matrix, copy));
-        let pair = |vector: Vec<c64>| Eigenpair {
-            growth: 0.0,
-            angular_frequency: 0.0,
-            real: vector.iter().map(|v| v.re).collect(),
-            imaginary: vector.iter().map(|v| v.im).collect(),
-            residual: 0.0,
-        };
-        independent(found, self.size)
-            .into_iter()
-            .map(pair)
-            .collect()
+        }
+        let mut pairs = self.vectors_beside(c64::new(FREE_SHIFT * self.lowest, 0.0), count);
+        for pair in &mut pairs {
+            (pair.growth, pair.angular_frequency, pair.residual) = (0.0, 0.0, 0.0);
+        }
+        pairs
     }
 
-    /// `x <- (F_y + beside F_y')^-1 F_y' x` from start vector number `copy`, on its own.
-    fn iterate_alone(&self, matrix: &ComplexFactorization, copy: usize) -> Option<Vec<c64>> {
-        let n = self.tangent.by_rates.pattern().size();
-        let mut x: Vec<_> = (0..n)
-            .map(|i| c64::new(start_value(i + copy * n), 0.0))
-            .collect();
-        for _ in 0..ITERATIONS {
-            x = self.rates_times(&x);
-            matrix.solve(&mut x)?;
-            let norm = product(&x, &x, self.size).re.sqrt();
-            x.iter_mut().for_each(|value| *value /= norm);
-        }
-        x.truncate(self.size);
-        Some(x)
+    /// Number of motions without stiffness. The zero of one is double, but simple where a
+    /// damper acts on it: they are counted without dampers.
+    fn free_motions(&self, zeros: usize, count: usize) -> usize {
+        let undamped = if zeros > 0 {
+            undamped(self.tangent)
+        } else {
+            None
+        };
+        let zeros = undamped
+            .and_then(|tangent| {
+                let nodes = self.size / NODE_UNKNOWNS;
+                let shift = self.inverse.shift();
+                let problem =
+                    EigenProblem::shifted(self.solver, &tangent, nodes, self.copies, shift)?;
+                let values = problem.inverse.smallest(count, self.copies);
+                Some(values.iter().filter(|s| s.norm() <= self.zero).count())
+            })
+            .unwrap_or(zeros);
+        zeros.div_ceil(2)
     }
 
     /// Independent vectors of a value and its copies; of values that lie near each other
@@ -333,6 +317,24 @@ impl<'a> EigenProblem<'a> {
     }
 }
 
+/// The same system without dampers, which are the forces and moments by the velocities;
+/// `None` where it has none.
+fn undamped(tangent: &Tangent) -> Option<Tangent> {
+    let is_damping = |&(row, column, value): &(usize, usize, f64)| {
+        let half = NODE_UNKNOWNS / 2;
+        value != 0.0 && row % NODE_UNKNOWNS >= half && column % NODE_UNKNOWNS < half
+    };
+    let mut result = tangent.clone();
+    let places: Vec<_> = tangent.by_rates.triplets().enumerate().collect();
+    let damping = places.iter().filter(|(_, entry)| is_damping(entry));
+    let mut is_damped = false;
+    for (place, _) in damping {
+        result.by_rates.values_mut()[*place] = 0.0;
+        is_damped = true;
+    }
+    is_damped.then_some(result)
+}
+
 /// The highest frequency of a node on its own, `sqrt(|F_force,x| / |F_p,v|)`; of bodies
 /// that only turn, `sqrt(|F_moment,theta| / |F_h,omega|)` or the speed of the frame \[1/s\].
 /// `None` without mass or stiffness.
@@ -373,24 +375,6 @@ fn lowest_oscillation(values: &[c64], zero: f64) -> Option<f64> {
     let sizes = values.iter().map(|s| s.norm());
     let above = sizes.filter(|size| size.is_finite() && *size > zero);
     above.min_by(f64::total_cmp)
-}
-
-/// Those of unit vectors that are not in the space of the ones before, orthonormal.
-fn independent(vectors: impl Iterator<Item = Vec<c64>>, size: usize) -> Vec<Vec<c64>> {
-    let mut kept: Vec<Vec<c64>> = Vec::new();
-    for mut vector in vectors {
-        for other in kept.iter().chain(&kept) {
-            let along = product(other, &vector, size);
-            let pairs = vector.iter_mut().zip(other);
-            pairs.for_each(|(v, o)| *v -= along * o);
-        }
-        let norm = product(&vector, &vector, size).re.sqrt();
-        if norm > INDEPENDENT {
-            vector.iter_mut().for_each(|value| *value /= norm);
-            kept.push(vector);
-        }
-    }
-    kept
 }
 
 /// Vectors of copies, and the factors by which the last iteration made them grow.
