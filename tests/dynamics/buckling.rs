@@ -24,7 +24,8 @@ fn factors(chain: Chain, count: usize) -> Vec<f64> {
     for mode in &outcome.result.modes {
         let largest = mode.displacements.iter().map(|d| d.norm());
         assert!((largest.fold(0.0, f64::max) - 1.0).abs() < 1e-12);
-        assert!(mode.residual < 1e-6, "{}", mode.residual);
+        // Above 1e-5 a result is told to have lost digits.
+        assert!(mode.residual < 1e-5, "{}", mode.residual);
     }
     outcome
         .result

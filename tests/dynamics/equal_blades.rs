@@ -82,6 +82,13 @@ fn copies_are_collective_cyclic_and_differential() {
                 }
             }
         }
+        // Followed over the speeds, each stays what it is.
+        for branch in &table.branches {
+            for point in branch.points.iter().flatten() {
+                let harmonic = point.whirl.map(|whirl| whirl.harmonic);
+                assert_eq!(harmonic, branch.harmonic, "{}", branch.name);
+            }
+        }
         let names: Vec<_> = table.branches.iter().map(|branch| &branch.name).collect();
         assert!(
             names.iter().any(|name| *name == "flap 1 collective"),

@@ -125,7 +125,9 @@ impl<'a> Balance<'a> {
 impl Equations for Balance<'_> {
     fn residual(&mut self) -> (Vec<f64>, Worst) {
         let residual = self.system.residual(&self.state, &self.conditions);
-        let worst = worst(&residual, self.system.nodes().len());
+        let nodes = self.system.nodes().len();
+        // The distance of neighbors: moments are taken about the nodes.
+        let worst = worst(&residual, nodes, self.size / nodes.max(1) as f64);
         (residual.values, worst)
     }
 
@@ -154,8 +156,11 @@ impl Equations for Balance<'_> {
     }
 }
 
-/// The worst equation: residual against the largest term of its kind.
-pub(super) fn worst(residual: &Residual, nodes: usize) -> Worst {
+/// The worst equation: residual against the largest term of its kind. Moments, and
+/// angular momenta, have the largest force, or momentum, on a lever of `arm` \[m\] among
+/// their terms: on a straight blade that turns they are the round-off of it, and nothing
+/// else.
+pub(super) fn worst(residual: &Residual, nodes: usize, arm: f64) -> Worst {
     // Kinds: the four vector equations of the nodes, and the constraints.
     let kind = |place: usize| {
         if place < NODE_UNKNOWNS * nodes {
@@ -167,6 +172,13 @@ pub(super) fn worst(residual: &Residual, nodes: usize) -> Worst {
     let mut largest = [0.0_f64; Equation::ALL.len() + 1];
     for (place, size) in residual.sizes.iter().enumerate() {
         largest[kind(place)] = largest[kind(place)].max(*size);
+    }
+    for (force, moment) in [
+        (Equation::Force, Equation::Moment),
+        (Equation::Momentum, Equation::AngularMomentum),
+    ] {
+        let of_force = arm * largest[force as usize];
+        largest[moment as usize] = largest[moment as usize].max(of_force);
     }
     // The terms of a constraint vanish with it: they are measured against one.
     largest[Equation::ALL.len()] = 1.0;

@@ -87,6 +87,17 @@ struct Case<'a> {
     rotor: Option<&'a Rotor>,
 }
 
+impl Case<'_> {
+    /// What a mode does, from its motion.
+    fn describe(&self, mode: &mut Mode) {
+        let naming = &self.model.naming;
+        mode.point.shares = mode.motion.shares(naming);
+        mode.point.whirl = self
+            .rotor
+            .and_then(|rotor| rotor.whirl(&mode.motion, naming));
+    }
+}
+
 /// Steady equilibrium and modes at each speed of `question`.
 pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
     let rotor = Rotor::new(&model.blades);
@@ -240,18 +251,18 @@ fn at_equilibrium(
                 false => 0.0,
             },
             growth: pair.growth,
-            shares: motion.shares(&case.model.naming),
-            whirl: case
-                .rotor
-                .and_then(|rotor| rotor.whirl(&motion, &case.model.naming)),
+            shares: [0.0; 4],
+            whirl: None,
             assurance: None,
             shape: None,
         };
-        Mode {
+        let mut mode = Mode {
             motion,
             point,
             slope: None,
-        }
+        };
+        case.describe(&mut mode);
+        mode
     };
     Ok(Modes {
         speed,
@@ -282,7 +293,7 @@ fn links(
     now: &mut Modes,
     halvings: usize,
 ) -> Result<Vec<Option<(usize, f64)>>, Failure> {
-    let direct = direct_links(before, now);
+    let direct = direct_links(case, before, now);
     let reported = direct.iter().take(case.question.count);
     let certain = reported
         .clone()
@@ -306,7 +317,7 @@ fn links(
 
 /// For each mode of `before` its nearest shape in `now`, whose copies of repeated modes
 /// are turned toward those of `before`.
-fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
+fn direct_links(case: &Case<'_>, before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
     let motions = |modes: &Modes| -> Vec<ModeMotion> {
         modes.found.iter().map(|mode| mode.motion.clone()).collect()
     };
@@ -316,6 +327,7 @@ fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
     let macs = assurances(&known, &found);
     for (mode, motion) in now.found.iter_mut().zip(found) {
         mode.motion = motion;
+        case.describe(mode);
     }
     let expected: Vec<_> = before
         .found

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 /// form of their displacements u and rotations theta: `sum_i d_i . u_i + r_i . theta_i`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
-    /// `d_i` and `r_i` of each node of the element.
+    /// `d_i` [-] and `r_i` [m] of each node of the element.
     pub form: Vec<[Vector3<f64>; 2]>,
     /// Whether a spring resists it; else it is free on purpose, as that of a hinge.
     pub is_resisted: bool,

@@ -20,6 +20,8 @@ use crate::solver::{ComplexFactorization, LinearSolver};
 pub(super) const COPIES: f64 = 1e-6;
 /// Values within this part of each other cannot be told apart.
 const SAME: f64 = 1e-9;
+/// Two unit vectors of more overlap than this are one and the same.
+const PARALLEL: f64 = 0.9;
 /// The matrix is inverted this part beside the eigenvalue: near enough that one
 /// iteration suffices, far enough that the factorization keeps its digits.
 const BESIDE: f64 = 1e-10;
@@ -200,18 +202,22 @@ impl<'a> EigenProblem<'a> {
     /// Independent vectors of a value and its copies; of values that lie near each other
     /// but are not the same, each with its own.
     fn vectors(&self, copies: &[c64]) -> Vec<Eigenpair> {
-        let mean = copies.iter().sum::<c64>() / copies.len() as f64;
-        let pairs = self.vectors_beside(mean * (1.0 + BESIDE), copies.len());
+        let beside = |values: &[c64]| {
+            let mean = values.iter().sum::<c64>() / values.len() as f64;
+            self.vectors_beside(mean * (1.0 + BESIDE), values.len())
+        };
+        let together = beside(copies);
         let value = |pair: &Eigenpair| c64::new(pair.growth, pair.angular_frequency);
-        let values: Vec<_> = pairs.iter().map(value).collect();
-        let groups = groups(&values);
+        let groups = groups(&together.iter().map(value).collect::<Vec<_>>());
         if groups.len() < 2 {
-            return pairs;
+            return together;
         }
-        let beside = |group: &Vec<c64>| group.iter().sum::<c64>() / group.len() as f64;
-        let of_group =
-            |group: &Vec<c64>| self.vectors_beside(beside(group) * (1.0 + BESIDE), group.len());
-        groups.iter().flat_map(of_group).collect()
+        let apart: Vec<_> = groups.iter().flat_map(|group| beside(group)).collect();
+        // Copies that only round-off tells apart may come out twice.
+        match is_independent(&apart) {
+            true => apart,
+            false => together,
+        }
     }
 
     /// The `count` eigenpairs nearest to `beside`.
@@ -261,18 +267,18 @@ impl<'a> EigenProblem<'a> {
         let mut vectors: Vec<_> = (0..count).map(start).collect();
         let mut factors = Vec::new();
         for _ in 0..ITERATIONS {
-            orthonormalize(&mut vectors, self.size);
             let before = vectors.clone();
             for vector in &mut vectors {
                 *vector = self.rates_times(vector);
                 matrix.solve(vector)?;
             }
+            // Those of the last iteration count, before which the vectors are orthonormal.
             let projected = Mat::from_fn(count, count, |i, j| {
                 product(&before[i], &vectors[j], self.size)
             });
             factors = projected.eigenvalues().unwrap_or_default();
+            orthonormalize(&mut vectors, self.size);
         }
-        orthonormalize(&mut vectors, self.size);
         vectors
             .iter_mut()
             .for_each(|vector| vector.truncate(self.size));
@@ -348,6 +354,18 @@ fn groups(values: &[c64]) -> Vec<Vec<c64>> {
         }
     }
     groups
+}
+
+/// Whether no two of the vectors are nearly parallel.
+fn is_independent(pairs: &[Eigenpair]) -> bool {
+    let complex = |pair: &Eigenpair| -> Vec<c64> {
+        let parts = pair.real.iter().zip(&pair.imaginary);
+        parts.map(|(re, im)| c64::new(*re, *im)).collect()
+    };
+    let vectors: Vec<_> = pairs.iter().map(complex).collect();
+    // The vectors are of unit size.
+    let overlap = |i: usize, j: usize| product(&vectors[i], &vectors[j], vectors[i].len()).norm();
+    (0..vectors.len()).all(|i| (0..i).all(|j| overlap(i, j) < PARALLEL))
 }
 
 /// `a^H b` over the positions and rotations of the nodes: the reactions, which follow

@@ -75,7 +75,7 @@ pub struct MassAlong<'a> {
     /// 6x6 mass per length at xi, section axes [kg/m, kg, kg m].
     pub at: &'a dyn Fn(f64) -> Matrix6<f64>,
     /// Places xi between -1 and 1, ascending, where the mass has a kink or a jump: the
-    /// integrals are taken between them.
+    /// integrals are taken between them [-].
     pub breaks: &'a [f64],
     /// Length of the line for which the beam stands, evenly along xi; `None` for that
     /// of the curve through the nodes [m].

@@ -204,79 +204,82 @@ fn hinges_lie_on_the_span_in_their_order() {
     assert!(residual.values.iter().all(|value| value.abs() < 1e-7));
 }
 
+/// Keys of a card, and what is said of them.
+const WRONG_CARDS: &[(&str, &str)] = &[
+    (
+        "elements = 0\n",
+        "\"elements\" is 0, expected a whole number",
+    ),
+    (
+        "elements = 99999\n",
+        "\"elements\" is 99999, expected at most 10000",
+    ),
+    (
+        "elements = 1\n[[blade.mass]]\nat = 4\nmass = 1\n",
+        "\"elements\" is 1, expected at least 2",
+    ),
+    (
+        "root = [1, 0, 0]\nhub_radius = 1\n",
+        "has \"root\" and \"hub_radius\", expected one",
+    ),
+    (
+        "hub_radius = -1\n",
+        "\"hub_radius\" is -1, expected a length, zero or more",
+    ),
+    (
+        "count = 3\nazimuths = [0, 9]\n",
+        "has \"azimuths\" and \"count\", expected one",
+    ),
+    ("azimuths = [0, 360]\n", "\"azimuths\" has 360 deg twice"),
+    (
+        "count = 3\nnames = [\"a\", \"b\"]\n",
+        "\"names\" lists 2, expected 3",
+    ),
+    ("count = 1000\n", "\"count\" is 1000, expected at most 100"),
+    (
+        "properties = \"strip\"\n",
+        "has \"file\" and \"properties\", expected a blade file or",
+    ),
+    (
+        "precone = 95\n",
+        "\"precone\" is 95 deg, expected less than 90 deg",
+    ),
+    (
+        "hub_radius = 1\nhinges = [{ kind = \"flop\" }]\n",
+        "did you mean \"flap\"?",
+    ),
+    (
+        "hinges = [{ offset = 0 }]\n",
+        "has no \"kind\", expected \"flap\", \"lag\" or \"pitch\"",
+    ),
+    (
+        "hinges = [{ kind = \"flap\", stiffness = -1 }]\n",
+        "\"stiffness\" is -1, expected a moment, zero or more",
+    ),
+    (
+        "hinges = [{ kind = \"lag\" }]\nclamp_root = true\n",
+        "has \"hinges\" and \"clamp_root\"",
+    ),
+    (
+        "hinges = [{ kind = \"lag\", offset = 2 }]\n",
+        "is at 2 m from the center of rotation, outboard",
+    ),
+    (
+        "[[blade.mass]]\nat = 12\nmass = 1\n",
+        "\"at\" is 12 m, expected a place on the line, from 0 to 10",
+    ),
+    ("[[blade.mass]]\nat = \"end\"\nmass = 1\n", "\"at\""),
+    ("[[blade.mass]]\nat = \"tip\"\n", "has no \"mass\""),
+    (
+        "[[blade.mass]]\nat = \"tip\"\nmass = 1\noffest = [0, 0, 1]\n",
+        "did you mean \"offset\"?",
+    ),
+];
+
 #[test]
 fn wrong_cards_of_blades_are_explained() {
     let hinge = "hinges = [{ kind = \"flap\", offset = 0.5 }, { kind = \"lag\", offset = 0.3 }]\n";
-    for (keys, expected) in [
-        (
-            "elements = 0\n",
-            "\"elements\" is 0, expected a whole number",
-        ),
-        (
-            "elements = 99999\n",
-            "\"elements\" is 99999, expected at most 10000",
-        ),
-        (
-            "elements = 1\n[[blade.mass]]\nat = 4\nmass = 1\n",
-            "\"elements\" is 1, expected at least 2",
-        ),
-        (
-            "root = [1, 0, 0]\nhub_radius = 1\n",
-            "has \"root\" and \"hub_radius\", expected one",
-        ),
-        (
-            "hub_radius = -1\n",
-            "\"hub_radius\" is -1, expected a length, zero or more",
-        ),
-        (
-            "count = 3\nazimuths = [0, 9]\n",
-            "has \"azimuths\" and \"count\", expected one",
-        ),
-        ("azimuths = [0, 360]\n", "\"azimuths\" has 360 deg twice"),
-        (
-            "count = 3\nnames = [\"a\", \"b\"]\n",
-            "\"names\" lists 2, expected 3",
-        ),
-        ("count = 1000\n", "\"count\" is 1000, expected at most 100"),
-        (
-            "properties = \"strip\"\n",
-            "has \"file\" and \"properties\", expected a blade file or",
-        ),
-        (
-            "precone = 95\n",
-            "\"precone\" is 95 deg, expected less than 90 deg",
-        ),
-        (
-            "hub_radius = 1\nhinges = [{ kind = \"flop\" }]\n",
-            "did you mean \"flap\"?",
-        ),
-        (
-            "hinges = [{ offset = 0 }]\n",
-            "has no \"kind\", expected \"flap\", \"lag\" or \"pitch\"",
-        ),
-        (
-            "hinges = [{ kind = \"flap\", stiffness = -1 }]\n",
-            "\"stiffness\" is -1, expected a moment, zero or more",
-        ),
-        (
-            "hinges = [{ kind = \"lag\" }]\nclamp_root = true\n",
-            "has \"hinges\" and \"clamp_root\"",
-        ),
-        (
-            "hinges = [{ kind = \"lag\", offset = 2 }]\n",
-            "is at 2 m from the center of rotation, outboard",
-        ),
-        (
-            "[[blade.mass]]\nat = 12\nmass = 1\n",
-            "\"at\" is 12 m, expected a place on the line, from 0 to 10",
-        ),
-        ("[[blade.mass]]\nat = \"end\"\nmass = 1\n", "\"at\""),
-        ("[[blade.mass]]\nat = \"tip\"\n", "has no \"mass\""),
-        (
-            "[[blade.mass]]\nat = \"tip\"\nmass = 1\noffest = [0, 0, 1]\n",
-            "did you mean \"offset\"?",
-        ),
-    ] {
+    for (keys, expected) in WRONG_CARDS {
         let shown = refused(&straight(10.0, 0.0), &format!("{FILE}{keys}{MODES}"));
         assert!(
             shown.contains(expected),
