@@ -163,6 +163,12 @@ fn a_rigid_hub_gives_the_fan_of_one_blade_four_times() {
                     [(&four, &name), (&one, &branch.name)].map(|(t, n)| frequency(t, n, speed));
                 assert!((found / expected - 1.0).abs() < ROUND_OFF, "{name}");
             }
+            let named = four.branches.iter().find(|branch| branch.name == name);
+            for point in named.unwrap().points.iter().flatten() {
+                let whirl = point.whirl.unwrap();
+                assert_eq!(Some(whirl.harmonic), named.unwrap().harmonic, "{name}");
+                assert!(whirl.share > 0.999, "{name} {}", whirl.share);
+            }
         }
     }
 }

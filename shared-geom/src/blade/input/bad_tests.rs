@@ -291,7 +291,7 @@ fn with_table(folder: &Path, table: &str, mass: &str) -> std::path::PathBuf {
     let head = &GOOD[..GOOD.find("[[station]]").unwrap()];
     let columns = format!(
         "[stations]\nfile = \"t.csv\"\n[stations.columns]\narc_length = \"s\"\n\
-         ea = {{ column = \"A\", factor = 1e6 }}\ngay = {{ value = 2e6 }}\n\
+         ea = {{ column = \"A\", factor = 2e6 }}\ngay = {{ value = 2e6 }}\n\
          gaz = {{ value = 1e6 }}\ngj = {{ value = 30 }}\neiy = {{ value = 40 }}\n\
          eiz = {{ value = 900 }}\niy = {{ value = 0.01 }}\niz = {{ value = 0.04 }}\n{mass}\n"
     );

@@ -42,6 +42,21 @@ fn wind_blades_have_their_published_masses_and_lengths() {
     assert!(case("iea15").blade.line.points.last().unwrap().position.z < -3.0);
 }
 
+// With ballast (TM 4760) and with spars of carbon (IEA 15 MW): weights are told from
+// masses in both.
+#[test]
+fn weights_are_told_from_masses_of_real_blades() {
+    for name in ["nrel5mw", "iea15", "tm4760"] {
+        let mut blade = case(name).blade;
+        for station in &mut blade.stations {
+            station.mass *= 9.80665;
+        }
+        let remarks = blade.remarks();
+        let is_told = remarks.iter().any(|remark| remark.contains("weight (N/m)"));
+        assert!(is_told, "{name}: {remarks:?}");
+    }
+}
+
 // By hand from the table: sum of the weights per inch times the lengths, 4.13270 lb.
 #[test]
 fn a_helicopter_blade_in_inches_and_pounds_is_read_in_si() {
