@@ -37,6 +37,9 @@ const POSITIVE: f64 = 1e-14;
 /// A station nearer to an element end than this part of the element is at it.
 const AT_END: f64 = 1e-9;
 
+/// Halvings of the stiffness between two stations that elements follow at most.
+const MOST_HALVINGS: f64 = 8.0;
+
 /// A blade file, and into how many elements it is cut.
 #[derive(Debug)]
 pub(super) struct StationLine {
@@ -78,6 +81,31 @@ fn elements(table: &Table<'_>) -> Option<usize> {
         table.note(key, &InputProblem::TooMany { key, found, limit });
     }
     (found <= limit).then_some(found)
+}
+
+/// The eigenvalue of `K_to v = ratio K_from v` farthest from one, in its logarithm: the
+/// same in all axes and about all points. `None` where a stiffness is not positive
+/// definite.
+fn most_change(from: &Matrix6<f64>, to: &Matrix6<f64>) -> Option<f64> {
+    let inverse = from.cholesky()?.l().try_inverse()?;
+    let ratios = (inverse * to * inverse.transpose()).symmetric_eigenvalues();
+    let size = |ratio: &f64| ratio.ln().abs();
+    let sound = ratios.iter().copied().filter(|ratio| *ratio > 0.0);
+    sound.max_by(|a, b| size(a).total_cmp(&size(b)))
+}
+
+/// Places inside of a span over which a positive quantity changes linearly by a ratio,
+/// between which it changes by a factor of two at most.
+fn halved(span: [f64; 2], ratio: f64) -> Vec<f64> {
+    let pieces = ratio.log2().abs().ceil();
+    if !pieces.is_finite() || pieces < 2.0 {
+        return Vec::new();
+    }
+    let pieces = pieces.min(MOST_HALVINGS);
+    let part = |k: f64| (ratio.powf(k / pieces) - 1.0) / (ratio - 1.0);
+    (1..pieces as usize)
+        .map(|k| span[0] + part(k as f64) * (span[1] - span[0]))
+        .collect()
 }
 
 impl StationLine {
@@ -131,6 +159,7 @@ impl StationLine {
     fn ends(&self, masses: &[f64], table: &Table<'_>) -> Option<Vec<f64>> {
         let mut fixed = [masses, &self.blade.jumps()].concat();
         let mut wished = self.blade.places();
+        wished.extend(self.steep_places());
         let known = self.curve.arc_lengths();
         match self.blade.line.course {
             Course::Spline => {}
@@ -151,6 +180,20 @@ impl StationLine {
         let number = ends.of_number(found);
         let too_few = |needed| table.note("elements", &BladeProblem::TooFew { found, needed });
         number.map_err(too_few).ok()
+    }
+
+    /// Places between stations where the stiffness has changed by a factor of two since the
+    /// last place: one element over a tip that is a hundred times softer at its end than
+    /// at its beginning would be too stiff there.
+    fn steep_places(&self) -> Vec<f64> {
+        let places = self.blade.places();
+        let spans = places.windows(2).flat_map(|pair| {
+            let inner = self.blade.at(pair[0], Side::Outer).0;
+            let outer = self.blade.at(pair[1], Side::Inner).0;
+            most_change(&inner, &outer)
+                .map_or_else(Vec::new, |ratio| halved([pair[0], pair[1]], ratio))
+        });
+        spans.collect()
     }
 
     /// By how much the line turns at a place \[rad\].
@@ -212,4 +255,22 @@ fn smallest(stiffness: &Matrix6<f64>) -> f64 {
     }
     let scaled = Matrix6::from_fn(|i, j| stiffness[(i, j)] / (diagonal[i] * diagonal[j]).sqrt());
     scaled.symmetric_eigenvalues().min()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // From 8 to 1 over 7 m: 4 at 4 m, 2 at 6 m; a change by less than two has no place.
+    #[test]
+    fn places_stand_where_a_quantity_has_halved() {
+        let found = halved([0.0, 7.0], 1.0 / 8.0);
+        assert_eq!(found.len(), 2);
+        assert!((found[0] - 4.0).abs() < 1e-14 && (found[1] - 6.0).abs() < 1e-14);
+        let rising = halved([0.0, 7.0], 8.0);
+        assert!((rising[0] - 1.0).abs() < 1e-14 && (rising[1] - 3.0).abs() < 1e-14);
+        assert_eq!(halved([0.0, 7.0], 1.0 / 1.9), Vec::<f64>::new());
+        assert_eq!(halved([0.0, 7.0], 1.0), Vec::<f64>::new());
+        assert_eq!(halved([0.0, 7.0], 0.0), Vec::<f64>::new());
+    }
 }
