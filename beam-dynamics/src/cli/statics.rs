@@ -117,11 +117,14 @@ fn static_of(
             || "nothing was reached".to_owned(),
             |step| {
                 let kept = match result.steps.len() {
-                    1 => "1 equilibrium".to_owned(),
-                    kept => format!("{kept} equilibria"),
+                    1 => ("1 equilibrium".to_owned(), "is"),
+                    kept => (format!("{kept} equilibria"), "are"),
                 };
                 let factor = short_number(step.factor, 6);
-                format!("written: {kept} up to the load factor {factor}")
+                format!(
+                    "{} up to the load factor {factor} {} written",
+                    kept.0, kept.1
+                )
             },
         );
         format!(

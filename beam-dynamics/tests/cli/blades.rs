@@ -144,7 +144,7 @@ fn a_card_tells_a_missing_blade_file_and_a_mass_that_is_nowhere() {
         help: did you mean \"a.blade.json\"?";
     folder.refuses(text, message);
     let mass = "[[blade.mass]]\nat = \"mid\"\nmass = 1\n";
-    let message = "error: a.dynamics.toml:6: \"at\" is \"mid\", expected a length from the root \
+    let message = "error: a.dynamics.toml:6: \"at\" is the text \"mid\", expected a length from the root \
         along the line, or \"tip\"";
     folder.refuses(&(text.replace("aa.blade", "a.blade") + mass), message);
 }

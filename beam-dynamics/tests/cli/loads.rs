@@ -148,7 +148,7 @@ fn wrong_loads_are_told_where_they_stand() {
         (
             "[[imposed]]\nnode = \"blade/tip\"\ndisplacement = { x = 0 }\n\
              [[imposed]]\nnode = \"blade/tip\"\ndisplacement = { z = 0 }\n",
-            "node \"blade/tip\" has an imposed motion on line 19 already, expected one card a node",
+            "node \"blade/tip\" has an imposed motion on line 18 already, expected one card a node",
         ),
         (
             "[gravity]\nacceleration = [0, 3, -4]\n",
