@@ -60,6 +60,23 @@ impl Explain for NotAsked {
     }
 }
 
+/// A blade file where a dynamics file is expected.
+#[derive(Debug, thiserror::Error)]
+#[error("{file}: is a blade file, which has no [{table}], expected a dynamics file")]
+struct BladeAlone {
+    file: String,
+    table: &'static str,
+}
+
+impl Explain for BladeAlone {
+    fn help(&self) -> Option<String> {
+        let (file, table) = (&self.file, self.table);
+        Some(format!(
+            "write a NAME.dynamics.toml with [[blade]] and file = \"{file}\", loads, and [{table}]"
+        ))
+    }
+}
+
 /// Runs the program with the arguments of a command line, of which the first is the
 /// name of the program; gives the exit code.
 ///

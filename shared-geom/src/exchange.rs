@@ -36,6 +36,45 @@ pub struct Reading {
     pub blade: Blade,
     /// What the reader must know: defaults that were taken, plausibility.
     pub remarks: Vec<String>,
+    /// Where each station is written; empty where the reader does not tell.
+    pub places: Vec<Place>,
+    /// The frame that the file declares, in words; `None` for that of its format.
+    pub frame: Option<String>,
+}
+
+/// How many problems of a blade are told one by one.
+const PROBLEMS_SHOWN: usize = 4;
+
+impl Reading {
+    /// A blade whose file tells no more.
+    pub(crate) fn new(blade: Blade, remarks: Vec<String>) -> Self {
+        Self {
+            blade,
+            remarks,
+            places: Vec::new(),
+            frame: None,
+        }
+    }
+
+    /// Checks the blade that was read from `file`.
+    ///
+    /// # Errors
+    /// The problems of the blade (see [`Blade::problems`]), those of a station where it is
+    /// written; of many, the first.
+    pub fn check(&self, file: &Path) -> Result<(), Diagnostics> {
+        let whole = || Place::file(file.display().to_string());
+        let found = self.blade.placed_problems();
+        let mut problems = Diagnostics::new();
+        for (station, problem) in found.iter().take(PROBLEMS_SHOWN) {
+            let place = station.and_then(|station| self.places.get(station));
+            problems.push(place.cloned().unwrap_or_else(whole), problem);
+        }
+        if found.len() > PROBLEMS_SHOWN {
+            let more = ExchangeProblem::More(found.len() - PROBLEMS_SHOWN);
+            problems.push(whole(), &more);
+        }
+        problems.into_result(())
+    }
 }
 
 /// Files of a blade in another format, and what they cannot carry.
@@ -291,11 +330,8 @@ pub fn is_section(path: &Path) -> bool {
 /// with the content or with the blade (see [`Blade::problems`]).
 pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
     let (_, reading) = read_with(path, &Options::default())?;
-    let mut problems = Diagnostics::new();
-    for problem in reading.blade.problems() {
-        problems.push(Place::file(path.display().to_string()), &problem);
-    }
-    problems.into_result(reading)
+    reading.check(path)?;
+    Ok(reading)
 }
 
 /// Reads a blade with what the file itself does not say; gives the format too. The
@@ -332,11 +368,14 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Read
         Diagnostics::one(Place::file(path.display().to_string()), &problem)
     })?;
     let mut reading = read(text, path, options)?;
-    for remark in reading.blade.remarks() {
-        if !reading.remarks.contains(&remark) {
-            reading.remarks.push(remark);
-        }
+    // Readers of our own files know the units too, and have told them.
+    if door.format != Format::Helicoid {
+        let remarks = reading.blade.remarks();
+        reading.remarks.extend(remarks);
     }
+    reading
+        .remarks
+        .extend(unused_length(&reading.blade, options));
     Ok((door.format, reading))
 }
 
@@ -352,6 +391,19 @@ pub fn write(blade: &Blade, format: Format, name: &str) -> Result<Writing, Excha
         title: format.title(),
     })?;
     Ok(write(blade, name))
+}
+
+/// What is told of a length that was given for a file with a line of its own.
+fn unused_length(blade: &Blade, options: &Options) -> Option<String> {
+    const SAME: f64 = 1e-9;
+    let (given, length) = (options.length?, blade.length());
+    let is_same = (given - length).abs() <= SAME * length;
+    (!is_same).then(|| {
+        format!(
+            "the length {given} m that was given is not used: the file has a line of its own, \
+             {length} m long"
+        )
+    })
 }
 
 /// Titles of the formats that are read.

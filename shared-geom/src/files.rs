@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use crate::error::Explain;
+use crate::error::{Explain, nearest_name};
 use crate::figure::{self, Drawing, FigureProblem};
 
 /// Why results could not be written.
@@ -111,6 +111,38 @@ pub fn name_without(path: &Path, ending: &str) -> String {
     stem.filter(|stem| !stem.is_empty())
         .unwrap_or(&name)
         .to_owned()
+}
+
+/// The names of the files in the folder of `path`, in order.
+pub fn names_beside(path: &Path) -> Vec<String> {
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    let Ok(entries) = std::fs::read_dir(folder.unwrap_or(Path::new("."))) else {
+        return Vec::new();
+    };
+    let files = entries.filter_map(Result::ok);
+    let files = files.filter(|entry| entry.path().is_file());
+    let mut names: Vec<_> = files
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .collect();
+    names.sort();
+    names
+}
+
+/// The remedy for a file that is not there: the nearest name of those of its folder.
+pub fn nearest_file(written: &str, known: &[String]) -> String {
+    const SHOWN: usize = 8;
+    let name = written.rsplit(['/', '\\']).next().unwrap_or(written);
+    if let Some(near) = nearest_name(name, known.iter().map(String::as_str)) {
+        return format!("did you mean \"{near}\"?");
+    }
+    let shown: Vec<_> = known.iter().take(SHOWN).map(String::as_str).collect();
+    match known.len() {
+        0 => "names count from the folder of the file that has them; there is no file".to_owned(),
+        all if all > SHOWN => format!("files there: {}, and more", shown.join(", ")),
+        _ => format!("files there: {}", shown.join(", ")),
+    }
 }
 
 /// The reason of an error without its number.

@@ -201,7 +201,7 @@ pub(super) enum Command {
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
         /// Length of a straight blade, for files that hold sections without a line
-        #[arg(long, value_name = "METERS", value_parser = length)]
+        #[arg(long, value_name = "METERS", value_parser = length, allow_negative_numbers = true)]
         length: Option<f64>,
     },
     #[command(about = first_line(CONVERT), long_about = CONVERT, after_help = CONVERT_EXAMPLE)]
@@ -216,7 +216,7 @@ pub(super) enum Command {
         #[arg(long = "to", value_name = "NAME", id = "format")]
         format: Option<String>,
         /// Length of a straight blade, for files that hold sections without a line
-        #[arg(long, value_name = "METERS", value_parser = length)]
+        #[arg(long, value_name = "METERS", value_parser = length, allow_negative_numbers = true)]
         length: Option<f64>,
     },
 }

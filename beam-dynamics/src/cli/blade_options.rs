@@ -24,10 +24,10 @@ pub(super) struct BladeOptions {
     #[arg(long, value_name = "N")]
     count: Option<usize>,
     /// Length in m of a straight blade, for files of sections without a line
-    #[arg(long, value_parser = finite, value_name = "M")]
+    #[arg(long, value_parser = finite, value_name = "M", allow_negative_numbers = true)]
     length: Option<f64>,
     /// Distance in m of the root from the axis of rotation, along the blade; 0 if not given
-    #[arg(long, value_parser = finite, value_name = "M")]
+    #[arg(long, value_parser = finite, value_name = "M", allow_negative_numbers = true)]
     hub_radius: Option<f64>,
     /// How the root is held; clamped if not given
     #[arg(long, value_name = "WORD")]

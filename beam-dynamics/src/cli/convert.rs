@@ -18,6 +18,8 @@ enum ConvertProblem {
     NoFormat { found: String },
     #[error("the ending of \"{file}\" stands for no format")]
     NoEnding { file: String },
+    #[error("\"{file}\": blade files in TOML are written by people, expected one in JSON")]
+    Toml { file: String, remedy: String },
     #[error("\"{file}\" would be overwritten, and it is what is read")]
     Input { file: String },
     #[error(transparent)]
@@ -36,6 +38,9 @@ impl Explain for ConvertProblem {
                 endings().join(", ")
             )),
             Self::Input { .. } => Some("give another name to write to".to_owned()),
+            Self::Toml { remedy, .. } => Some(format!(
+                "convert to \"{remedy}\", which is read wherever one in TOML is"
+            )),
             Self::Exchange(problem) => problem.help(),
         }
     }
@@ -77,7 +82,17 @@ pub(super) fn convert(
         }
     };
     terminal.show(&text);
-    write_files(&files, terminal)
+    let code = write_files(&files, terminal);
+    if let Some((first, _)) = files
+        .first()
+        .filter(|(first, _)| code == DONE && first != to)
+    {
+        terminal.show(&format!(
+            "\n{} is the file to give to modes and describe: it names the others\n",
+            first.display()
+        ));
+    }
+    code
 }
 
 /// Why nothing is written.
@@ -100,6 +115,14 @@ fn prepare(
     length: Option<f64>,
 ) -> Result<(String, Vec<(PathBuf, String)>), Refusal> {
     let format = format_of(to, format)?;
+    let is_toml = to
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    if format == Format::Helicoid && is_toml {
+        let json = to.with_file_name(format!("{}.blade.json", name_of(to)));
+        let (file, remedy) = (to.display().to_string(), json.display().to_string());
+        return Err(ConvertProblem::Toml { file, remedy }.into());
+    }
     let read = exchange::read_with(from, &Options { length });
     let (seen, mut reading) = read.map_err(Refusal::File)?;
     stamp(&mut reading, from);

@@ -8,6 +8,9 @@ use crate::output::blade_text;
 
 use super::{DONE, Terminal, WRONG_INPUT};
 
+/// The name of our own frame.
+const OURS: &str = "helicoid";
+
 /// Describes the files one after the other; those that cannot be read are told.
 pub(super) fn describe_files(
     files: &[PathBuf],
@@ -36,12 +39,61 @@ fn describe(file: &Path, length: Option<f64>, terminal: &mut Terminal<'_>) -> u8
                     "one section: a blade of it needs --length METERS; described as 1 m of it";
                 reading.remarks.insert(0, note.to_owned());
             }
-            terminal.show(&blade_text(&file.display().to_string(), format, &reading));
+            if let Some(frame) = reading.frame.as_ref().filter(|frame| *frame != OURS) {
+                let note = format!("the file declares a frame of its own: {frame}");
+                reading.remarks.insert(0, note);
+            }
+            let text = blade_text(&file.display().to_string(), format, &reading);
+            terminal.show(&without_signs_of_zero(&text));
             DONE
         }
         Err(problems) => {
             terminal.tell_text(&problems.to_string());
             WRONG_INPUT
+        }
+    }
+}
+
+/// `text` with zeros that have no sign: numbers of a few digits round to `-0.0000`. In a
+/// column of a table a blank takes the place of the sign.
+fn without_signs_of_zero(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find("-0.0") {
+        let (before, number) = rest.split_at(at);
+        out.push_str(before);
+        let digits = number[1..].find(|letter: char| !(letter.is_ascii_digit() || letter == '.'));
+        let end = digits.map_or(number.len(), |digits| digits + 1);
+        let (word, behind) = number.split_at(end);
+        let is_zero = word[1..].chars().all(|letter| "0.".contains(letter));
+        let begins = !out.ends_with(|letter: char| letter.is_ascii_alphanumeric());
+        match is_zero && begins && !behind.starts_with('e') {
+            true if out.ends_with("  ") => {
+                out.push(' ');
+                out.push_str(&word[1..]);
+            }
+            true => out.push_str(&word[1..]),
+            false => out.push_str(word),
+        }
+        rest = behind;
+    }
+    out.push_str(rest);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zeros_lose_their_sign_and_other_numbers_keep_it() {
+        for (text, expected) in [
+            ("(1.2, -0.0000, -0.1)", "(1.2, 0.0000, -0.1)"),
+            ("y [m]  -0.00000  2", "y [m]   0.00000  2"),
+            ("-0.0001 and -0.0e-3", "-0.0001 and -0.0e-3"),
+            ("1e-0.0", "1e-0.0"),
+        ] {
+            assert_eq!(without_signs_of_zero(text), expected);
         }
     }
 }

@@ -6,11 +6,11 @@ use shared_geom::files::OutputProblem;
 
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
-use super::{DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
+use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
 use crate::analysis::buckling::buckling;
 use crate::analysis::statics::statics;
 use crate::case::{BucklingQuestion, StaticQuestion};
-use crate::input::{Input, short_number};
+use crate::input::{Input, is_blade_file, short_number};
 use crate::output::{self, Written};
 
 /// `static FILE...`
@@ -66,13 +66,15 @@ fn each<Q>(
         return WRONG_INPUT;
     };
     let mut complete = true;
-    for (file, input) in files.iter().zip(&inputs) {
-        if question(input).is_none() {
-            complete = false;
-            terminal.tell(&NotAsked {
-                file: file.display().to_string(),
-                ..asked
-            });
+    for (path, input) in files.iter().zip(&inputs) {
+        if question(input).is_some() {
+            continue;
+        }
+        complete = false;
+        let (file, table) = (path.display().to_string(), asked.table);
+        match is_blade_file(path) {
+            true => terminal.tell(&BladeAlone { file, table }),
+            false => terminal.tell(&NotAsked { file, ..asked }),
         }
     }
     if !complete {
@@ -98,6 +100,8 @@ fn static_of(
 ) -> u8 {
     let outcome = statics(&input.model, question);
     let mut result = outcome.result;
+    let remarks = input.remarks.iter().cloned();
+    result.remarks.splice(0..0, remarks);
     if let Some(failure) = &outcome.failure {
         result.remarks.push(format!("stopped early: {failure}"));
     }
@@ -112,10 +116,14 @@ fn static_of(
         let last = result.last().map_or_else(
             || "nothing was reached".to_owned(),
             |step| {
-                let kept = result.steps.len();
+                let kept = match result.steps.len() {
+                    1 => ("1 equilibrium".to_owned(), "is"),
+                    kept => (format!("{kept} equilibria"), "are"),
+                };
+                let factor = short_number(step.factor, 6);
                 format!(
-                    "{kept} equilibria up to the load factor {} are written",
-                    short_number(step.factor, 6)
+                    "{} up to the load factor {factor} {} written",
+                    kept.0, kept.1
                 )
             },
         );
@@ -135,6 +143,8 @@ fn buckling_of(
 ) -> u8 {
     let outcome = buckling(&input.model, question);
     let mut result = outcome.result;
+    let remarks = input.remarks.iter().cloned();
+    result.remarks.splice(0..0, remarks);
     if let Some(failure) = &outcome.failure {
         result.remarks.push(format!("stopped early: {failure}"));
     }

@@ -6,6 +6,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use shared_geom::document::read_text;
 use shared_geom::error::{Diagnostics, Place};
 
 use super::Input;
@@ -129,6 +130,8 @@ pub(super) fn name_of(path: &Path) -> String {
 /// # Errors
 /// Everything that is wrong with the file and the question.
 pub fn read_blade(path: &Path, question: &BladeQuestion) -> Result<Input, Diagnostics> {
+    // A missing file is told as the user named it.
+    read_text(path)?;
     let file = path.display().to_string();
     let input = super::checked(&question.text(&file), MADE, &name_of(path));
     input.map_err(|problems| problems.told_of(MADE, &Place::file(file)))

@@ -89,6 +89,7 @@ pub(super) struct Draft {
 impl Draft {
     /// An empty model; `hub` is `None` when its card is wrong.
     pub fn new(properties: Catalog, hub: Option<Hub>) -> Self {
+        let remarks = properties.remarks.clone();
         Self {
             properties,
             hub,
@@ -104,7 +105,7 @@ impl Draft {
             loads: Vec::new(),
             hub_node: None,
             blades: Vec::new(),
-            remarks: Vec::new(),
+            remarks,
             labels: BTreeMap::new(),
             loose_ends: false,
             broken: false,

@@ -74,9 +74,14 @@ fn a_hinge_joins_two_nodes_and_a_free_one_is_remarked() {
     );
     let free = input(&cards).unwrap();
     let remark = "hinge \"flap\" can turn freely: at rest this is a motion of frequency zero";
-    assert_eq!(free.remarks, [remark]);
+    // The strip has the density of no light metal, which is told first.
+    let [density, hinge] = &free.remarks[..] else {
+        panic!("{:?}", free.remarks);
+    };
+    assert!(density.starts_with("properties \"strip\": stiffness over mass is 3.500e6"));
+    assert_eq!(hinge, remark);
     let sprung = input(&format!("{cards}stiffness = 20\ndamping = 3\nangle = 5\n")).unwrap();
-    assert!(sprung.remarks.is_empty());
+    assert_eq!(sprung.remarks, [density.as_str()]);
     // The moment about y of the root by its rotation, without the beam: that of the spring.
     let rotation = Variable::Rotation.column();
     let row = |node: usize, axis: usize| 12 * node + 9 + axis;

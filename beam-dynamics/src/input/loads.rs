@@ -8,7 +8,6 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
-use super::problem::InputProblem;
 use crate::elements::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 
 mod along_beams;
@@ -151,8 +150,8 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
             continue;
         }
         if let Some(line) = held.insert(node, table.line()) {
-            let (kind, name) = ("imposed motion of node", draft.nodes()[node].label.clone());
-            table.note("node", &InputProblem::DoubledName { kind, name, line });
+            let node = draft.nodes()[node].label.clone();
+            table.note("node", &LoadProblem::ImposedTwice { node, line });
             draft.note_broken();
             continue;
         }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use nalgebra::Matrix6;
+use shared_geom::blade::section_remark;
 use shared_geom::document::Table;
 use shared_geom::section::{self, Damping, SectionProperties};
 
@@ -28,22 +29,26 @@ pub(super) struct Properties {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Catalog {
     named: Vec<(String, Option<Properties>)>,
+    /// What looks like a mistake, in words.
+    pub remarks: Vec<String>,
 }
 
 /// Reads every `[properties.NAME]`.
 pub(super) fn read(root: &Table<'_>) -> Catalog {
     let tables = root.named_tables("properties");
-    let named = tables.into_iter().map(|(name, table)| {
+    let mut catalog = Catalog::default();
+    for (name, table) in tables {
         let properties = match table.has("file") {
             true => from_file(&name, &table),
             false => in_place::read(&name, &table),
         };
         table.finish();
-        (name, properties)
-    });
-    Catalog {
-        named: named.collect(),
+        let remark = properties.and_then(|found| section_remark(&found.stiffness, &found.mass));
+        let remark = remark.map(|remark| format!("properties \"{name}\": {remark}"));
+        catalog.remarks.extend(remark);
+        catalog.named.push((name, properties));
     }
+    catalog
 }
 
 impl Catalog {

@@ -102,10 +102,49 @@ fn wrong_blade_files_and_options_are_explained() {
             "expected a number",
         ),
         (&["a.blade.json", "--root", "clamp"], "clamped"),
+        (
+            &["a.blade.json", "--hub-radius", "-1"],
+            "error: a.blade.json: \"hub_radius\" is -1, expected a length, zero or more",
+        ),
+        (
+            &["a.blade.json", "--length", "-3"],
+            "error: a.blade.json: \"length\" is -3, expected a length greater than zero",
+        ),
+        (
+            &["b.blade.json"],
+            "error: b.blade.json: cannot be read: no such file",
+        ),
     ] {
         let run = folder.run(&[&["modes"][..], arguments].concat());
         assert_eq!(run.code, 2, "{arguments:?}: {}{}", run.out, run.err);
         assert!(run.err.contains(expected), "{arguments:?}: {}", run.err);
         assert!(!folder.path("results").exists());
     }
+}
+
+#[test]
+fn a_blade_file_asks_for_no_statics() {
+    let folder = folder();
+    for command in ["static", "buckling"] {
+        let run = folder.run(&[command, "a.blade.json"]);
+        assert_eq!(run.code, 2);
+        let told = format!(
+            "error: a.blade.json: is a blade file, which has no [{command}], expected a dynamics \
+             file\n  help: write a NAME.dynamics.toml with [[blade]] and file = \"a.blade.json\""
+        );
+        assert!(run.err.starts_with(&told), "{}", run.err);
+    }
+}
+
+#[test]
+fn a_card_tells_a_missing_blade_file_and_a_mass_that_is_nowhere() {
+    let folder = folder();
+    let text = "units = \"SI\"\n[[blade]]\nname = \"b\"\nfile = \"aa.blade.json\"\n";
+    let message = "error: a.dynamics.toml:4: \"file\": no file \"aa.blade.json\"\n  \
+        help: did you mean \"a.blade.json\"?";
+    folder.refuses(text, message);
+    let mass = "[[blade.mass]]\nat = \"mid\"\nmass = 1\n";
+    let message = "error: a.dynamics.toml:6: \"at\" is the text \"mid\", expected a length from the root \
+        along the line, or \"tip\"";
+    folder.refuses(&(text.replace("aa.blade", "a.blade") + mass), message);
 }

@@ -257,3 +257,47 @@ fn the_table_of_the_book_is_read() {
         run.out
     );
 }
+
+#[test]
+fn toml_is_not_written_and_the_first_of_several_files_is_told() {
+    let folder = folder();
+    let run = folder.run(&["convert", "strip.csv", "y.blade.toml"]);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    let told = "error: \"y.blade.toml\": blade files in TOML are written by people, expected one \
+        in JSON\n  help: convert to \"y.blade.json\"";
+    assert!(run.err.starts_with(told), "{}", run.err);
+    assert!(!folder.path("y.blade.json").exists());
+    let run = folder.run(&["convert", "strip.csv", "y.K"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let told = "y.sections.csv is the file to give to modes and describe: it names the others\n";
+    assert!(run.out.ends_with(told), "{}", run.out);
+}
+
+#[test]
+fn describe_tells_the_frame_that_a_file_declares() {
+    let folder = folder();
+    let matrix = "[[3e6,0,0,0,0,0],[0,3e6,0,0,0,0],[0,0,3e6,0,0,0],[0,0,0,9,0,0],[0,0,0,0,2,0],\
+        [0,0,0,0,0,4]]";
+    let station =
+        |s: f64| format!("[[station]]\narc_length = {s}\nstiffness = {matrix}\nmass = {matrix}\n");
+    let head =
+        "units = \"SI\"\nframe = \"beamdyn\"\nreference_point = \"line\"\n[line]\nlength = 2\n";
+    let text = format!("{head}{}{}", station(0.0), station(2.0));
+    folder.write("a.blade.toml", &text);
+    let run = folder.run(&["describe", "a.blade.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(
+        run.out
+            .contains("the file declares a frame of its own: beamdyn"),
+        "{}",
+        run.out
+    );
+    assert!(!run.out.contains("-0.0000"), "{}", run.out);
+    let run = folder.run(&["describe", "strip.csv", "--length", "-3"]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err.contains("expected a number of meters above zero"),
+        "{}",
+        run.err
+    );
+}

@@ -146,6 +146,11 @@ fn wrong_loads_are_told_where_they_stand() {
             "nothing is imposed, expected \"displacement\", \"rotation\" or both",
         ),
         (
+            "[[imposed]]\nnode = \"blade/tip\"\ndisplacement = { x = 0 }\n\
+             [[imposed]]\nnode = \"blade/tip\"\ndisplacement = { z = 0 }\n",
+            "node \"blade/tip\" has an imposed motion on line 18 already, expected one card a node",
+        ),
+        (
             "[gravity]\nacceleration = [0, 3, -4]\n",
             "gravity has 3 m/s^2 across the axis of rotation, and the model turns at 750 rpm",
         ),

@@ -48,7 +48,7 @@ impl Blade {
     }
 
     /// Each problem with the index of its station; `None` for the blade as a whole.
-    pub(super) fn placed_problems(&self) -> Vec<(Option<usize>, BladeProblem)> {
+    pub(crate) fn placed_problems(&self) -> Vec<(Option<usize>, BladeProblem)> {
         let mut found = Vec::new();
         let line = self.line.problems();
         let line_is_good = line.is_empty();

@@ -141,7 +141,7 @@ pub fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
         problems.push(place, &problem);
     }
     let remarks = blade.remarks();
-    problems.into_result(Reading { blade, remarks })
+    problems.into_result(Reading::new(blade, remarks))
 }
 
 fn check_head(head: &Head, text: &str, file: &str) -> Result<(), Diagnostics> {

@@ -74,15 +74,21 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
     root.finish();
     let checked = read.and_then(|(blade, places)| {
         document.keep(check(&blade, &places, file))?;
-        Some(blade)
+        Some((blade, places))
     });
-    let mut blade = document.finish(checked)?;
+    let unit = document.factor(Dimension::LENGTH);
+    let frame = checked.as_ref().and_then(|_| Frame::words(&root));
+    let (mut blade, places) = document.finish(checked)?;
     let texts = sources.texts.into_inner();
     let parts: Vec<_> = texts.iter().map(|text| text.as_bytes()).collect();
     blade.provenance.input_hash = sha256_of(&parts);
     let mut remarks = sources.remarks.into_inner();
-    remarks.extend(blade.remarks());
-    Ok(Reading { blade, remarks })
+    remarks.extend(blade.remarks_of_units(Some(unit)));
+    Ok(Reading {
+        places,
+        frame,
+        ..Reading::new(blade, remarks)
+    })
 }
 
 /// The blade, and where its stations are written.

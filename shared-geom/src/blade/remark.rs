@@ -9,6 +9,8 @@
 //!
 //! A table in weight instead of mass has it too small by the acceleration of gravity.
 
+use nalgebra::Matrix6;
+
 use super::{Blade, Interpolation, Station};
 
 /// Speed of sound below which the mass is suspect: blades have 3700 at least, and those
@@ -18,12 +20,18 @@ const SLOW: f64 = 2500.0;
 const FAST: f64 = 20_000.0;
 /// A usual speed of sound of a blade: the factor that leads nearest to it is named [m/s].
 const USUAL: f64 = 4000.0;
-/// Gravity in the units in which tables are written, and the weights they hold.
-const GRAVITY: [(f64, &str); 3] = [
-    (9.80665, "N/m"),
-    (32.174_048_556_430_45, "lbf/ft beside slugs"),
-    (386.088_582_677_165_4, "lbf/in beside inches"),
+/// Gravity in the units in which tables are written, the unit of length [m] where it is
+/// the only one, and the weights they hold.
+const GRAVITY: [(f64, Option<f64>, &str); 3] = [
+    (9.80665, None, "N/m"),
+    (32.174_048_556_430_45, None, "lbf/ft beside slugs"),
+    (386.088_582_677_165_4, Some(0.0254), "lbf/in beside inches"),
 ];
+/// A weight is named where gravity and the factor that leads to the usual speed of sound
+/// differ by no more than this factor.
+const NEAR: f64 = 3.0;
+/// A table that ends before this part of the line may have been cut short.
+const CUT: f64 = 0.9;
 /// Modulus of a usual material, to speak of a density [Pa].
 const MODULUS: f64 = 70e9;
 /// A polar moment of inertia that differs by more from the sum of the two others, as
@@ -38,9 +46,14 @@ const BEYOND: f64 = 1e-6;
 impl Blade {
     /// What looks like a mistake, in words; empty when nothing does.
     pub fn remarks(&self) -> Vec<String> {
+        self.remarks_of_units(None)
+    }
+
+    /// As [`Blade::remarks`], of a file that declares the unit of length `unit` [m].
+    pub(super) fn remarks_of_units(&self, unit: Option<f64>) -> Vec<String> {
         let on_line = self.on_line();
         let found = [
-            on_line.mass_remark(),
+            on_line.mass_remark(unit),
             on_line.axes_remark(),
             self.polar_remark(),
             self.ends_remark(),
@@ -49,35 +62,13 @@ impl Blade {
     }
 
     /// A weight for a mass, or other units that do not fit each other.
-    fn mass_remark(&self) -> Option<String> {
-        let axial = self.median(|at| at.stiffness[(0, 0)] / at.mass[(0, 0)]);
-        let bending = self.median(|at| {
-            let sum = |matrix: &nalgebra::Matrix6<f64>| matrix[(4, 4)] + matrix[(5, 5)];
-            sum(&at.stiffness) / sum(&at.mass)
-        });
+    fn mass_remark(&self, unit: Option<f64>) -> Option<String> {
+        let axial = self.median(|at| axial_square(&at.stiffness, &at.mass));
+        let bending = self.median(|at| bending_square(&at.stiffness, &at.mass));
         // Mass that carries nothing makes each of them smaller: the larger one tells.
         let square = axial.into_iter().chain(bending).reduce(f64::max)?;
-        let (speed, density) = (square.sqrt(), MODULUS / square);
-        let implied = format!(
-            "stiffness over mass is {square:.3e} m^2/s^2 (median of the stations, the larger of \
-             EA / m and EI / I): a material of 70 GPa would weigh {density:.0} kg/m^3"
-        );
-        if speed > FAST {
-            return Some(format!(
-                "{implied}, lighter than any: check the units of mass and stiffness"
-            ));
-        }
-        if speed >= SLOW {
-            return None;
-        }
-        let distance = |factor: f64| (speed * factor.sqrt() / USUAL).ln().abs();
-        let nearest = |a: &&(f64, &str), b: &&(f64, &str)| distance(a.0).total_cmp(&distance(b.0));
-        let (factor, weight) = GRAVITY.iter().min_by(nearest)?;
-        Some(format!(
-            "{implied}, steel weighs 7850: the mass looks like a weight ({weight}), {factor:.5} \
-             times the mass; divide it by {factor:.5}, or declare the unit of mass that weighs \
-             one unit of force (lb for lbf)"
-        ))
+        let of = "median of the stations, the larger of EA / m and EI / I";
+        square_remark(square, of, unit)
     }
 
     /// Flap stiffer than lag: another frame or order than declared.
@@ -118,6 +109,16 @@ impl Blade {
         let is_linear = self.interpolation == Interpolation::Linear;
         let before = first.arc_length > BEYOND * length;
         let behind = is_linear && last.arc_length < (1.0 - BEYOND) * length;
+        if is_linear && self.stations.len() > 1 && last.arc_length < CUT * length {
+            return Some(format!(
+                "WARNING: the last of {} stations lies at {} m, the line is {length} m long: is \
+                 the table of stations cut short? The last {:.1} % of the blade have the \
+                 properties of that station",
+                self.stations.len(),
+                last.arc_length,
+                100.0 * (1.0 - last.arc_length / length)
+            ));
+        }
         (before || behind).then(|| {
             format!(
                 "stations from {} m to {} m on a line of {length} m: beyond them the properties \
@@ -134,4 +135,65 @@ impl Blade {
         numbers.sort_by(f64::total_cmp);
         numbers.get(numbers.len() / 2).copied()
     }
+}
+
+/// What looks like a mistake in the stiffness and the mass of one section about one
+/// point, in words: units that do not fit each other.
+pub fn section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<String> {
+    let squares = [
+        axial_square(stiffness, mass),
+        bending_square(stiffness, mass),
+    ];
+    let squares = squares.into_iter().filter(|x| x.is_finite() && *x > 0.0);
+    let of = "the larger of EA / m and EI / I";
+    square_remark(squares.reduce(f64::max)?, of, None)
+}
+
+/// EA / m.
+fn axial_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> f64 {
+    stiffness[(0, 0)] / mass[(0, 0)]
+}
+
+/// (EIy + EIz) / (Iy + Iz).
+fn bending_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> f64 {
+    let sum = |matrix: &Matrix6<f64>| matrix[(4, 4)] + matrix[(5, 5)];
+    sum(stiffness) / sum(mass)
+}
+
+/// What is told of the square of a speed of sound [m^2/s^2], `of` in words, in a file that
+/// declares the unit of length `unit` [m].
+fn square_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
+    let (speed, density) = (square.sqrt(), MODULUS / square);
+    let implied = format!(
+        "stiffness over mass is {square:.3e} m^2/s^2 ({of}): a material of 70 GPa would weigh \
+         {density:.0} kg/m^3"
+    );
+    if speed > FAST {
+        return Some(format!(
+            "{implied}, lighter than any: check the units of mass and stiffness"
+        ));
+    }
+    if speed >= SLOW {
+        return None;
+    }
+    let fits = |other: Option<f64>| match (unit, other) {
+        (Some(unit), Some(other)) => (unit / other - 1.0).abs() < 1e-9,
+        _ => true,
+    };
+    // By so much the mass is too large.
+    let excess = USUAL * USUAL / square;
+    let distance = |factor: f64| (excess / factor).ln().abs();
+    let known = GRAVITY.iter().filter(|known| fits(known.1));
+    let nearest = known.min_by(|a, b| distance(a.0).total_cmp(&distance(b.0)));
+    let Some((factor, _, weight)) = nearest.filter(|known| distance(known.0) < NEAR.ln()) else {
+        return Some(format!(
+            "{implied}, steel weighs 7850: the units of length, force and mass do not fit each \
+             other"
+        ));
+    };
+    Some(format!(
+        "{implied}, steel weighs 7850: the mass looks like a weight ({weight}), {factor:.5} \
+         times the mass; divide it by {factor:.5}, or declare the unit of mass that weighs one \
+         unit of force (lb for lbf)"
+    ))
 }

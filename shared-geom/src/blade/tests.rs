@@ -391,6 +391,12 @@ fn a_weight_in_place_of_a_mass_is_remarked() {
         let is_told = |words: &str| remarks.iter().any(|remark| remark.contains(words));
         assert!(is_told(&density) && is_told("looks like a weight") && is_told(weight));
     }
+    // A thousand times a thousand is no weight.
+    let mut other = strip();
+    for station in &mut other.stations {
+        station.mass *= 1e6;
+    }
+    assert!(other.remarks()[0].contains("units of length, force and mass do not fit each other"));
     let mut light = strip();
     for station in &mut light.stations {
         station.mass /= 386.09;
@@ -407,8 +413,8 @@ fn other_oddities_are_remarked() {
     };
     let cases = [
         (
-            remarks(|b| b.line = ReferenceLine::straight(3.0)),
-            "stations from 0 m to 2 m on a line of 3 m",
+            remarks(|b| b.line = ReferenceLine::straight(2.1)),
+            "stations from 0 m to 2 m on a line of 2.1 m",
         ),
         (
             remarks(|b| b.stations[1].mass[(3, 3)] *= 1.1),
@@ -422,4 +428,16 @@ fn other_oddities_are_remarked() {
     for (shown, expected) in cases {
         assert!(shown.contains(expected), "{expected} is not in\n{shown}");
     }
+}
+
+// The strip is 2 m long: a table that ends at 1.7 m has 85 % of it.
+#[test]
+fn a_table_that_ends_before_the_line_is_remarked() {
+    let mut short = strip();
+    short.stations[1].arc_length = 1.7;
+    let remarks = short.remarks();
+    assert_eq!(remarks.len(), 1, "{remarks:?}");
+    let expected = "WARNING: the last of 2 stations lies at 1.7 m, the line is 2 m long: is the \
+        table of stations cut short? The last 15.0 % of the blade";
+    assert!(remarks[0].starts_with(expected), "{remarks:?}");
 }

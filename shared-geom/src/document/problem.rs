@@ -1,6 +1,7 @@
 //! What can be wrong with an input file as such.
 
 use crate::error::{Explain, nearest_name};
+use crate::files::nearest_file;
 use crate::units::UnitProblem;
 
 /// A problem of an input file that does not depend on what the file is about.
@@ -11,6 +12,16 @@ pub enum DocumentProblem {
     Unreadable {
         /// The reason in words.
         reason: String,
+    },
+    /// A file that is named and not there.
+    #[error("\"{key}\": no file \"{name}\"")]
+    NoFile {
+        /// The key that names it.
+        key: String,
+        /// Its name as written.
+        name: String,
+        /// The files of the folder in which it was looked for.
+        known: Vec<String>,
     },
     /// The text is no TOML.
     #[error("not valid TOML: {reason}")]
@@ -103,6 +114,7 @@ impl Explain for DocumentProblem {
                     .map(|near| format!("did you mean \"{near}\"?"))
             }
             Self::Unit { problem, .. } => problem.help(),
+            Self::NoFile { name, known, .. } => Some(nearest_file(name, known)),
             Self::OtherFormat { .. } => {
                 Some("name the file ending in .toml that leads to it".to_owned())
             }

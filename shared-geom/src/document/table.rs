@@ -1,12 +1,14 @@
 //! One table of an input file, and the values in it.
 
 use std::cell::RefCell;
+use std::path::PathBuf;
 
 use nalgebra::Vector3;
 
 use super::tree::{Entry, Kind, Value};
 use super::{Document, DocumentProblem};
 use crate::error::Explain;
+use crate::files::names_beside;
 use crate::units::{Dimension, parse_quantity};
 
 /// A table of a [`Document`]. Each reading method notes its own problems.
@@ -129,6 +131,21 @@ impl<'a> Table<'a> {
             Kind::Text(text) => Some(text.clone()),
             _ => self.wrong_value(key, value, "a text in quotes"),
         }
+    }
+
+    /// The path of the file that `key` names as `written`; notes that there is none.
+    pub fn existing(&self, key: &str, written: &str) -> Option<PathBuf> {
+        let path = self.document.path(written);
+        if path.exists() {
+            return Some(path);
+        }
+        let problem = DocumentProblem::NoFile {
+            key: key.to_owned(),
+            name: written.to_owned(),
+            known: names_beside(&path),
+        };
+        self.note(key, &problem);
+        None
     }
 
     /// A list of texts under `key`; one text is a list of one.

@@ -20,7 +20,7 @@ use nalgebra::{Matrix6, Vector2, Vector3};
 
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::document::read_text;
-use crate::error::Diagnostics;
+use crate::error::{Diagnostics, Place};
 use crate::line::{Course, LinePoint, ReferenceLine};
 
 use super::frame::Convention;
@@ -79,7 +79,8 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
     let content = problems.finish(content.zip(options.length));
     let (content, length) = content?;
     let line = ReferenceLine::straight(length);
-    let mut reading = assemble(content, line, file, &[text]);
+    let shown = file.display().to_string();
+    let mut reading = assemble((content, &shown), line, file, &[text]);
     reading.remarks.push(format!(
         "the line is straight, {length} m long, without twist: a blade file has none"
     ));
@@ -91,11 +92,15 @@ fn read_both(text: &str, file: &Path) -> Result<Reading, Diagnostics> {
     let mut problems = Problems::new(&file.display().to_string());
     let primary = primary::parse(&lines(text), &mut problems);
     let mut all = Diagnostics::new();
-    let primary = all.keep(problems.finish(primary));
-    let Some(name) = primary::blade_file_name(text) else {
-        return Err(all);
+    let Some((name, line)) = primary::blade_file_name(text) else {
+        return Err(problems.into_diagnostics());
     };
-    let path = file.parent().unwrap_or(Path::new("")).join(name);
+    let path = file.parent().unwrap_or(Path::new("")).join(&name);
+    let is_there = problems.finds(&path, "BldFile", &name, line);
+    let primary = all.keep(problems.finish(primary));
+    if !is_there {
+        return Err(all);
+    }
     let content = all.keep(read_text(&path)).and_then(|text| {
         let mut problems = Problems::new(&path.display().to_string());
         let content = blade_file::parse(&lines(&text), &mut problems);
@@ -105,7 +110,9 @@ fn read_both(text: &str, file: &Path) -> Result<Reading, Diagnostics> {
     match (primary, content) {
         (Some(primary), Some((content, blade_text))) if all.is_empty() => {
             let line = line_of(&primary);
-            let mut reading = assemble(content, line, file, &[text, &blade_text]);
+            let shown = path.display().to_string();
+            let texts = [text, blade_text.as_str()];
+            let mut reading = assemble((content, &shown), line, file, &texts);
             reading.remarks.extend(primary.remarks);
             Ok(reading)
         }
@@ -113,8 +120,13 @@ fn read_both(text: &str, file: &Path) -> Result<Reading, Diagnostics> {
     }
 }
 
-/// The blade of stations along a line.
-fn assemble(content: BladeFile, line: ReferenceLine, file: &Path, texts: &[&str]) -> Reading {
+/// The blade of the stations of `blade_file` along a line.
+fn assemble(
+    (content, blade_file): (BladeFile, &str),
+    line: ReferenceLine,
+    file: &Path,
+    texts: &[&str],
+) -> Reading {
     let length = line.length();
     let convention = Convention::BeamDyn;
     let station = |&(eta, stiffness, mass): &(f64, Matrix6<f64>, Matrix6<f64>)| Station {
@@ -138,9 +150,10 @@ fn assemble(content: BladeFile, line: ReferenceLine, file: &Path, texts: &[&str]
         }),
         provenance: provenance("BeamDyn files", texts),
     };
+    let at = |&line: &usize| Place::line(blade_file, line);
     Reading {
-        blade,
-        remarks: content.remarks,
+        places: content.lines.iter().map(at).collect(),
+        ..Reading::new(blade, content.remarks)
     }
 }
 

@@ -10,6 +10,7 @@
 //! # course: spline
 //! # interpolation: linear
 //! # damping: none
+//! # stations: 2
 //! table,line
 //! x,y,z,twist
 //! 0.0,...
@@ -71,7 +72,9 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
     let line = head
         .course
         .and_then(|course| tables.line(course, &mut problems));
+    tables.check_count(head.stations, &mut problems);
     let stations = tables.stations(head.frame, file, &mut problems, &mut all);
+    let places = tables.places(file);
     let content = all.keep(problems.finish(line.zip(stations)));
     let content = all.into_result(content)?;
     let Some(((line, stations), interpolation)) = content.zip(head.interpolation) else {
@@ -88,6 +91,8 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
             provenance: provenance("Helicoid blade table", &[text]),
         },
         remarks: Vec::new(),
+        places,
+        frame: head.frame.map(|frame| frame.name().to_owned()),
     })
 }
 

@@ -20,7 +20,7 @@ use nalgebra::{Matrix6, Vector2};
 
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::document::read_text;
-use crate::error::Diagnostics;
+use crate::error::{Diagnostics, Place};
 use crate::line::ReferenceLine;
 
 use super::frame::Convention;
@@ -65,8 +65,11 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
     let mut remarks = Vec::new();
     let mut diagnostics = Diagnostics::new();
     let line = match (companion, options.length) {
-        (Some(name), _) => {
+        (Some((name, line)), _) => {
             let path = file.parent().unwrap_or(Path::new("")).join(name);
+            if !problems.finds(&path, "line", name, line) {
+                return Err(problems.into_diagnostics());
+            }
             let read = read_text(&path).and_then(|text| csv::read_line(&text, &path));
             diagnostics.keep(read)
         }
@@ -82,13 +85,16 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
         return Err(diagnostics);
     };
     let blade = assemble(&table, line, longest, &mut remarks);
+    let blade = Blade {
+        name: name_of(file),
+        provenance: provenance("DYMORE table", &[text]),
+        ..blade
+    };
+    let shown = file.display().to_string();
+    let places = rows.iter().map(|line| Place::line(&shown, line.number));
     Ok(Reading {
-        blade: Blade {
-            name: name_of(file),
-            provenance: provenance("DYMORE table", &[text]),
-            ..blade
-        },
-        remarks,
+        places: places.collect(),
+        ..Reading::new(blade, remarks)
     })
 }
 
@@ -108,11 +114,20 @@ fn without_line() -> ExchangeProblem {
     }
 }
 
-/// The file that a comment line names.
-fn companion<'a>(lines: &[Line<'a>]) -> Option<&'a str> {
-    let comments = lines.iter().filter_map(|line| line.text.strip_prefix('#'));
-    let mut names = comments.filter_map(|comment| comment.trim().strip_prefix(LINE_FILE));
-    names.next().map(str::trim).filter(|name| !name.is_empty())
+/// The file that a comment line names, and that line.
+fn companion<'a>(lines: &[Line<'a>]) -> Option<(&'a str, usize)> {
+    let name = |line: &Line<'a>| {
+        let name = line
+            .text
+            .strip_prefix('#')?
+            .trim()
+            .strip_prefix(LINE_FILE)?;
+        Some((name.trim(), line.number))
+    };
+    lines
+        .iter()
+        .find_map(name)
+        .filter(|(name, _)| !name.is_empty())
 }
 
 /// A line of the table.

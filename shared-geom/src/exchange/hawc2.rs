@@ -250,7 +250,7 @@ fn assemble(
         damping: body.and_then(|body| damping(body, &mut remarks)),
         provenance: provenance("HAWC2", texts),
     };
-    Reading { blade, remarks }
+    Reading::new(blade, remarks)
 }
 
 /// What the distances of the rows are multiplied by.

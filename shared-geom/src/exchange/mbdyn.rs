@@ -6,7 +6,7 @@
 //! nodes have the section axes of the blade, places in the axes of the blade root.
 //!
 //! ```text
-//! node 2e-1          node 2e           node 2e+1      element e, xi = -1, 0, 1
+//! node 2 e - 1       node 2 e          node 2 e + 1   element e, xi = -1, 0, 1
 //!    o--------x---------o---------x--------o          x: evaluation points, xi = -+1/sqrt 3
 //!    [ body  ][       body        ][  body ]
 //! ```

@@ -75,18 +75,17 @@ fn uniform(section: &SectionProperties, length: f64) -> Reading {
     if section.piezo.is_some() {
         remarks.push("the coupling with electrodes is not taken over".to_owned());
     }
-    Reading {
-        blade: Blade {
-            name: section.name.clone(),
-            line: ReferenceLine::straight(length),
-            reference_point: Vector2::zeros(),
-            stations: vec![station(0.0), station(length)],
-            interpolation: Interpolation::Linear,
-            damping,
-            provenance: section.provenance.clone(),
-        },
-        remarks,
-    }
+    let blade = Blade {
+        name: section.name.clone(),
+        line: ReferenceLine::straight(length),
+        reference_point: Vector2::zeros(),
+        stations: vec![station(0.0), station(length)],
+        interpolation: Interpolation::Linear,
+        damping,
+        provenance: section.provenance.clone(),
+    };
+    remarks.extend(blade.remarks());
+    Reading::new(blade, remarks)
 }
 
 /// The blade file.

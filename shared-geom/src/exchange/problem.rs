@@ -1,6 +1,9 @@
 //! What can be wrong with a file of another tool.
 
+use std::path::Path;
+
 use crate::error::{Diagnostics, Explain, Place};
+use crate::files::{names_beside, nearest_file};
 
 /// How many problems of one file are told; the others are counted.
 const LIMIT: usize = 20;
@@ -37,6 +40,8 @@ pub enum ExchangeProblem {
         expected: usize,
         /// How many there are.
         found: usize,
+        /// What stands between them: `blanks` or `commas`.
+        separator: &'static str,
     },
     /// A word in the place of a number.
     #[error("{what}: expected a finite number, found \"{found}\"")]
@@ -53,6 +58,16 @@ pub enum ExchangeProblem {
         what: String,
         /// What should follow.
         expected: String,
+    },
+    /// A file that another one names and that is not there.
+    #[error("{what}: no file \"{name}\"")]
+    NoFile {
+        /// What names it.
+        what: String,
+        /// Its name as written.
+        name: String,
+        /// The files of the folder in which it was looked for.
+        known: Vec<String>,
     },
     /// A value that does not follow the one before.
     #[error("{what} is {found}, expected at least that of the station before, {before}")]
@@ -113,9 +128,10 @@ impl Explain for ExchangeProblem {
                  it is wrong"
                     .to_owned(),
             ),
-            Self::Count { .. } => {
-                Some("columns are separated by blanks; see the page on formats".to_owned())
-            }
+            Self::Count { separator, .. } => Some(format!(
+                "columns are separated by {separator}; see the page on formats"
+            )),
+            Self::NoFile { name, known, .. } => Some(nearest_file(name, known)),
             Self::Order { .. } => {
                 Some("put the stations in order from the root to the tip".to_owned())
             }
@@ -154,6 +170,17 @@ impl Problems {
             _ => Place::line(&self.file, line),
         };
         self.all.push(place, problem);
+    }
+
+    /// Notes on a line that there is no file at `path`, which `what` names as `name`;
+    /// whether there is one.
+    pub(super) fn finds(&mut self, path: &Path, what: &str, name: &str, line: usize) -> bool {
+        if path.exists() {
+            return true;
+        }
+        let (what, name, known) = (what.to_owned(), name.to_owned(), names_beside(path));
+        self.push(line, &ExchangeProblem::NoFile { what, name, known });
+        false
     }
 
     /// Whether there is none.

@@ -113,7 +113,14 @@ fn a_beamdyn_primary_with_points_out_of_order_or_without_blade_file_is_refused()
     let messages = refused(Format::BeamDyn, 0, |text| {
         text.replace("sample_blade.dat", "nowhere.dat")
     });
-    assert_says(&messages, "nowhere.dat");
+    assert_says(
+        &messages,
+        "BldFile: no file \"nowhere.dat\"\n  help: files there: sample.inp, sample_blade.dat",
+    );
+    let messages = refused(Format::BeamDyn, 0, |text| {
+        text.replace("sample_blade.dat", "sampel_blade.dat")
+    });
+    assert_says(&messages, "help: did you mean \"sample_blade.dat\"?");
 }
 
 #[test]
@@ -244,4 +251,81 @@ fn a_file_of_no_known_format_is_told_what_was_tried() {
     );
     assert_says(&messages, "BeamDyn (OpenFAST) blade");
     assert!(read_with(Path::new("/no/such/file"), &Options::default()).is_err());
+}
+
+#[test]
+fn a_table_cut_short_or_with_a_column_too_few_is_refused() {
+    let messages = refused(Format::Csv, 0, |text| until(text, text.lines().count() - 1));
+    assert_says(
+        &messages,
+        "the file ends within the table of stations, after 4 of 5, expected 5 stations, as the \
+         header states",
+    );
+    let messages = refused(Format::Csv, 0, |text| {
+        text.replace("stations: 5", "stations: 4")
+    });
+    assert_says(
+        &messages,
+        "found 5 stations, expected 4, as the header states",
+    );
+    let messages = refused(Format::Csv, 0, |text| {
+        let rows = text.lines().count();
+        with_line(text, rows, |line| {
+            line.rsplit_once(',').unwrap().0.to_owned()
+        })
+    });
+    assert_says(
+        &messages,
+        "station 5: expected 43 numbers, found 42\n  help: columns are separated by commas",
+    );
+    // The index of section files says so too.
+    let messages = refused(Format::Vabs, 0, |text| {
+        until(text, text.lines().count() - 1)
+    });
+    assert_says(&messages, "the table of stations, after 4 of 5");
+    let messages = refused(Format::Vabs, 0, |text| {
+        text.replace("sample.002.K", "sample.02.K")
+    });
+    assert_says(
+        &messages,
+        "section 2: no file \"sample.02.K\"\n  help: did you mean \"sample.002.K\"?",
+    );
+}
+
+// The line of the place of station 2 is the 29th: 13 lines of header, 15 of station 1.
+#[test]
+fn a_stiffness_that_is_not_positive_definite_is_told_once_with_its_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = written(&blade(), Format::BeamDyn, folder.path());
+    let file = folder.path().join("sample_blade.dat");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let negative = |line: &str| {
+        let end = line.trim_start().split_once(' ').unwrap().1.to_owned();
+        format!("-1e6 {end}")
+    };
+    std::fs::write(&file, with_line(&text, 30, negative)).unwrap();
+    let problems = super::read(&first).unwrap_err();
+    assert_eq!(problems.iter().count(), 1, "{problems}");
+    let shown = problems.to_string();
+    assert_says(&shown, "sample_blade.dat:29: station 2 at ");
+    assert_says(&shown, "stiffness");
+}
+
+#[test]
+fn a_length_that_is_not_used_is_remarked() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = written(&blade(), Format::BeamDyn, folder.path());
+    let remarks = |length: f64| {
+        let options = Options {
+            length: Some(length),
+        };
+        read_with(&first, &options).unwrap().1.remarks
+    };
+    let told = "the length 20 m that was given is not used: the file has a line of its own, 11.";
+    assert!(remarks(20.0).iter().any(|remark| remark.starts_with(told)));
+    assert!(
+        remarks(blade().length())
+            .iter()
+            .all(|remark| !remark.contains("not used"))
+    );
 }

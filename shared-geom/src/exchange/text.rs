@@ -42,12 +42,17 @@ impl<'a> Line<'a> {
         let words: Vec<_> = words.collect();
         if let Some(expected) = expected.filter(|&expected| expected != words.len()) {
             let (what, found) = (what.to_owned(), words.len());
+            let separator = match self.text.contains(',') {
+                true => "commas",
+                false => "blanks",
+            };
             problems.push(
                 self.number,
                 &ExchangeProblem::Count {
                     what,
                     expected,
                     found,
+                    separator,
                 },
             );
             return None;

@@ -65,20 +65,17 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
         stiffness,
         mass,
     };
-    Ok(Reading {
-        blade: Blade {
-            name: name_of(file),
-            line: ReferenceLine::straight(length),
-            reference_point: Vector2::zeros(),
-            stations: vec![station(0.0), station(length)],
-            interpolation: Interpolation::Linear,
-            damping: None,
-            provenance: provenance("VABS output", &[text]),
-        },
-        remarks: vec![format!(
-            "one section: the blade is straight and uniform, {length} m long"
-        )],
-    })
+    let blade = Blade {
+        name: name_of(file),
+        line: ReferenceLine::straight(length),
+        reference_point: Vector2::zeros(),
+        stations: vec![station(0.0), station(length)],
+        interpolation: Interpolation::Linear,
+        damping: None,
+        provenance: provenance("VABS output", &[text]),
+    };
+    let remark = format!("one section: the blade is straight and uniform, {length} m long");
+    Ok(Reading::new(blade, vec![remark]))
 }
 
 /// Stiffness and mass of the section of an output, shown as `file` in messages.

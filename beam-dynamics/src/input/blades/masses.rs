@@ -48,8 +48,16 @@ fn mass((number, table): (usize, &Table<'_>)) -> Option<PointMass> {
 }
 
 fn at(table: &Table<'_>) -> Option<At> {
-    if table.is_text("at") && table.text("at")? == "tip" {
-        return Some(At::Tip);
+    if table.is_text("at") {
+        let found = table.text("at")?;
+        if found == "tip" {
+            return Some(At::Tip);
+        }
+        // What does not begin as a number does is no length with a unit.
+        if !found.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter)) {
+            table.wrong("at", "a length from the root along the line, or \"tip\"");
+            return None;
+        }
     }
     let place = table.require_quantity("at", Dimension::LENGTH)?;
     Some(At::Place(place))

@@ -63,9 +63,10 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
     };
     let written = table.text("file")?;
     let document = table.document();
-    let path = document.path(&written);
+    let path = table.existing("file", &written)?;
     let options = Options { length: length? };
     let (_, reading) = document.keep(exchange::read_with(&path, &options))?;
+    document.keep(reading.check(&path))?;
     draft.add_remarks(reading.remarks);
     Some(StationLine {
         curve: reading.blade.line.curve(),
@@ -123,14 +124,11 @@ impl StationLine {
     pub fn lay(&self, masses: &[f64], table: &Table<'_>) -> Option<Laid> {
         let ends = self.ends(masses, table)?;
         let mut laid = Laid::default();
-        let mut sound = true;
+        let mut not_positive = Vec::new();
         for pair in ends.windows(2) {
             let span = [pair[0], pair[1]];
             let (along, found) = self.along(span);
-            for (place, eigenvalue) in found {
-                sound = false;
-                table.note("file", &self.not_positive(place, eigenvalue));
-            }
+            not_positive.extend(found);
             let middle = 0.5 * (span[0] + span[1]);
             let places = [
                 self.node(span[0], Side::Outer),
@@ -143,7 +141,13 @@ impl StationLine {
                 along,
             );
         }
-        sound.then_some(laid)
+        // Stations were checked: what is left is within rounding, and the worst tells all.
+        let worst = not_positive.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((place, eigenvalue)) = worst {
+            table.note("file", &self.not_positive(place, eigenvalue));
+            return None;
+        }
+        Some(laid)
     }
 
     fn node(&self, arc_length: f64, side: Side) -> LaidNode {

@@ -19,6 +19,16 @@ pub enum LoadProblem {
         /// Name of the node.
         node: String,
     },
+    /// A node that is moved by two cards.
+    #[error(
+        "node \"{node}\" has an imposed motion on line {line} already, expected one card a node"
+    )]
+    ImposedTwice {
+        /// Name of the node.
+        node: String,
+        /// Line of the first.
+        line: usize,
+    },
     /// A load along nothing.
     #[error("the load has neither \"blade\" nor \"beams\", expected one of them")]
     NoLine,
@@ -123,6 +133,7 @@ impl Explain for LoadProblem {
             Self::Clamped { .. } => {
                 "take the [[clamp]] away: [[imposed]] holds the components that it names"
             }
+            Self::ImposedTwice { .. } => "put all components of the motion into one [[imposed]]",
             Self::GravityGoesRound { .. } => {
                 "give gravity along the axis, or ask for speed 0, at one azimuth after the other"
             }

@@ -371,8 +371,49 @@ fn a_table_or_column_that_is_not_there_is_told() {
     assert!(shown.contains("t.csv has no column \"m\", and \"columns\" names no other"));
     std::fs::remove_file(folder.path().join("t.csv")).unwrap();
     let shown = read_told(&folder.path().join("a.blade.toml"));
-    assert!(
-        shown.contains("t.csv: cannot be read: no such file"),
-        "{shown}"
+    assert!(shown.contains("\"file\": no file \"t.csv\""), "{shown}");
+}
+
+// In millimeters the mass of GOOD is a thousand times too large: no weight in pounds.
+#[test]
+fn a_weight_by_inches_is_offered_for_inches_only() {
+    let of = |unit: &str| {
+        let text = GOOD
+            .replace("m = 0.3", "m = 180")
+            .replace("iy = 0.01", "iy = 0.1");
+        let text = text.replace("iz = 0.04", "iz = 0.4");
+        text.replace(
+            "units = \"SI\"",
+            &format!("units = {{ length = \"{unit}\" }}"),
+        )
+    };
+    // EA / m = 7e6 / (180 / 0.001) and 7e6 / (180 / 0.0254) m^2/s^2.
+    assert_told(
+        &of("mm"),
+        &["units of length, force and mass do not fit each other"],
     );
+    assert!(!told(&of("mm")).contains("lbf"));
+    let text = of("in").replace("m = 180", "m = 4");
+    assert_told(
+        &text,
+        &["the mass looks like a weight (lbf/in beside inches)"],
+    );
+}
+
+#[test]
+fn files_that_are_not_there_are_told_with_who_names_them() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("b.csv"), "s\n0\n").unwrap();
+    let file = folder.path().join("a.blade.toml");
+    let head = GOOD.split("[[station]]").next().unwrap();
+    std::fs::write(&file, format!("{head}[stations]\nfile = \"c.csv\"\n")).unwrap();
+    let shown = read_told(&file);
+    let expected = "a.blade.toml:9: \"file\": no file \"c.csv\"\n  help: did you mean \"b.csv\"?";
+    assert!(shown.contains(expected), "{shown}");
+    let station = "[[station]]\narc_length = 0\nfile = \"nix.json\"\n";
+    std::fs::write(&file, format!("{head}{station}")).unwrap();
+    let shown = read_told(&file);
+    let expected =
+        "a.blade.toml:10: \"file\": no file \"nix.json\"\n  help: files there: a.blade.toml";
+    assert!(shown.contains(expected), "{shown}");
 }

@@ -51,7 +51,8 @@ impl<'a> Columns<'a> {
             }
         }
         let document = owner.document();
-        let path = document.path(&owner.require_text("file", "the name of a table")?);
+        let written = owner.require_text("file", "the name of a table")?;
+        let path = owner.existing("file", &written)?;
         let text = document.keep(sources.read(&path))?;
         let file = path.display().to_string();
         let (names_line, names, rows) = document.keep(rows(&text, &file))?;

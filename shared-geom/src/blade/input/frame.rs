@@ -86,6 +86,22 @@ impl Frame {
         })
     }
 
+    /// What the file declares, in words.
+    pub fn words(root: &Table<'_>) -> Option<String> {
+        if !root.has("frame") {
+            return None;
+        }
+        let axes = root.texts("frame")?;
+        let mut words = match &axes[..] {
+            [x, y, z] => format!("x to {x}, y to {y}, z to {z}"),
+            _ => axes.join(", "),
+        };
+        if root.has("order") {
+            words += &format!("; order {}", root.texts("order")?.join(", "));
+        }
+        Some(words)
+    }
+
     /// Ours.
     pub fn ours() -> Self {
         Self {
@@ -102,12 +118,13 @@ impl Frame {
 
     /// A vector of its components in our axes.
     pub fn vector(&self, components: [f64; 3]) -> Vector3<f64> {
-        self.axes * Vector3::from(components)
+        // Plus zero: no zero with a sign.
+        (self.axes * Vector3::from(components)).add_scalar(0.0)
     }
 
     /// A twist of its sign, nose up.
     pub fn twist(&self, twist: f64) -> f64 {
-        self.nose_up * twist
+        self.nose_up * twist + 0.0
     }
 
     /// A matrix of its axes and order in ours.

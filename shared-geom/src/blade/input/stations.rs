@@ -166,7 +166,7 @@ fn of_section(
 ) -> Option<(Matrix6<f64>, Matrix6<f64>, Option<Damping>)> {
     let document = table.document();
     let written = table.require_text("file", "the name of a property file")?;
-    let path = document.path(&written);
+    let path = table.existing("file", &written)?;
     let text = document.keep(sources.read(&path))?;
     let section = document.keep(section::parse(&text, &path.display().to_string()))?;
     for (is_there, what) in [

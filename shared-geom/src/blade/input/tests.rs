@@ -24,7 +24,7 @@ fn good(text: &str) -> Blade {
 #[test]
 fn wind_blades_have_their_published_masses_and_lengths() {
     for (name, mass, length) in [("nrel5mw", 16844.752, 61.5), ("iea15", 66996.86, 117.149)] {
-        let Reading { blade, remarks } = case(name);
+        let Reading { blade, remarks, .. } = case(name);
         assert!((blade.mass() / mass - 1.0).abs() < 1e-6, "{}", blade.mass());
         assert!((blade.length() - length).abs() < 5e-4, "{}", blade.length());
         assert_eq!(remarks, Vec::<String>::new());
@@ -60,7 +60,7 @@ fn weights_are_told_from_masses_of_real_blades() {
 // By hand from the table: sum of the weights per inch times the lengths, 4.13270 lb.
 #[test]
 fn a_helicopter_blade_in_inches_and_pounds_is_read_in_si() {
-    let Reading { blade, remarks } = case("tm4760");
+    let Reading { blade, remarks, .. } = case("tm4760");
     let (inch, pound, psi) = (0.0254, 0.453_592_37, 6_894.757_293_168_361);
     let rows = [
         (3.0, 0.4251),
@@ -401,7 +401,7 @@ fn the_example_of_the_book_is_a_blade() {
     std::fs::write(folder.path().join("tip.properties.json"), tip).unwrap();
     let file = folder.path().join("demo.blade.toml");
     std::fs::write(&file, text.unwrap()).unwrap();
-    let Reading { blade, remarks } = read(&file).unwrap_or_else(|p| panic!("{p}"));
+    let Reading { blade, remarks, .. } = read(&file).unwrap_or_else(|p| panic!("{p}"));
     assert_eq!(remarks, Vec::<String>::new());
     let jump = 0.8 * blade.length();
     assert_eq!((blade.stations.len(), blade.jumps()), (4, vec![jump]));

@@ -18,6 +18,8 @@ type Row = (f64, Matrix6<f64>, Matrix6<f64>);
 #[derive(Debug)]
 pub(super) struct BladeFile {
     pub stations: Vec<Row>,
+    /// The line of each station.
+    pub lines: Vec<usize>,
     /// Damping times in the order of BeamDyn [s]; `None` without this damping.
     pub times: Option<[f64; 6]>,
     pub remarks: Vec<String>,
@@ -90,7 +92,7 @@ pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Blade
         return None;
     };
     let body = &lines[begin + 1..];
-    let stations = stations(body, total, problems);
+    let (stations, lines) = stations(body, total, problems);
     if total == 0 {
         problems.push(0, &missing_stations());
     }
@@ -104,6 +106,7 @@ pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Blade
     }
     Some(BladeFile {
         stations,
+        lines,
         times,
         remarks,
     })
@@ -146,9 +149,9 @@ fn times(
 }
 
 /// The stations of the body, in order: each a line of one number and the lines up to the
-/// next such line, so that a line too few is told once.
-fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> Vec<Row> {
-    let mut rows: Vec<Row> = Vec::new();
+/// next such line, so that a line too few is told once; and the lines of their places.
+fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> (Vec<Row>, Vec<usize>) {
+    let (mut rows, mut lines): (Vec<Row>, Vec<usize>) = Default::default();
     let mut rest = body;
     for number in 1..=total {
         let Some((head, tail)) = rest.split_first() else {
@@ -171,9 +174,10 @@ fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> Vec<Row
         if let (Some([eta]), Some((stiffness, mass))) = (eta, matrices) {
             check_place(eta, head.number, number, rows.last(), problems);
             rows.push((eta, stiffness, mass));
+            lines.push(head.number);
         }
     }
-    rows
+    (rows, lines)
 }
 
 /// The two matrices of a station, which may be the `last` of the file.

@@ -1,7 +1,5 @@
 //! The primary file: key points of the reference line, and the name of the blade file.
 
-use std::path::PathBuf;
-
 use crate::blade::Blade;
 use crate::exchange::frame::Convention;
 use crate::exchange::header::Header;
@@ -27,9 +25,10 @@ pub(super) fn recognize(text: &str) -> bool {
     text.lines().any(|line| is_named(line, "kp_total"))
 }
 
-/// The name of the blade file, with `/` between folders.
-pub(super) fn blade_file_name(text: &str) -> Option<PathBuf> {
-    let line = text.lines().find(|line| line.contains("BldFile"))?;
+/// The name of the blade file, with `/` between folders, and the line that has it.
+pub(super) fn blade_file_name(text: &str) -> Option<(String, usize)> {
+    let mut lines = text.lines().enumerate();
+    let (at, line) = lines.find(|(_, line)| line.contains("BldFile"))?;
     let line = line.trim();
     let quote = line.chars().next().filter(|letter| "\"'".contains(*letter));
     let name = match quote {
@@ -37,7 +36,7 @@ pub(super) fn blade_file_name(text: &str) -> Option<PathBuf> {
         None => line.split_whitespace().next(),
     };
     let name = name.filter(|name| !name.is_empty() && *name != "BldFile")?;
-    Some(name.replace('\\', "/").into())
+    Some((name.replace('\\', "/"), at + 1))
 }
 
 /// Reads the lines of the file; notes what is wrong with them.

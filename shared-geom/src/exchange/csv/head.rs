@@ -8,7 +8,7 @@ use crate::exchange::text::{Line, number};
 use crate::line::Course;
 
 /// The keys of the header that are read.
-const KEYS: [&str; 8] = [
+const KEYS: [&str; 9] = [
     "name",
     "units",
     "frame",
@@ -17,6 +17,7 @@ const KEYS: [&str; 8] = [
     "course",
     "interpolation",
     "damping",
+    "stations",
 ];
 
 /// What the header states.
@@ -27,6 +28,8 @@ pub(super) struct Head {
     pub course: Option<Course>,
     pub interpolation: Option<Interpolation>,
     pub damping: Option<BladeDamping>,
+    /// How many stations the file has; `None` where it does not say.
+    pub stations: Option<usize>,
 }
 
 impl Head {
@@ -71,6 +74,7 @@ impl Head {
                 _ => Interpolation::Linear,
             }),
             damping: find("damping").and_then(|entry| damping(entry, problems)),
+            stations: find("stations").and_then(|entry| count(entry, problems)),
         }
     }
 }
@@ -139,6 +143,21 @@ fn one_of<'a>(entry: &Entry<'_>, names: &[&'a str], problems: &mut Problems) -> 
         problems.push(entry.line, &problem);
     }
     found
+}
+
+/// A whole number.
+fn count(entry: &Entry<'_>, problems: &mut Problems) -> Option<usize> {
+    let number = entry.value.parse().ok();
+    if number.is_none() {
+        let problem = ExchangeProblem::Other {
+            what: entry.key.to_owned(),
+            found: format!("\"{}\"", entry.value),
+            expected: "the number of stations".to_owned(),
+            help: "write a whole number, or remove the line".to_owned(),
+        };
+        problems.push(entry.line, &problem);
+    }
+    number
 }
 
 /// `none`, `proportional T` or `times T1 ... T6`.

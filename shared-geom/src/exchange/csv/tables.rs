@@ -6,7 +6,7 @@ use nalgebra::{Matrix6, Vector3};
 
 use crate::blade::Station;
 use crate::document::read_text;
-use crate::error::{Diagnostics, nearest_name};
+use crate::error::{Diagnostics, Place, nearest_name};
 use crate::exchange::frame::Convention;
 use crate::exchange::problem::{ExchangeProblem, Problems};
 use crate::exchange::text::{Line, from_upper, not_a_number, number};
@@ -89,6 +89,42 @@ impl<'a> Tables<'a> {
             problems.push(self.line.last().map_or(0, |line| line.number), &problem);
         }
         Some(ReferenceLine::through(points, course))
+    }
+
+    /// Where each station is written.
+    pub fn places(&self, file: &Path) -> Vec<Place> {
+        let lines = self.stations.as_ref().or(self.sections.as_ref());
+        // The first line has the names of the columns.
+        let rows = lines.into_iter().flatten().skip(1);
+        let file = file.display().to_string();
+        rows.map(|line| Place::line(&file, line.number)).collect()
+    }
+
+    /// Notes another number of stations than the header states.
+    pub fn check_count(&self, stated: Option<usize>, problems: &mut Problems) {
+        let Some(lines) = self.stations.as_ref().or(self.sections.as_ref()) else {
+            return;
+        };
+        // The first line has the names of the columns.
+        let found = lines.len().saturating_sub(1);
+        let Some(stated) = stated.filter(|&stated| stated != found) else {
+            return;
+        };
+        let line = lines.last().map_or(0, |line| line.number);
+        let what = format!("the table of stations, after {found} of {stated}");
+        let problem = match found < stated {
+            true => ExchangeProblem::CutShort {
+                what,
+                expected: format!("{stated} stations, as the header states"),
+            },
+            false => ExchangeProblem::Other {
+                what: "the table of stations".to_owned(),
+                found: format!("{found} stations"),
+                expected: format!("{stated}, as the header states"),
+                help: "correct the line \"# stations:\" of the header, or remove it".to_owned(),
+            },
+        };
+        problems.push(line, &problem);
     }
 
     /// The stations, or those of the section files.
@@ -255,6 +291,7 @@ fn sections(
                 what,
                 expected,
                 found,
+                separator: "commas",
             };
             problems.push(line.number, &problem);
             continue;
@@ -264,7 +301,11 @@ fn sections(
             continue;
         };
         check_order(arc_length, line, i + 1, stations.last(), problems);
-        let path = folder.join(name.trim().trim_matches('"'));
+        let name = name.trim().trim_matches('"');
+        let path = folder.join(name);
+        if !problems.finds(&path, &format!("section {}", i + 1), name, line.number) {
+            continue;
+        }
         if let Some((stiffness, mass)) = all.keep(section_file(&path, frame)) {
             stations.push(Station {
                 arc_length,

@@ -10,6 +10,7 @@ use super::{MARK, interpolation_name, statement};
 /// The whole blade.
 pub(super) fn write_blade(blade: &Blade) -> String {
     let mut text = head(blade);
+    count(blade.stations.len(), &mut text);
     line(blade, &mut text);
     text.push_str("table,stations\n");
     text.push_str(&station_columns().join(","));
@@ -37,6 +38,7 @@ pub(in crate::exchange) fn write_index(blade: &Blade, index: &[(f64, String)]) -
         ..blade.clone()
     };
     let mut text = head(&linear);
+    count(index.len(), &mut text);
     line(blade, &mut text);
     text.push_str("table,sections\ns,file\n");
     for (place, file) in index {
@@ -69,6 +71,11 @@ fn head(blade: &Blade) -> String {
         statement(blade),
         interpolation_name(blade.interpolation),
     )
+}
+
+/// By the number of stations a reader sees that the file is complete.
+fn count(stations: usize, text: &mut String) {
+    text.push_str(&format!("# stations: {stations}\n"));
 }
 
 fn line(blade: &Blade, text: &mut String) {

@@ -268,6 +268,7 @@ fn numbers<const N: usize>(
             what,
             expected: N,
             found,
+            separator: "blanks",
         };
         problems.push(line, &problem);
         return None;

@@ -99,6 +99,15 @@ fn between(plain: &Plain) -> Option<String> {
 }
 
 fn damping(blade: &Blade) -> Option<String> {
+    let is_zero = match &blade.damping {
+        None => true,
+        Some(BladeDamping::Proportional(time)) => *time == 0.0,
+        Some(BladeDamping::Times([axial, y, z, ..])) => [axial, y, z].iter().all(|t| **t == 0.0),
+        Some(BladeDamping::Viscous(all)) => all.iter().flatten().all(|entry| *entry == 0.0),
+    };
+    if is_zero {
+        return None;
+    }
     Some(match &blade.damping {
         None => return None,
         Some(BladeDamping::Proportional(time)) => format!(

@@ -250,6 +250,7 @@ fn row(line: &Line<'_>, columns: &[&str], problems: &mut Problems) -> Option<Row
             what: "a row of the st file".to_owned(),
             expected: columns.len(),
             found: words.len(),
+            separator: "blanks",
         };
         problems.push(line.number, &problem);
     }

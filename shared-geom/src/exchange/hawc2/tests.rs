@@ -253,6 +253,21 @@ fn a_blade_of_rectangles_loses_no_mass_or_stiffness() {
 }
 
 #[test]
+fn damping_that_is_zero_is_not_lost() {
+    let mut blade = blade();
+    let told = |blade: &Blade| {
+        let lost = write(blade, "b").lost;
+        lost.iter().any(|what| what.starts_with("damping"))
+    };
+    blade.damping = Some(BladeDamping::Times([0.0, 0.0, 0.0, 1e-3, 2e-3, 3e-3]));
+    assert!(!told(&blade));
+    blade.damping = Some(BladeDamping::Proportional(0.0));
+    assert!(!told(&blade));
+    blade.damping = Some(BladeDamping::Proportional(1e-3));
+    assert!(told(&blade));
+}
+
+#[test]
 fn damping_goes_into_three_factors() {
     let sample = blade();
     let back = through(&sample, Format::Hawc2).blade;

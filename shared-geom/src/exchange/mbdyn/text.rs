@@ -55,7 +55,8 @@ fn head(blade: &Blade, model: &Model) -> String {
     let header = Header::new(blade, Convention::Helicoid, point);
     let mut text = header.lines("# ");
     text += "# places in the axes of the blade root: x to the tip, y to the leading edge, z up\n";
-    text += "# clamped at node 1, at rest; nodes 2e-1, 2e, 2e+1 of element e; mass in bodies\n";
+    text +=
+        "# clamped at node 1, at rest; nodes 2 e - 1, 2 e, 2 e + 1 of element e; mass in bodies\n";
     text += "\nbegin: data;\n    problem: initial value;\nend: data;\n";
     text += "\nbegin: initial value;\n    initial time: 0.;\n    final time: 1.e-3;\n";
     text += "    time step: 1.e-3;\n    tolerance: 1.e-6;\n    max iterations: 20;\n";

@@ -71,7 +71,7 @@ pub(super) fn reading(tables: Tables, name: String, text: &str) -> Reading {
         damping: tables.times.as_ref().and_then(damping),
         provenance: provenance(&format!("windIO {}", tables.version), &[text]),
     };
-    Reading { blade, remarks }
+    Reading::new(blade, remarks)
 }
 
 fn damping(times: &[f64; 6]) -> Option<BladeDamping> {

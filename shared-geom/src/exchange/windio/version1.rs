@@ -70,6 +70,7 @@ fn triangle(row: &Node, what: &str, problems: &mut Problems) -> Option<Matrix6<f
             what,
             expected: UPPER,
             found,
+            separator: "commas",
         };
         problems.push(row.line, &problem);
         return None;

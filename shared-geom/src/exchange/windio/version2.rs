@@ -168,6 +168,7 @@ fn times(properties: &Node, problems: &mut Problems) -> Option<Option<[f64; 6]>>
         what: what.to_owned(),
         expected: 6,
         found,
+        separator: "commas",
     };
     problems.push(mu.line, &problem);
     None
