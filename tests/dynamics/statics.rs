@@ -319,3 +319,22 @@ fn limit_points_are_passed_by_arc_length() {
         outcome.result.remarks
     );
 }
+
+/// Under a pure moment all forces are round-off, under pure tension all moments are: the
+/// residual told is round-off, not a quotient of it. The tolerance is that of the
+/// iteration, whose last correction is below 1e-9 and whose error is the square of it;
+/// slender elements leave 1e-10.
+#[test]
+fn residuals_of_pure_bending_and_tension_are_round_off() {
+    let force = Vector3::x() * 1e3;
+    let moment = Vector3::z() * 0.5;
+    for load in [NodalForce { moment, ..DEAD }, NodalForce { force, ..DEAD }] {
+        let (mut chain, tip) = cantilever(4, 1.0, &ROLLED);
+        chain.load(tip, load);
+        let result = chain.solve();
+        for step in &result.steps {
+            println!("{} {:e}", step.factor, step.residual);
+            assert!(step.residual < 1e-9, "{}: {:e}", step.factor, step.residual);
+        }
+    }
+}
