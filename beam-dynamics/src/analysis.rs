@@ -9,4 +9,5 @@ pub mod steady;
 mod arc;
 mod balance;
 mod path;
+mod stability;
 mod transient;

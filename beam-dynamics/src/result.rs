@@ -50,7 +50,8 @@ pub struct Whirl {
     pub harmonic: i32,
     /// Number of blades.
     pub blades: usize,
-    /// Share of the kinetic energy in this way of moving [-].
+    /// Share of the kinetic energy of the blades in this way of moving; the hub does not
+    /// count [-].
     pub share: f64,
 }
 

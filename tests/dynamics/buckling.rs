@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use beam_dynamics::analysis::buckling::{BucklingFailure, buckling};
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::case::{BucklingQuestion, ModesQuestion};
-use beam_dynamics::elements::loads::{ImposedMotion, NodalForce};
+use beam_dynamics::elements::loads::{ImposedMotion, NodalForce, Turning};
 use nalgebra::{Vector3, Vector6};
 
 use crate::chain::{Chain, DEAD, FREE};
@@ -257,4 +257,32 @@ fn no_load_and_no_prestress_are_told() {
     };
     let outcome = buckling(&chain.model(), &question);
     assert!(matches!(outcome.failure, Some(BucklingFailure::NoLoad)));
+}
+
+/// A column under a force that follows its tip has no equilibrium beside the straight one
+/// (Beck; Timoshenko and Gere, section 2.21): it flutters, which statics cannot see.
+#[test]
+fn a_follower_load_has_no_real_factor() {
+    let mut chain = Chain::new();
+    let stiffness = Vector6::new(1e7, SHEAR, SHEAR, 1.0, 1.0, 1.0);
+    let ends = [Vector3::zeros(), Vector3::x()];
+    let on = chain.straight(None, 4, &stiffness, ends, Vector3::z());
+    chain.clamp(0);
+    let load = NodalForce {
+        force: -Vector3::x(),
+        turning: Turning::Follower,
+        ..DEAD
+    };
+    chain.load(on[8], load);
+    let question = BucklingQuestion {
+        speed: 0.0,
+        count: 2,
+    };
+    let failure = buckling(&chain.model(), &question).failure.unwrap();
+    assert!(
+        matches!(failure, BucklingFailure::NoRealFactor),
+        "{failure}"
+    );
+    assert!(failure.to_string().contains("flutter"), "{failure}");
+    assert!(failure.remedy().contains("[modes]"));
 }

@@ -339,3 +339,35 @@ fn roots(function: impl Fn(f64) -> f64, to: f64) -> Vec<f64> {
     }
     roots
 }
+
+/// Motions mostly of the hub are named by how the blades go with it, no two modes alike:
+/// at rest those along the axis and about it are collective, those across it a pair that
+/// runs to either side, pure like all others.
+#[test]
+fn modes_of_the_hub_are_named_like_those_of_blades() {
+    let table = Changed {
+        blades: 4,
+        hub: 1.0,
+        support: &SUPPORT,
+    }
+    .modes(24);
+    let names: Vec<_> = table.branches.iter().map(|branch| &branch.name).collect();
+    for (k, name) in names.iter().enumerate() {
+        assert!(!names[k + 1..].contains(name), "{names:?}");
+    }
+    let at_rest = table.at_speed(0);
+    for (branch, mode) in at_rest.iter().take(24) {
+        let whirl = mode.whirl.unwrap();
+        // Round-off of vectors of copies, and the weight of the hub when they are parted.
+        assert!(whirl.share > 1.0 - 1e-4, "{}: {whirl:?}", branch.name);
+        assert_eq!(branch.harmonic, Some(whirl.harmonic), "{}", branch.name);
+    }
+    let count = |harmonic| {
+        let of = |mode: &&(_, &beam_dynamics::result::ModePoint)| {
+            mode.1.whirl.is_some_and(|whirl| whirl.harmonic == harmonic)
+        };
+        at_rest.iter().take(23).filter(of).count()
+    };
+    println!("{names:?}");
+    assert!(count(1).abs_diff(count(-1)) <= 1, "{names:?}");
+}

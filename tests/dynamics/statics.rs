@@ -319,3 +319,75 @@ fn limit_points_are_passed_by_arc_length() {
         outcome.result.remarks
     );
 }
+
+/// Under a pure moment all forces are round-off, under pure tension all moments are: the
+/// residual told is round-off, not a quotient of it. The tolerance is that of the
+/// iteration, whose last correction is below 1e-9 and whose error is the square of it;
+/// slender elements leave 1e-10.
+#[test]
+fn residuals_of_pure_bending_and_tension_are_round_off() {
+    let force = Vector3::x() * 1e3;
+    let moment = Vector3::z() * 0.5;
+    for load in [NodalForce { moment, ..DEAD }, NodalForce { force, ..DEAD }] {
+        let (mut chain, tip) = cantilever(4, 1.0, &ROLLED);
+        chain.load(tip, load);
+        let result = chain.solve();
+        for step in &result.steps {
+            println!("{} {:e}", step.factor, step.residual);
+            assert!(step.residual < 1e-9, "{}: {:e}", step.factor, step.residual);
+        }
+    }
+}
+
+/// A straight column stays in balance beyond its critical load `pi^2 EI / 4 L^2`, with
+/// EI 1e4 and L 2 at 6.1685 kN, where both directions give way; steps of 2.5 kN leave the
+/// place to be foretold within the curvature of the stiffness over one of them.
+#[test]
+fn an_unstable_equilibrium_is_told() {
+    let column = |to: f64| {
+        let stiffness = Vector6::new(1e8, 1e8, 1e8, 1e4, 1e4, 1e4);
+        let (mut chain, tip) = cantilever(4, 2.0, &stiffness);
+        let force = -1e3 * Vector3::x();
+        chain.load(tip, NodalForce { force, ..DEAD });
+        let mut question = up_to(to);
+        question.steps = Some(4);
+        let outcome = statics(&chain.model(), &question);
+        assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+        outcome.result.remarks
+    };
+    assert_eq!(column(6.1), [""; 0]);
+    let told = column(10.0);
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(told[0].contains("between the equilibria at 5 and 7.5"));
+    let mut words = told[0].split(' ');
+    let factor = words.find_map(|word| word.parse::<f64>().ok()).unwrap();
+    let critical = 10.0 * PI * PI / 16.0;
+    let error = (factor / critical - 1.0).abs();
+    let sizes = [factor, critical];
+    record::value(
+        "closed form",
+        "column",
+        "stability lost",
+        sizes,
+        error,
+        0.02,
+    );
+    assert!(error < 0.02, "{told:?}");
+}
+
+/// The last equilibrium before a limit point is kept though it is at no step asked for.
+#[test]
+fn the_last_equilibrium_before_a_limit_point_is_kept() {
+    let mut question = up_to(3.0);
+    question.steps = Some(2);
+    let outcome = statics(&TwoBars::new().chain().0.model(), &question);
+    assert!(outcome.failure.is_some());
+    let factors: Vec<_> = outcome
+        .result
+        .steps
+        .iter()
+        .map(|step| step.factor)
+        .collect();
+    assert_eq!(factors.len(), 2, "{factors:?}");
+    assert!((0.99..=1.0 + 1e-9).contains(&factors[1]), "{factors:?}");
+}

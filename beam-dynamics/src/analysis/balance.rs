@@ -158,8 +158,9 @@ impl Equations for Balance<'_> {
 
 /// The worst equation: residual against the largest term of its kind. Moments, and
 /// angular momenta, have the largest force, or momentum, on a lever of `arm` \[m\] among
-/// their terms: on a straight blade that turns they are the round-off of it, and nothing
-/// else.
+/// their terms, and forces the largest moment over it: on a straight blade that turns
+/// the moments are the round-off of forces, and nothing else, and in pure bending the
+/// forces that of moments.
 pub(super) fn worst(residual: &Residual, nodes: usize, arm: f64) -> Worst {
     // Kinds: the four vector equations of the nodes, and the constraints.
     let kind = |place: usize| {
@@ -177,8 +178,11 @@ pub(super) fn worst(residual: &Residual, nodes: usize, arm: f64) -> Worst {
         (Equation::Force, Equation::Moment),
         (Equation::Momentum, Equation::AngularMomentum),
     ] {
-        let of_force = arm * largest[force as usize];
-        largest[moment as usize] = largest[moment as usize].max(of_force);
+        let [of_forces, of_moments] = [force, moment].map(|kind| largest[kind as usize]);
+        largest[moment as usize] = of_moments.max(arm * of_forces);
+        if arm > 0.0 {
+            largest[force as usize] = of_forces.max(of_moments / arm);
+        }
     }
     // The terms of a constraint vanish with it: they are measured against one.
     largest[Equation::ALL.len()] = 1.0;

@@ -29,6 +29,8 @@ use super::steady::NoEquilibrium;
 const COPIES: usize = 4;
 /// Relative error of factor and shape above which the reader is told.
 const TRUSTED: f64 = 1e-6;
+/// Growth of the tangent below this part of the loads is round-off.
+const ROUND_OFF: f64 = 1e-9;
 
 /// Why there are no critical loads.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -45,6 +47,12 @@ pub enum BucklingFailure {
     /// The loads put nothing under stress that could give way.
     #[error("the loads cause no internal force that could make the model give way")]
     NoPrestress,
+    /// Forces act, but no real factor of them makes the tangent singular.
+    #[error(
+        "no real factor of the loads is critical: the model does not give way at rest, \
+         whatever their size; follower loads may make it flutter instead"
+    )]
+    NoRealFactor,
 }
 
 impl BucklingFailure {
@@ -56,6 +64,9 @@ impl BucklingFailure {
             }
             Self::NoPrestress => {
                 "linearized buckling needs forces at the factor one; bending alone needs [static]"
+            }
+            Self::NoRealFactor => {
+                "flutter shows in [modes] under the loads: raise them until a motion grows"
             }
             Self::Base(_) | Self::Singular => "hold what is free, with [[clamp]] or [[imposed]]",
         }
@@ -106,7 +117,8 @@ fn run(
     let tangent = balance.factorize().ok_or(BucklingFailure::Singular)?;
     let along = balance.rate(&tangent).ok_or(BucklingFailure::Singular)?;
     let growth = system.prestress(&balance.state, &conditions, &along);
-    if growth.values().iter().all(|value| *value == 0.0) {
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    if largest(growth.values()) <= ROUND_OFF * largest(&load) {
         return Err(BucklingFailure::NoPrestress);
     }
     let pencil = Tangent {
@@ -116,7 +128,7 @@ fn run(
     let problem = EigenProblem::about_zero(&solver, &pencil, system.nodes().len(), COPIES);
     let pairs = problem.map_or_else(Vec::new, |problem| problem.real(question.count));
     if pairs.is_empty() {
-        return Err(BucklingFailure::NoPrestress);
+        return Err(BucklingFailure::NoRealFactor);
     }
     result.modes = pairs.iter().map(mode).collect();
     result.remarks = remarks(&result.modes, question.count);

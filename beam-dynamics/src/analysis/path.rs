@@ -134,12 +134,15 @@ impl<'a> Walker<'a> {
 
     /// Goes to the end by steps of the factor.
     pub fn by_factor(&self) -> Walk {
-        let mut points = Vec::new();
-        let end = self.walk(&mut points).err();
+        let (mut points, mut between) = (Vec::new(), None);
+        let end = self.walk(&mut points, &mut between).err();
+        // Of a path that ends early the last state is kept as well.
+        points.extend(end.as_ref().and(between));
         (points, end)
     }
 
-    fn walk(&self, points: &mut Vec<Point>) -> Result<(), PathEnd> {
+    /// Fills `points`, and `between` with the state after the last of them.
+    fn walk(&self, points: &mut Vec<Point>, between: &mut Option<Point>) -> Result<(), PathEnd> {
         let mut here = self.start()?;
         let mut rates = Rates::new(&here);
         let targets = self.steps.unwrap_or(1);
@@ -168,13 +171,16 @@ impl<'a> Walker<'a> {
                 (here, step) = (there, if quick { 2.0 * step } else { step });
                 rates.add(&here);
                 taken += 1;
+                let point = Point {
+                    factor: here.factor,
+                    state: here.state.clone(),
+                    iterations,
+                    residual: report.worst.relative,
+                };
+                *between = Some(point);
                 if self.steps.is_none() || here.factor == goal {
-                    points.push(Point {
-                        factor: here.factor,
-                        state: here.state.clone(),
-                        iterations: std::mem::take(&mut iterations),
-                        residual: report.worst.relative,
-                    });
+                    points.extend(between.take());
+                    iterations = 0;
                 }
                 if taken >= self.most_steps && here.factor != self.to {
                     return Err(PathEnd::OutOfSteps {

@@ -2,12 +2,14 @@
 //! proportional loads.
 
 use crate::case::{Model, StaticQuestion};
+use crate::input::short_number;
 use crate::model::{Conditions, State};
 use crate::result::{StaticResult, StaticStep};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
 use super::path::{Point, Walker};
+use super::stability;
 use super::steady::{NoEquilibrium, equilibrium};
 
 pub use super::path::PathEnd;
@@ -96,6 +98,7 @@ fn run(
         true => walker.by_length(),
         false => walker.by_factor(),
     };
+    result.remarks.extend(stability_lost(&walker, &points));
     for point in points {
         let conditions = walker.conditions(point.factor);
         result.steps.push(static_step(model, &conditions, point));
@@ -132,6 +135,25 @@ pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) 
         sections: observed.sections,
         reactions: observed.reactions,
     }
+}
+
+/// A remark where the equilibria of a path become unstable.
+fn stability_lost(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
+    let factor = |k: usize| k.checked_sub(1).map_or(0.0, |k| points[k].factor);
+    let balance = |k: usize| match k.checked_sub(1) {
+        None => walker.balance.clone(),
+        Some(k) => walker.at(points[k].factor, &points[k].state),
+    };
+    let (after, part) = stability::loss(points.len() + 1, balance)?;
+    let [before, after] = [after - 1, after].map(factor);
+    let about = before + part * (after - before);
+    Some(format!(
+        "beyond the load factor {} or so (between the equilibria at {} and {}) the \
+         equilibrium is unstable: [buckling] tells the critical loads",
+        short_number(about, 4),
+        short_number(before, 6),
+        short_number(after, 6)
+    ))
 }
 
 /// Remarks on the limit points between the steps.

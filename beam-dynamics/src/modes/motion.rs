@@ -73,6 +73,16 @@ impl ModeMotion {
     /// `q_a^H P M q_b` with P the projection on flap, lag, torsion and axial motion:
     /// displacements along the axes of the blade, rotations about those of the section.
     pub(super) fn energies(&self, other: &Self, axes: &[NamingAxes]) -> [Complex<f64>; 4] {
+        self.weighted_energies(other, axes, |_| 1.0)
+    }
+
+    /// These energies, those of each node times its weight.
+    pub(super) fn weighted_energies(
+        &self,
+        other: &Self,
+        axes: &[NamingAxes],
+        weight: impl Fn(usize) -> f64,
+    ) -> [Complex<f64>; 4] {
         const AXIAL_LAG_FLAP: [usize; 3] = [3, 1, 0];
         const TORSION_FLAP_LAG: [usize; 3] = [2, 0, 1];
         let mut energies = [Complex::new(0.0, 0.0); 4];
@@ -88,7 +98,8 @@ impl ModeMotion {
                 let (motion, momentum) = (at(&self.motion), at(&other.momentum));
                 for (axis, kind) in kinds.into_iter().enumerate() {
                     let direction = frame.column(axis).map(Complex::from);
-                    energies[kind] += direction.dot(&motion).conj() * direction.dot(&momentum);
+                    let energy = direction.dot(&motion).conj() * direction.dot(&momentum);
+                    energies[kind] += energy * weight(k);
                 }
             }
         }

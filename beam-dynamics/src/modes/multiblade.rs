@@ -29,6 +29,8 @@ use crate::result::Whirl;
 
 /// Distances of the blades in azimuth may differ by this [rad].
 const EQUAL: f64 = 1e-6;
+/// Blades with less than this part of the kinetic energy do not tell how they move.
+const STILL: f64 = 1e-6;
 /// Unknowns of motion of a node.
 const SIX: usize = 6;
 
@@ -105,10 +107,21 @@ impl Rotor {
         sum
     }
 
-    /// The part that holds most of the energy, with its share of the whole.
+    /// The nodes of all blades.
+    pub(super) fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        self.blades
+            .iter()
+            .flat_map(|blade| blade.nodes.iter().copied())
+    }
+
+    /// The part that holds most of the energy of the blades, with its share of that: a
+    /// hub that moves most of all goes with the blades. `None` where the blades rest.
     pub fn whirl(&self, motion: &super::ModeMotion, axes: &[NamingAxes]) -> Option<Whirl> {
-        let total = motion.product(motion).re;
         let energies = motion.harmonics(motion, self, axes);
+        let total: f64 = energies.iter().map(|energy| energy.re).sum();
+        if total <= STILL * motion.product(motion).re {
+            return None;
+        }
         let parts = self.harmonics().zip(energies);
         let (harmonic, energy) = parts
             .map(|(harmonic, energy)| (harmonic, energy.re))

@@ -5,13 +5,21 @@
 //! With `G_ij = q_i^H M q_j` and the weighted energies `W_ij = q_i^H P_w M q_j`,
 //! weights 1, 2, 3, 4 of the four kinds, the pure combinations are the eigenvectors of
 //! `W c = w G c`. On a rotor the ways in which the blades move together have weights
-//! too, parts of one, so that collective, progressive and regressive modes come apart.
+//! too, parts of one, so that collective, progressive and regressive modes come apart;
+//! the kinds then count on the blades alone: flap and lag of a hub are directions of the
+//! model, which would part its motions into those along x and y.
+
+use std::collections::HashSet;
 
 use nalgebra::{Complex, DMatrix, SVD};
 
 use super::eigen::COPIES;
 use super::{ModeMotion, Rotor};
 use crate::model::NamingAxes;
+
+/// Weight of the kinds of what is no blade, on a rotor: enough to part the motions in
+/// which no blade moves.
+const BESIDE_BLADES: f64 = 1e-6;
 
 /// Replaces modes of equal frequency by pure ones; `frequencies` ascend.
 pub fn separate(
@@ -82,9 +90,14 @@ fn pure_combinations(
     rotor: Option<&Rotor>,
 ) -> Option<Vec<ModeMotion>> {
     let n = modes.len();
+    let of_blades: Option<HashSet<usize>> = rotor.map(|rotor| rotor.nodes().collect());
+    let weight = |node: usize| match &of_blades {
+        Some(nodes) if !nodes.contains(&node) => BESIDE_BLADES,
+        _ => 1.0,
+    };
     let gram = hermitian(&DMatrix::from_fn(n, n, |i, j| modes[i].product(&modes[j])));
     let weighted = hermitian(&DMatrix::from_fn(n, n, |i, j| {
-        let energies = modes[i].energies(&modes[j], axes);
+        let energies = modes[i].weighted_energies(&modes[j], axes, weight);
         let kinds = energies
             .iter()
             .zip([1.0, 2.0, 3.0, 4.0])

@@ -132,6 +132,12 @@ impl Curve {
         }
     }
 
+    /// Whether there are points at half of the speeds at least: others are mostly pieces
+    /// of one of several modes of one frequency, of which not all were asked for.
+    fn is_long(&self) -> bool {
+        2 * self.frequencies.iter().flatten().count() >= self.frequencies.len()
+    }
+
     /// Speed number and frequency of the last point.
     fn end(&self) -> Option<(usize, f64)> {
         let points = self.frequencies.iter().enumerate();
@@ -249,6 +255,23 @@ mod tests {
         assert!(damped.contains(title));
         assert_eq!(damped.matches("\nrotor speed [rpm]\n").count(), 1);
         assert!(!draw(&samples::swept_tip(3)).contains(title));
+    }
+
+    #[test]
+    fn a_short_piece_of_a_line_has_no_name() {
+        let mut table = samples::swept_tip(9);
+        let named = |table: &FrequencyTable| {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("fan.svg");
+            let plot = FanPlot::new(table, &Measured::default()).unwrap();
+            plot.save(&path).unwrap();
+            let text = std::fs::read_to_string(&path).unwrap();
+            text.contains("\naxial 1\n")
+        };
+        // Five points of nine, then three.
+        assert!(named(&table));
+        table.branches[9].points[3..].fill(None);
+        assert!(!named(&table));
     }
 
     // Colors repeat with other patterns, never alone.

@@ -3,6 +3,7 @@
 mod deformed;
 mod fields;
 mod files;
+mod floors;
 mod forces;
 mod path;
 mod tables;

@@ -14,8 +14,8 @@ const HEADING: &str = "speed_rpm,mode,name,kind,frequency_hz,per_rev,damping_rat
 /// at the first speed, frequency, damping ratio, growth (the real part of the eigenvalue),
 /// shares of the kinetic energy, assurance with the same mode at the speed before; of a
 /// rotor of equal blades how these move together, the share of that in the kinetic
-/// energy, and the frequency and direction that the fixed system sees. What has no value
-/// is empty.
+/// energy of the blades, and the frequency and direction that the fixed system sees. What
+/// has no value is empty.
 pub fn mode_csv(table: &FrequencyTable) -> String {
     let mut rows = Vec::new();
     for (index, &speed) in table.speeds.iter().enumerate() {

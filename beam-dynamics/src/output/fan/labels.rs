@@ -60,7 +60,8 @@ fn last_place(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Option<[f64; 2]> {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Placed(Vec<(String, Box2)>);
 
-/// Finds places for the names of modes that end before the edge of the frame.
+/// Finds places for the names of modes that end before the edge of the frame, those
+/// of short pieces of lines left out: the table names them.
 pub(super) fn beside_ends<B: DrawingBackend>(
     canvas: &Canvas<B>,
     plot: &FanPlot,
@@ -71,7 +72,7 @@ pub(super) fn beside_ends<B: DrawingBackend>(
     for curve in plot
         .curves
         .iter()
-        .filter(|curve| last_place(plot, curve, axes).is_none())
+        .filter(|curve| last_place(plot, curve, axes).is_none() && curve.is_long())
     {
         let Some((k, frequency)) = curve.end() else {
             continue;

@@ -46,8 +46,10 @@ pub struct ShapePlot {
 
 #[derive(Debug, Clone, PartialEq)]
 struct Shown {
-    /// Name, frequency, member where there are several.
-    title: String,
+    /// Name, with the member where there are several.
+    name: String,
+    /// Frequency, and damping where there is any.
+    values: String,
     length: f64,
     along: Along,
 }
@@ -64,16 +66,18 @@ impl ShapePlot {
         let shown = found.into_iter().filter_map(|mode| {
             let along = along(&structure, &model.naming, mode.shape)?;
             let member = &structure.members[along.member];
-            let mut title = format!("{}, {} Hz", mode.name, short_number(mode.frequency, 4));
+            let mut values = format!("{} Hz", short_number(mode.frequency, 4));
             if mode.damping_ratio.abs() > DAMPED {
                 let per_cent = short_number(100.0 * mode.damping_ratio, 2);
-                title.push_str(&format!(", {per_cent} %"));
+                values.push_str(&format!(", {per_cent} %"));
             }
-            if structure.members.len() > 1 {
-                title.push_str(&format!(" ({})", member.name));
-            }
+            let name = match structure.members.len() {
+                1 => mode.name.to_owned(),
+                _ => format!("{} ({})", mode.name, member.name),
+            };
             Some(Shown {
-                title,
+                name,
+                values,
                 length: member.length,
                 along,
             })
@@ -151,10 +155,30 @@ impl Shown {
             }
         }
         panel.draw_frame(canvas, [4, 2], true)?;
+        self.draw_title(canvas, panel)
+    }
+
+    /// Name and values on one line, or on two where they do not fit on one.
+    fn draw_title<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        panel: &Panel,
+    ) -> Result<(), FigureProblem> {
         let room = panel.right - panel.left + 60.0;
         let label = Label::new(SMALL).bold();
-        let title = canvas.shortened(&self.title, label, room);
-        canvas.text(&title, [panel.left, panel.top - 30.0], label)
+        let title = format!("{}, {}", self.name, self.values);
+        if canvas.shortened(&title, label, room) == title {
+            return canvas.text(&title, [panel.left, panel.top - 30.0], label);
+        }
+        let lines = [
+            (&self.name, label, 54.0),
+            (&self.values, Label::new(SMALL), 23.0),
+        ];
+        for (line, label, above) in lines {
+            let line = canvas.shortened(line, label, room);
+            canvas.text(&line, [panel.left, panel.top - above], label)?;
+        }
+        Ok(())
     }
 }
 
@@ -219,6 +243,14 @@ mod tests {
             "torsion times a tenth of the length",
             "thin: a quarter of a period earlier",
         ] {
+            assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+        }
+        let mut long = table.clone();
+        long.branches[1].name = "lag 1 progressive on one of many".to_owned();
+        let plot = ShapePlot::new(&model, &long, 0).unwrap();
+        plot.save(&path).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        for expected in ["lag 1 progressive on one of many", "22.25 Hz, 2 %"] {
             assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
         }
         let mut twice = table.clone();

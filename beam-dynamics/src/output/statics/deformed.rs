@@ -8,6 +8,7 @@ use plotters::style::RGBColor;
 use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, WIDTH, sequential};
 use shared_geom::files::{OutputProblem, write_figure};
 
+use super::floors::ROUND_OFF;
 use super::text::most_displaced;
 use crate::input::short_number;
 use crate::output::panel::{GRAY, draw_legend, draw_title};
@@ -124,7 +125,7 @@ impl Drawing for DeformedPlot {
 /// The number 1, 2 or 5 times a power of ten by which displacements of this part of the
 /// size are shown larger; one where they can be seen.
 fn enlargement(part: f64) -> f64 {
-    if part >= VISIBLE || part <= 0.0 || !part.is_finite() {
+    if part >= VISIBLE || part <= ROUND_OFF || !part.is_finite() {
         return 1.0;
     }
     let wanted = ENLARGED / part;
@@ -152,7 +153,13 @@ mod tests {
 
     #[test]
     fn small_displacements_are_enlarged_by_round_numbers() {
-        for (part, times) in [(0.5, 1.0), (0.0, 1.0), (0.01, 10.0), (1.9e-5, 5000.0)] {
+        for (part, times) in [
+            (0.5, 1.0),
+            (0.0, 1.0),
+            (1e-13, 1.0),
+            (0.01, 10.0),
+            (1.9e-5, 5000.0),
+        ] {
             assert_eq!(enlargement(part), times, "{part}");
         }
     }

@@ -7,6 +7,7 @@ use plotters::style::RGBColor;
 use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
 use shared_geom::files::{OutputProblem, write_figure};
 
+use super::floors::{Floors, clean};
 use crate::input::short_number;
 use crate::output::panel::{Panel, SMALL, draw_legend, draw_title, range};
 use crate::output::structure::Structure;
@@ -24,7 +25,7 @@ const TITLES: [&str; 6] = [
 const HEIGHT: u32 = 1500;
 const LINE: f64 = 4.0;
 const POINT: f64 = 6.5;
-/// Forces below this part of the largest of their kind are round-off.
+/// Forces and moments below this part of their scale are too small to be seen.
 const ROUND_OFF: f64 = 1e-9;
 /// Colors of members: those of categories without yellow, which is faint as a line.
 const COLORS: usize = CATEGORIES.len() - 1;
@@ -35,8 +36,8 @@ pub struct ForcePlot {
     title: String,
     curves: Vec<Curve>,
     length: f64,
-    /// Below this, forces \[N\] and moments \[N m\] are shown as zero.
-    floors: [f64; 2],
+    /// Below these, forces and moments are shown as zero.
+    floors: Floors,
 }
 
 /// The evaluation points of a member.
@@ -68,12 +69,6 @@ impl ForcePlot {
             }
         };
         let curves: Vec<_> = structure.members.iter().enumerate().map(curve).collect();
-        let largest = |components: std::ops::Range<usize>| {
-            let points = curves.iter().flat_map(|curve| &curve.points);
-            let values = points.flat_map(|point| &point.1[components.clone()]);
-            values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
-        };
-        let floors = [largest(0..3), largest(3..6)].map(|largest| ROUND_OFF * largest);
         let lengths = structure.members.iter().map(|member| member.length);
         Some(Self {
             title: format!(
@@ -82,7 +77,7 @@ impl ForcePlot {
                 short_number(last.factor, 4)
             ),
             length: lengths.fold(0.0, f64::max),
-            floors,
+            floors: Floors::new(last, structure.size(), ROUND_OFF),
             curves,
         })
     }
@@ -102,6 +97,8 @@ impl ForcePlot {
         [top, bottom]: [f64; 2],
     ) -> Result<(), FigureProblem> {
         let left = 190.0 + (component / 3) as f64 * 890.0;
+        let floor = self.floors.of_component(component);
+        let shown = |force: &[f64; 6]| clean(force[component], floor);
         let values = self.curves.iter().flat_map(|curve| &curve.points);
         let panel = Panel {
             left,
@@ -110,17 +107,14 @@ impl ForcePlot {
             bottom: bottom - 66.0,
             x: [0.0, self.length],
             // With zero, so that a constant force is seen to be one.
-            y: range(
-                values.map(|point| point.1[component]).chain([0.0]),
-                self.floors[component / 3],
-            ),
+            y: range(values.map(|point| shown(&point.1)).chain([0.0]), floor),
         };
         panel.draw_zero(canvas)?;
         for curve in &self.curves {
             let points: Vec<_> = curve
                 .points
                 .iter()
-                .map(|(arc, force)| [*arc, force[component]])
+                .map(|(arc, force)| [*arc, shown(force)])
                 .collect();
             panel.curve(canvas, &points, LINE, curve.color)?;
             for point in points {
@@ -170,5 +164,23 @@ mod tests {
             assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
         }
         assert_eq!(ForcePlot::new(&samples::bent(&[])), None);
+    }
+
+    // Bending of 1e-13 N m beside 1 kN is nothing: the panel shows zero between -1 and 1.
+    #[test]
+    fn round_off_is_drawn_as_zero() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.svg");
+        let mut result = samples::bent(&[0.0, 1.0]);
+        let last = result.steps.last_mut().unwrap();
+        last.reactions.clear();
+        for (k, section) in last.sections.iter_mut().enumerate() {
+            let noise = 1e-13 * (k as f64 - 3.5);
+            section.internal_force.fixed_rows_mut::<3>(3).fill(noise);
+        }
+        ForcePlot::new(&result).unwrap().save(&path).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(!text.contains("e-13"));
+        assert_eq!(text.matches("\n-1.0\n").count(), 3);
     }
 }

@@ -7,8 +7,10 @@ use plotters::style::RGBColor;
 use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
 use shared_geom::files::{OutputProblem, write_figure};
 
+use super::floors::ROUND_OFF;
 use super::text::most_displaced;
 use crate::output::panel::{Panel, draw_legend, draw_title, range};
+use crate::output::structure::Structure;
 use crate::result::StaticResult;
 
 const HEIGHT: u32 = 1100;
@@ -47,6 +49,10 @@ impl PathPlot {
         }
         let most = result.steps.iter().map(|step| most_displaced(result, step));
         let (node, largest) = most.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
+        if largest <= ROUND_OFF * structure.size() {
+            return None;
+        }
         let place = &result.nodes.get(node)?.position;
         let curve = |axis: usize| Curve {
             name: NAMES[axis],
@@ -146,5 +152,6 @@ mod tests {
     fn two_equilibria_are_no_path() {
         assert_eq!(PathPlot::new(&samples::bent(&[0.0, 1.0])), None);
         assert_eq!(PathPlot::new(&samples::bent(&[0.0; 4])), None);
+        assert_eq!(PathPlot::new(&samples::bent(&[0.0, 1e-14, 2e-14])), None);
     }
 }

@@ -4,6 +4,8 @@ use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 use shared_geom::wrench::COMPONENTS;
 
+use super::floors::{Floors, ROUND_OFF, clean, clean_vector};
+use crate::elements::SectionState;
 use crate::input::short_number;
 use crate::output::structure::Structure;
 use crate::output::text::{RPM, aligned};
@@ -38,18 +40,19 @@ pub fn static_text(result: &StaticResult) -> String {
         speed => format!(" at {} rpm", short_number(speed * RPM, DIGITS)),
     };
     let mut text = format!("{}\n\nEquilibria{at_speed}\n\n", result.name);
-    text.push_str(&step_table(result));
+    let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
+    text.push_str(&step_table(result, &structure));
     if let Some(last) = result.last() {
         let at = format!("at factor {}", short_number(last.factor, DIGITS));
-        let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
-        let (title, table) = displacement_table(result, &structure, last);
+        let floors = Floors::new(last, structure.size(), ROUND_OFF);
+        let (title, table) = displacement_table(result, &structure, (last, &floors));
         text.push_str(&format!("\n{title} {at}\n\n{table}"));
         if !last.sections.is_empty() {
-            let table = force_table(&structure, last);
+            let table = force_table(&structure, (last, &floors));
             text.push_str(&format!("\nLargest internal forces {at}\n\n{table}"));
         }
         if !last.reactions.is_empty() {
-            let table = reaction_table(result, last);
+            let table = reaction_table(result, (last, &floors));
             text.push_str(&format!("\nReactions {at}\n\n{table}"));
         }
     }
@@ -81,7 +84,7 @@ pub(super) fn most_displaced(result: &StaticResult, step: &StaticStep) -> (usize
         .unwrap_or((0, 0.0))
 }
 
-fn step_table(result: &StaticResult) -> String {
+fn step_table(result: &StaticResult, structure: &Structure) -> String {
     if result.steps.is_empty() {
         return "  no equilibrium was reached\n".to_owned();
     }
@@ -103,6 +106,7 @@ fn step_table(result: &StaticResult) -> String {
             continue;
         }
         let (node, moved) = most_displaced(result, step);
+        let moved = clean(moved, ROUND_OFF * structure.size());
         let node = result.nodes.get(node).filter(|_| moved > 0.0);
         let label = node.map_or("-", |node| &node.label);
         rows.push(vec![
@@ -125,7 +129,7 @@ fn step_table(result: &StaticResult) -> String {
 fn displacement_table(
     result: &StaticResult,
     structure: &Structure,
-    step: &StaticStep,
+    (step, floors): (&StaticStep, &Floors),
 ) -> (&'static str, String) {
     let all: Vec<_> = (0..result.nodes.len()).collect();
     let (title, nodes) = match all.len() <= MOST_NODES {
@@ -150,9 +154,13 @@ fn displacement_table(
     ];
     for node in nodes {
         let undeformed = &result.nodes[node];
-        let moved = step.positions[node] - undeformed.position;
+        let moved = clean_vector(
+            &(step.positions[node] - undeformed.position),
+            floors.displacement,
+        );
         let turned = step.rotations[node] * undeformed.rotation.transpose();
-        let degrees = vector::from_rotation(&turned).map(f64::to_degrees);
+        let turned = clean_vector(&vector::from_rotation(&turned), floors.rotation);
+        let degrees = turned.map(f64::to_degrees);
         let mut row = vec![undeformed.label.clone()];
         row.extend(moved.iter().map(|value| short(*value)));
         row.extend(degrees.iter().map(|value| short(*value)));
@@ -162,7 +170,7 @@ fn displacement_table(
 }
 
 /// For each member and component the largest value by magnitude, and where.
-fn force_table(structure: &Structure, step: &StaticStep) -> String {
+fn force_table(structure: &Structure, (step, floors): (&StaticStep, &Floors)) -> String {
     let along = structure.along(&step.sections);
     let mut rows = vec![cells(&["component", "largest", "", "s [m]", "beam", "of"])];
     for (number, member) in structure.members.iter().enumerate() {
@@ -171,8 +179,9 @@ fn force_table(structure: &Structure, step: &StaticStep) -> String {
             places.filter(|((of, _), _)| *of == number)
         };
         for (component, name) in COMPONENTS.iter().enumerate() {
-            let size =
-                |section: &crate::elements::SectionState| section.internal_force[component].abs();
+            let floor = floors.of_component(component);
+            let value = |section: &SectionState| clean(section.internal_force[component], floor);
+            let size = |section: &SectionState| value(section).abs();
             // Of equal ones the first.
             let largest = own().rev().max_by(|a, b| size(a.1).total_cmp(&size(b.1)));
             let Some(((_, arc), section)) = largest else {
@@ -180,7 +189,7 @@ fn force_table(structure: &Structure, step: &StaticStep) -> String {
             };
             rows.push(vec![
                 (*name).to_owned(),
-                short(section.internal_force[component]),
+                short(value(section)),
                 UNITS[component].to_owned(),
                 short(*arc),
                 section.beam.clone(),
@@ -191,7 +200,7 @@ fn force_table(structure: &Structure, step: &StaticStep) -> String {
     aligned(&rows)
 }
 
-fn reaction_table(result: &StaticResult, step: &StaticStep) -> String {
+fn reaction_table(result: &StaticResult, (step, floors): (&StaticStep, &Floors)) -> String {
     let mut rows = vec![
         cells(&["joint", "", "force", "", "", "moment", ""]),
         cells(&[
@@ -208,7 +217,10 @@ fn reaction_table(result: &StaticResult, step: &StaticStep) -> String {
             false => format!("{} on {label}", reaction.joint),
         };
         let mut row = vec![name];
-        let both: [Vector3<f64>; 2] = [reaction.force, reaction.moment];
+        let both: [Vector3<f64>; 2] = [
+            clean_vector(&reaction.force, floors.force),
+            clean_vector(&reaction.moment, floors.moment),
+        ];
         row.extend(
             both.iter()
                 .flat_map(|v| v.iter().map(|value| short(*value))),
@@ -293,6 +305,26 @@ Remarks
         let text = static_text(&result);
         assert!(text.contains("Displacements of ends at factor 1"), "{text}");
         assert!(text.contains("\nn8 ") && !text.contains("\nn4 "), "{text}");
+    }
+
+    // What is left of zero after the iteration: 1e-13 of 1 kN, 5e-40 m.
+    #[test]
+    fn round_off_is_told_as_zero() {
+        let clean = samples::bent(&[0.0, 1.0]);
+        let mut noisy = clean.clone();
+        let last = noisy.steps.last_mut().unwrap();
+        last.positions[9].y += 1e-13;
+        last.positions[0].z += 5.05e-40;
+        last.rotations[9] = vector::to_rotation(&Vector3::new(3e-15, 0.0, 0.0));
+        last.reactions[0].force.y += 1e-10;
+        assert_eq!(static_text(&noisy), static_text(&clean));
+        for step in &mut noisy.steps {
+            for section in &mut step.sections {
+                section.internal_force[1] = 4e-10;
+            }
+        }
+        let text = static_text(&noisy);
+        assert!(text.contains("shear y          0    N"), "{text}");
     }
 
     #[test]
