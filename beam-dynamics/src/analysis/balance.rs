@@ -10,6 +10,10 @@ use crate::solver::{Equations, Factorization, LinearSolver, Worst};
 /// A sum this small beside its terms is round-off. Slender beams of many elements come
 /// down to 1e-10 or so.
 const ROUND_OFF: f64 = 1e-13;
+/// Moments this small beside a force times the size of the model, and forces this small
+/// beside a moment over it, are not measured against each other alone: of a blade under
+/// tension all moments are round-off.
+const NOTHING_BESIDE: f64 = 1e-6;
 
 /// The equations `F(y, 0) = 0` of a system, and a state that is to fulfill them.
 #[derive(Clone)]
@@ -91,6 +95,19 @@ impl<'a> Balance<'a> {
         greatest(&load) < ROUND_OFF * greatest(&terms)
     }
 
+    /// Whether a residual is round-off of the stiffness times the size of the model.
+    pub fn is_round_off(&self, residual: &[f64]) -> bool {
+        let tangent = self.system.tangent(&self.state, &self.conditions);
+        let mut largest = vec![0.0_f64; residual.len()];
+        for (row, _, value) in tangent.by_unknowns.triplets() {
+            largest[row] = largest[row].max(value.abs());
+        }
+        let scaled = residual.iter().zip(&largest);
+        let reach = self.size.max(1.0);
+        let mut scaled = scaled.map(|(value, size)| value.abs() <= ROUND_OFF * size * reach);
+        scaled.all(|is_small| is_small)
+    }
+
     /// Displacement and rotation of every node from `before` to the present state, in
     /// the order of the unknowns; zero for all others.
     pub fn moved_from(&self, before: &State) -> Vec<f64> {
@@ -125,7 +142,7 @@ impl<'a> Balance<'a> {
 impl Equations for Balance<'_> {
     fn residual(&mut self) -> (Vec<f64>, Worst) {
         let residual = self.system.residual(&self.state, &self.conditions);
-        let worst = worst(&residual, self.system.nodes().len());
+        let worst = worst(&residual, self.system.nodes().len(), self.size);
         (residual.values, worst)
     }
 
@@ -154,8 +171,9 @@ impl Equations for Balance<'_> {
     }
 }
 
-/// The worst equation: residual against the largest term of its kind.
-pub(super) fn worst(residual: &Residual, nodes: usize) -> Worst {
+/// The worst equation: residual against the largest term of its kind, in a model of the
+/// size `reach` \[m\].
+fn worst(residual: &Residual, nodes: usize, reach: f64) -> Worst {
     // Kinds: the four vector equations of the nodes, and the constraints.
     let kind = |place: usize| {
         if place < NODE_UNKNOWNS * nodes {
@@ -167,6 +185,15 @@ pub(super) fn worst(residual: &Residual, nodes: usize) -> Worst {
     let mut largest = [0.0_f64; Equation::ALL.len() + 1];
     for (place, size) in residual.sizes.iter().enumerate() {
         largest[kind(place)] = largest[kind(place)].max(*size);
+    }
+    for [linear, angular] in [
+        [Equation::Momentum, Equation::AngularMomentum],
+        [Equation::Force, Equation::Moment],
+    ] {
+        let [linear, angular] = [linear.row() / 3, angular.row() / 3];
+        let [by_force, by_moment] = [largest[linear], largest[angular]];
+        largest[angular] = by_moment.max(NOTHING_BESIDE * by_force * reach);
+        largest[linear] = by_force.max(NOTHING_BESIDE * by_moment / reach);
     }
     // The terms of a constraint vanish with it: they are measured against one.
     largest[Equation::ALL.len()] = 1.0;

@@ -13,9 +13,9 @@
 
 use nalgebra::Vector3;
 
-use crate::assembly::Tangent;
+use crate::assembly::{Sparse, Tangent};
 use crate::case::{BucklingQuestion, Model};
-use crate::model::NODE_UNKNOWNS;
+use crate::model::{Conditions, NODE_UNKNOWNS};
 use crate::modes::{EigenProblem, Eigenpair};
 use crate::result::{BucklingMode, BucklingResult};
 use crate::solver::LinearSolver;
@@ -45,6 +45,9 @@ pub enum BucklingFailure {
     /// The loads put nothing under stress that could give way.
     #[error("the loads cause no internal force that could make the model give way")]
     NoPrestress,
+    /// Forces beyond the numbers.
+    #[error("the loads or the stiffnesses are so large or small that the factors are no numbers")]
+    OutOfRange,
 }
 
 impl BucklingFailure {
@@ -57,6 +60,7 @@ impl BucklingFailure {
             Self::NoPrestress => {
                 "linearized buckling needs forces at the factor one; bending alone needs [static]"
             }
+            Self::OutOfRange => "give loads for which the factors are near one",
             Self::Base(_) | Self::Singular => "hold what is free, with [[clamp]] or [[imposed]]",
         }
     }
@@ -118,8 +122,14 @@ fn run(
     if pairs.is_empty() {
         return Err(BucklingFailure::NoPrestress);
     }
+    if pairs.iter().any(|pair| !pair.residual.is_finite()) {
+        return Err(BucklingFailure::OutOfRange);
+    }
     result.modes = pairs.iter().map(mode).collect();
     result.remarks = remarks(&result.modes, question.count);
+    result
+        .remarks
+        .extend(beyond(model, &solver, &conditions, &pencil.by_unknowns));
     Ok(())
 }
 
@@ -141,6 +151,45 @@ fn remarks(modes: &[BucklingMode], asked: usize) -> Vec<String> {
         ));
     }
     remarks
+}
+
+/// A remark where rotation and constant loads alone are past a critical load: where on the
+/// straight way from the tangent `K` at rest to that under them one is singular,
+///
+/// ```text
+/// (K + mu (K_0 - K)) v = 0      0 < mu < 1
+/// ```
+fn beyond(
+    model: &Model,
+    solver: &LinearSolver,
+    conditions: &Conditions,
+    tangent: &Sparse,
+) -> Option<String> {
+    let system = &model.system;
+    let undeformed = system
+        .tangent(&system.rest(), &Conditions::at_rest())
+        .by_unknowns;
+    let change = tangent.plus(-1.0, &undeformed);
+    if change.values().iter().all(|value| *value == 0.0) {
+        return None;
+    }
+    let pencil = Tangent {
+        by_unknowns: undeformed,
+        by_rates: change,
+    };
+    let problem = EigenProblem::about_zero(solver, &pencil, system.nodes().len(), COPIES)?;
+    let parts = problem.real(COPIES).into_iter().map(|pair| pair.growth);
+    let first = parts
+        .filter(|part| (0.0..1.0).contains(part))
+        .reduce(f64::min)?;
+    let cause = match conditions.frame.angular_velocity.norm() > 0.0 {
+        true => "rotation and constant loads",
+        false => "the constant loads",
+    };
+    Some(format!(
+        "the model gives way before the load factor has any say: under about {first:.4} of {cause}; \
+         the factors are those of an equilibrium that is unstable"
+    ))
 }
 
 /// A critical load with its shape, whose largest displacement is one.

@@ -136,6 +136,11 @@ fn run(
         table.speeds.push(*speed);
         table.equilibria.push(report(steady));
         table.remarks.extend(remarks(&now));
+        if last.is_none() {
+            table
+                .remarks
+                .extend(too_few(now.found.len(), case.question.count));
+        }
         last = Some(now);
     }
     failure.map_or(Ok(()), Err)
@@ -207,6 +212,18 @@ fn remarks(modes: &Modes) -> Vec<String> {
         ));
     }
     found
+}
+
+/// A remark on modes that were asked for and not found. Motions damped beyond oscillation
+/// come before those of higher frequency: internal damping with the time T gathers
+/// infinitely many at the rate 1 / T.
+fn too_few(found: usize, asked: usize) -> Option<String> {
+    (found < asked).then(|| {
+        format!(
+            "{found} modes were found of {asked}: the model has no more, or those beyond are \
+             hidden by motions that damping keeps from oscillating"
+        )
+    })
 }
 
 /// Linearizes at an equilibrium and finds the lowest modes.

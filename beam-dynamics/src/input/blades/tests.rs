@@ -267,6 +267,10 @@ fn wrong_cards_of_blades_are_explained() {
             "is at 2 m from the center of rotation, outboard",
         ),
         (
+            "hub_radius = 1\nhinges = [{ kind = \"lag\" }, { kind = \"lag\" }]\n",
+            "hinge 2 (lag) turns about the axis of a hinge before it, and neither has a stiffness",
+        ),
+        (
             "[[blade.mass]]\nat = 12\nmass = 1\n",
             "\"at\" is 12 m, expected a place on the line, from 0 to 10",
         ),
