@@ -21,6 +21,7 @@ use crate::result::{BucklingMode, BucklingResult};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
+use super::critical::critical_part;
 use super::statics::{base, static_step};
 use super::steady::NoEquilibrium;
 
@@ -153,12 +154,7 @@ fn remarks(modes: &[BucklingMode], asked: usize) -> Vec<String> {
     remarks
 }
 
-/// A remark where rotation and constant loads alone are past a critical load: where on the
-/// straight way from the tangent `K` at rest to that under them one is singular,
-///
-/// ```text
-/// (K + mu (K_0 - K)) v = 0      0 < mu < 1
-/// ```
+/// A remark where rotation and constant loads alone are past a critical point.
 fn beyond(
     model: &Model,
     solver: &LinearSolver,
@@ -166,29 +162,16 @@ fn beyond(
     tangent: &Sparse,
 ) -> Option<String> {
     let system = &model.system;
-    let undeformed = system
-        .tangent(&system.rest(), &Conditions::at_rest())
-        .by_unknowns;
-    let change = tangent.plus(-1.0, &undeformed);
-    if change.values().iter().all(|value| *value == 0.0) {
-        return None;
-    }
-    let pencil = Tangent {
-        by_unknowns: undeformed,
-        by_rates: change,
-    };
-    let problem = EigenProblem::about_zero(solver, &pencil, system.nodes().len(), COPIES)?;
-    let parts = problem.real(COPIES).into_iter().map(|pair| pair.growth);
-    let first = parts
-        .filter(|part| (0.0..1.0).contains(part))
-        .reduce(f64::min)?;
+    let undeformed = system.tangent(&system.rest(), &Conditions::at_rest());
+    let nodes = system.nodes().len();
+    let part = critical_part(solver, nodes, undeformed.by_unknowns, tangent)?;
     let cause = match conditions.frame.angular_velocity.norm() > 0.0 {
         true => "rotation and constant loads",
         false => "the constant loads",
     };
     Some(format!(
-        "the model gives way before the load factor has any say: under about {first:.4} of {cause}; \
-         the factors are those of an equilibrium that is unstable"
+        "the model gives way under about {part:.4} of {cause} already: the factors are those \
+         of an unstable equilibrium"
     ))
 }
 

@@ -7,6 +7,7 @@ use crate::result::{StaticResult, StaticStep};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
+use super::critical::critical_part;
 use super::path::{Point, Walker};
 use super::steady::{NoEquilibrium, equilibrium};
 
@@ -96,6 +97,7 @@ fn run(
         true => walker.by_length(),
         false => walker.by_factor(),
     };
+    result.remarks.extend(branching(&walker, &points));
     for point in points {
         let conditions = walker.conditions(point.factor);
         result.steps.push(static_step(model, &conditions, point));
@@ -132,6 +134,45 @@ pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) 
         sections: observed.sections,
         reactions: observed.reactions,
     }
+}
+
+/// A remark on the first critical point that is no limit point: there the path meets
+/// another one, and the equilibria that follow are unstable.
+fn branching(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
+    let balance = &walker.balance;
+    let nodes = balance.system.nodes().len();
+    let tangent = |point: &Point| {
+        let conditions = walker.conditions(point.factor);
+        let tangent = balance.system.tangent(&point.state, &conditions);
+        tangent.by_unknowns
+    };
+    let start = Point {
+        factor: 0.0,
+        state: balance.state.clone(),
+        iterations: 0,
+        residual: 0.0,
+    };
+    let all: Vec<&Point> = std::iter::once(&start).chain(points).collect();
+    let turns = |i: usize| match (all.get(i.wrapping_sub(1)), all.get(i + 1)) {
+        (Some(a), Some(b)) => (all[i].factor - a.factor) * (b.factor - all[i].factor) < 0.0,
+        _ => false,
+    };
+    let mut before = tangent(&start);
+    for (i, pair) in all.windows(2).enumerate() {
+        let now = tangent(pair[1]);
+        let is_limit = turns(i) || turns(i + 1);
+        let part = critical_part(balance.solver, nodes, before, &now);
+        if let Some(part) = part.filter(|_| !is_limit) {
+            let [from, to] = [pair[0], pair[1]].map(|point| point.factor);
+            return Some(format!(
+                "a critical point was passed near the load factor {:.4}, where another path \
+                 branches off: from there on these equilibria are unstable",
+                from + part * (to - from)
+            ));
+        }
+        before = now;
+    }
+    None
 }
 
 /// Remarks on the limit points between the steps.
