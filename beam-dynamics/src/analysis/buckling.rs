@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 
 use crate::assembly::{Sparse, Tangent};
 use crate::case::{BucklingQuestion, Model};
-use crate::model::{Conditions, NODE_UNKNOWNS};
+use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::modes::{EigenProblem, Eigenpair};
 use crate::result::{BucklingMode, BucklingResult};
 use crate::solver::LinearSolver;
@@ -128,9 +128,12 @@ fn run(
     }
     result.modes = pairs.iter().map(mode).collect();
     result.remarks = remarks(&result.modes, question.count);
-    result
-        .remarks
-        .extend(beyond(model, &solver, &conditions, &pencil.by_unknowns));
+    result.remarks.extend(beyond(
+        model,
+        &solver,
+        &conditions,
+        (&balance.state, &pencil.by_unknowns),
+    ));
     Ok(())
 }
 
@@ -159,12 +162,11 @@ fn beyond(
     model: &Model,
     solver: &LinearSolver,
     conditions: &Conditions,
-    tangent: &Sparse,
+    (state, tangent): (&State, &Sparse),
 ) -> Option<String> {
-    let system = &model.system;
-    let undeformed = system.tangent(&system.rest(), &Conditions::at_rest());
-    let nodes = system.nodes().len();
-    let part = critical_part(solver, nodes, undeformed.by_unknowns, tangent)?;
+    let rest = model.system.rest();
+    let undeformed = model.system.tangent(&rest, &Conditions::at_rest());
+    let part = critical_part(solver, (&rest, undeformed.by_unknowns), (state, tangent))?;
     let cause = match conditions.frame.angular_velocity.norm() > 0.0 {
         true => "rotation and constant loads",
         false => "the constant loads",

@@ -140,7 +140,6 @@ pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) 
 /// another one, and the equilibria that follow are unstable.
 fn branching(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
     let balance = &walker.balance;
-    let nodes = balance.system.nodes().len();
     let tangent = |point: &Point| {
         let conditions = walker.conditions(point.factor);
         let tangent = balance.system.tangent(&point.state, &conditions);
@@ -161,7 +160,11 @@ fn branching(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
     for (i, pair) in all.windows(2).enumerate() {
         let now = tangent(pair[1]);
         let is_limit = turns(i) || turns(i + 1);
-        let part = critical_part(balance.solver, nodes, before, &now);
+        let part = critical_part(
+            balance.solver,
+            (&pair[0].state, before),
+            (&pair[1].state, &now),
+        );
         if let Some(part) = part.filter(|_| !is_limit) {
             let [from, to] = [pair[0], pair[1]].map(|point| point.factor);
             return Some(format!(
