@@ -308,15 +308,12 @@ pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
 pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Diagnostics> {
     let (format, reading) = parse(&read_text(path)?, path, options)?;
     // What can be followed nowhere cannot be described either.
-    let problems = reading.blade.line.problems();
-    let endless = |problem: &&LineProblem| matches!(problem, LineProblem::Length { .. });
-    match problems.iter().find(endless) {
-        Some(problem) => Err(Diagnostics::one(
-            Place::file(path.display().to_string()),
-            problem,
-        )),
-        None => Ok((format, reading)),
+    let found = reading.blade.length();
+    if !found.is_finite() {
+        let place = Place::file(path.display().to_string());
+        return Err(Diagnostics::one(place, &LineProblem::Length { found }));
     }
+    Ok((format, reading))
 }
 
 /// Reads a blade from the text of the file at `path`, beside which lie those that it
