@@ -1,6 +1,7 @@
 //! Analyses: each reads as its method, one call a step.
 
 pub mod buckling;
+mod critical;
 mod modal_damping;
 pub mod modes;
 pub mod statics;
@@ -9,5 +10,4 @@ pub mod steady;
 mod arc;
 mod balance;
 mod path;
-mod stability;
 mod transient;

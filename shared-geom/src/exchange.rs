@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use crate::blade::Blade;
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
+use crate::line::LineProblem;
 
 mod beamdyn;
 mod csv;
@@ -341,7 +342,14 @@ pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
 /// A file that cannot be read, a format that is not known, and everything that is wrong
 /// with the content.
 pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Diagnostics> {
-    parse(&read_text(path)?, path, options)
+    let (format, reading) = parse(&read_text(path)?, path, options)?;
+    // What can be followed nowhere cannot be described either.
+    let found = reading.blade.length();
+    if !found.is_finite() {
+        let place = Place::file(path.display().to_string());
+        return Err(Diagnostics::one(place, &LineProblem::Length { found }));
+    }
+    Ok((format, reading))
 }
 
 /// Reads a blade from the text of the file at `path`, beside which lie those that it

@@ -91,6 +91,19 @@ impl<'a> Balance<'a> {
         greatest(&load) < ROUND_OFF * greatest(&terms)
     }
 
+    /// Whether a residual is round-off of the stiffness times the size of the model.
+    pub fn is_round_off(&self, residual: &[f64]) -> bool {
+        let tangent = self.system.tangent(&self.state, &self.conditions);
+        let mut largest = vec![0.0_f64; residual.len()];
+        for (row, _, value) in tangent.by_unknowns.triplets() {
+            largest[row] = largest[row].max(value.abs());
+        }
+        let scaled = residual.iter().zip(&largest);
+        let reach = self.size.max(1.0);
+        let mut scaled = scaled.map(|(value, size)| value.abs() <= ROUND_OFF * size * reach);
+        scaled.all(|is_small| is_small)
+    }
+
     /// Displacement and rotation of every node from `before` to the present state, in
     /// the order of the unknowns; zero for all others.
     pub fn moved_from(&self, before: &State) -> Vec<f64> {

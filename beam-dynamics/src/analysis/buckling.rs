@@ -13,14 +13,15 @@
 
 use nalgebra::Vector3;
 
-use crate::assembly::Tangent;
+use crate::assembly::{Sparse, Tangent};
 use crate::case::{BucklingQuestion, Model};
-use crate::model::NODE_UNKNOWNS;
+use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::modes::{EigenProblem, Eigenpair};
 use crate::result::{BucklingMode, BucklingResult};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
+use super::critical::critical_part;
 use super::statics::{base, static_step};
 use super::steady::NoEquilibrium;
 
@@ -53,6 +54,9 @@ pub enum BucklingFailure {
          whatever their size; follower loads may make it flutter instead"
     )]
     NoRealFactor,
+    /// Forces beyond the numbers.
+    #[error("the loads or the stiffnesses are so large or small that the factors are no numbers")]
+    OutOfRange,
 }
 
 impl BucklingFailure {
@@ -68,6 +72,7 @@ impl BucklingFailure {
             Self::NoRealFactor => {
                 "flutter shows in [modes] under the loads: raise them until a motion grows"
             }
+            Self::OutOfRange => "give loads for which the factors are near one",
             Self::Base(_) | Self::Singular => "hold what is free, with [[clamp]] or [[imposed]]",
         }
     }
@@ -130,8 +135,17 @@ fn run(
     if pairs.is_empty() {
         return Err(BucklingFailure::NoRealFactor);
     }
+    if pairs.iter().any(|pair| !pair.residual.is_finite()) {
+        return Err(BucklingFailure::OutOfRange);
+    }
     result.modes = pairs.iter().map(mode).collect();
     result.remarks = remarks(&result.modes, question.count);
+    result.remarks.extend(beyond(
+        model,
+        &solver,
+        &conditions,
+        (&balance.state, &pencil.by_unknowns),
+    ));
     Ok(())
 }
 
@@ -153,6 +167,26 @@ fn remarks(modes: &[BucklingMode], asked: usize) -> Vec<String> {
         ));
     }
     remarks
+}
+
+/// A remark where rotation and constant loads alone are past a critical point.
+fn beyond(
+    model: &Model,
+    solver: &LinearSolver,
+    conditions: &Conditions,
+    (state, tangent): (&State, &Sparse),
+) -> Option<String> {
+    let rest = model.system.rest();
+    let undeformed = model.system.tangent(&rest, &Conditions::at_rest());
+    let part = critical_part(solver, (&rest, undeformed.by_unknowns), (state, tangent))?;
+    let cause = match conditions.frame.angular_velocity.norm() > 0.0 {
+        true => "rotation and constant loads",
+        false => "the constant loads",
+    };
+    Some(format!(
+        "the model gives way under about {part:.4} of {cause} already: the factors are those \
+         of an unstable equilibrium"
+    ))
 }
 
 /// A critical load with its shape, whose largest displacement is one.

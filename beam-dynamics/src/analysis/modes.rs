@@ -149,7 +149,7 @@ fn run(
         branches.add(&now, links.as_deref(), with_shapes);
         table.speeds.push(*speed);
         table.equilibria.push(report(steady));
-        table.remarks.extend(remarks(case, &now));
+        table.remarks.extend(remarks(case, &now, last.is_none()));
         last = Some(now);
     }
     failure.map_or(Ok(()), Err)
@@ -205,7 +205,7 @@ fn report(steady: &Equilibrium) -> EquilibriumReport {
 }
 
 /// What a reader must know of the modes at one speed.
-fn remarks(case: &Case<'_>, modes: &Modes) -> Vec<String> {
+fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
     let at = format!("at {}", rpm(modes.speed));
     let mut found = Vec::new();
     if let Some((node, angle)) = folded(case.model, modes) {
@@ -214,12 +214,15 @@ fn remarks(case: &Case<'_>, modes: &Modes) -> Vec<String> {
              equilibrium may be the one that is sought"
         ));
     }
-    let missing = case.question.count.saturating_sub(modes.found.len());
-    if missing > 0 && modes.overdamped > 0 {
+    if is_first && modes.found.len() < case.question.count {
+        let why = match modes.overdamped {
+            0 => "the model has no more".to_owned(),
+            n => format!("{n} motions are so damped that they do not oscillate"),
+        };
         found.push(format!(
-            "{at} {missing} of {} modes are missing: {} motions are so damped that they do not \
-             oscillate",
-            case.question.count, modes.overdamped
+            "{} modes were found of {}: {why}",
+            modes.found.len(),
+            case.question.count
         ));
     }
     if let Some(worst) = modes.unstable.last() {

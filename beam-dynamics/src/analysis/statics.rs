@@ -2,14 +2,13 @@
 //! proportional loads.
 
 use crate::case::{Model, StaticQuestion};
-use crate::input::short_number;
 use crate::model::{Conditions, State};
 use crate::result::{StaticResult, StaticStep};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
+use super::critical::critical_part;
 use super::path::{Point, Walker};
-use super::stability;
 use super::steady::{NoEquilibrium, equilibrium};
 
 pub use super::path::PathEnd;
@@ -98,7 +97,7 @@ fn run(
         true => walker.by_length(),
         false => walker.by_factor(),
     };
-    result.remarks.extend(stability_lost(&walker, &points));
+    result.remarks.extend(branching(&walker, &points));
     for point in points {
         let conditions = walker.conditions(point.factor);
         result.steps.push(static_step(model, &conditions, point));
@@ -137,23 +136,46 @@ pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) 
     }
 }
 
-/// A remark where the equilibria of a path become unstable.
-fn stability_lost(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
-    let factor = |k: usize| k.checked_sub(1).map_or(0.0, |k| points[k].factor);
-    let balance = |k: usize| match k.checked_sub(1) {
-        None => walker.balance.clone(),
-        Some(k) => walker.at(points[k].factor, &points[k].state),
+/// A remark on the first critical point that is no limit point: there the path meets
+/// another one, and the equilibria that follow are unstable.
+fn branching(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
+    let balance = &walker.balance;
+    let tangent = |point: &Point| {
+        let conditions = walker.conditions(point.factor);
+        let tangent = balance.system.tangent(&point.state, &conditions);
+        tangent.by_unknowns
     };
-    let (after, part) = stability::loss(points.len() + 1, balance)?;
-    let [before, after] = [after - 1, after].map(factor);
-    let about = before + part * (after - before);
-    Some(format!(
-        "beyond the load factor {} or so (between the equilibria at {} and {}) the \
-         equilibrium is unstable: [buckling] tells the critical loads",
-        short_number(about, 4),
-        short_number(before, 6),
-        short_number(after, 6)
-    ))
+    let start = Point {
+        factor: 0.0,
+        state: balance.state.clone(),
+        iterations: 0,
+        residual: 0.0,
+    };
+    let all: Vec<&Point> = std::iter::once(&start).chain(points).collect();
+    let turns = |i: usize| match (all.get(i.wrapping_sub(1)), all.get(i + 1)) {
+        (Some(a), Some(b)) => (all[i].factor - a.factor) * (b.factor - all[i].factor) < 0.0,
+        _ => false,
+    };
+    let mut before = tangent(&start);
+    for (i, pair) in all.windows(2).enumerate() {
+        let now = tangent(pair[1]);
+        let is_limit = turns(i) || turns(i + 1);
+        let part = critical_part(
+            balance.solver,
+            (&pair[0].state, before),
+            (&pair[1].state, &now),
+        );
+        if let Some(part) = part.filter(|_| !is_limit) {
+            let [from, to] = [pair[0], pair[1]].map(|point| point.factor);
+            return Some(format!(
+                "a critical point was passed near the load factor {:.4}, where another path \
+                 branches off: from there on these equilibria are unstable",
+                from + part * (to - from)
+            ));
+        }
+        before = now;
+    }
+    None
 }
 
 /// Remarks on the limit points between the steps.

@@ -176,7 +176,7 @@ fn add(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) {
 
 /// Adds the nodes of a blade; fewer than there are when a name is taken.
 fn add_nodes(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) -> Vec<usize> {
-    let last = card.laid.nodes.len() - 1;
+    let last = card.laid.nodes.len().saturating_sub(1);
     let axes = seat.blade_axes();
     let mut nodes = Vec::with_capacity(card.laid.nodes.len());
     for (number, laid) in card.laid.nodes.iter().enumerate() {

@@ -121,6 +121,12 @@ pub(super) fn spring(table: &Table<'_>) -> Option<HingeSpring> {
         true => table.quantity("angle", Dimension::ANGLE),
         false => Some(0.0),
     };
+    if let Some(found) = angle.map(f64::to_degrees)
+        && found.abs() >= 180.0
+    {
+        table.note("angle", &InputProblem::HalfTurn { found });
+        return None;
+    }
     if table.has("angle") && stiffness == Some(0.0) {
         table.note("angle", &InputProblem::NoSpring);
         return None;

@@ -110,6 +110,12 @@ pub enum InputProblem {
         /// The angle found \[deg\].
         found: f64,
     },
+    /// An angle of a hinge that is not one of those by which its turn is told.
+    #[error("\"angle\" is {} deg, expected less than 180 deg to either side", six(*.found))]
+    HalfTurn {
+        /// The angle found \[deg\].
+        found: f64,
+    },
     /// An axis of no direction.
     #[error("\"axis\" has no direction: its length is zero")]
     NoAxis,

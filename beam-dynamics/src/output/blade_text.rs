@@ -140,6 +140,9 @@ fn station_words(blade: &Blade) -> String {
 
 fn mass_words(blade: &Blade) -> Vec<(&'static str, String)> {
     let moments = blade.mass_moments();
+    if moments.mass == 0.0 {
+        return vec![("mass", "none".to_owned())];
+    }
     let [x, y, z] = moments.center.into();
     let [ix, iy, iz] = [0, 1, 2].map(|i| moments.inertia[(i, i)]);
     vec![
@@ -249,7 +252,7 @@ fn center_table(blade: &Blade) -> String {
     };
     let centers: Vec<_> = blade.places().into_iter().filter_map(at).collect();
     if centers.is_empty() {
-        return "centers: none, the stiffness is singular\n".to_owned();
+        return "centers: none, the stiffness or the mass is singular\n".to_owned();
     }
     type Of = fn(&Centers) -> Vector2<f64>;
     let kinds: [(&str, Of); 3] = [

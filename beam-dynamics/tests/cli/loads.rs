@@ -43,6 +43,28 @@ node = \"apex\"
 force = [0, 0, -40]
 ";
 
+/// A straight strip along x.
+const STRIP: &str = "\
+units = \"SI\"
+[properties.strip]
+ea = 3e6
+gay = 9.5e5
+gaz = 9.5e5
+gj = 2.8
+eiy = 0.64
+eiz = 160
+m = 0.11
+iy = 2.4e-8
+iz = 5.9e-6
+[[blade]]
+name = \"blade\"
+root = [0.06, 0, 0]
+properties = \"strip\"
+[[blade.piece]]
+length = 0.95
+elements = 6
+";
+
 #[test]
 fn a_limit_point_ends_statics_with_what_was_reached() {
     let folder = Folder::new();
@@ -105,6 +127,91 @@ fn buckling_without_loads_ends_with_the_reason() {
     assert!(run.err.starts_with(told), "{}", run.err);
 }
 
+// A column of EI = 0.64 and 160 N m^2, clamped, 0.95 m: gives way under
+// pi^2 EI / (4 L^2) = 1.74976 N.
+#[test]
+fn buckling_beyond_the_critical_load_is_remarked() {
+    let folder = Folder::new();
+    let load = |force: f64, keys: &str| {
+        format!("[[load]]\nnode = \"blade/tip\"\nforce = [{force:e}, 0, 0]\n{keys}")
+    };
+    for (constant, is_told) in [(-1.7, false), (-3.5, true)] {
+        let loads = load(constant, "constant = true\n") + &load(-1.0, "");
+        folder.write("a.dynamics.toml", &format!("{STRIP}{loads}[buckling]\n"));
+        let run = folder.run(&["buckling", "a.dynamics.toml"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        let told = run.out.contains("under about 0.4999 of the constant loads");
+        assert_eq!(told, is_told, "{}", run.out);
+    }
+    folder.write(
+        "a.dynamics.toml",
+        &format!("{STRIP}{}[buckling]\n", load(-1e300, "")),
+    );
+    let run = folder.run(&["buckling", "a.dynamics.toml"]);
+    assert_eq!(run.code, 1, "{}", run.out);
+    assert!(!run.out.contains("NaN"), "{}", run.out);
+}
+
+// The critical load of the strip again: the straight path goes on past it. A load across
+// the strip has no critical point, however far it bends.
+#[test]
+fn statics_tells_where_another_path_branches_off() {
+    let folder = Folder::new();
+    let told = "a critical point was passed near the load factor 0.";
+    for (force, is_told) in [
+        ("-3.5, 0, 0", true),
+        ("-1.7, 0, 0", false),
+        ("0, 0, 9", false),
+    ] {
+        let load = format!("[[load]]\nnode = \"blade/tip\"\nforce = [{force}]\n");
+        folder.write("a.dynamics.toml", &format!("{STRIP}{load}[static]\n"));
+        let run = folder.run(&["static", "a.dynamics.toml"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        assert_eq!(run.out.contains(told), is_told, "{}", run.out);
+        assert_eq!(
+            run.out.contains(&format!("{told}4999")),
+            is_told,
+            "{}",
+            run.out
+        );
+    }
+}
+
+// Nothing acts on the blade but the spring, which turns it up until it is relaxed.
+#[test]
+fn a_hinge_goes_where_its_spring_is_relaxed() {
+    let folder = Folder::new();
+    let card = "name = \"blade\"\nhinges = [{ kind = \"flap\", stiffness = 5, angle = 30 }]";
+    let blade = STRIP.replace("name = \"blade\"", card);
+    folder.write("a.dynamics.toml", &format!("{blade}[static]\n"));
+    let run = folder.run(&["static", "a.dynamics.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let tip = run
+        .out
+        .lines()
+        .find(|line| line.starts_with("blade/tip"))
+        .unwrap();
+    let words: Vec<_> = tip.split_whitespace().collect();
+    let values: Vec<f64> = words[1..]
+        .iter()
+        .map(|word| word.parse().unwrap())
+        .collect();
+    let expected = [0.95 * (0.75_f64.sqrt() - 1.0), 0.0, 0.475, 0.0, -30.0, 0.0];
+    for (found, expected) in values.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-4, "{tip}");
+    }
+    let card = card.replace("30", "190");
+    let blade = STRIP.replace("name = \"blade\"", &card);
+    folder.write("a.dynamics.toml", &format!("{blade}[static]\n"));
+    let run = folder.run(&["static", "a.dynamics.toml"]);
+    assert_eq!(run.code, 2, "{}", run.out);
+    assert!(
+        run.err.contains("is 190 deg, expected less than 180 deg"),
+        "{}",
+        run.err
+    );
+}
+
 #[test]
 fn wrong_loads_are_told_where_they_stand() {
     let folder = Folder::new();
@@ -132,6 +239,14 @@ fn wrong_loads_are_told_where_they_stand() {
         (
             "[[distributed_load]]\nblade = \"blade\"\nat = [0, 0.5, 0.2]\nforce = [0, 0, 1]\n",
             "\"at\" falls from 0.5 m to 0.2 m, expected ascending arc lengths",
+        ),
+        (
+            "[[distributed_load]]\nblade = \"blade\"\nat = [0.5, 0.5]\nforce = [[0, 0, 1], [0, 0, 1]]\n",
+            "\"at\" has only the place 0.5 m, expected a stretch of the line",
+        ),
+        (
+            "[[distributed_load]]\nbeams = []\nforce = [0, 0, 1]\n",
+            "\"beams\" is empty, expected the names of beams along which the load acts",
         ),
         (
             "[[distributed_load]]\nblade = \"blade\"\nat = [0, 0.5]\nforce = [0, 0, 1]\n",

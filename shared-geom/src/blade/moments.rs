@@ -56,7 +56,11 @@ impl Blade {
         }
         MassMoments {
             mass,
-            center: first / mass,
+            center: if mass > 0.0 {
+                first / mass
+            } else {
+                Vector3::zeros()
+            },
             inertia: second,
         }
     }

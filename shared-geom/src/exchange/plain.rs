@@ -42,12 +42,18 @@ impl Plain {
         let line = through_points(&blade.line, &mut lost);
         let arcs = line.arc_lengths();
         let length = line.length();
+        let mut stations = growing(blade, &mut lost);
+        // Points that stand for arcs make a line that is a little shorter.
+        let stretch = length / blade.length();
+        for station in &mut stations {
+            station.arc_length *= stretch;
+        }
         Self {
             point_parts: parts(&arcs, length),
             turns: turns(&line),
             points: line.points,
             course: line.course,
-            stations: growing(blade, length, &mut lost),
+            stations,
             length,
             lost,
         }
@@ -171,10 +177,25 @@ fn apart(line: &ReferenceLine, other: &ReferenceLine) -> f64 {
 
 /// Stations behind each other: constant pieces get a station at both ends, and of two
 /// stations at one place the inner one moves inward by a ramp.
-fn growing(blade: &Blade, length: f64, lost: &mut Vec<String>) -> Vec<Station> {
+fn growing(blade: &Blade, lost: &mut Vec<String>) -> Vec<Station> {
+    let length = blade.length();
     let mut stations = blade.stations.clone();
+    for station in &mut stations {
+        station.arc_length = station.arc_length.clamp(0.0, length);
+    }
     if blade.interpolation == Interpolation::Constant {
-        stations = held(&blade.stations, length);
+        stations = held(&stations, length);
+    }
+    // The inner side of a jump at the root has no length.
+    let before = stations.iter().skip(1);
+    let inside = before.take_while(|station| station.arc_length <= 0.0);
+    let inside = inside.count();
+    stations.drain(..inside);
+    // Tables have two rows or more.
+    if let [only] = stations[..] {
+        stations = [0.0, length]
+            .map(|arc_length| Station { arc_length, ..only })
+            .to_vec();
     }
     let ramp = RAMP * length;
     let mut count = 0;

@@ -6,6 +6,8 @@ use crate::error::Explain;
 /// Smallest part of a step of the line that leads out of the direction of z: less has
 /// no level chord [-].
 const LEVEL: f64 = 1e-6;
+/// Longest line: beyond lie only mistakes, and in the end lengths that overflow \[m\].
+const LONGEST: f64 = 1e9;
 
 /// Why a line is refused.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -54,6 +56,12 @@ pub enum LineProblem {
         /// Its length [m].
         found: f64,
     },
+    /// A line longer than any blade, or so long that its length is no number.
+    #[error("the line is {found:.3e} m long, expected at most {LONGEST:.0e} m")]
+    Length {
+        /// Its length \[m\].
+        found: f64,
+    },
     /// Lists of different lengths.
     #[error(
         "the line has {points} points, {curvatures} curvatures and {lengths} lengths of arcs, expected one point more than arcs"
@@ -75,6 +83,7 @@ impl Explain for LineProblem {
                 "list the points from the root to the tip, or take course = \"polyline\""
                     .to_owned(),
             ),
+            Self::Length { .. } => Some("check the numbers and the unit of the points".to_owned()),
             Self::Vertical { .. } => {
                 Some("give the line by its curvature, or turn the root axes".to_owned())
             }
@@ -109,6 +118,9 @@ impl ReferenceLine {
             Course::Polyline => found.extend(self.same_places().chain(self.vertical())),
             Course::Spline => found.extend(self.backward()),
             Course::Arcs => found.extend(self.without_length()),
+        }
+        if found.is_empty() {
+            found.extend(self.too_long());
         }
         found
     }
@@ -151,6 +163,12 @@ impl ReferenceLine {
             };
             (found <= before).then_some(problem)
         })
+    }
+
+    fn too_long(&self) -> Option<LineProblem> {
+        let found = self.length();
+        let is_right = found <= LONGEST;
+        (!is_right).then_some(LineProblem::Length { found })
     }
 
     fn without_length(&self) -> impl Iterator<Item = LineProblem> {

@@ -220,6 +220,22 @@ fn what_cannot_be_followed_is_told() {
             told(&[origin, tip], Course::Arcs),
             "has 2 points, 0 curvatures and 0 lengths",
         ),
+        (
+            told(&[origin, point(1e10, 0.0, 0.0, 0.0)], Course::Polyline),
+            "the line is 1.000e10 m long, expected at most 1e9 m",
+        ),
+        // The squares of these overflow.
+        (
+            told(
+                &[origin, tip, point(1e200, 1e200, 0.0, 0.0)],
+                Course::Spline,
+            ),
+            "m long, expected at most",
+        ),
+        (
+            told(&[origin, tip, point(2.0, 1e300, 0.0, 0.0)], Course::Spline),
+            "m long, expected at most",
+        ),
     ];
     for (shown, expected) in cases {
         assert!(shown.contains(expected), "{expected}: {shown}");

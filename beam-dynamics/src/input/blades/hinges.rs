@@ -20,7 +20,7 @@ use super::problem::BladeProblem;
 use super::seats::Seat;
 use crate::elements::joints::HingeSpring;
 use crate::input::draft::Draft;
-use crate::input::number::not_negative;
+use crate::input::joints::spring;
 use crate::model::Node;
 
 /// What a hinge lets the blade do.
@@ -77,22 +77,12 @@ fn hinge(table: &Table<'_>) -> Option<BladeHinge> {
         true => table.quantity("offset", Dimension::LENGTH).map(Some),
         false => Some(None),
     };
-    let number = |key, dimension| match table.has(key) {
-        true => not_negative(table, key, dimension),
-        false => Some(0.0),
-    };
-    let stiffness = number("stiffness", Dimension::MOMENT);
-    let damping = number("damping", Dimension::TURNING_DAMPER);
-    let angle = super::seats::angle(table, "angle");
+    let spring = spring(table);
     table.finish();
     Some(BladeHinge {
         kind: Kind::ALL[kind?],
         offset: offset?,
-        spring: HingeSpring {
-            stiffness: stiffness?,
-            damping: damping?,
-            angle: angle?,
-        },
+        spring: spring?,
     })
 }
 
@@ -115,6 +105,13 @@ pub(super) fn offsets(table: &Table<'_>, hinges: &[BladeHinge], root: f64) -> Op
                 found: offset,
                 root,
             },
+            _ if hinges[..number]
+                .iter()
+                .zip(&found)
+                .any(|(inner, place)| is_same_motion((inner, *place), (hinge, offset))) =>
+            {
+                BladeProblem::HingesAlike { hinge: words() }
+            }
             _ => {
                 found.push(offset);
                 continue;
@@ -124,6 +121,13 @@ pub(super) fn offsets(table: &Table<'_>, hinges: &[BladeHinge], root: f64) -> Op
         return None;
     }
     Some(found)
+}
+
+/// Whether two hinges without springs let the blade do the same.
+fn is_same_motion((inner, at): (&BladeHinge, f64), (outer, offset): (&BladeHinge, f64)) -> bool {
+    let is_one_axis = inner.kind == outer.kind && (at == offset || inner.kind == Kind::Pitch);
+    let are_free = [inner, outer].map(|hinge| hinge.spring.stiffness == 0.0);
+    is_one_axis && are_free == [true, true]
 }
 
 /// Adds the hinges of a blade, at their offsets, between the hub and node number `root`.

@@ -57,7 +57,10 @@ impl Ends<'_> {
         for _ in lengths.len()..elements {
             let size = |i: &usize| lengths[*i] / counts[*i] as f64;
             let longest = (0..lengths.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
-            counts[longest.unwrap_or(0)] += 1;
+            // A line whose length is no number has no pieces.
+            if let Some(count) = longest.and_then(|i| counts.get_mut(i)) {
+                *count += 1;
+            }
         }
         let mut ends = vec![0.0];
         for (pair, count) in fixed.windows(2).zip(counts) {

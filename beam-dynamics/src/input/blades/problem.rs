@@ -106,6 +106,12 @@ pub enum BladeProblem {
         /// Radius of the root \[m\].
         root: f64,
     },
+    /// A hinge that lets the blade do what one before it does.
+    #[error("{hinge} turns about the axis of a hinge before it, and neither has a stiffness")]
+    HingesAlike {
+        /// The hinge, in words.
+        hinge: String,
+    },
     /// A root with hinges that is free or clamped as well.
     #[error("blade \"{blade}\" has \"hinges\" and \"clamp_root\", expected one of them")]
     HingesAndClamp {
@@ -135,6 +141,9 @@ impl Explain for BladeProblem {
             }
             Self::HingeBeyondRoot { .. } => {
                 "offsets count from the center of rotation along the blade: a larger \"hub_radius\" moves the root outward"
+            }
+            Self::HingesAlike { .. } => {
+                "what lies between the two turns without resistance: remove one, or give it another offset or a \"stiffness\""
             }
             Self::HingesAndClamp { .. } => "hinges hold the root; remove \"clamp_root\"",
             _ => return None,

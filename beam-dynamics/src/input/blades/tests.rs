@@ -265,6 +265,10 @@ const WRONG_CARDS: &[(&str, &str)] = &[
         "is at 2 m from the center of rotation, outboard",
     ),
     (
+        "hub_radius = 1\nhinges = [{ kind = \"lag\" }, { kind = \"lag\" }]\n",
+        "hinge 2 (lag) turns about the axis of a hinge before it, and neither has a stiffness",
+    ),
+    (
         "[[blade.mass]]\nat = 12\nmass = 1\n",
         "\"at\" is 12 m, expected a place on the line, from 0 to 10",
     ),

@@ -98,6 +98,10 @@ fn places(table: &Table<'_>) -> Option<Option<Vec<f64>>> {
         table.note("at", &LoadProblem::Falling { before, after });
         return None;
     }
+    if places.first() == places.last() {
+        table.note("at", &LoadProblem::OnePlace { place: places[0] });
+        return None;
+    }
     Some(Some(places))
 }
 
@@ -185,6 +189,10 @@ fn named_beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usiz
             return None;
         }
         found.push(index);
+    }
+    if found.is_empty() {
+        table.note("beams", &LoadProblem::NoBeams);
+        return None;
     }
     Some(found)
 }

@@ -47,6 +47,9 @@ pub enum LoadProblem {
         /// The names of this kind.
         known: Vec<String>,
     },
+    /// No beam.
+    #[error("\"beams\" is empty, expected the names of beams along which the load acts")]
+    NoBeams,
     /// A beam twice along one load.
     #[error("\"beams\" lists \"{name}\" twice, expected each beam once")]
     BeamTwice {
@@ -90,6 +93,12 @@ pub enum LoadProblem {
         before: f64,
         /// The next \[m\].
         after: f64,
+    },
+    /// A table that covers nothing.
+    #[error("\"at\" has only the place {} m, expected a stretch of the line", short_number(*.place, 6))]
+    OnePlace {
+        /// The place \[m\].
+        place: f64,
     },
     /// A place beyond the line.
     #[error(
@@ -137,6 +146,7 @@ impl Explain for LoadProblem {
             Self::GravityGoesRound { .. } => {
                 "give gravity along the axis, or ask for speed 0, at one azimuth after the other"
             }
+            Self::OnePlace { .. } => "a load at one place is a [[load]] at a node",
             Self::Degree { .. } => "give a table: \"at\" with a row for each place",
             _ => return None,
         };

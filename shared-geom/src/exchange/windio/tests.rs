@@ -237,6 +237,29 @@ fn jumps_become_ramps_and_are_told() {
     assert!((back.mass() / blade.mass() - 1.0).abs() < 2e-9);
 }
 
+// A jump at the root has no inner side, one station holds everywhere, and a line of
+// points that is shorter than its arcs still ends at the last station.
+#[test]
+fn all_stations_lie_on_the_written_line() {
+    let plain = full(Course::Spline);
+    let first = plain.stations[0];
+    let mut at_root = plain.clone();
+    at_root.stations.insert(0, first);
+    let mut one = plain.clone();
+    one.stations.truncate(1);
+    one.stations[0].arc_length = 0.5 * plain.length();
+    let mut arcs = plain.clone();
+    let bent = [(plain.length(), Vector3::new(0.0, 0.02, 0.05))];
+    arcs.line = ReferenceLine::curved(plain.line.points[0], &bent);
+    for blade in [at_root, one, arcs] {
+        for writing in [write_version_1(&blade, "a"), write_version_2(&blade, "a")] {
+            let back = blade_of(&writing.files[0].1).blade;
+            assert!((back.mass() / blade.mass() - 1.0).abs() < 1e-7);
+            assert!(back.stations.len() >= 2);
+        }
+    }
+}
+
 #[test]
 fn arcs_become_points_and_are_told() {
     let mut blade = full(Course::Spline);

@@ -1,0 +1,58 @@
+//! Critical points on the way from one equilibrium to another.
+//!
+//! Between two tangents `K_a` and `K_b` there is one where a small motion has no stiffness,
+//! if one on the straight way between them is singular:
+//!
+//! ```text
+//! (K_a + mu (K_b - K_a)) v = 0      0 < mu < 1
+//! ```
+//!
+//! Of symmetric matrices of which both are positive definite none between them is singular.
+//! Tangents of states that are turned against each other are not compared: those here are
+//! balances of forces at the nodes, not symmetric.
+
+use crate::assembly::{Sparse, Tangent};
+use shared_geom::rotation::vector;
+
+use crate::model::{NODE_UNKNOWNS, NodeMotion, State};
+use crate::modes::EigenProblem;
+use crate::solver::LinearSolver;
+
+/// Largest turn of a node between two states whose tangents are compared \[rad\].
+const TURN: f64 = 0.02;
+
+/// Eigenvalues looked at, those nearest to zero, and copies of each.
+const COUNT: usize = 4;
+
+/// The first mu between two states with their tangents; `None` where there is none, where
+/// the first is singular itself, and where they cannot be compared.
+pub(super) fn critical_part(
+    solver: &LinearSolver,
+    from: (&State, Sparse),
+    to: (&State, &Sparse),
+) -> Option<f64> {
+    let nodes = from.0.nodes.len();
+    let change = to.1.plus(-1.0, &from.1);
+    let own = |(i, j, value): (usize, usize, f64)| value == 0.0 || i.max(j) < NODE_UNKNOWNS * nodes;
+    let is_comparable = turn(from.0, to.0) <= TURN && change.triplets().all(own);
+    if !is_comparable || change.values().iter().all(|value| *value == 0.0) {
+        return None;
+    }
+    let pencil = Tangent {
+        by_unknowns: from.1,
+        by_rates: change,
+    };
+    let problem = EigenProblem::about_zero(solver, &pencil, nodes, COUNT)?;
+    let parts = problem.real(COUNT).into_iter().map(|pair| pair.growth);
+    let inside = parts.filter(|part| *part > 0.0 && *part < 1.0);
+    inside.reduce(f64::min)
+}
+
+/// The largest turn of a node from one state to the other \[rad\].
+fn turn(from: &State, to: &State) -> f64 {
+    let pairs = from.nodes.iter().zip(&to.nodes);
+    let turn = |(a, b): (&NodeMotion, &NodeMotion)| {
+        vector::from_rotation(&(b.rotation * a.rotation.transpose())).norm()
+    };
+    pairs.map(turn).fold(0.0, f64::max)
+}
