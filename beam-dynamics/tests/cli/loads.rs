@@ -261,11 +261,6 @@ fn wrong_loads_are_told_where_they_stand() {
             "nothing is imposed, expected \"displacement\", \"rotation\" or both",
         ),
         (
-            "[[imposed]]\nnode = \"blade/tip\"\ndisplacement = { x = 0 }\n\
-             [[imposed]]\nnode = \"blade/tip\"\ndisplacement = { z = 0 }\n",
-            "node \"blade/tip\" has an imposed motion on line 18 already, expected one card a node",
-        ),
-        (
             "[gravity]\nacceleration = [0, 3, -4]\n",
             "gravity has 3 m/s^2 across the axis of rotation, and the model turns at 750 rpm",
         ),
@@ -320,4 +315,16 @@ steps = 2
         let force: f64 = cells[6].parse().unwrap();
         assert!((force + sum).abs() < 1e-8, "{line}");
     }
+}
+
+#[test]
+fn a_node_is_moved_by_one_card() {
+    let folder = Folder::new();
+    let card = |axis: &str| {
+        format!("[[imposed]]\nnode = \"blade/tip\"\ndisplacement = {{ {axis} = 0 }}\n")
+    };
+    let message = "error: a.dynamics.toml:22: node \"blade/tip\" has an imposed motion on line 18 \
+        already, expected one card a node\n  help: put all components of the motion into one \
+        [[imposed]]";
+    folder.refuses(&format!("{BLADE}{}{}", card("x"), card("z")), message);
 }
