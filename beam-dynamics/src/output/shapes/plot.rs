@@ -138,6 +138,7 @@ impl Shown {
         &self,
         canvas: &Canvas<B>,
         panel: &Panel,
+        on_one_line: bool,
     ) -> Result<(), FigureProblem> {
         panel.curve(canvas, &[[0.0, 0.0], [self.length, 0.0]], THIN, LIGHT)?;
         for component in 0..NAMES.len() {
@@ -155,20 +156,24 @@ impl Shown {
             }
         }
         panel.draw_frame(canvas, [4, 2], true)?;
-        self.draw_title(canvas, panel)
+        self.draw_title(canvas, panel, on_one_line)
     }
 
-    /// Name and values on one line, or on two where they do not fit on one.
+    fn title(&self) -> String {
+        format!("{}, {}", self.name, self.values)
+    }
+
+    /// Name and values on one line, or on two.
     fn draw_title<B: DrawingBackend>(
         &self,
         canvas: &Canvas<B>,
         panel: &Panel,
+        on_one_line: bool,
     ) -> Result<(), FigureProblem> {
-        let room = panel.right - panel.left + 60.0;
+        let room = title_room(panel.right - panel.left);
         let label = Label::new(SMALL).bold();
-        let title = format!("{}, {}", self.name, self.values);
-        if canvas.shortened(&title, label, room) == title {
-            return canvas.text(&title, [panel.left, panel.top - 30.0], label);
+        if on_one_line {
+            return canvas.text(&self.title(), [panel.left, panel.top - 30.0], label);
         }
         let lines = [
             (&self.name, label, 54.0),
@@ -180,6 +185,11 @@ impl Shown {
         }
         Ok(())
     }
+}
+
+/// Room for a title over a panel of some width.
+fn title_room(width: f64) -> f64 {
+    width + 60.0
 }
 
 impl Drawing for ShapePlot {
@@ -195,18 +205,24 @@ impl Drawing for ShapePlot {
         }
         draw_legend(canvas, [40.0, 104.0], &legend)?;
         let column = (width - 60.0) / COLUMNS as f64;
+        let (panel_width, bold) = (column - 140.0, Label::new(SMALL).bold());
+        let fits = |mode: &Shown| {
+            let title = mode.title();
+            canvas.shortened(&title, bold, title_room(panel_width)) == title
+        };
+        let on_one_line = self.modes.iter().all(fits);
         for (place, mode) in self.modes.iter().enumerate() {
             let left = 40.0 + column * (place % COLUMNS) as f64 + 90.0;
             let top = HEAD + ROW * (place / COLUMNS) as f64 + 50.0;
             let panel = Panel {
                 left,
-                right: left + column - 140.0,
+                right: left + panel_width,
                 top,
                 bottom: top + ROW - 130.0,
                 x: [0.0, mode.length],
                 y: [-1.1, 1.1],
             };
-            mode.draw(canvas, &panel)?;
+            mode.draw(canvas, &panel, on_one_line)?;
         }
         let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
         let text = "arc position along the undeformed line [m]; the largest component is 1";
@@ -250,7 +266,11 @@ mod tests {
         let plot = ShapePlot::new(&model, &long, 0).unwrap();
         plot.save(&path).unwrap();
         let text = std::fs::read_to_string(&path).unwrap();
-        for expected in ["lag 1 progressive on one of many", "22.25 Hz, 2 %"] {
+        for expected in [
+            "lag 1 progressive on one of many",
+            "22.25 Hz, 2 %",
+            "1.4 Hz",
+        ] {
             assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
         }
         let mut twice = table.clone();
