@@ -173,13 +173,14 @@ fn what_hawc2_cannot_carry_is_told_and_small() {
 /// shortest half wave on five elements (NREL 5MW) and three (IEA 15 MW, where it is
 /// short only in the stiff directions).
 ///
-/// Our elements with lumped inertia on the same nodes are the same model, built from the
-/// blade and not from the file: they agree to the sums, and for the curved blade to the
-/// squared slope between parabola and line, (1e-3 m over elements of 4.7 m)^2 of the
-/// axes, with a hundred for the coupling of bending with torsion.
+/// Our elements with lumped inertia are the same model, built from the blade and not from
+/// the file, but for the last interval of the table, over which the stiffness falls by a
+/// hundred and which our elements divide: they agree to what lumping costs there, for the
+/// short interval of NREL 5MW (0.5 % of the blade) 1e-6, for that of IEA 15 MW (5 %)
+/// 3e-4, a third of what lumping costs in all (8.7e-4).
 #[test]
 fn what_mbdyn_cannot_carry_is_told_and_small() {
-    for (name, tolerance, same, told) in [("nrel5mw", 1e-3, 1e-8, 2), ("iea15", 2e-3, 1e-5, 3)] {
+    for (name, tolerance, same, told) in [("nrel5mw", 1e-3, 1e-6, 2), ("iea15", 2e-3, 3e-4, 3)] {
         let blade = blade_of(name);
         let writing = exchange::write(&blade, Format::MbDyn, "blade").unwrap();
         assert_eq!(writing.lost.len(), told, "{:?}", writing.lost);
