@@ -360,7 +360,8 @@ fn an_unstable_equilibrium_is_told() {
     assert_eq!(told.len(), 1, "{told:?}");
     assert!(told[0].contains("unstable"));
     let mut words = told[0].split(' ');
-    let factor = words.find_map(|word| word.parse::<f64>().ok()).unwrap();
+    let factor = words.find_map(|word| word.trim_end_matches(',').parse::<f64>().ok());
+    let factor = factor.unwrap();
     let critical = 10.0 * PI * PI / 16.0;
     let error = (factor / critical - 1.0).abs();
     let sizes = [factor, critical];

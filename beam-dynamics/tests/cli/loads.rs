@@ -212,63 +212,66 @@ fn a_hinge_goes_where_its_spring_is_relaxed() {
     );
 }
 
+/// Cards that are wrong, and what is said of them.
+const WRONG_LOADS: &[(&str, &str)] = &[
+    (
+        "[[load]]\nnode = \"blade/top\"\nforce = [0, 0, 1]\n",
+        "unknown node \"blade/top\" in \"load 1\"",
+    ),
+    (
+        "[[load]]\nnode = \"blade/tip\"\n",
+        "the load has neither \"force\" nor \"moment\", expected one of them or both",
+    ),
+    (
+        "[[distributed_load]]\nforce = [0, 0, 1]\n",
+        "the load has neither \"blade\" nor \"beams\", expected one of them",
+    ),
+    (
+        "[[distributed_load]]\nblade = \"blad\"\nforce = [0, 0, 1]\n",
+        "unknown blade \"blad\" in \"distributed load 1\"",
+    ),
+    (
+        "[[distributed_load]]\nblade = \"blade\"\nat = [0, 2]\nforce = [[0, 0, 1], [0, 0, 2]]\n",
+        "\"at\" has 2 m, expected 0 to 0.95 m, the length of the line",
+    ),
+    (
+        "[[distributed_load]]\nblade = \"blade\"\nat = [0, 0.5, 0.2]\nforce = [0, 0, 1]\n",
+        "\"at\" falls from 0.5 m to 0.2 m, expected ascending arc lengths",
+    ),
+    (
+        "[[distributed_load]]\nblade = \"blade\"\nat = [0.5, 0.5]\nforce = [[0, 0, 1], [0, 0, 1]]\n",
+        "\"at\" has only the place 0.5 m, expected a stretch of the line",
+    ),
+    (
+        "[[distributed_load]]\nbeams = []\nforce = [0, 0, 1]\n",
+        "\"beams\" is empty, expected the names of beams along which the load acts",
+    ),
+    (
+        "[[distributed_load]]\nblade = \"blade\"\nat = [0, 0.5]\nforce = [0, 0, 1]\n",
+        "\"force\" has 1 rows, expected 2: one for each place of \"at\"",
+    ),
+    (
+        "[[imposed]]\nnode = \"blade/root\"\ndisplacement = { x = 0 }\n",
+        "node \"blade/root\" is clamped, expected a node that can be moved",
+    ),
+    (
+        "[[imposed]]\nnode = \"blade/tip\"\n",
+        "nothing is imposed, expected \"displacement\", \"rotation\" or both",
+    ),
+    (
+        "[gravity]\nacceleration = [0, 3, -4]\n",
+        "gravity has 3 m/s^2 across the axis of rotation, and the model turns at 750 rpm",
+    ),
+    (
+        "[static]\nspeed = -1\n",
+        "\"speed\" has the speed -1 rpm, expected zero or more",
+    ),
+];
+
 #[test]
 fn wrong_loads_are_told_where_they_stand() {
     let folder = Folder::new();
-    for (card, message) in [
-        (
-            "[[load]]\nnode = \"blade/top\"\nforce = [0, 0, 1]\n",
-            "unknown node \"blade/top\" in \"load 1\"",
-        ),
-        (
-            "[[load]]\nnode = \"blade/tip\"\n",
-            "the load has neither \"force\" nor \"moment\", expected one of them or both",
-        ),
-        (
-            "[[distributed_load]]\nforce = [0, 0, 1]\n",
-            "the load has neither \"blade\" nor \"beams\", expected one of them",
-        ),
-        (
-            "[[distributed_load]]\nblade = \"blad\"\nforce = [0, 0, 1]\n",
-            "unknown blade \"blad\" in \"distributed load 1\"",
-        ),
-        (
-            "[[distributed_load]]\nblade = \"blade\"\nat = [0, 2]\nforce = [[0, 0, 1], [0, 0, 2]]\n",
-            "\"at\" has 2 m, expected 0 to 0.95 m, the length of the line",
-        ),
-        (
-            "[[distributed_load]]\nblade = \"blade\"\nat = [0, 0.5, 0.2]\nforce = [0, 0, 1]\n",
-            "\"at\" falls from 0.5 m to 0.2 m, expected ascending arc lengths",
-        ),
-        (
-            "[[distributed_load]]\nblade = \"blade\"\nat = [0.5, 0.5]\nforce = [[0, 0, 1], [0, 0, 1]]\n",
-            "\"at\" has only the place 0.5 m, expected a stretch of the line",
-        ),
-        (
-            "[[distributed_load]]\nbeams = []\nforce = [0, 0, 1]\n",
-            "\"beams\" is empty, expected the names of beams along which the load acts",
-        ),
-        (
-            "[[distributed_load]]\nblade = \"blade\"\nat = [0, 0.5]\nforce = [0, 0, 1]\n",
-            "\"force\" has 1 rows, expected 2: one for each place of \"at\"",
-        ),
-        (
-            "[[imposed]]\nnode = \"blade/root\"\ndisplacement = { x = 0 }\n",
-            "node \"blade/root\" is clamped, expected a node that can be moved",
-        ),
-        (
-            "[[imposed]]\nnode = \"blade/tip\"\n",
-            "nothing is imposed, expected \"displacement\", \"rotation\" or both",
-        ),
-        (
-            "[gravity]\nacceleration = [0, 3, -4]\n",
-            "gravity has 3 m/s^2 across the axis of rotation, and the model turns at 750 rpm",
-        ),
-        (
-            "[static]\nspeed = -1\n",
-            "\"speed\" has the speed -1 rpm, expected zero or more",
-        ),
-    ] {
+    for (card, message) in WRONG_LOADS {
         folder.write("a.dynamics.toml", &format!("{BLADE}{card}"));
         let run = folder.run(&["check", "a.dynamics.toml"]);
         assert_eq!(run.code, 2, "{card}");
