@@ -1,7 +1,7 @@
 //! Blade files of other tools, read and written.
 //!
 //! Every format is a file of this folder with the same three functions: `recognize`,
-//! `read` and `write`; none for what the format cannot do. The list of [`Door`]s is the
+//! `read` and `write`; none for what the format cannot do. The list of doors is the
 //! only place that knows them all.
 
 use std::path::{Path, PathBuf};

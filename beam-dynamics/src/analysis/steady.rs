@@ -2,7 +2,7 @@
 //!
 //! Conditions go from those of a known state to those asked for, in steps that are cut
 //! where Newton's method fails and grow again where it is quick. Where the tangent of
-//! the first state is singular, masses help ([`super::transient`]).
+//! the first state is singular, masses help (`analysis/transient.rs`).
 
 use crate::assembly::System;
 use crate::case::Model;
