@@ -16,8 +16,8 @@ pub(crate) mod file;
 mod history;
 pub(crate) mod json;
 
-pub use check::PropertyProblem;
-pub(crate) use check::{least_eigenvalue, matrix_problems};
+pub(crate) use check::matrix_problems;
+pub use check::{PropertyProblem, least_eigenvalue};
 pub use engineering::Engineering;
 pub use file::{VERSION, parse, read, write};
 pub use history::{Change, Step};
@@ -112,8 +112,8 @@ pub enum Damping {
     Viscous(Matrix6<f64>),
 }
 
-/// Where the numbers come from.
-#[derive(Debug, Clone, PartialEq)]
+/// Where the numbers come from; by default from nowhere that is known.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Provenance {
     /// Name of the program.
     pub program: String,

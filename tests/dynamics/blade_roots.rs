@@ -39,14 +39,7 @@ fn strip(length: f64, twist: f64, factor: f64) -> Blade {
         stations: vec![station(0.0), station(length)],
         interpolation: Interpolation::Linear,
         damping: None,
-        provenance: Provenance {
-            program: String::new(),
-            version: String::new(),
-            input_hash: String::new(),
-            nodes: 0,
-            cells: 0,
-            history: Vec::new(),
-        },
+        provenance: Provenance::default(),
     }
 }
 

@@ -76,14 +76,7 @@ pub fn wind_blade(name: &str) -> Blade {
         stations: stations.collect(),
         interpolation: Interpolation::Linear,
         damping: None,
-        provenance: Provenance {
-            program: String::new(),
-            version: String::new(),
-            input_hash: String::new(),
-            nodes: 0,
-            cells: 0,
-            history: Vec::new(),
-        },
+        provenance: Provenance::default(),
     }
 }
 

@@ -1,10 +1,10 @@
 //! What a blade file holds, in words.
 
-use nalgebra::{Matrix6, Vector2};
-use shared_geom::blade::{Blade, BladeDamping, Interpolation};
+use nalgebra::Vector2;
+use shared_geom::blade::{Blade, BladeDamping, Interpolation, Station};
 use shared_geom::exchange::{Format, Reading};
 use shared_geom::line::{Course, ReferenceLine};
-use shared_geom::section::Centers;
+use shared_geom::section::{Centers, least_eigenvalue};
 
 use super::text::aligned;
 
@@ -180,18 +180,12 @@ fn damping_words(blade: &Blade) -> String {
 
 /// Whether the stiffness is positive definite, and how nearly it is not.
 fn definite_words(blade: &Blade) -> String {
-    let least = |k: &Matrix6<f64>| {
-        let scale = k
-            .diagonal()
-            .map(|value| value.abs().sqrt().max(f64::MIN_POSITIVE));
-        let scaled = Matrix6::from_fn(|i, j| 0.5 * (k[(i, j)] + k[(j, i)]) / (scale[i] * scale[j]));
-        match scaled.iter().all(|value| value.is_finite()) {
-            true => scaled.symmetric_eigenvalues().min(),
-            false => f64::NEG_INFINITY,
-        }
+    let least = |station: &Station| match least_eigenvalue(&station.stiffness) {
+        value if value.is_nan() => f64::NEG_INFINITY,
+        value => value,
     };
     let all = blade.stations.iter();
-    let all = all.map(|station| (least(&station.stiffness), station.arc_length));
+    let all = all.map(|station| (least(station), station.arc_length));
     let worst = all.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0.0));
     let (value, place) = worst;
     let verdict = match value > 0.0 {

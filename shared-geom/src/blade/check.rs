@@ -7,6 +7,9 @@ use crate::section::{self, PropertyProblem};
 /// a file left out.
 const BEYOND: f64 = 1e-6;
 
+/// Eigenvalues of a stiffness scaled to a unit diagonal below this are not positive: a
+/// few roundings of a sum of six.
+const POSITIVE: f64 = 1e-14;
 /// Halvings of the distance between two stations: six digits for a message.
 const BISECTIONS: usize = 20;
 
@@ -36,7 +39,7 @@ impl Blade {
             let before = known.iter().rev().find(|s| **s <= place);
             let behind = known.iter().find(|s| **s >= place);
             let (inner, outer) = (before.or(behind)?, behind.or(before)?);
-            let good = value > 0.0;
+            let good = value >= POSITIVE;
             (!good).then_some(BladeProblem::Indefinite {
                 place,
                 inner: *inner,

@@ -102,14 +102,7 @@ mod tests {
             stations: vec![station(0.0), station(length)],
             interpolation: Interpolation::Linear,
             damping: None,
-            provenance: Provenance {
-                program: String::new(),
-                version: String::new(),
-                input_hash: String::new(),
-                nodes: 0,
-                cells: 0,
-                history: Vec::new(),
-            },
+            provenance: Provenance::default(),
         };
         let found = blade.mass_moments();
         let total = m * length;

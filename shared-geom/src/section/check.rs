@@ -161,9 +161,9 @@ pub(crate) fn matrix_problems(
     found.into_iter().map(|p| p.1).collect()
 }
 
-/// Smallest eigenvalue of the symmetric part scaled to a unit diagonal; not a number
+/// Smallest eigenvalue of the symmetric part scaled to a unit diagonal [-]; not a number
 /// for a matrix that holds one.
-pub(crate) fn least_eigenvalue(matrix: &Matrix6<f64>) -> f64 {
+pub fn least_eigenvalue(matrix: &Matrix6<f64>) -> f64 {
     match matrix.iter().all(|entry| entry.is_finite()) {
         true => smallest_scaled_eigenvalue(&dynamic(matrix)),
         false => f64::NAN,

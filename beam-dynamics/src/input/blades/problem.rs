@@ -50,22 +50,6 @@ pub enum BladeProblem {
         /// The number needed.
         needed: usize,
     },
-    /// A stiffness that no section has, between sound stations.
-    #[error(
-        "blade \"{blade}\": the stiffness at {} m along the line, {between}, is not positive \
-         definite: its smallest eigenvalue, scaled by the diagonal, is {eigenvalue:.3e}",
-        short_number(*.place, 6)
-    )]
-    NotPositive {
-        /// Name of the blade in its file.
-        blade: String,
-        /// Arc length of the evaluation point \[m\].
-        place: f64,
-        /// The stations around it, in words.
-        between: String,
-        /// Smallest eigenvalue of the stiffness scaled to a unit diagonal \[-\].
-        eigenvalue: f64,
-    },
     /// A mass off the blade.
     #[error(
         "\"at\" is {} m, expected a place on the line, from 0 to {} m, or \"tip\"",
@@ -133,9 +117,6 @@ impl Explain for BladeProblem {
                 "\"azimuths\" gives each angle; \"count\" divides the circle, from \"azimuth\" on"
             }
             Self::TooFew { .. } => "leave \"elements\" out to have element ends at the stations",
-            Self::NotPositive { .. } => {
-                "check the stations around it: a stiffness between positive definite ones is so too"
-            }
             Self::HingesInward { .. } => {
                 "list the hinges from the hub outward; \"offset\" counts from the center of rotation along the blade, and hinges at one offset coincide"
             }

@@ -12,7 +12,7 @@
 //! element sees its own.
 
 use nalgebra::{Matrix6, Vector3};
-use shared_geom::blade::{Blade, Side};
+use shared_geom::blade::{self, Blade, Side};
 use shared_geom::document::Table;
 use shared_geom::exchange::{self, Options};
 use shared_geom::line::{Course, Curve};
@@ -31,9 +31,6 @@ const MOST_ELEMENTS: usize = 10_000;
 /// A line of straight pieces that turns by more at a point has a kink there, where an
 /// element must end \[rad\]: half a degree, a curve drawn with 180 points a half turn.
 const KINK: f64 = 0.01;
-/// Eigenvalues of a stiffness scaled to a unit diagonal below this are not positive: a
-/// few roundings of a sum of six.
-const POSITIVE: f64 = 1e-14;
 /// A station nearer to an element end than this part of the element is at it.
 const AT_END: f64 = 1e-9;
 
@@ -124,11 +121,11 @@ impl StationLine {
     pub fn lay(&self, masses: &[f64], table: &Table<'_>) -> Option<Laid> {
         let ends = self.ends(masses, table)?;
         let mut laid = Laid::default();
-        let mut not_positive = Vec::new();
+        let mut evaluated = Vec::new();
         for pair in ends.windows(2) {
             let span = [pair[0], pair[1]];
-            let (along, found) = self.along(span);
-            not_positive.extend(found);
+            let (along, places) = self.along(span);
+            evaluated.extend(places);
             let middle = 0.5 * (span[0] + span[1]);
             let places = [
                 self.node(span[0], Side::Outer),
@@ -142,9 +139,13 @@ impl StationLine {
             );
         }
         // Stations were checked: what is left is within rounding, and the worst tells all.
-        let worst = not_positive.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((place, eigenvalue)) = worst {
-            table.note("file", &self.not_positive(place, eigenvalue));
+        let value = |problem: &blade::BladeProblem| match problem {
+            blade::BladeProblem::Indefinite { value, .. } => *value,
+            _ => f64::NEG_INFINITY,
+        };
+        let problems = self.blade.problems_at(&evaluated).into_iter();
+        if let Some(worst) = problems.min_by(|a, b| value(a).total_cmp(&value(b))) {
+            table.note("file", &worst);
             return None;
         }
         Some(laid)
@@ -206,17 +207,11 @@ impl StationLine {
         tangent(Side::Inner).angle(&tangent(Side::Outer))
     }
 
-    /// Properties along an element, and the evaluation points at which the stiffness is
-    /// not positive definite with its smallest scaled eigenvalue.
-    fn along(&self, [from, to]: [f64; 2]) -> (Along, Vec<(f64, f64)>) {
+    /// Properties along an element, and the arc lengths of its evaluation points \[m\].
+    fn along(&self, [from, to]: [f64; 2]) -> (Along, [f64; 2]) {
         let length = to - from;
         let places = ElasticBeam::evaluation_points().map(|xi| from + 0.5 * (1.0 + xi) * length);
         let stiffness = places.map(|place| self.blade.at(place, Side::Outer).0);
-        let problem = |(place, stiffness): (&f64, &Matrix6<f64>)| {
-            let eigenvalue = smallest(stiffness);
-            (eigenvalue.is_nan() || eigenvalue < POSITIVE).then_some((*place, eigenvalue))
-        };
-        let problems = places.iter().zip(&stiffness).filter_map(problem).collect();
         let mass = |place, side| self.blade.at(place, side).1;
         let mut masses = vec![(-1.0, mass(from, Side::Outer))];
         let near = AT_END * length;
@@ -230,35 +225,8 @@ impl StationLine {
         let [first, last] = places.map(|place| self.blade.damping_at(place, Side::Outer));
         let damping = first.zip(last).map(|(first, last)| [first, last]);
         let along = Along::varying(stiffness, masses, length).damped(damping);
-        (along, problems)
+        (along, places)
     }
-
-    fn not_positive(&self, place: f64, eigenvalue: f64) -> BladeProblem {
-        let stations = self.blade.places();
-        let after = stations.partition_point(|station| *station <= place);
-        let word = |station: Option<&f64>, side: &str| match station {
-            Some(station) => format!("the station at {station:.6} m"),
-            None => format!("the {side} end"),
-        };
-        let inner = word(after.checked_sub(1).and_then(|k| stations.get(k)), "inner");
-        let outer = word(stations.get(after), "outer");
-        BladeProblem::NotPositive {
-            blade: self.blade.name.clone(),
-            place,
-            between: format!("between {inner} and {outer}"),
-            eigenvalue,
-        }
-    }
-}
-
-/// Smallest eigenvalue of a stiffness scaled to a unit diagonal \[-\].
-fn smallest(stiffness: &Matrix6<f64>) -> f64 {
-    let diagonal = stiffness.diagonal();
-    if !diagonal.iter().all(|entry| *entry > 0.0) {
-        return diagonal.min().min(0.0);
-    }
-    let scaled = Matrix6::from_fn(|i, j| stiffness[(i, j)] / (diagonal[i] * diagonal[j]).sqrt());
-    scaled.symmetric_eigenvalues().min()
 }
 
 #[cfg(test)]

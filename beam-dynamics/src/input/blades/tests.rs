@@ -34,14 +34,7 @@ fn blade(line: ReferenceLine, stations: Vec<Station>) -> Blade {
         stations,
         interpolation: Interpolation::Linear,
         damping: None,
-        provenance: Provenance {
-            program: String::new(),
-            version: String::new(),
-            input_hash: String::new(),
-            nodes: 0,
-            cells: 0,
-            history: Vec::new(),
-        },
+        provenance: Provenance::default(),
     }
 }
 
