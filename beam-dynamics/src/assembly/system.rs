@@ -141,6 +141,22 @@ impl System {
         nodes.iter().map(|&node| state.nodes[node]).collect()
     }
 
+    /// What an element sees of a state, `nodes` being the motions of its nodes.
+    fn seen_by<'a>(
+        &self,
+        index: usize,
+        nodes: &'a [NodeMotion],
+        state: &'a State,
+        conditions: &'a Conditions,
+    ) -> Local<'a> {
+        Local {
+            nodes,
+            multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
+            frame: &conditions.frame,
+            loading: &conditions.loading,
+        }
+    }
+
     fn local_jacobian(
         &self,
         index: usize,
@@ -150,12 +166,7 @@ impl System {
         let element = &self.elements[index];
         let nodes = self.motions(index, state);
         let mut local = LocalJacobian::new(nodes.len(), element.multipliers());
-        let at = Local {
-            nodes: &nodes,
-            multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
-            frame: &conditions.frame,
-            loading: &conditions.loading,
-        };
+        let at = self.seen_by(index, &nodes, state, conditions);
         element.jacobian(&at, &mut local);
         local
     }
@@ -170,12 +181,7 @@ impl System {
         for (index, element) in self.elements.iter().enumerate() {
             let nodes = self.motions(index, state);
             let mut local = LocalResidual::new(nodes.len(), element.multipliers());
-            let at = Local {
-                nodes: &nodes,
-                multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
-                frame: &conditions.frame,
-                loading: &conditions.loading,
-            };
+            let at = self.seen_by(index, &nodes, state, conditions);
             element.residual(&at, &mut local);
             for (i, place) in self.places_of(index).into_iter().enumerate() {
                 residual.values[place] += local.values()[i];
@@ -206,12 +212,8 @@ impl System {
     pub fn observe(&self, state: &State, conditions: &Conditions) -> Observations {
         let mut observations = Observations::default();
         for (index, element) in self.elements.iter().enumerate() {
-            let at = Local {
-                nodes: &self.motions(index, state),
-                multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
-                frame: &conditions.frame,
-                loading: &conditions.loading,
-            };
+            let nodes = self.motions(index, state);
+            let at = self.seen_by(index, &nodes, state, conditions);
             element.observe(&at, &mut observations);
         }
         observations

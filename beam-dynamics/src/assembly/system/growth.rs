@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::System;
 use crate::assembly::Sparse;
-use crate::elements::{Along, Local, LocalJacobian, LocalResidual};
+use crate::elements::{Along, LocalJacobian, LocalResidual};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 
 impl System {
@@ -16,12 +16,7 @@ impl System {
         for (index, element) in self.elements.iter().enumerate() {
             let nodes = self.motions(index, state);
             let mut local = LocalResidual::new(nodes.len(), element.multipliers());
-            let at = Local {
-                nodes: &nodes,
-                multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
-                frame: &conditions.frame,
-                loading: &conditions.loading,
-            };
+            let at = self.seen_by(index, &nodes, state, conditions);
             element.by_factor(&at, &mut local);
             for (i, place) in self.places_of(index).into_iter().enumerate() {
                 sum[place] += local.values()[i];
@@ -37,12 +32,7 @@ impl System {
         let mut sum = Sparse::zero(Arc::clone(&self.pattern));
         for (index, element) in self.elements.iter().enumerate() {
             let nodes = self.motions(index, state);
-            let at = Local {
-                nodes: &nodes,
-                multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
-                frame: &conditions.frame,
-                loading: &conditions.loading,
-            };
+            let at = self.seen_by(index, &nodes, state, conditions);
             let places = self.places_of(index);
             let moved: Vec<_> = (0..nodes.len())
                 .map(|node| {

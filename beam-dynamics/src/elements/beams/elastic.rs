@@ -216,14 +216,13 @@ impl Element for ElasticBeam {
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
-        for (evaluation, (plus, minus)) in self.points.iter().zip(NEIGHBORS) {
-            let internal = evaluation.internal(&nodal);
-            for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
-                let arm = internal.point.p - nodal.x[node];
-                out.add(node, Force, &(sign * internal.force));
-                out.add(node, Moment, &(sign * internal.moment));
-                out.add(node, Moment, &(sign * arm.cross(&internal.force)));
-            }
+        for (evaluation, neighbors) in self.points.iter().zip(NEIGHBORS) {
+            let Internal {
+                point,
+                force,
+                moment,
+            } = evaluation.internal(&nodal);
+            add_forces(&nodal, &point.p, [&force, &moment], neighbors, out);
         }
     }
 
@@ -254,6 +253,22 @@ impl Element for ElasticBeam {
                 internal_force: evaluation.stiffness * strain,
             });
         }
+    }
+}
+
+/// Adds the force and the moment at the evaluation point `p` to the two nodes beside it.
+pub(super) fn add_forces(
+    nodal: &NodalKinematics,
+    p: &Vector3<f64>,
+    [force, moment]: [&Vector3<f64>; 2],
+    (plus, minus): (usize, usize),
+    out: &mut LocalResidual,
+) {
+    for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
+        let arm = p - nodal.x[node];
+        out.add(node, Force, &(sign * force));
+        out.add(node, Moment, &(sign * moment));
+        out.add(node, Moment, &(sign * arm.cross(force)));
     }
 }
 

@@ -22,7 +22,7 @@
 use nalgebra::{Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 use shared_geom::rotation::skew;
 
-use super::elastic::{ElasticBeam, NEIGHBORS};
+use super::elastic::{ElasticBeam, NEIGHBORS, add_forces};
 use super::geometry::BeamGeometry;
 use super::interpolation::{NodalKinematics, Shape};
 use super::strain_rate::{ByNodes, StrainPoint};
@@ -126,14 +126,10 @@ impl Element for ViscousBeam {
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
-        for (point, (plus, minus)) in self.points.iter().zip(NEIGHBORS) {
+        for (point, neighbors) in self.points.iter().zip(NEIGHBORS) {
             let internal = point.internal(&nodal, at.nodes);
-            for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
-                let arm = internal.strain.point.p - nodal.x[node];
-                out.add(node, Force, &(sign * internal.force));
-                out.add(node, Moment, &(sign * internal.moment));
-                out.add(node, Moment, &(sign * arm.cross(&internal.force)));
-            }
+            let forces = [&internal.force, &internal.moment];
+            add_forces(&nodal, &internal.strain.point.p, forces, neighbors, out);
         }
     }
 
