@@ -145,6 +145,8 @@ fn run(
             Some(before) => Some(links(case, &solver, before, &mut now, HALVINGS)?),
             None => None,
         };
+        // Only now: the copies of repeated modes have been turned.
+        now.found.iter_mut().for_each(|mode| case.describe(mode));
         let with_shapes = case.question.shapes.contains(speed);
         branches.add(&now, links.as_deref(), with_shapes);
         table.speeds.push(*speed);
@@ -268,7 +270,6 @@ fn at_equilibrium(
     let problem = EigenProblem::new(solver, &tangent, system.nodes().len(), copies(case.model));
     let problem = problem.ok_or(Failure::Singular { speed })?;
     let (pairs, real) = problem.lowest(case.question.count + SPARE);
-    let pairs = &pairs[..pairs.len().min(case.question.count + SPARE)];
     let mut motions: Vec<_> = pairs
         .iter()
         .map(|pair| ModeMotion::new(pair, &tangent.by_rates))
@@ -292,13 +293,11 @@ fn at_equilibrium(
             assurance: None,
             shape: None,
         };
-        let mut mode = Mode {
+        Mode {
             motion,
             point,
             slope: None,
-        };
-        case.describe(&mut mode);
-        mode
+        }
     };
     Ok(Modes {
         speed,
@@ -330,7 +329,7 @@ fn links(
     now: &mut Modes,
     halvings: usize,
 ) -> Result<Vec<Option<(usize, f64)>>, Failure> {
-    let direct = direct_links(case, before, now);
+    let direct = direct_links(before, now);
     let reported = direct.iter().take(case.question.count);
     let certain = reported
         .clone()
@@ -354,7 +353,7 @@ fn links(
 
 /// For each mode of `before` its nearest shape in `now`, whose copies of repeated modes
 /// are turned toward those of `before`.
-fn direct_links(case: &Case<'_>, before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
+fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
     let motions = |modes: &Modes| -> Vec<ModeMotion> {
         modes.found.iter().map(|mode| mode.motion.clone()).collect()
     };
@@ -364,7 +363,6 @@ fn direct_links(case: &Case<'_>, before: &Modes, now: &mut Modes) -> Vec<Option<
     let macs = assurances(&known, &found);
     for (mode, motion) in now.found.iter_mut().zip(found) {
         mode.motion = motion;
-        case.describe(mode);
     }
     let expected: Vec<_> = before
         .found

@@ -139,8 +139,7 @@ impl<'a> EigenProblem<'a> {
         let mut pairs = self.free(self.free_motions(zeros, count).min(count));
         let mut rest = &above[..];
         while let Some(first) = rest.first().filter(|_| pairs.len() < count) {
-            let near = |s: &&c64| (**s - first).norm() <= COPIES * first.norm();
-            let copies = rest.iter().take_while(near).count().max(1);
+            let copies = copies_at_front(rest);
             let found = self.vectors(&rest[..copies]);
             // Multipliers and massless freedoms, whose values are infinite, come out as
             // large ones by round-off, which no vector confirms.
@@ -178,9 +177,10 @@ impl<'a> EigenProblem<'a> {
         let mut pairs: Vec<Eigenpair> = Vec::with_capacity(values.len());
         while pairs.len() < values.len() {
             let rest = &values[pairs.len()..];
-            let near = |s: &&c64| (**s - rest[0]).norm() <= COPIES * rest[0].norm();
-            let copies = rest.iter().take_while(near).count().max(1);
-            let reals: Vec<_> = rest[..copies].iter().map(|s| c64::new(s.re, 0.0)).collect();
+            let reals: Vec<_> = rest[..copies_at_front(rest)]
+                .iter()
+                .map(|s| c64::new(s.re, 0.0))
+                .collect();
             pairs.extend(self.vectors(&reals));
         }
         pairs
@@ -315,6 +315,12 @@ impl<'a> EigenProblem<'a> {
         }
         product
     }
+}
+
+/// Number of values from the first on that are copies of it, itself included.
+fn copies_at_front(values: &[c64]) -> usize {
+    let is_copy = |s: &&c64| (**s - values[0]).norm() <= COPIES * values[0].norm();
+    values.iter().take_while(is_copy).count().max(1)
 }
 
 /// The same system without dampers, which are the forces and moments by the velocities;
