@@ -1,16 +1,18 @@
 //! The command line.
 
 use std::ffi::OsString;
+use std::fmt::Display;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use shared_geom::error::Explain;
+use shared_geom::files::OutputProblem;
 
 use crate::analysis::modes::modes;
 use crate::case::ModesQuestion;
 use crate::input::{self, Input};
-use crate::output;
+use crate::output::{self, Written};
 
 mod arguments;
 mod blade_options;
@@ -281,23 +283,42 @@ fn modes_of(
 ) -> u8 {
     let outcome = modes(&input.model, question);
     let mut table = outcome.table;
-    table.remarks.splice(0..0, input.remarks.iter().cloned());
-    if let Some(failure) = &outcome.failure {
-        table.remarks.push(format!("stopped early: {failure}"));
-    }
+    let failure = outcome
+        .failure
+        .as_ref()
+        .map(|failure| failure as &dyn Display);
+    add_remarks(&mut table.remarks, input, failure);
     let written = output::write(&table, &input.measured, folder, name).and_then(|mut written| {
         let shapes = output::write_shapes(&input.model, &table, question.animate, folder, name)?;
         written.files.extend(shapes.files);
         Ok(written)
     });
     terminal.show(&output::result_text(&table, &input.measured));
-    let mut code = DONE;
-    if let Some(failure) = &outcome.failure {
+    let failure = outcome.failure.map(|failure| {
         let (reached, asked) = (table.speeds.len(), question.speeds.len());
-        terminal.tell_text(&format!(
+        format!(
             "error: {name}: {failure}\n  help: {reached} of {asked} rotor speeds were reached, \
              and their results written"
-        ));
+        )
+    });
+    finish(failure, written, terminal)
+}
+
+/// Remarks on a result: those on the input first, and why it ended early last.
+fn add_remarks(remarks: &mut Vec<String>, input: &Input, failure: Option<&dyn Display>) {
+    remarks.splice(0..0, input.remarks.iter().cloned());
+    remarks.extend(failure.map(|failure| format!("stopped early: {failure}")));
+}
+
+/// Tells what went wrong and which files there are; the exit code.
+fn finish(
+    failure: Option<String>,
+    written: Result<Written, OutputProblem>,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let mut code = DONE;
+    if let Some(failure) = failure {
+        terminal.tell_text(&failure);
         code = NOT_REACHED;
     }
     match written {

@@ -1,17 +1,18 @@
 //! `static` and `buckling`: analyzes each file, writes its results and prints them.
 
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
-
-use shared_geom::files::OutputProblem;
 
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
-use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
+use super::{
+    BladeAlone, DONE, NotAsked, ResultPlace, WRONG_INPUT, add_remarks, finish, read_with_places,
+};
 use crate::analysis::buckling::buckling;
 use crate::analysis::statics::statics;
 use crate::case::{BucklingQuestion, StaticQuestion};
 use crate::input::{Input, is_blade_file, short_number};
-use crate::output::{self, Written};
+use crate::output;
 
 /// `static FILE...`
 pub(super) fn static_of_files(
@@ -100,11 +101,11 @@ fn static_of(
 ) -> u8 {
     let outcome = statics(&input.model, question);
     let mut result = outcome.result;
-    let remarks = input.remarks.iter().cloned();
-    result.remarks.splice(0..0, remarks);
-    if let Some(failure) = &outcome.failure {
-        result.remarks.push(format!("stopped early: {failure}"));
-    }
+    let failure = outcome
+        .failure
+        .as_ref()
+        .map(|failure| failure as &dyn Display);
+    add_remarks(&mut result.remarks, input, failure);
     let written = output::write_static(&result, folder, name);
     let text = format!(
         "{}\n{}",
@@ -143,11 +144,11 @@ fn buckling_of(
 ) -> u8 {
     let outcome = buckling(&input.model, question);
     let mut result = outcome.result;
-    let remarks = input.remarks.iter().cloned();
-    result.remarks.splice(0..0, remarks);
-    if let Some(failure) = &outcome.failure {
-        result.remarks.push(format!("stopped early: {failure}"));
-    }
+    let failure = outcome
+        .failure
+        .as_ref()
+        .map(|failure| failure as &dyn Display);
+    add_remarks(&mut result.remarks, input, failure);
     let written = output::write_buckling(&result, folder, name);
     let text = format!(
         "{}\n{}",
@@ -160,30 +161,4 @@ fn buckling_of(
         format!("error: {name}: {failure}\n  help: {remedy}")
     });
     finish(failure, written, terminal)
-}
-
-/// Tells what went wrong and which files there are; the exit code.
-fn finish(
-    failure: Option<String>,
-    written: Result<Written, OutputProblem>,
-    terminal: &mut Terminal<'_>,
-) -> u8 {
-    let mut code = DONE;
-    if let Some(failure) = failure {
-        terminal.tell_text(&failure);
-        code = NOT_REACHED;
-    }
-    match written {
-        Ok(written) => {
-            terminal.show("\nWritten\n");
-            for file in &written.files {
-                terminal.show(&format!("  {}\n", file.display()));
-            }
-        }
-        Err(problem) => {
-            terminal.tell(&problem);
-            code = NOT_REACHED;
-        }
-    }
-    code
 }

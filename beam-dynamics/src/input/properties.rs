@@ -5,6 +5,7 @@ use std::path::Path;
 use nalgebra::Matrix6;
 use shared_geom::blade::section_remark;
 use shared_geom::document::Table;
+use shared_geom::files::names_beside;
 use shared_geom::section::{self, Damping, SectionProperties};
 
 use super::damping;
@@ -106,15 +107,8 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
 
 /// Names of the property files in the folder of `path`, in order.
 fn property_files_beside(path: &Path) -> Vec<String> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    let Ok(entries) = std::fs::read_dir(folder.unwrap_or(Path::new("."))) else {
-        return Vec::new();
-    };
-    let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-    let mut names: Vec<_> = names.filter(|name| name.ends_with(PROPERTY_FILE)).collect();
-    names.sort();
+    let mut names = names_beside(path);
+    names.retain(|name| name.ends_with(PROPERTY_FILE));
     names
 }
 
