@@ -10,4 +10,4 @@ pub mod steady;
 mod arc;
 mod balance;
 mod path;
-mod transient;
+mod settling;

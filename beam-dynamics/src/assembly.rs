@@ -2,8 +2,10 @@
 
 pub mod mechanism;
 
+mod combination;
 mod pattern;
 mod system;
 
+pub use combination::{Combination, Variation};
 pub use pattern::{Pattern, Sparse};
-pub use system::{Residual, System, Tangent};
+pub use system::{Residual, System, Tangent, Workspace};

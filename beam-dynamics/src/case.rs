@@ -82,6 +82,7 @@ impl Model {
                 gravity: constant * self.gravity,
                 constant,
                 proportional,
+                time: 0.0,
             },
         }
     }

@@ -12,6 +12,7 @@ pub mod joints;
 pub mod loads;
 pub mod springs;
 
+mod constraint;
 mod local;
 mod motion;
 mod observation;
@@ -19,6 +20,7 @@ mod observation;
 #[cfg(test)]
 mod jacobian_tests;
 
+pub use constraint::{ConstraintRates, Energy, Level};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
 pub use observation::{Observations, Reaction, SectionState};
@@ -61,6 +63,29 @@ pub trait Element: Debug + Send + Sync {
     /// Number of multipliers (constraint equations) that the element brings.
     fn multipliers(&self) -> usize {
         0
+    }
+
+    /// What is differentiated how often to stand in the constraint number `constraint`.
+    fn level(&self, _constraint: usize) -> Level {
+        Level::Position
+    }
+
+    /// Tells how the constraints change by themselves: what start-up needs to find
+    /// velocities and accelerations that agree with them. `false` when the element
+    /// does not know.
+    fn constraint_rates(&self, _at: &Local<'_>, _out: &mut ConstraintRates<'_>) -> bool {
+        self.multipliers() == 0
+    }
+
+    /// The first time after `time` at which a drive of the element has a corner or a
+    /// jump \[s\]; infinite when there is none.
+    fn next_corner(&self, _time: f64) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Energy of the element.
+    fn energy(&self, _at: &Local<'_>) -> Energy {
+        Energy::default()
     }
 
     /// Adds the residual.

@@ -2,7 +2,7 @@
 //! steady rotating equilibrium, modes, frequency tables and plots.
 //!
 //! Stages, each of which sees only those before it: [`model`], [`elements`],
-//! [`assembly`], [`case`], [`solver`], [`result`], [`modes`]; then `input` and
+//! [`assembly`], [`solver`], [`integrator`], [`case`], [`result`], [`modes`]; then `input` and
 //! `output`. The analyses see them all.
 
 pub mod analysis;
@@ -11,6 +11,7 @@ pub mod case;
 pub mod cli;
 pub mod elements;
 pub mod input;
+pub mod integrator;
 pub mod model;
 pub mod modes;
 pub mod output;

@@ -2,6 +2,7 @@
 
 mod axes;
 mod conditions;
+mod drive;
 mod frame;
 mod node;
 mod numbering;
@@ -9,6 +10,7 @@ mod state;
 
 pub use axes::NamingAxes;
 pub use conditions::{Conditions, Loading};
+pub use drive::{Drive, DriveValue};
 pub use frame::TurningFrame;
 pub use node::Node;
 pub use numbering::{Equation, NODE_UNKNOWNS, Numbering, Variable};

@@ -4,9 +4,11 @@ use nalgebra::{Complex, Matrix3};
 
 mod buckling;
 mod statics;
+mod transient;
 
 pub use buckling::{BucklingMode, BucklingResult};
 pub use statics::{StaticResult, StaticStep};
+pub use transient::{Effort, Moment, Recorder};
 
 /// What a mode mainly does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]

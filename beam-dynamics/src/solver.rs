@@ -2,6 +2,8 @@
 
 mod linear;
 mod newton;
+mod step;
 
 pub use linear::{ComplexFactorization, Factorization, LinearSolver};
 pub use newton::{Equations, Iteration, Newton, NewtonReport, NewtonStatus, Worst, solve};
+pub use step::StepSolver;

@@ -34,7 +34,16 @@ pub const CRATES: [Stages; 2] = [
     Stages {
         folder: "beam-dynamics",
         order: &[
-            "model", "elements", "assembly", "case", "solver", "result", "modes", "input", "output",
+            "model",
+            "elements",
+            "assembly",
+            "solver",
+            "integrator",
+            "case",
+            "result",
+            "modes",
+            "input",
+            "output",
         ],
     },
 ];

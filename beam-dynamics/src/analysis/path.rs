@@ -15,7 +15,7 @@ use crate::model::{Conditions, State};
 use crate::solver::{Equations, Newton, NewtonReport, NewtonStatus, solve};
 
 use super::balance::Balance;
-use super::transient::free_motion;
+use super::settling::free_motion;
 
 /// Part of a way that the rates at its ends may leave unexplained.
 const UNEXPLAINED: f64 = 0.25;

@@ -2,7 +2,7 @@
 //!
 //! Conditions go from those of a known state to those asked for, in steps that are cut
 //! where Newton's method fails and grow again where it is quick. Where the tangent of
-//! the first state is singular, masses help (`analysis/transient.rs`).
+//! the first state is singular, masses help (`analysis/settling.rs`).
 
 use crate::assembly::System;
 use crate::case::Model;
@@ -10,7 +10,7 @@ use crate::model::{Conditions, Loading, State, TurningFrame};
 use crate::solver::{LinearSolver, Newton, NewtonReport, NewtonStatus, solve};
 
 use super::balance::Balance;
-use super::transient::{free_motion, settle};
+use super::settling::{free_motion, settle};
 
 /// Smallest step, as a part of the way to the wanted conditions, before giving up.
 const SMALLEST_STEP: f64 = 1.0 / 256.0;
@@ -88,6 +88,7 @@ fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
             gravity: a.gravity.lerp(&b.gravity, part),
             constant: mix(a.constant, b.constant),
             proportional: mix(a.proportional, b.proportional),
+            time: to.loading.time,
         },
     }
 }

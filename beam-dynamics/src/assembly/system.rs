@@ -8,6 +8,9 @@ use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
 mod growth;
+mod step;
+
+pub use step::Workspace;
 
 /// A model as a system of equations `F(y, y') = 0`.
 #[derive(Debug)]

@@ -114,6 +114,7 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
                 gravity: random.vector(1.0),
                 constant: random.number(),
                 proportional: random.number(),
+                time: random.number(),
             },
         };
         check_at(element, &motion, &multipliers, &conditions);

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::TurningFrame;
 
-/// Gravity and the factors of the loads.
+/// Gravity, the factors of the loads, and the time for which drives are asked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Loading {
     /// Acceleration of gravity as it acts now, in the frame [m/s^2].
@@ -13,6 +13,8 @@ pub struct Loading {
     pub constant: f64,
     /// Factor of the loads that grow in proportion [-].
     pub proportional: f64,
+    /// Time; statics and modes are at the time zero [s].
+    pub time: f64,
 }
 
 impl Loading {
@@ -22,6 +24,7 @@ impl Loading {
             gravity: Vector3::zeros(),
             constant: 0.0,
             proportional: 0.0,
+            time: 0.0,
         }
     }
 }

@@ -1,0 +1,32 @@
+//! Sums of the derivatives of a system, by the unknowns of a formula of integration.
+
+use nalgebra::Matrix3;
+
+use super::Sparse;
+
+/// A weighted sum of the derivatives of a residual, and the matrix that holds it.
+#[derive(Debug)]
+pub struct Combination<'a> {
+    /// Weight of the derivatives by the unknowns [-].
+    pub by_unknowns: f64,
+    /// Weight of the derivatives by the rates of the unknowns [-].
+    pub by_rates: f64,
+    /// Weight of the columns of multipliers, which the other two leave out [-].
+    pub by_algebraic: f64,
+    /// Where the sum is written.
+    pub matrix: &'a mut Sparse,
+}
+
+/// How the unknowns of a formula turn a node: with u the Gibbs-Rodrigues parameters of
+/// its correction and u' their rate,
+///
+/// ```text
+/// theta = G du          d omega = G du' + W du
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Variation {
+    /// G [-].
+    pub turn: Matrix3<f64>,
+    /// W [1/s].
+    pub spin: Matrix3<f64>,
+}

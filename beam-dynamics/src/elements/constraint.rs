@@ -1,0 +1,53 @@
+//! What elements tell of their constraints in motion, and of energy.
+
+/// The highest derivative of the unknowns' motion that a constraint holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Level {
+    /// `Phi(x, R, t) = 0`: positions and rotations.
+    Position,
+    /// `Phi(x, R, v, omega, t) = 0`: velocities and angular velocities.
+    Velocity,
+}
+
+/// How the constraints of an element change by themselves.
+///
+/// With `Phi_y` the derivatives by spatial variations of position and rotation, the
+/// velocities v, omega and the accelerations a, alpha relative to the frame, a
+/// constraint of positions fulfills
+///
+/// ```text
+/// Phi'  = Phi_y [v; omega] + by_time            = 0
+/// Phi'' = Phi_y [a; alpha] + convective         = 0
+/// ```
+///
+/// and one of velocities, with `Phi_y'` its derivatives by v and omega,
+///
+/// ```text
+/// Phi'  = Phi_y' [a; alpha] + convective        = 0      (by_time stays zero)
+/// ```
+#[derive(Debug)]
+pub struct ConstraintRates<'a> {
+    /// `d Phi / d t` at fixed positions and rotations [unit of the constraint/s].
+    pub by_time: &'a mut [f64],
+    /// What is left of the last derivative without accelerations [unit of it].
+    pub convective: &'a mut [f64],
+}
+
+/// Energy of an element.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energy {
+    /// Kinetic energy, of the motion in space [J].
+    pub kinetic: f64,
+    /// Energy stored in elastic parts [J].
+    pub elastic: f64,
+    /// Potential of gravity, zero at the origin [J].
+    pub gravity: f64,
+}
+
+impl std::ops::AddAssign for Energy {
+    fn add_assign(&mut self, other: Self) {
+        self.kinetic += other.kinetic;
+        self.elastic += other.elastic;
+        self.gravity += other.gravity;
+    }
+}

@@ -1,0 +1,57 @@
+//! A run in time: what is told of every step, and of the run.
+
+use crate::model::{Conditions, State};
+
+/// An accepted step.
+#[derive(Debug, Clone, Copy)]
+pub struct Moment<'a> {
+    /// Number of the step; zero is the start.
+    pub step: usize,
+    /// Time [s].
+    pub time: f64,
+    /// Length of the step that led here; zero at the start [s].
+    pub length: f64,
+    /// Iterations of the step.
+    pub iterations: usize,
+    /// The state.
+    pub state: &'a State,
+    /// What acts.
+    pub conditions: &'a Conditions,
+}
+
+/// Who is told of every accepted step, in order.
+pub trait Recorder {
+    /// Takes a step; `false` ends the run, as when nothing more can be written.
+    fn record(&mut self, moment: &Moment<'_>) -> bool;
+}
+
+/// The effort of a run, for its last lines.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Effort {
+    /// Accepted steps.
+    pub steps: usize,
+    /// Steps that were tried again with a shorter one.
+    pub rejected: usize,
+    /// Newton iterations, those of rejected steps included.
+    pub iterations: usize,
+    /// Jacobians that were assembled and factorized.
+    pub jacobians: usize,
+    /// Factorizations that chose new pivots.
+    pub pivotings: usize,
+    /// Shortest accepted step [s].
+    pub least_step: f64,
+    /// Longest accepted step [s].
+    pub most_step: f64,
+    /// Time spent in residuals [s].
+    pub residual_time: f64,
+    /// Time spent in Jacobians [s].
+    pub jacobian_time: f64,
+    /// Time spent in factorizations [s].
+    pub factorization_time: f64,
+    /// Time spent in solutions with factors [s].
+    pub solution_time: f64,
+    /// Time spent by the recorder [s].
+    pub output_time: f64,
+    /// Time of the whole run [s].
+    pub total_time: f64,
+}
