@@ -11,6 +11,7 @@ mod chain;
 mod damping;
 mod equal_blades;
 mod formats;
+mod integrators;
 mod joints;
 mod loads;
 mod mbdyn_model;

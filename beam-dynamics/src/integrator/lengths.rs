@@ -135,7 +135,7 @@ impl Lengths {
     /// Towards a goal in steps of the wish; the last two are equal, so that none is tiny.
     fn towards(&self, time: f64, goal: &Plan) -> Plan {
         let steps = (goal.length / self.wish - SAME_POINT).ceil();
-        if !(steps > 1.0) {
+        if steps <= 1.0 || steps.is_nan() {
             return *goal;
         }
         let length = if steps == 2.0 {
@@ -238,7 +238,10 @@ pub(super) struct Accepted {
 /// h_new / h = 0.9 ( tolerance / error )^(1 / (p + 1))                              (D-117)
 /// ```
 pub(super) fn factor(error: f64, order: usize) -> f64 {
-    SAFETY * error.max(f64::MIN_POSITIVE).powf(-1.0 / (order as f64 + 1.0))
+    SAFETY
+        * error
+            .max(f64::MIN_POSITIVE)
+            .powf(-1.0 / (order as f64 + 1.0))
 }
 
 /// By how much to cut a step whose local error is too large, or whose iteration failed.
