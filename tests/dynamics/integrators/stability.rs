@@ -9,12 +9,14 @@ use crate::record;
 
 type C = Complex<f64>;
 
-/// One step of length one from y = 1.
+/// One step of length one, from a small y: its prediction is off by x y, and corrections
+/// beyond the size of the system are not made.
 fn amplification(scheme: Scheme, x: C) -> C {
-    let lambda = [x.re, x.im];
-    let system = System::new(Linear { lambda }, &[1.0, 0.0], &lambda);
+    let (lambda, start) = ([x.re, x.im], 1e-7);
+    let rates = [start * x.re, start * x.im];
+    let system = System::new(Linear { lambda }, &[start, 0.0], &rates);
     let y = run(system, scheme, 1.0, 1.0);
-    C::new(y[0], y[1])
+    C::new(y[0] / start, y[1] / start)
 }
 
 fn cubic(z: f64, x: C) -> C {
@@ -107,8 +109,9 @@ fn two_step_formulas_are_stable_with_the_radius_asked_for() {
     }
 }
 
-/// Variable steps that grow at each step: no solution of `y' = 0` may grow with them, the
-/// history being disturbed as a rejected digit would.
+/// Steps that grow each time, on `y' = 0` with an error in the state before the latest: the
+/// change from step to step is multiplied by -beta. At rho = 0 and r = 1.5 beta is -0.56
+/// and the changes sum up to 1.3 of the error, at other radii they alternate.
 #[test]
 fn growing_steps_do_not_amplify_an_error_of_the_past() {
     for radius in [0.0, 0.6, 0.8, 0.9, 0.95, 1.0] {
@@ -132,6 +135,6 @@ fn growing_steps_do_not_amplify_an_error_of_the_past() {
         system.before.y[0] += 1e-6;
         while step(&mut system) < 1e2 {}
         assert!(step(&mut system) > 1e7 * first);
-        assert!((system.latest.y[0] - 1.0).abs() < 1.01e-6, "{radius}");
+        assert!((system.latest.y[0] - 1.0).abs() < 1.3e-6, "{radius}");
     }
 }
