@@ -11,7 +11,7 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 
 use crate::assembly::mechanism;
-use crate::case::{BucklingQuestion, Model, ModesQuestion, StaticQuestion};
+use crate::case::{BucklingQuestion, Model, ModesQuestion, StaticQuestion, TransientQuestion};
 use crate::result::Measured;
 
 mod along;
@@ -40,6 +40,7 @@ mod shapes;
 mod speeds;
 mod springs;
 mod summary;
+mod transient;
 
 #[cfg(test)]
 mod joint_tests;
@@ -70,6 +71,8 @@ pub struct Input {
     pub statics: Option<StaticQuestion>,
     /// What is asked about critical loads; `None` without `[buckling]`.
     pub buckling: Option<BucklingQuestion>,
+    /// What is asked about motion in time; `None` without `[transient]`.
+    pub transient: Option<TransientQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
     /// Names of the hinges that nothing but motion and loads holds.
@@ -171,6 +174,7 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         modes: questions.modes,
         statics: questions.statics,
         buckling: questions.buckling,
+        transient: questions.transient,
         measured,
         free_hinges: Vec::new(),
         summary,

@@ -13,7 +13,7 @@ use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
 use crate::assembly::System;
-use crate::case::{BladeNodes, Model, Spin};
+use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
 use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, ViscousBeam, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
@@ -424,6 +424,7 @@ impl Draft {
         elements.extend(self.loads);
         Some(Model {
             name,
+            initial: vec![InitialMotion::default(); self.nodes.len()],
             beams: self.beams.iter().map(|beam| beam.nodes).collect(),
             blades: self.blades,
             system: System::new(self.nodes, elements),

@@ -7,7 +7,8 @@ use shared_geom::units::Dimension;
 use super::loads::{LoadProblem, flag};
 use super::problem::InputProblem;
 use super::speeds::{self, RPM};
-use crate::case::{BucklingQuestion, ModesQuestion, Spin, StaticQuestion};
+use super::transient;
+use crate::case::{BucklingQuestion, ModesQuestion, Spin, StaticQuestion, TransientQuestion};
 
 /// Steps along a path at most, unless a number is given.
 const DEFAULT_MOST_STEPS: usize = 500;
@@ -26,6 +27,7 @@ pub(super) struct Questions {
     pub modes: Option<ModesQuestion>,
     pub statics: Option<StaticQuestion>,
     pub buckling: Option<BucklingQuestion>,
+    pub transient: Option<TransientQuestion>,
 }
 
 /// Reads every question.
@@ -35,10 +37,12 @@ pub(super) fn read(root: &Table<'_>) -> Option<Questions> {
         false => Some(None),
     };
     let (statics, buckling) = (statics(root), buckling(root));
+    let transient = transient::read(root);
     Some(Questions {
         modes: modes?,
         statics: statics?,
         buckling: buckling?,
+        transient: transient?,
     })
 }
 
@@ -105,7 +109,7 @@ fn speed(table: &Table<'_>) -> Option<f64> {
     Some(speed)
 }
 
-fn at_most(table: &Table<'_>, key: &'static str, limit: usize) -> Option<usize> {
+pub(super) fn at_most(table: &Table<'_>, key: &'static str, limit: usize) -> Option<usize> {
     let found = table.count(key)?;
     if found > limit {
         table.note(key, &InputProblem::TooMany { key, found, limit });
