@@ -8,7 +8,9 @@ use super::loads::{LoadProblem, flag};
 use super::problem::InputProblem;
 use super::speeds::{self, RPM};
 use super::transient;
-use crate::case::{BucklingQuestion, ModesQuestion, Spin, StaticQuestion, TransientQuestion};
+use crate::case::{
+    BucklingQuestion, ModesQuestion, Spin, Start, StaticQuestion, TransientQuestion,
+};
 
 /// Steps along a path at most, unless a number is given.
 const DEFAULT_MOST_STEPS: usize = 500;
@@ -124,8 +126,15 @@ impl Questions {
         let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());
         let of_statics = self.statics.iter().map(|statics| &statics.speed);
         let of_buckling = self.buckling.iter().map(|buckling| &buckling.speed);
-        let speeds = of_modes.chain(of_statics).chain(of_buckling);
-        let highest = speeds.copied().fold(0.0, f64::max);
+        let of_start = self.transient.iter().map(|question| match &question.start {
+            Start::Rotating { speed } => speed,
+            Start::Given | Start::Equilibrium => &0.0,
+        });
+        let speeds = of_modes
+            .chain(of_statics)
+            .chain(of_buckling)
+            .chain(of_start);
+        let highest = speeds.copied().map(f64::abs).fold(0.0, f64::max);
         let across = (gravity - spin.axis * spin.axis.dot(gravity)).norm();
         if highest > 0.0 && across > ALONG * gravity.norm() {
             let rpm = highest / RPM;

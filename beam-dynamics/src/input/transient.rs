@@ -86,14 +86,6 @@ pub enum TransientProblem {
     /// A speed without rotation.
     #[error("\"speed\" is that of a rotating start, but \"start\" is not \"rotating\"")]
     IdleSpeed,
-    /// Velocities beside a start that finds its own.
-    #[error("node \"{node}\" has a \"{key}\", but the run starts from an equilibrium")]
-    VelocityOfEquilibrium {
-        /// Name of the node.
-        node: String,
-        /// The key.
-        key: &'static str,
-    },
     /// Velocities without a run in time.
     #[error("node \"{node}\" has a \"{key}\", but nothing is asked in time")]
     IdleVelocity {
@@ -118,7 +110,6 @@ impl Explain for TransientProblem {
             }
             Self::NotOfScheme { .. } => "\"zeta\" is that of \"parabolic\"",
             Self::IdleSpeed => "say start = \"rotating\", or remove \"speed\"",
-            Self::VelocityOfEquilibrium { .. } => "remove it, or say start = \"given\"",
             Self::IdleVelocity { .. } => "add [transient] with \"to\" and \"step\", or remove it",
             Self::Range { .. } => return None,
         };
