@@ -7,9 +7,7 @@ use crate::model::{Conditions, Loading, NamingAxes, TurningFrame};
 
 mod transient;
 
-pub use transient::{
-    InitialMotion, Redundant, Start, StartAccelerations, StepNewton, TransientQuestion,
-};
+pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 
 /// How the model's frame turns.
 #[derive(Debug, Clone, Copy, PartialEq)]

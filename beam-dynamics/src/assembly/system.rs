@@ -8,6 +8,7 @@ use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
 mod growth;
+mod rates;
 mod step;
 
 pub use step::Workspace;
