@@ -12,6 +12,7 @@ use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Number
 
 mod growth;
 mod layout;
+mod rates;
 mod step;
 
 /// A model as a system of equations `F(y, y') = 0`.

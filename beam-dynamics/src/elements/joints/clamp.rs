@@ -17,7 +17,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::algebra::{Attachment, Direction, Orthogonality};
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations, Reaction};
+use crate::elements::{
+    ConstraintRates, Element, Local, LocalJacobian, LocalResidual, Observations, Reaction,
+};
 use crate::model::Equation::Force;
 use crate::model::{Node, NodeMotion, Variable};
 
@@ -128,6 +130,18 @@ impl Element for Clamp {
         for (row, pair) in self.right_angles(&at.nodes[0]) {
             pair.jacobian(row, at.multipliers, out);
         }
+    }
+
+    /// `Phi'' = ... + (omega x (omega x e_a)) . e_b`; the places are linear.
+    fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
+        let omega = &at.nodes[0].angular_velocity;
+        out.by_time.fill(0.0);
+        out.convective.fill(0.0);
+        for (row, pair) in self.right_angles(&at.nodes[0]) {
+            let turned = omega.cross(&omega.cross(&pair.a.axis));
+            out.convective[row] = turned.dot(&pair.b.axis);
+        }
+        true
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
