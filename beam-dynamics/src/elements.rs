@@ -23,7 +23,7 @@ mod jacobian_tests;
 pub use constraint::{ConstraintRates, Energy, Level};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
-pub use observation::{Observations, Reaction, SectionState};
+pub use observation::{Observations, Reaction, SectionState, SpringState};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
 #[derive(Debug, Clone, Copy)]
