@@ -7,6 +7,7 @@ use crate::elements::bodies::NodeBalance;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
+mod energy;
 mod growth;
 mod step;
 

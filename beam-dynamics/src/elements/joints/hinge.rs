@@ -34,7 +34,7 @@ use shared_geom::rotation::skew;
 
 use super::algebra::{Attachment, Direction, Orthogonality, Point, three};
 use crate::elements::{
-    Along, Element, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
+    Along, Element, Energy, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
     prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
@@ -207,6 +207,21 @@ impl Element for Hinge {
 
     fn multipliers(&self) -> usize {
         5
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let HingeSpring {
+            stiffness, angle, ..
+        } = self.spring;
+        // A free hinge may stand where its angle has no value.
+        let turned = match stiffness == 0.0 {
+            true => 0.0,
+            false => self.angle(at.nodes) - angle,
+        };
+        Energy {
+            elastic: 0.5 * stiffness * turned * turned,
+            ..Energy::default()
+        }
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
