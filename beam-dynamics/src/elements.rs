@@ -9,6 +9,7 @@ use crate::model::{Loading, NodeMotion, TurningFrame};
 pub mod beams;
 pub mod bodies;
 pub mod joints;
+pub mod laws;
 pub mod loads;
 pub mod springs;
 
