@@ -10,7 +10,7 @@ mod state;
 
 pub use axes::NamingAxes;
 pub use conditions::{Conditions, Loading};
-pub use drive::{Drive, DriveValue};
+pub use drive::{Drive, DriveValue, Formula};
 pub use frame::TurningFrame;
 pub use node::Node;
 pub use numbering::{Equation, NODE_UNKNOWNS, Numbering, Variable};
