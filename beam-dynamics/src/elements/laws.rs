@@ -12,6 +12,7 @@
 //! one of the functions g of [`LawKind`].
 
 mod curve;
+mod expression;
 mod kind;
 mod per_component;
 
@@ -21,6 +22,7 @@ mod tests;
 use nalgebra::{SMatrix, SVector};
 
 pub use curve::{Between, Curve, Outside};
+pub use expression::ExpressionLaw;
 pub use kind::LawKind;
 pub use per_component::{Bilinear, Cubic};
 

@@ -13,10 +13,13 @@
 //! bilinear        see [`Bilinear`]
 //! tabulated       f = T(e)                            int_0^e T
 //! ```
+//!
+//! An expression gives each component by all strains, their rates and the time; it has no
+//! energy here.
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Bilinear, Cubic, Curve, Response};
+use super::{Bilinear, Cubic, Curve, ExpressionLaw, Response};
 
 /// A function of strain and rate of strain.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +47,8 @@ pub enum LawKind<const N: usize> {
     Bilinear([Bilinear; N]),
     /// A table of each component; a component without one has no force.
     Table([Option<Curve>; N]),
+    /// An expression for each component.
+    Expression(ExpressionLaw<N>),
 }
 
 impl<const N: usize> LawKind<N> {
@@ -52,7 +57,7 @@ impl<const N: usize> LawKind<N> {
         &self,
         strain: &SVector<f64, N>,
         rate: &SVector<f64, N>,
-        _time: f64,
+        time: f64,
         out: &mut Response<N>,
     ) {
         match self {
@@ -78,6 +83,7 @@ impl<const N: usize> LawKind<N> {
                 Some(curve) => curve.at(e),
                 None => (0.0, 0.0),
             }),
+            Self::Expression(law) => law.add(strain, rate, time, out),
         }
     }
 
@@ -88,7 +94,7 @@ impl<const N: usize> LawKind<N> {
             Self::Linear { stiffness } | Self::Viscoelastic { stiffness, .. } => {
                 0.5 * strain.dot(&(stiffness * strain))
             }
-            Self::Viscous { .. } => 0.0,
+            Self::Viscous { .. } | Self::Expression(_) => 0.0,
             Self::Cubic(of) => sum(&|i, e| of[i].energy(e)),
             Self::Bilinear(of) => sum(&|i, e| of[i].energy(e)),
             Self::Table(of) => sum(&|i, e| of[i].as_ref().map_or(0.0, |curve| curve.integral(e))),
@@ -97,7 +103,11 @@ impl<const N: usize> LawKind<N> {
 
     /// Whether the force depends on the rate of strain.
     pub(super) fn is_viscous(&self) -> bool {
-        matches!(self, Self::Viscous { .. } | Self::Viscoelastic { .. })
+        match self {
+            Self::Viscous { .. } | Self::Viscoelastic { .. } => true,
+            Self::Expression(law) => law.is_viscous(),
+            _ => false,
+        }
     }
 }
 
