@@ -40,8 +40,6 @@ impl Dimension {
     pub const STRESS: Self = Self::of(-1, 1, -2, 0);
     /// Mass per volume, in kg/m^3 inside.
     pub const DENSITY: Self = Self::of(-3, 1, 0, 0);
-    /// Velocity.
-    pub const VELOCITY: Self = Self::of(1, 0, -1, 0);
     /// Speed of rotation, in rad/s inside.
     pub const ROTATION_SPEED: Self = Self::of(0, 0, -1, 1);
     /// Cycles per time, in Hz inside.
@@ -66,7 +64,6 @@ impl Dimension {
     pub const FORCE_TIME: Self = Self::of(1, 1, -1, 0);
     /// Bending and torsional viscosity of a section, in N m^2 s inside.
     pub const BENDING_TIME: Self = Self::of(3, 1, -1, 0);
-
     /// Velocity, in m/s inside.
     pub const VELOCITY: Self = Self::of(1, 0, -1, 0);
     /// Force per length, in N/m inside.

@@ -10,6 +10,7 @@ use crate::elements::bodies::NodeBalance;
 use crate::elements::{Element, Local, LocalJacobian, Observations};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
+mod energy;
 mod growth;
 mod layout;
 mod rates;
