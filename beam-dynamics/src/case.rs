@@ -5,6 +5,12 @@ use nalgebra::Vector3;
 use crate::assembly::System;
 use crate::model::{Conditions, Loading, NamingAxes, TurningFrame};
 
+mod columns;
+
+pub use columns::{
+    Axes, Column, EnergyPart, Every, NodeQuantity, NodeVector, OutputQuestion, Part, Quantity,
+};
+
 /// How the model's frame turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spin {

@@ -11,7 +11,7 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 
 use crate::assembly::mechanism;
-use crate::case::{BucklingQuestion, Model, ModesQuestion, StaticQuestion};
+use crate::case::{BucklingQuestion, Model, ModesQuestion, OutputQuestion, StaticQuestion};
 use crate::result::Measured;
 
 mod along;
@@ -21,6 +21,7 @@ mod blade_file;
 mod blades;
 mod bodies;
 mod clamps;
+mod columns;
 mod damping;
 mod draft;
 mod hub;
@@ -48,6 +49,7 @@ mod tests;
 
 pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
+pub use columns::ColumnProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
@@ -70,6 +72,8 @@ pub struct Input {
     pub statics: Option<StaticQuestion>,
     /// What is asked about critical loads; `None` without `[buckling]`.
     pub buckling: Option<BucklingQuestion>,
+    /// What a run in time writes.
+    pub output: OutputQuestion,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
     /// Names of the hinges that nothing but motion and loads holds.
@@ -150,6 +154,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let gravity = loads::gravity(&root);
     let questions = questions::read(&root);
     let measured = measured::read(&root);
+    let output = columns::read(&root, &draft);
     root.finish();
 
     draft.check(&root);
@@ -157,6 +162,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     questions.check(&root, &gravity, &draft.hub()?.spin());
     let mut input = finish(name, draft, questions, measured?)?;
     input.model.gravity = gravity;
+    input.output = output?;
     Some(input)
 }
 
@@ -171,6 +177,7 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         modes: questions.modes,
         statics: questions.statics,
         buckling: questions.buckling,
+        output: OutputQuestion::default(),
         measured,
         free_hinges: Vec::new(),
         summary,

@@ -9,6 +9,7 @@ use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Number
 
 mod growth;
 mod step;
+mod told;
 
 pub use step::Workspace;
 
