@@ -40,6 +40,8 @@ impl Dimension {
     pub const STRESS: Self = Self::of(-1, 1, -2, 0);
     /// Mass per volume, in kg/m^3 inside.
     pub const DENSITY: Self = Self::of(-3, 1, 0, 0);
+    /// Velocity.
+    pub const VELOCITY: Self = Self::of(1, 0, -1, 0);
     /// Speed of rotation, in rad/s inside.
     pub const ROTATION_SPEED: Self = Self::of(0, 0, -1, 1);
     /// Cycles per time, in Hz inside.
@@ -103,6 +105,7 @@ impl fmt::Display for Dimension {
             Self::FORCE => "a force",
             Self::STRESS => "a stress",
             Self::DENSITY => "a density",
+            Self::VELOCITY => "a velocity",
             Self::ROTATION_SPEED => "a rotation speed",
             Self::FREQUENCY => "a frequency",
             Self::BENDING_STIFFNESS => "a bending or torsional stiffness",

@@ -25,6 +25,16 @@ pub enum Scheme {
         /// Place of the inner stage in the step, -1 to 0 [-].
         zeta: f64,
     },
+    /// Cubic interpolation, weighted at Gauss' two points: fourth order, damps nothing.
+    CubicGauss,
+}
+
+impl Scheme {
+    /// Why the scheme is a poor choice for a system, in words; `None` when it is not.
+    /// Multipliers make a system one with algebraic unknowns.
+    pub fn warning(&self, _has_algebraic: bool) -> Option<&'static str> {
+        None
+    }
 }
 
 impl Default for Scheme {
