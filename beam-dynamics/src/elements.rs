@@ -16,6 +16,7 @@ mod constraint;
 mod local;
 mod motion;
 mod observation;
+mod reduced;
 
 #[cfg(test)]
 mod jacobian_tests;
@@ -26,6 +27,7 @@ pub use constraint::{ConstraintRates, Energy, Level};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
 pub use observation::{JointState, Observations, Reaction, ReactionAxes, SectionState};
+pub use reduced::ReducedElement;
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
 #[derive(Debug, Clone, Copy)]

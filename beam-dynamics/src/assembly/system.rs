@@ -8,6 +8,7 @@ use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
 mod growth;
+mod removal;
 mod step;
 
 pub use step::Workspace;
@@ -16,7 +17,7 @@ pub use step::Workspace;
 #[derive(Debug)]
 pub struct System {
     nodes: Vec<Node>,
-    elements: Vec<Box<dyn Element>>,
+    elements: Vec<Arc<dyn Element>>,
     numbering: Numbering,
     pattern: Arc<Pattern>,
     /// For each element, the entries (local row, local column, place in the pattern).
@@ -49,7 +50,12 @@ impl System {
             let balance: Box<dyn Element> = Box::new(NodeBalance::new(&node.label, i));
             balance
         });
-        let elements: Vec<_> = balances.chain(elements).collect();
+        let elements = balances.chain(elements).map(Arc::from).collect();
+        Self::of(nodes, elements)
+    }
+
+    /// The system of all its elements, the balances of the nodes first.
+    fn of(nodes: Vec<Node>, elements: Vec<Arc<dyn Element>>) -> Self {
         let counts = elements.iter().map(|element| element.multipliers());
         let numbering = Numbering::new(nodes.len(), counts);
         let mut system = Self {
