@@ -9,6 +9,7 @@ use crate::model::{Loading, NodeMotion, TurningFrame};
 pub mod beams;
 pub mod bodies;
 pub mod joints;
+pub mod laws;
 pub mod loads;
 pub mod springs;
 
@@ -26,7 +27,9 @@ mod rates_tests;
 pub use constraint::{ConstraintRates, Energy, Level};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
-pub use observation::{JointState, Observations, Reaction, ReactionAxes, SectionState};
+pub use observation::{
+    JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
+};
 pub use reduced::ReducedElement;
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.

@@ -8,7 +8,7 @@ mod transient;
 
 pub use buckling::{BucklingMode, BucklingResult};
 pub use statics::{StaticResult, StaticStep};
-pub use transient::{Effort, Moment, Recorder};
+pub use transient::{Effort, Moment, Recorder, Snapshot};
 
 /// What a mode mainly does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
