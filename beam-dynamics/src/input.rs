@@ -50,6 +50,7 @@ mod tests;
 
 pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
+pub use joints::JointProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
@@ -77,7 +78,7 @@ pub struct Input {
     pub transient: Option<TransientQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
-    /// Names of the hinges that nothing but motion and loads holds.
+    /// Names of the joints that nothing but motion and loads holds.
     pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
@@ -123,7 +124,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     problems.into_result(input)
 }
 
-/// What the reader must know of hinges without a spring.
+/// What the reader must know of joints that move without a spring.
 fn free_hinges(names: &[String]) -> Option<String> {
     let [first, others @ ..] = names else {
         return None;
@@ -133,7 +134,7 @@ fn free_hinges(names: &[String]) -> Option<String> {
         count => format!(" and {count} more"),
     };
     Some(format!(
-        "hinge \"{first}\"{others} can turn freely: at rest this is a motion of frequency zero"
+        "joint \"{first}\"{others} can move freely: at rest this is a motion of frequency zero"
     ))
 }
 
@@ -164,6 +165,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     bodies::read(&root, &mut draft);
     joints::read_hinges(&root, &mut draft);
     joints::read_rigid(&root, &mut draft);
+    joints::read_joints(&root, &mut draft);
     springs::read(&root, &mut draft);
     loads::read(&root, &mut draft);
     let gravity = loads::gravity(&root);
