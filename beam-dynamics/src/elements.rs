@@ -102,6 +102,12 @@ pub trait Element: Debug + Send + Sync {
     /// same at every state, so that the pattern of the system is found once.
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian);
 
+    /// Whether it resists every relative motion of its nodes without constraints, as a beam
+    /// does.
+    fn joins_nodes(&self) -> bool {
+        false
+    }
+
     /// Relative motions of its nodes at the undeformed state that the element, beside its
     /// constraints, resists by springs or leaves free on purpose.
     fn motions(&self) -> Vec<Motion> {

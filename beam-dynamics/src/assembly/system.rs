@@ -10,12 +10,12 @@ use crate::elements::bodies::NodeBalance;
 use crate::elements::{Element, Local, LocalJacobian, Observations};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
-mod energy;
 mod growth;
 mod layout;
 mod rates;
 mod removal;
 mod step;
+mod told;
 
 /// A model as a system of equations `F(y, y') = 0`.
 #[derive(Debug)]

@@ -381,18 +381,22 @@ fn joint(
         [a, b] => (*b, Some((*a, &nodes[*a]))),
         _ => (*numbers.first()?, None),
     };
-    let ends = JointEnds {
-        a,
-        b: (b, &nodes[b]),
-    };
+    let b_node = (b, &nodes[b]);
+    let ends = JointEnds { a, b: b_node };
     let turn = match axes.in_node {
         true => nodes[b].rotation,
         false => Matrix3::identity(),
     };
-    let at = points.at.unwrap_or(nodes[b].position);
-    let from = match holds {
-        Holds::Distance(_) => from_of_distance(points, ends.a.map(|a| a.1), table)?,
-        _ => points.from.unwrap_or(at),
+    let on_b = nodes[b].position;
+    let [from, at] = match (&holds, a) {
+        (Holds::Distance(_), Some((_, a))) => {
+            [points.from.unwrap_or(a.position), points.at.unwrap_or(on_b)]
+        }
+        (Holds::Distance(_), None) => from_the_frame(points, &on_b, table)?,
+        _ => {
+            let at = points.at.unwrap_or(on_b);
+            [points.from.unwrap_or(at), at]
+        }
     };
     let placing = Placing {
         points: [from, at],
@@ -428,15 +432,18 @@ fn joint(
     })
 }
 
-/// The first point of a distance joint: that of the card, or the first node.
-fn from_of_distance(
+/// The points of a distance from the frame: one alone is that of the frame.
+fn from_the_frame(
     points: &Points,
-    first: Option<&Node>,
+    node: &Vector3<f64>,
     table: &Table<'_>,
-) -> Option<Vector3<f64>> {
-    let found = points.from.or(first.map(|node| node.position));
-    if found.is_none() {
-        let _ = table.require_text("from", "the point of the frame from which it is measured");
+) -> Option<[Vector3<f64>; 2]> {
+    match (points.from, points.at) {
+        (Some(from), at) => Some([from, at.unwrap_or(*node)]),
+        (None, Some(at)) => Some([at, *node]),
+        (None, None) => {
+            let _ = table.require_text("at", "the point of the frame from which it is measured");
+            None
+        }
     }
-    found
 }

@@ -181,7 +181,7 @@ fn every_problem_of_joints_is_told_at_once() {
         "\"axes\" lists 1, expected two",
         "the points of joint \"joint 11\" coincide, expected a distance between them",
         "\"length\" is -1, expected a length greater than zero at all times",
-        "has no \"from\", expected the point of the frame from which it is measured",
+        "has no \"at\", expected the point of the frame from which it is measured",
         "the joint holds nothing, expected at least one component of \"locked\"",
         "\"locked\" has \"about w\", expected x, y, z, about x, about y, about z",
         "\"x\" is locked and driven, expected one of them",
