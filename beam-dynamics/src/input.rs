@@ -55,6 +55,7 @@ pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
 pub use drives::DriveProblem;
+pub use joints::JointProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
@@ -84,7 +85,7 @@ pub struct Input {
     pub transient: Option<TransientQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
-    /// Names of the hinges that nothing but motion and loads holds.
+    /// Names of the joints that nothing but motion and loads holds.
     pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
@@ -130,7 +131,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     problems.into_result(input)
 }
 
-/// What the reader must know of hinges without a spring.
+/// What the reader must know of joints that move without a spring.
 fn free_hinges(names: &[String]) -> Option<String> {
     let [first, others @ ..] = names else {
         return None;
@@ -140,7 +141,7 @@ fn free_hinges(names: &[String]) -> Option<String> {
         count => format!(" and {count} more"),
     };
     Some(format!(
-        "hinge \"{first}\"{others} can turn freely: at rest this is a motion of frequency zero"
+        "joint \"{first}\"{others} can move freely: at rest this is a motion of frequency zero"
     ))
 }
 
@@ -171,6 +172,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     bodies::read(&root, &mut draft);
     joints::read_hinges(&root, &mut draft);
     joints::read_rigid(&root, &mut draft);
+    joints::read_joints(&root, &mut draft);
     springs::read(&root, &mut draft);
     loads::read(&root, &mut draft);
     let gravity = loads::gravity(&root);

@@ -359,7 +359,7 @@ impl Draft {
 
     /// Notes what is wrong with the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
-        const CARDS: [&str; 5] = ["blade", "beam", "hinge", "rigid", "spring"];
+        const CARDS: [&str; 6] = ["blade", "beam", "hinge", "rigid", "joint", "spring"];
         let flies = root.has("transient") && (root.has("body") || root.has("joint"));
         let bodies = !flies || self.bodies.is_empty();
         let nothing = self.beams.is_empty() && self.joints.is_empty() && bodies && !self.broken;

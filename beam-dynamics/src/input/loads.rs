@@ -8,6 +8,7 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
+use super::drives;
 use crate::elements::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 
 mod along_beams;
@@ -138,8 +139,12 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
         let is_new = draft.take_label("imposed", &label, table);
         let node = node(table, draft, &label);
         let motion = imposed(table);
+        let drive = match table.has("drive") {
+            true => drives::read(table, "drive", Dimension::NUMBER, draft.drives()).map(Some),
+            false => Some(None),
+        };
         table.finish();
-        let (Some(node), Some(motion), true) = (node, motion, is_new) else {
+        let (Some(node), Some(motion), Some(drive), true) = (node, motion, drive, is_new) else {
             draft.note_broken();
             continue;
         };
@@ -156,6 +161,10 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
             continue;
         }
         let imposed = Imposed::new(label, node, &draft.nodes()[node], motion);
+        let imposed = match drive {
+            Some(drive) => imposed.driven_by(drive),
+            None => imposed,
+        };
         draft.add_load(Box::new(imposed));
     }
 }
