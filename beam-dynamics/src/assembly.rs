@@ -1,5 +1,6 @@
 //! The system of equations: nodes, elements, and their sum in a fixed sparse pattern.
 
+pub mod massless;
 pub mod mechanism;
 
 mod combination;

@@ -9,6 +9,7 @@ use crate::model::{Loading, NodeMotion, TurningFrame};
 pub mod beams;
 pub mod bodies;
 pub mod joints;
+pub mod laws;
 pub mod loads;
 pub mod springs;
 
@@ -19,11 +20,15 @@ mod observation;
 
 #[cfg(test)]
 mod jacobian_tests;
+#[cfg(test)]
+mod rates_tests;
 
 pub use constraint::{ConstraintRates, Energy, Level};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
-pub use observation::{Observations, Reaction, SectionState};
+pub use observation::{
+    JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
+};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
 #[derive(Debug, Clone, Copy)]
