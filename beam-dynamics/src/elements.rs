@@ -17,6 +17,7 @@ mod constraint;
 mod local;
 mod motion;
 mod observation;
+mod signal;
 
 #[cfg(test)]
 mod jacobian_tests;
@@ -29,6 +30,7 @@ pub use motion::Motion;
 pub use observation::{
     JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
 };
+pub use signal::{Post, Sensed, Sensor, Signal};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
 #[derive(Debug, Clone, Copy)]
