@@ -19,7 +19,9 @@ use super::transient::TransientProblem;
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
-use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, ViscousBeam, lumped_bodies};
+use crate::elements::beams::{
+    BeamGeometry, BeamInertia, ElasticBeam, LawBeam, ViscousBeam, lumped_bodies,
+};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::{Drive, Node};
@@ -388,7 +390,7 @@ impl Draft {
 
     /// Notes what is wrong with the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
-        const CARDS: [&str; 6] = ["blade", "beam", "hinge", "rigid", "joint", "spring"];
+        const CARDS: [&str; 7] = ["blade", "beam", "hinge", "rigid", "joint", "spring", "rod"];
         let flies = root.has("transient") && (root.has("body") || root.has("joint"));
         let bodies = !flies || self.bodies.is_empty();
         let nothing = self.beams.is_empty() && self.joints.is_empty() && bodies && !self.broken;
@@ -517,17 +519,22 @@ impl Draft {
             along,
             inertia,
         } = beam;
-        let stiffness = along.stiffness;
-        let elastic = ElasticBeam::new(label, *nodes, *geometry, self.ends(beam), stiffness);
-        let mut elements = vec![boxed(elastic)];
-        if let Some(damping) = along.damping {
-            let ends = self.ends(beam);
-            let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
-            elements.push(boxed(viscous));
+        let mut elements = Vec::new();
+        let ends = self.ends(beam);
+        if let Some(law) = &along.law {
+            let laws = [law.clone(), law.clone()];
+            elements.push(boxed(LawBeam::new(label, *nodes, *geometry, ends, laws)));
+        } else {
+            let stiffness = along.stiffness;
+            let elastic = ElasticBeam::new(label, *nodes, *geometry, ends, stiffness);
+            elements.push(boxed(elastic));
+            if let Some(damping) = along.damping {
+                let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
+                elements.push(boxed(viscous));
+            }
         }
         match inertia {
             Inertia::Consistent => {
-                let ends = self.ends(beam);
                 let inertia = along
                     .with_mass(|mass| BeamInertia::along(label, *nodes, *geometry, ends, mass));
                 elements.push(boxed(inertia));
