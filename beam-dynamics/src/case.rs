@@ -11,9 +11,7 @@ mod transient;
 pub use columns::{
     Axes, Column, EnergyPart, Every, NodeQuantity, NodeVector, OutputQuestion, Part, Quantity,
 };
-pub use transient::{
-    InitialMotion, Redundant, Start, StartAccelerations, StepNewton, TransientQuestion,
-};
+pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 
 /// How the model's frame turns.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -19,11 +19,13 @@ mod observation;
 
 #[cfg(test)]
 mod jacobian_tests;
+#[cfg(test)]
+mod rates_tests;
 
 pub use constraint::{ConstraintRates, Energy, Level};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
-pub use observation::{Observations, Reaction, SectionState};
+pub use observation::{JointState, Observations, Reaction, ReactionAxes, SectionState};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
 #[derive(Debug, Clone, Copy)]

@@ -26,6 +26,7 @@ mod clamps;
 mod columns;
 mod damping;
 mod draft;
+mod drives;
 mod hub;
 mod hub_support;
 mod in_place;
@@ -155,10 +156,12 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let root = document.root();
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
     document.declare_units(&root);
+    document.declare_parameters(&root);
     let properties = properties::read(&root);
     let hub = hub::read(&root);
 
     let mut draft = Draft::new(properties, hub);
+    draft.set_drives(drives::read_named(&root));
     hub_support::add(&root, &mut draft);
     nodes::read(&root, &mut draft);
     blades::read(&root, &mut draft);

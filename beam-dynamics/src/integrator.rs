@@ -6,15 +6,20 @@
 //! latest accepted state. An [`Integrator`] makes one accepted step after the other.
 
 mod advance;
+mod corrector;
 mod counters;
 mod dae;
 mod failure;
+mod formula;
+mod lengths;
 mod limits;
+mod prediction;
 mod scheme;
 
 pub use advance::{Integrator, Progress, Stepped};
 pub use counters::Counters;
 pub use dae::Dae;
 pub use failure::{Reason, StepFailure};
+pub use formula::{Formula, STAGES};
 pub use limits::{Jacobians, StepLimits};
 pub use scheme::{Scheme, StepControl, Stepping};

@@ -15,6 +15,7 @@ use crate::error::{Diagnostics, Explain, Place};
 use crate::files::read_bytes;
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
+mod parameters;
 mod problem;
 mod table;
 mod tree;
@@ -22,6 +23,7 @@ mod tree;
 pub use problem::DocumentProblem;
 pub use table::Table;
 
+use parameters::Parameters;
 use tree::{Entry, Lines};
 
 /// Errors of syntax that are told one by one: one slip makes a few of them, and a file
@@ -35,6 +37,7 @@ pub struct Document {
     root: Vec<Entry>,
     problems: RefCell<Diagnostics>,
     units: RefCell<Units>,
+    parameters: RefCell<Parameters>,
 }
 
 impl Document {
@@ -61,6 +64,7 @@ impl Document {
             root: tree::entries(root.get_ref(), &lines),
             problems: RefCell::default(),
             units: RefCell::new(Units::si()),
+            parameters: RefCell::default(),
         })
     }
 

@@ -9,6 +9,7 @@ pub mod blade;
 pub mod document;
 pub mod error;
 pub mod exchange;
+pub mod expression;
 pub mod figure;
 pub mod files;
 pub mod frame;

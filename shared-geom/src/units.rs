@@ -40,8 +40,6 @@ impl Dimension {
     pub const STRESS: Self = Self::of(-1, 1, -2, 0);
     /// Mass per volume, in kg/m^3 inside.
     pub const DENSITY: Self = Self::of(-3, 1, 0, 0);
-    /// Velocity.
-    pub const VELOCITY: Self = Self::of(1, 0, -1, 0);
     /// Speed of rotation, in rad/s inside.
     pub const ROTATION_SPEED: Self = Self::of(0, 0, -1, 1);
     /// Cycles per time, in Hz inside.
@@ -67,6 +65,8 @@ impl Dimension {
     /// Bending and torsional viscosity of a section, in N m^2 s inside.
     pub const BENDING_TIME: Self = Self::of(3, 1, -1, 0);
 
+    /// Velocity, in m/s inside.
+    pub const VELOCITY: Self = Self::of(1, 0, -1, 0);
     /// Force per length, in N/m inside.
     pub const FORCE_PER_LENGTH: Self = Self::of(0, 1, -2, 0);
     /// Acceleration, in m/s^2 inside.
@@ -463,6 +463,21 @@ pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, UnitProble
     let (number, unit) = trimmed.split_once(' ').ok_or_else(malformed)?;
     let number: f64 = number.parse().map_err(|_| malformed())?;
     Ok(number * parse_as(unit, expected)?.factor)
+}
+
+/// Reads a quantity of any kind with its unit; the value is in SI units.
+///
+/// # Errors
+/// As [`parse_quantity`].
+pub fn parse_any(text: &str) -> Result<(f64, Dimension), UnitProblem> {
+    let malformed = || UnitProblem::Quantity { found: text.into() };
+    let (number, unit) = text.trim().split_once(' ').ok_or_else(malformed)?;
+    let number: f64 = number.parse().map_err(|_| malformed())?;
+    let unit = parse(unit)?;
+    match (number * unit.factor).is_finite() {
+        true => Ok((number * unit.factor, unit.dimension)),
+        false => Err(malformed()),
+    }
 }
 
 #[cfg(test)]

@@ -2,16 +2,19 @@
 
 use std::sync::Arc;
 
+use layout::Layout;
+pub use layout::Workspace;
+
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations};
+use crate::elements::{Element, Local, LocalJacobian, Observations};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
 mod growth;
+mod layout;
+mod rates;
 mod step;
 mod told;
-
-pub use step::Workspace;
 
 /// A model as a system of equations `F(y, y') = 0`.
 #[derive(Debug)]
@@ -20,8 +23,10 @@ pub struct System {
     elements: Vec<Box<dyn Element>>,
     numbering: Numbering,
     pattern: Arc<Pattern>,
-    /// For each element, the entries (local row, local column, place in the pattern).
-    scatter: Vec<Vec<(usize, usize, usize)>>,
+    /// Places of each element.
+    layouts: Vec<Layout>,
+    /// Numbers of nodes and of multipliers that elements have.
+    sizes: Vec<(usize, usize)>,
 }
 
 /// Residual, and what each equation is to be measured against.
@@ -55,7 +60,8 @@ impl System {
         let numbering = Numbering::new(nodes.len(), counts);
         let mut system = Self {
             pattern: Arc::new(Pattern::new(0, Vec::new())),
-            scatter: Vec::new(),
+            layouts: Vec::new(),
+            sizes: Vec::new(),
             nodes,
             elements,
             numbering,
@@ -68,37 +74,33 @@ impl System {
     fn find_pattern(&mut self) {
         let state = State::at_rest(&self.nodes, &self.numbering);
         let conditions = Conditions::at_rest();
-        let mut touched = Vec::with_capacity(self.elements.len());
-        for index in 0..self.elements.len() {
-            let jacobian = self.local_jacobian(index, &state, &conditions);
-            let places: Vec<_> = jacobian
-                .touched()
-                .column_iter()
-                .enumerate()
-                .flat_map(|(j, column)| {
-                    let rows: Vec<_> = column.iter().enumerate().map(|(i, &t)| (i, t)).collect();
-                    rows.into_iter()
-                        .filter(|row| row.1)
-                        .map(move |row| (row.0, j))
-                })
-                .collect();
-            touched.push((self.places_of(index), places));
-        }
-        let all = touched
-            .iter()
-            .flat_map(|(places, entries)| entries.iter().map(|&(i, j)| (places[i], places[j])));
+        let n = self.numbering.unknowns();
         // The diagonal is always stored: the factorization may shift it.
-        let diagonal = (0..self.numbering.unknowns()).map(|i| (i, i));
-        let pattern = Pattern::new(self.numbering.unknowns(), all.chain(diagonal).collect());
-        self.scatter = touched
-            .into_iter()
-            .map(|(places, entries)| {
-                let stored = entries
-                    .into_iter()
-                    .filter_map(|(i, j)| Some((i, j, pattern.place(places[i], places[j])?)));
-                stored.collect()
-            })
-            .collect();
+        let mut entries: Vec<_> = (0..n).map(|i| (i, i)).collect();
+        let mut evaluated = Vec::with_capacity(self.elements.len());
+        for (index, element) in self.elements.iter().enumerate() {
+            let nodes = self.motions(index, &state);
+            let mut jacobian = LocalJacobian::new(nodes.len(), element.multipliers());
+            let at = self.seen_by(index, &nodes, &state, &conditions);
+            element.jacobian(&at, &mut jacobian);
+            let rows = Layout::rows(element.as_ref(), index, &self.numbering);
+            let marks = jacobian.touched().iter().enumerate();
+            let marked = marks.filter(|(_, touched)| **touched);
+            let place = |(at, _)| (rows[at % rows.len()], rows[at / rows.len()]);
+            entries.extend(marked.map(place));
+            evaluated.push((rows, jacobian));
+        }
+        let pattern = Pattern::new(n, entries);
+        for (element, (rows, jacobian)) in self.elements.iter().zip(evaluated) {
+            let size = (element.nodes().len(), element.multipliers());
+            let known = self.sizes.iter().position(|other| *other == size);
+            let room = known.unwrap_or(self.sizes.len());
+            if known.is_none() {
+                self.sizes.push(size);
+            }
+            let layout = Layout::new(rows, size.0, room, &jacobian, &pattern);
+            self.layouts.push(layout);
+        }
         self.pattern = Arc::new(pattern);
     }
 
@@ -127,19 +129,6 @@ impl System {
         State::at_rest(&self.nodes, &self.numbering)
     }
 
-    /// Place in the system of each local row of an element.
-    fn places_of(&self, index: usize) -> Vec<usize> {
-        let element = &self.elements[index];
-        let of_nodes = element
-            .nodes()
-            .iter()
-            .flat_map(|&node| (0..NODE_UNKNOWNS).map(move |i| NODE_UNKNOWNS * node + i));
-        let first = self.numbering.first_multiplier_of(index);
-        of_nodes
-            .chain(first..first + element.multipliers())
-            .collect()
-    }
-
     fn motions(&self, index: usize, state: &State) -> Vec<NodeMotion> {
         let nodes = self.elements[index].nodes();
         nodes.iter().map(|&node| state.nodes[node]).collect()
@@ -161,37 +150,10 @@ impl System {
         }
     }
 
-    fn local_jacobian(
-        &self,
-        index: usize,
-        state: &State,
-        conditions: &Conditions,
-    ) -> LocalJacobian {
-        let element = &self.elements[index];
-        let nodes = self.motions(index, state);
-        let mut local = LocalJacobian::new(nodes.len(), element.multipliers());
-        let at = self.seen_by(index, &nodes, state, conditions);
-        element.jacobian(&at, &mut local);
-        local
-    }
-
     /// The residual at a state.
     pub fn residual(&self, state: &State, conditions: &Conditions) -> Residual {
-        let n = self.numbering.unknowns();
-        let mut residual = Residual {
-            values: vec![0.0; n],
-            sizes: vec![0.0; n],
-        };
-        for (index, element) in self.elements.iter().enumerate() {
-            let nodes = self.motions(index, state);
-            let mut local = LocalResidual::new(nodes.len(), element.multipliers());
-            let at = self.seen_by(index, &nodes, state, conditions);
-            element.residual(&at, &mut local);
-            for (i, place) in self.places_of(index).into_iter().enumerate() {
-                residual.values[place] += local.values()[i];
-                residual.sizes[place] += local.sizes()[i];
-            }
-        }
+        let mut residual = Residual::default();
+        self.residual_into(state, conditions, &mut residual, &mut self.workspace());
         residual
     }
 
@@ -199,11 +161,12 @@ impl System {
     pub fn tangent(&self, state: &State, conditions: &Conditions) -> Tangent {
         let mut by_unknowns = Sparse::zero(Arc::clone(&self.pattern));
         let mut by_rates = Sparse::zero(Arc::clone(&self.pattern));
-        for (index, scatter) in self.scatter.iter().enumerate() {
-            let local = self.local_jacobian(index, state, conditions);
-            for &(i, j, place) in scatter {
-                by_unknowns.values_mut()[place] += local.by_unknowns()[(i, j)];
-                by_rates.values_mut()[place] += local.by_rates()[(i, j)];
+        let mut work = self.workspace();
+        for (index, layout) in self.layouts.iter().enumerate() {
+            let local = self.local_jacobian(index, state, conditions, &mut work);
+            layout.add_matrix(local.by_unknowns(), by_unknowns.values_mut());
+            if layout.rates {
+                layout.add_matrix(local.by_rates(), by_rates.values_mut());
             }
         }
         Tangent {

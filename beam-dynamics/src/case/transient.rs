@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::Model;
-use crate::integrator::{Scheme, Stepping};
+use crate::integrator::{Scheme, StepLimits, Stepping};
 use crate::model::{Conditions, Loading, TurningFrame};
 
 /// How a node moves at the start, as far as it is said.
@@ -68,27 +68,6 @@ pub enum Redundant {
     Remove,
 }
 
-/// How Newton's method solves a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StepNewton {
-    /// Whether a Jacobian is kept as long as it is good enough.
-    pub is_modified: bool,
-    /// Iterations of a step at most.
-    pub iterations: usize,
-    /// Size of the last correction, in sizes of the model and radians [-].
-    pub tolerance: f64,
-}
-
-impl Default for StepNewton {
-    fn default() -> Self {
-        Self {
-            is_modified: false,
-            iterations: 20,
-            tolerance: 1e-8,
-        }
-    }
-}
-
 /// What is asked about motion in time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TransientQuestion {
@@ -101,7 +80,7 @@ pub struct TransientQuestion {
     /// Formula of integration.
     pub scheme: Scheme,
     /// Iteration of a step.
-    pub newton: StepNewton,
+    pub newton: StepLimits,
     /// Whether rotations are linearized as at their prediction, and not exactly.
     pub simplified_jacobian: bool,
     /// Where the run starts.
@@ -121,7 +100,7 @@ impl TransientQuestion {
             to,
             stepping: Stepping::Constant { step },
             scheme: Scheme::default(),
-            newton: StepNewton::default(),
+            newton: StepLimits::default(),
             simplified_jacobian: false,
             start: Start::Given,
             start_accelerations: StartAccelerations::Consistent,

@@ -19,6 +19,8 @@ use crate::result::{Moment, Recorder, Snapshot};
 
 /// The table that asks for a run in time.
 const TABLE: &str = "transient";
+/// Changes at the start that are told one by one.
+const MOST_CHANGES: usize = 60;
 /// Parts of the progress bar.
 const PARTS: u64 = 10_000;
 
@@ -122,9 +124,9 @@ fn resumed(
     let file = path.display().to_string();
     let problem = match difference(&snapshot, input) {
         Some(difference) => RestartProblem::OtherModel { file, difference },
-        None if snapshot.time >= question.to => RestartProblem::AtEnd {
+        None if snapshot.progress.time >= question.to => RestartProblem::AtEnd {
             file,
-            at: snapshot.time,
+            at: snapshot.progress.time,
             to: question.to,
         },
         None => return Some(snapshot),
@@ -225,7 +227,7 @@ fn heading(input: &Input, question: &TransientQuestion, resumed: Option<&Snapsho
     let start = match resumed {
         Some(snapshot) => format!(
             "goes on at {} (step {})",
-            seconds(snapshot.time),
+            seconds(snapshot.progress.time),
             snapshot.step
         ),
         None => format!("from {}", seconds(question.from)),
@@ -274,6 +276,16 @@ fn outcome_text(input: &Input, question: &TransientQuestion, outcome: &Transient
     let mut text = String::new();
     for remark in input.remarks.iter().chain(&outcome.remarks) {
         text.push_str(&format!("  note: {remark}\n"));
+    }
+    if !outcome.changes.is_empty() {
+        text.push_str("\nChanged at the start, for the joints to be fulfilled\n");
+    }
+    for change in outcome.changes.iter().take(MOST_CHANGES) {
+        text.push_str(&format!("  {change}\n"));
+    }
+    if outcome.changes.len() > MOST_CHANGES {
+        let more = outcome.changes.len() - MOST_CHANGES;
+        text.push_str(&format!("  and {more} more\n"));
     }
     if let Some(failure) = &outcome.failure {
         text.push_str(&format!("  stopped early: {failure}\n"));

@@ -22,10 +22,14 @@ const STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 2e-8;
 
 /// Deterministic numbers in [-1, 1].
-struct Random(u64);
+pub(super) struct Random(u64);
 
 impl Random {
-    fn number(&mut self) -> f64 {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    pub(super) fn number(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
@@ -33,11 +37,11 @@ impl Random {
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
-    fn vector(&mut self, size: f64) -> Vector3<f64> {
+    pub(super) fn vector(&mut self, size: f64) -> Vector3<f64> {
         size * Vector3::new(self.number(), self.number(), self.number())
     }
 
-    fn rotation(&mut self, size: f64) -> Matrix3<f64> {
+    pub(super) fn rotation(&mut self, size: f64) -> Matrix3<f64> {
         vector::to_rotation(&self.vector(size))
     }
 
@@ -60,7 +64,7 @@ impl Random {
 }
 
 /// Undeformed nodes near x = 0, 1, 2 with arbitrary attitudes.
-fn nodes(random: &mut Random, count: usize) -> Vec<Node> {
+pub(super) fn nodes(random: &mut Random, count: usize) -> Vec<Node> {
     (0..count)
         .map(|i| Node {
             label: format!("n{i}"),

@@ -41,6 +41,12 @@ impl LocalResidual {
         self.sizes[row] += value.abs();
     }
 
+    /// Makes it zero again.
+    pub fn clear(&mut self) {
+        self.values.fill(0.0);
+        self.sizes.fill(0.0);
+    }
+
     /// The residual [unit of each equation].
     pub fn values(&self) -> &[f64] {
         &self.values
@@ -61,7 +67,9 @@ pub struct LocalJacobian {
     nodes: usize,
     by_unknowns: DMatrix<f64>,
     by_rates: DMatrix<f64>,
+    /// Empty where the pattern is known already.
     touched: DMatrix<bool>,
+    touches_rates: bool,
 }
 
 impl LocalJacobian {
@@ -69,11 +77,30 @@ impl LocalJacobian {
     pub fn new(nodes: usize, multipliers: usize) -> Self {
         let n = NODE_UNKNOWNS * nodes + multipliers;
         Self {
+            touched: DMatrix::from_element(n, n, false),
+            ..Self::unmarked(nodes, multipliers)
+        }
+    }
+
+    /// As [`Self::new`], without notes of what is touched.
+    pub fn unmarked(nodes: usize, multipliers: usize) -> Self {
+        let n = NODE_UNKNOWNS * nodes + multipliers;
+        Self {
             nodes,
             by_unknowns: DMatrix::zeros(n, n),
             by_rates: DMatrix::zeros(n, n),
-            touched: DMatrix::from_element(n, n, false),
+            touched: DMatrix::from_element(0, 0, false),
+            touches_rates: false,
         }
+    }
+
+    /// Makes it zero again.
+    pub fn clear(&mut self) {
+        self.by_unknowns.fill(0.0);
+        if self.touches_rates {
+            self.by_rates.fill(0.0);
+        }
+        self.touches_rates = false;
     }
 
     /// Adds `d equation / d variable`: rows of `row.0`, columns of `column.0`.
@@ -81,10 +108,9 @@ impl LocalJacobian {
         let first_row = NODE_UNKNOWNS * row.0 + row.1.row();
         let first_column = NODE_UNKNOWNS * column.0 + column.1.column();
         for j in 0..3 {
-            for i in 0..3 {
-                let place = (first_row + i, first_column + j);
-                self.add_at(place, block[(i, j)], column.1.is_rate());
-            }
+            let values = block.fixed_view::<3, 1>(0, j);
+            let place = (first_row, first_column + j);
+            self.add_column(place, values.as_slice(), column.1.is_rate());
         }
     }
 
@@ -97,9 +123,7 @@ impl LocalJacobian {
     ) {
         let first_row = NODE_UNKNOWNS * row.0 + row.1.row();
         let place = NODE_UNKNOWNS * self.nodes + multiplier;
-        for i in 0..3 {
-            self.add_at((first_row + i, place), column[i], false);
-        }
+        self.add_column((first_row, place), column.as_slice(), false);
     }
 
     /// Adds `d constraint / d variable`.
@@ -112,7 +136,7 @@ impl LocalJacobian {
         let place = NODE_UNKNOWNS * self.nodes + constraint;
         let first_column = NODE_UNKNOWNS * column.0 + column.1.column();
         for j in 0..3 {
-            self.add_at((place, first_column + j), row[j], column.1.is_rate());
+            self.add_column((place, first_column + j), &[row[j]], column.1.is_rate());
         }
     }
 
@@ -120,16 +144,42 @@ impl LocalJacobian {
     pub fn add_difference(&mut self, later: &Self, before: &Self) {
         self.by_unknowns += &later.by_unknowns - &before.by_unknowns;
         self.by_rates += &later.by_rates - &before.by_rates;
-        self.touched
-            .zip_apply(&later.touched, |touched, other| *touched |= other);
+        self.touches_rates |= later.touches_rates;
+        if self.touched.shape() == later.touched.shape() {
+            self.touched
+                .zip_apply(&later.touched, |touched, other| *touched |= other);
+        }
     }
 
-    fn add_at(&mut self, place: (usize, usize), value: f64, rate: bool) {
-        self.touched[place] = true;
-        if rate {
-            self.by_rates[place] += value;
-        } else {
-            self.by_unknowns[place] += value;
+    /// Adds to entries that follow each other in a column, from `place` on.
+    fn add_column(&mut self, place: (usize, usize), values: &[f64], rate: bool) {
+        let n = self.by_unknowns.nrows();
+        let first = place.0 + n * place.1;
+        let range = first..first + values.len();
+        if !self.touched.is_empty() {
+            self.touched.as_mut_slice()[range.clone()].fill(true);
+        }
+        self.touches_rates |= rate;
+        let matrix = match rate {
+            true => &mut self.by_rates,
+            false => &mut self.by_unknowns,
+        };
+        let sums = matrix.as_mut_slice()[range].iter_mut();
+        sums.zip(values).for_each(|(sum, value)| *sum += value);
+    }
+
+    /// Takes the derivatives by the rotation and angular velocity of a node as those by
+    /// u and u', with `theta = turn du`, `d omega = turn du' + spin du`.
+    pub fn turn(&mut self, node: usize, turn: &Matrix3<f64>, spin: &Matrix3<f64>) {
+        let first = NODE_UNKNOWNS * node + Variable::Rotation.column();
+        let n = self.by_unknowns.nrows();
+        let columns = n * first..n * (first + 3);
+        let theta = &mut self.by_unknowns.as_mut_slice()[columns.clone()];
+        map_columns(theta, turn);
+        if self.touches_rates {
+            let omega = &mut self.by_rates.as_mut_slice()[columns];
+            add_mapped(theta, omega, spin);
+            map_columns(omega, turn);
         }
     }
 
@@ -143,8 +193,40 @@ impl LocalJacobian {
         &self.by_rates
     }
 
+    /// Whether anything was added to the derivatives by rates.
+    pub fn touches_rates(&self) -> bool {
+        self.touches_rates
+    }
+
     /// Entries to which something was ever added.
     pub fn touched(&self) -> &DMatrix<bool> {
         &self.touched
+    }
+}
+
+/// `A <- A M`, A having three columns.
+fn map_columns(a: &mut [f64], m: &Matrix3<f64>) {
+    if *m == Matrix3::identity() {
+        return;
+    }
+    let (first, rest) = a.split_at_mut(a.len() / 3);
+    let (second, third) = rest.split_at_mut(first.len());
+    for ((x, y), z) in first.iter_mut().zip(second).zip(third) {
+        let row = RowVector3::new(*x, *y, *z) * m;
+        (*x, *y, *z) = (row[0], row[1], row[2]);
+    }
+}
+
+/// `B <- B + A M`, both having three columns.
+fn add_mapped(b: &mut [f64], a: &[f64], m: &Matrix3<f64>) {
+    let n = a.len() / 3;
+    for (column, sums) in b.chunks_exact_mut(n).enumerate() {
+        for (k, values) in a.chunks_exact(n).enumerate() {
+            let factor = m[(k, column)];
+            if factor != 0.0 {
+                let terms = sums.iter_mut().zip(values);
+                terms.for_each(|(sum, value)| *sum += value * factor);
+            }
+        }
     }
 }

@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 
 use super::along::Along;
+use super::drives;
 use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
@@ -66,6 +67,7 @@ struct Named {
 #[derive(Debug)]
 pub(super) struct Draft {
     properties: Catalog,
+    drives: drives::Catalog,
     hub: Option<Hub>,
     nodes: Vec<Node>,
     initial: Vec<InitialMotion>,
@@ -96,6 +98,7 @@ impl Draft {
         let remarks = properties.remarks.clone();
         Self {
             properties,
+            drives: drives::Catalog::default(),
             hub,
             nodes: Vec::new(),
             initial: Vec::new(),
@@ -120,6 +123,16 @@ impl Draft {
     /// The hub, if it could be read.
     pub fn hub(&self) -> Option<&Hub> {
         self.hub.as_ref()
+    }
+
+    /// The drives by name.
+    pub fn drives(&self) -> &drives::Catalog {
+        &self.drives
+    }
+
+    /// Says which drives have a name.
+    pub fn set_drives(&mut self, drives: drives::Catalog) {
+        self.drives = drives;
     }
 
     /// Nodes so far.

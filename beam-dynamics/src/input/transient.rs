@@ -6,8 +6,8 @@ use shared_geom::units::Dimension;
 
 use super::number::short_number;
 use super::questions::at_most;
-use crate::case::{Redundant, Start, StartAccelerations, StepNewton, TransientQuestion};
-use crate::integrator::{Scheme, StepControl, Stepping};
+use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
+use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
 mod node;
 
@@ -288,6 +288,7 @@ fn scheme(table: &Table<'_>) -> Option<Scheme> {
         "bdf2" => Scheme::Bdf2,
         "implicit-euler" => Scheme::ImplicitEuler,
         "cubic" => Scheme::Cubic { radius },
+        "gauss" => Scheme::CubicGauss,
         _ => Scheme::Parabolic {
             zeta: zeta.unwrap_or(-2.0 / 3.0),
         },
@@ -318,8 +319,8 @@ fn number_in(
     Some(Some(found))
 }
 
-fn newton(table: &Table<'_>) -> Option<StepNewton> {
-    let standard = StepNewton::default();
+fn newton(table: &Table<'_>) -> Option<StepLimits> {
+    let standard = StepLimits::default();
     if !table.has("newton") {
         return Some(standard);
     }
@@ -339,10 +340,11 @@ fn newton(table: &Table<'_>) -> Option<StepNewton> {
         false => Some(None),
     };
     table.finish();
-    Some(StepNewton {
-        is_modified: method? == 1,
+    Some(StepLimits {
+        jacobians: [Jacobians::Full, Jacobians::Modified][method?],
         iterations: iterations?,
-        tolerance: tolerance?.unwrap_or(standard.tolerance),
+        correction: tolerance?.unwrap_or(standard.correction),
+        ..standard
     })
 }
 

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::integrator::Progress;
 use crate::model::{Conditions, State};
 
 /// An accepted step.
@@ -46,13 +47,11 @@ pub struct Snapshot {
     pub multipliers: usize,
     /// Number of the last step.
     pub step: usize,
-    /// Its time [s].
-    pub time: f64,
+    /// What the integrator knows of the steps so far.
+    pub progress: Progress,
     /// The latest states, the last one first: thirty numbers a node, then the
     /// multipliers [unit of each].
     pub states: Vec<Vec<f64>>,
-    /// The effort so far.
-    pub effort: Effort,
 }
 
 /// The effort of a run, for its last lines.

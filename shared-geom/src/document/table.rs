@@ -8,8 +8,12 @@ use nalgebra::Vector3;
 use super::tree::{Entry, Kind, Value};
 use super::{Document, DocumentProblem};
 use crate::error::Explain;
+use crate::expression::written;
 use crate::files::names_beside;
 use crate::units::{Dimension, parse_quantity};
+
+/// Numbers of expressions below it can be counts: those that are whole without doubt.
+const COUNTS: f64 = 9e15;
 
 /// A table of a [`Document`]. Each reading method notes its own problems.
 #[derive(Debug)]
@@ -124,6 +128,12 @@ impl<'a> Table<'a> {
         self.entries.iter().map(|entry| entry.key.clone()).collect()
     }
 
+    /// Names and values of a table whose keys are names.
+    pub(super) fn values(&self) -> impl Iterator<Item = (&'a str, &'a Value)> {
+        let entries = self.entries.iter();
+        entries.map(|entry| (entry.key.as_str(), &entry.value))
+    }
+
     /// Text under `key`.
     pub fn text(&self, key: &str) -> Option<String> {
         let value = self.ask(key)?;
@@ -202,6 +212,11 @@ impl<'a> Table<'a> {
         let value = self.ask(key)?;
         let count = match value.kind {
             Kind::Integer(number) => usize::try_from(number).ok().filter(|n| *n > 0),
+            Kind::Text(ref text) if written(text).is_some() => {
+                let number = self.document.evaluate(key, value.line, text)?;
+                let is_count = number >= 1.0 && number < COUNTS && number.fract() == 0.0;
+                is_count.then_some(number as usize)
+            }
             _ => None,
         };
         match count {
@@ -419,6 +434,9 @@ impl<'a> Table<'a> {
         let number = match &value.kind {
             Kind::Integer(number) => plain(*number as f64),
             Kind::Number(number) => plain(*number),
+            Kind::Text(text) if written(text).is_some() => {
+                plain(self.document.evaluate(key, value.line, text)?)
+            }
             Kind::Text(text) => match parse_quantity(text, dimension) {
                 Ok(number) => number,
                 Err(problem) => {

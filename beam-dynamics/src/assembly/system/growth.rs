@@ -18,9 +18,7 @@ impl System {
             let mut local = LocalResidual::new(nodes.len(), element.multipliers());
             let at = self.seen_by(index, &nodes, state, conditions);
             element.by_factor(&at, &mut local);
-            for (i, place) in self.places_of(index).into_iter().enumerate() {
-                sum[place] += local.values()[i];
-            }
+            self.layouts[index].add_vector(local.values(), &mut sum);
         }
         sum
     }
@@ -33,7 +31,8 @@ impl System {
         for (index, element) in self.elements.iter().enumerate() {
             let nodes = self.motions(index, state);
             let at = self.seen_by(index, &nodes, state, conditions);
-            let places = self.places_of(index);
+            let layout = &self.layouts[index];
+            let places = &layout.places;
             let moved: Vec<_> = (0..nodes.len())
                 .map(|node| {
                     let first = places[NODE_UNKNOWNS * node];
@@ -49,9 +48,7 @@ impl System {
             };
             let mut local = LocalJacobian::new(nodes.len(), element.multipliers());
             element.prestress(&at, &along, &mut local);
-            for &(i, j, place) in &self.scatter[index] {
-                sum.values_mut()[place] += local.by_unknowns()[(i, j)];
-            }
+            layout.add_matrix(local.by_unknowns(), sum.values_mut());
         }
         sum
     }

@@ -11,9 +11,10 @@ use crate::case::{
 };
 use crate::elements::Element;
 use crate::elements::bodies::{RigidBody, RigidInertia};
+use crate::integrator::Counters;
 use crate::model::{Conditions, State};
 use crate::output::samples::{names, nodes_at};
-use crate::result::{Effort, Moment, Recorder, Snapshot};
+use crate::result::{Moment, Recorder, Snapshot};
 
 /// A body that is moved as [`run`] says.
 fn model() -> Model {
@@ -93,13 +94,20 @@ fn run(model: &Model, files: &mut RunFiles<'_>, range: std::ops::RangeInclusive<
 }
 
 fn snapshot(step: usize) -> Snapshot {
+    let progress = serde_json::json!({
+        "time": STEP * step as f64,
+        "counters": Counters::default(),
+        "length": STEP,
+        "known": 2,
+        "corner": null,
+        "lengths": { "from": 0.0, "points": step, "wish": STEP },
+    });
     Snapshot {
         nodes: vec!["n0".to_owned()],
         multipliers: 0,
         step,
-        time: STEP * step as f64,
+        progress: serde_json::from_value(progress).unwrap(),
         states: vec![vec![0.1, 1e-300, -1.0 / 3.0]],
-        effort: Effort::default(),
     }
 }
 

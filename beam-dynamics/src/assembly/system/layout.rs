@@ -1,0 +1,166 @@
+//! Where the equations and unknowns of an element stand in the system, found once, and
+//! the room in which elements are evaluated.
+
+use std::ops::Range;
+
+use nalgebra::DMatrix;
+
+use crate::assembly::Pattern;
+use crate::elements::{Element, LocalJacobian, LocalResidual};
+use crate::model::{NODE_UNKNOWNS, NodeMotion, Numbering};
+
+/// Places of one element in the vectors and matrices of the system.
+#[derive(Debug)]
+pub(super) struct Layout {
+    /// Place in the system of each local row.
+    pub places: Vec<usize>,
+    /// Which room of the workspace has the size of the element.
+    pub room: usize,
+    /// Whether the element hangs on rates.
+    pub rates: bool,
+    /// Entries in the columns of nodes.
+    of_nodes: Vec<Run>,
+    /// Entries in the columns of multipliers.
+    of_multipliers: Vec<Run>,
+}
+
+/// Entries that follow each other in a column of the local Jacobian, and in the pattern.
+#[derive(Debug, Clone, Copy)]
+struct Run {
+    /// First entry in the local matrix, column by column.
+    local: u32,
+    /// First entry in the pattern.
+    place: u32,
+    count: u32,
+}
+
+impl Layout {
+    /// Rows of element number `index`: those of its nodes, then its multipliers.
+    pub fn rows(element: &dyn Element, index: usize, numbering: &Numbering) -> Vec<usize> {
+        let of_nodes = element.nodes().iter().flat_map(|&node| {
+            let first = numbering.node(node);
+            first..first + NODE_UNKNOWNS
+        });
+        let first = numbering.first_multiplier_of(index);
+        of_nodes
+            .chain(first..first + element.multipliers())
+            .collect()
+    }
+
+    /// The layout of an element of `nodes` nodes on the rows `places`, which touched the
+    /// entries of `jacobian`.
+    pub fn new(
+        places: Vec<usize>,
+        nodes: usize,
+        room: usize,
+        jacobian: &LocalJacobian,
+        pattern: &Pattern,
+    ) -> Self {
+        let columns_of_nodes = NODE_UNKNOWNS * nodes;
+        let runs = |columns| runs(&places, columns, jacobian.touched(), pattern);
+        Self {
+            of_nodes: runs(0..columns_of_nodes),
+            of_multipliers: runs(columns_of_nodes..places.len()),
+            room,
+            rates: jacobian.touches_rates(),
+            places,
+        }
+    }
+
+    /// Adds a local vector to that of the system.
+    pub fn add_vector(&self, local: &[f64], sum: &mut [f64]) {
+        for (&place, value) in self.places.iter().zip(local) {
+            sum[place] += value;
+        }
+    }
+
+    /// Adds a local matrix to the entries of one of the system.
+    pub fn add_matrix(&self, local: &DMatrix<f64>, sum: &mut [f64]) {
+        add_runs(&self.of_nodes, 1.0, local, sum);
+        add_runs(&self.of_multipliers, 1.0, local, sum);
+    }
+
+    /// Adds `by_unknowns F_y + by_rates F_y'` in the columns of nodes and
+    /// `by_algebraic F_y` in those of multipliers.
+    pub fn add_weighted(
+        &self,
+        local: &LocalJacobian,
+        [by_unknowns, by_rates, by_algebraic]: [f64; 3],
+        sum: &mut [f64],
+    ) {
+        add_runs(&self.of_nodes, by_unknowns, local.by_unknowns(), sum);
+        if self.rates {
+            add_runs(&self.of_nodes, by_rates, local.by_rates(), sum);
+        }
+        let multipliers = &self.of_multipliers;
+        add_runs(multipliers, by_algebraic, local.by_unknowns(), sum);
+    }
+}
+
+fn runs(
+    places: &[usize],
+    columns: Range<usize>,
+    touched: &DMatrix<bool>,
+    pattern: &Pattern,
+) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for j in columns {
+        for i in (0..places.len()).filter(|&i| touched[(i, j)]) {
+            let Some(place) = pattern.place(places[i], places[j]) else {
+                continue;
+            };
+            let (local, place) = ((i + places.len() * j) as u32, place as u32);
+            let next =
+                |run: &&mut Run| local == run.local + run.count && place == run.place + run.count;
+            match runs.last_mut().filter(next) {
+                Some(run) => run.count += 1,
+                None => runs.push(Run {
+                    local,
+                    place,
+                    count: 1,
+                }),
+            }
+        }
+    }
+    runs
+}
+
+fn add_runs(runs: &[Run], weight: f64, local: &DMatrix<f64>, sum: &mut [f64]) {
+    let local = local.as_slice();
+    for run in runs {
+        let (from, to, count) = (run.local as usize, run.place as usize, run.count as usize);
+        let values = local[from..from + count].iter();
+        for (sum, value) in sum[to..to + count].iter_mut().zip(values) {
+            *sum += weight * value;
+        }
+    }
+}
+
+/// Room for the evaluation of elements: what it holds is written anew at each use.
+#[derive(Debug, Clone)]
+pub struct Workspace {
+    pub(super) motions: Vec<NodeMotion>,
+    pub(super) rooms: Vec<Room>,
+}
+
+/// Residual and Jacobian of an element.
+#[derive(Debug, Clone)]
+pub(super) struct Room {
+    pub residual: LocalResidual,
+    pub jacobian: LocalJacobian,
+}
+
+impl Workspace {
+    /// Room for elements of the given numbers of nodes and multipliers.
+    pub(super) fn new(sizes: &[(usize, usize)]) -> Self {
+        let nodes = sizes.iter().map(|size| size.0).max().unwrap_or(0);
+        let room = |&(nodes, multipliers): &(usize, usize)| Room {
+            residual: LocalResidual::new(nodes, multipliers),
+            jacobian: LocalJacobian::unmarked(nodes, multipliers),
+        };
+        Self {
+            motions: Vec::with_capacity(nodes),
+            rooms: sizes.iter().map(room).collect(),
+        }
+    }
+}
