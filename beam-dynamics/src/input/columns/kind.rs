@@ -2,7 +2,7 @@
 
 use shared_geom::units::Dimension;
 
-use crate::case::{EnergyPart, NodeVector};
+use crate::case::{EnergyPart, JointMotion, NodeVector};
 
 /// A word under `quantity`, where its numbers come from, what they measure (of beams
 /// their first three components), and their unit unless one is given.
@@ -28,6 +28,10 @@ pub(super) enum Source {
         /// The moment.
         is_moment: bool,
     },
+    /// Motion of a joint.
+    Joint(JointMotion),
+    /// Value of a drive; what it measures is that of its unit.
+    Drive,
     /// Energy of the model.
     Energy(EnergyPart),
     /// Length of the step.
@@ -53,7 +57,7 @@ const MOMENTUM: Dimension = dimension(1, 1, -1);
 pub(super) const CURVATURE: Dimension = dimension(-1, 0, 0);
 
 /// All quantities.
-pub(super) const KINDS: [Kind; 21] = [
+pub(super) const KINDS: [Kind; 27] = [
     (
         "position",
         Source::Node(NodeVector::Position),
@@ -144,6 +148,37 @@ pub(super) const KINDS: [Kind; 21] = [
         Dimension::MOMENT,
         "N*m",
     ),
+    (
+        "joint_displacement",
+        Source::Joint(JointMotion::Displacement),
+        Dimension::LENGTH,
+        "m",
+    ),
+    (
+        "joint_rotation",
+        Source::Joint(JointMotion::Rotation),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "joint_angle",
+        Source::Joint(JointMotion::Angle),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "joint_velocity",
+        Source::Joint(JointMotion::Velocity),
+        VELOCITY,
+        "m/s",
+    ),
+    (
+        "joint_angular_velocity",
+        Source::Joint(JointMotion::AngularVelocity),
+        Dimension::ROTATION_SPEED,
+        "rad/s",
+    ),
+    ("drive", Source::Drive, Dimension::NUMBER, "1"),
     (
         "kinetic_energy",
         Source::Energy(EnergyPart::Kinetic),
