@@ -54,6 +54,7 @@ mod tests;
 pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
+pub use drives::DriveProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;

@@ -64,7 +64,6 @@ impl Dimension {
     pub const FORCE_TIME: Self = Self::of(1, 1, -1, 0);
     /// Bending and torsional viscosity of a section, in N m^2 s inside.
     pub const BENDING_TIME: Self = Self::of(3, 1, -1, 0);
-
     /// Velocity, in m/s inside.
     pub const VELOCITY: Self = Self::of(1, 0, -1, 0);
     /// Force per length, in N/m inside.
