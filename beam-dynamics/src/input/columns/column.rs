@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::{DocumentProblem, Table};
-use shared_geom::units::{Dimension, parse, parse_as};
+use shared_geom::units::{Dimension, parse};
 use shared_geom::wrench::COMPONENTS;
 
-use super::kind::{CURVATURE, KINDS, Kind, Source};
+use super::kind::{CURVATURE, KINDS, Kind, Source, unit_factor};
 use super::problem::ColumnProblem;
 use crate::case::{Axes, Column, JointMotion, NodeQuantity, NodeVector, Part, Quantity};
 use crate::input::draft::Draft;
@@ -80,8 +80,8 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
             Some(unit) => (unit.clone(), factor(table, unit, part.dimension)?),
             None => {
                 // Every unit of the quantities is one of those that are known.
-                let known = parse_as(part.unit, part.dimension).ok()?;
-                (part.unit.to_owned(), known.factor)
+                let factor = unit_factor(part.unit, part.dimension).ok()?;
+                (part.unit.to_owned(), factor)
             }
         };
         Some(Column {
@@ -116,8 +116,8 @@ fn kind(table: &Table<'_>) -> Option<&'static Kind> {
 }
 
 fn factor(table: &Table<'_>, unit: &str, dimension: Dimension) -> Option<f64> {
-    match parse_as(unit, dimension) {
-        Ok(unit) => Some(unit.factor),
+    match unit_factor(unit, dimension) {
+        Ok(factor) => Some(factor),
         Err(problem) => {
             let key = "unit".to_owned();
             table.note("unit", &DocumentProblem::Unit { key, problem });

@@ -1,6 +1,6 @@
 //! The quantities that a column can have: their words, dimensions and units.
 
-use shared_geom::units::Dimension;
+use shared_geom::units::{Dimension, UnitProblem, parse_as};
 
 use crate::case::{EnergyPart, JointMotion, NodeVector};
 
@@ -55,6 +55,18 @@ const VELOCITY: Dimension = dimension(1, 0, -1);
 const MOMENTUM: Dimension = dimension(1, 1, -1);
 /// Curvature and twist, in 1/m.
 pub(super) const CURVATURE: Dimension = dimension(-1, 0, 0);
+
+/// Words for energy, which the units of inputs do not have: there they would be moments.
+const JOULES: [(&str, f64); 3] = [("J", 1.0), ("kJ", 1e3), ("MJ", 1e6)];
+
+/// SI units in one `unit` of a quantity of `dimension` [SI unit of it].
+pub(super) fn unit_factor(unit: &str, dimension: Dimension) -> Result<f64, UnitProblem> {
+    let joules = JOULES.iter().find(|joules| joules.0 == unit);
+    match joules.filter(|_| dimension == Dimension::MOMENT) {
+        Some(joules) => Ok(joules.1),
+        None => parse_as(unit, dimension).map(|unit| unit.factor),
+    }
+}
 
 /// All quantities.
 pub(super) const KINDS: [Kind; 27] = [
@@ -183,25 +195,25 @@ pub(super) const KINDS: [Kind; 27] = [
         "kinetic_energy",
         Source::Energy(EnergyPart::Kinetic),
         Dimension::MOMENT,
-        "N*m",
+        "J",
     ),
     (
         "elastic_energy",
         Source::Energy(EnergyPart::Elastic),
         Dimension::MOMENT,
-        "N*m",
+        "J",
     ),
     (
         "gravity_energy",
         Source::Energy(EnergyPart::Gravity),
         Dimension::MOMENT,
-        "N*m",
+        "J",
     ),
     (
         "energy",
         Source::Energy(EnergyPart::Total),
         Dimension::MOMENT,
-        "N*m",
+        "J",
     ),
     ("step_length", Source::StepLength, Dimension::TIME, "s"),
     ("iterations", Source::Iterations, Dimension::NUMBER, "1"),
