@@ -15,6 +15,7 @@ mod equal_blades;
 mod formats;
 mod free_flight;
 mod in_time;
+mod integrators;
 mod joints;
 mod leverage;
 mod loads;
