@@ -6,6 +6,7 @@ mod modal_damping;
 pub mod modes;
 pub mod statics;
 pub mod steady;
+pub mod transient;
 
 mod arc;
 mod balance;

@@ -1,6 +1,8 @@
 //! The system of equations: nodes, elements, and their sum in a fixed sparse pattern.
 
+pub mod massless;
 pub mod mechanism;
+pub mod redundancy;
 
 mod combination;
 mod pattern;

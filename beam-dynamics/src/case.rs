@@ -5,6 +5,14 @@ use nalgebra::Vector3;
 use crate::assembly::System;
 use crate::model::{Conditions, Loading, NamingAxes, TurningFrame};
 
+mod columns;
+mod transient;
+
+pub use columns::{
+    Axes, Column, EnergyPart, Every, NodeQuantity, NodeVector, OutputQuestion, Part, Quantity,
+};
+pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
+
 /// How the model's frame turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spin {
@@ -53,6 +61,8 @@ pub struct Model {
     pub beams: Vec<[usize; 3]>,
     /// Blades, in the order of the input.
     pub blades: Vec<BladeNodes>,
+    /// How the nodes move at the start of a run in time, one a node.
+    pub initial: Vec<InitialMotion>,
 }
 
 impl Model {
@@ -62,6 +72,7 @@ impl Model {
         Self {
             name: name.into(),
             naming: vec![NamingAxes::default(); system.nodes().len()],
+            initial: vec![InitialMotion::default(); system.nodes().len()],
             system,
             spin: Spin::default(),
             gravity: Vector3::zeros(),

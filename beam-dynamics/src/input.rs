@@ -10,8 +10,10 @@ use shared_geom::document::{Document, read_text};
 use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 
-use crate::assembly::mechanism;
-use crate::case::{BucklingQuestion, Model, ModesQuestion, StaticQuestion};
+use crate::assembly::{massless, mechanism};
+use crate::case::{
+    BucklingQuestion, Model, ModesQuestion, OutputQuestion, StaticQuestion, TransientQuestion,
+};
 use crate::result::Measured;
 
 mod along;
@@ -21,8 +23,10 @@ mod blade_file;
 mod blades;
 mod bodies;
 mod clamps;
+mod columns;
 mod damping;
 mod draft;
+mod drives;
 mod hub;
 mod hub_support;
 mod in_place;
@@ -40,6 +44,7 @@ mod shapes;
 mod speeds;
 mod springs;
 mod summary;
+mod transient;
 
 #[cfg(test)]
 mod joint_tests;
@@ -48,10 +53,13 @@ mod tests;
 
 pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
+pub use columns::ColumnProblem;
+pub use drives::DriveProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
 pub use summary::Summary;
+pub use transient::TransientProblem;
 
 use draft::Draft;
 use questions::Questions;
@@ -70,6 +78,10 @@ pub struct Input {
     pub statics: Option<StaticQuestion>,
     /// What is asked about critical loads; `None` without `[buckling]`.
     pub buckling: Option<BucklingQuestion>,
+    /// What a run in time writes.
+    pub output: OutputQuestion,
+    /// What is asked about motion in time; `None` without `[transient]`.
+    pub transient: Option<TransientQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
     /// Names of the hinges that nothing but motion and loads holds.
@@ -98,7 +110,19 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
     let mobility = mechanism::find(&input.model.system);
-    for found in &mobility.mechanisms {
+    // In time what is not held may fly; what has no mass may not.
+    let only_in_time = input.transient.is_some()
+        && input.modes.is_none()
+        && input.statics.is_none()
+        && input.buckling.is_none();
+    for found in mobility.mechanisms.iter().filter(|_| !only_in_time) {
+        problems.push(Place::file(file), found);
+    }
+    let massless = match input.transient {
+        Some(_) => massless::find(&input.model.system),
+        None => Vec::new(),
+    };
+    for found in &massless {
         problems.push(Place::file(file), found);
     }
     input.remarks.extend(free_hinges(&mobility.free_hinges));
@@ -133,10 +157,12 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let root = document.root();
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
     document.declare_units(&root);
+    document.declare_parameters(&root);
     let properties = properties::read(&root);
     let hub = hub::read(&root);
 
     let mut draft = Draft::new(properties, hub);
+    draft.set_drives(drives::read_named(&root));
     hub_support::add(&root, &mut draft);
     nodes::read(&root, &mut draft);
     blades::read(&root, &mut draft);
@@ -150,13 +176,16 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let gravity = loads::gravity(&root);
     let questions = questions::read(&root);
     let measured = measured::read(&root);
+    let output = columns::read(&root, &draft);
     root.finish();
 
     draft.check(&root);
+    draft.check_initial(&root);
     let (gravity, questions) = (gravity?, questions?);
     questions.check(&root, &gravity, &draft.hub()?.spin());
     let mut input = finish(name, draft, questions, measured?)?;
     input.model.gravity = gravity;
+    input.output = output?;
     Some(input)
 }
 
@@ -171,6 +200,8 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         modes: questions.modes,
         statics: questions.statics,
         buckling: questions.buckling,
+        output: OutputQuestion::default(),
+        transient: questions.transient,
         measured,
         free_hinges: Vec::new(),
         summary,

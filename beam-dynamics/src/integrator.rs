@@ -3,10 +3,23 @@
 //!
 //! A system `F(y, y', t) = 0` is seen through [`Dae`]: it keeps its states, so that
 //! rotations stay matrices, and hands them to the formulas as numbers relative to its
-//! latest accepted state.
+//! latest accepted state. An [`Integrator`] makes one accepted step after the other.
 
+mod advance;
+mod corrector;
+mod counters;
 mod dae;
+mod failure;
+mod formula;
+mod lengths;
+mod limits;
+mod prediction;
 mod scheme;
 
+pub use advance::{Integrator, Progress, Stepped};
+pub use counters::Counters;
 pub use dae::Dae;
+pub use failure::{Reason, StepFailure};
+pub use formula::{Formula, STAGES};
+pub use limits::{Jacobians, StepLimits};
 pub use scheme::{Scheme, StepControl, Stepping};

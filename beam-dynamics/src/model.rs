@@ -10,7 +10,10 @@ mod state;
 
 pub use axes::NamingAxes;
 pub use conditions::{Conditions, Loading};
-pub use drive::{Drive, DriveValue};
+pub use drive::{
+    BandNoise, Doublet, Drive, DriveTable, DriveValue, Formula, Harmonic, Interpolation, Outside,
+    Ramp, Step, SteppedNoise, TableProblem,
+};
 pub use frame::TurningFrame;
 pub use node::Node;
 pub use numbering::{Equation, NODE_UNKNOWNS, Numbering, Variable};

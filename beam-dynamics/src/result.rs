@@ -3,12 +3,14 @@
 use nalgebra::{Complex, Matrix3};
 
 mod buckling;
+mod columns;
 mod statics;
 mod transient;
 
 pub use buckling::{BucklingMode, BucklingResult};
+pub use columns::ColumnValues;
 pub use statics::{StaticResult, StaticStep};
-pub use transient::{Effort, Moment, Recorder};
+pub use transient::{Effort, Moment, Recorder, Snapshot};
 
 /// What a mode mainly does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -15,13 +15,17 @@ use crate::error::{Diagnostics, Explain, Place};
 use crate::files::read_bytes;
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
+mod item;
+mod parameters;
 mod problem;
 mod table;
 mod tree;
 
+pub use item::Item;
 pub use problem::DocumentProblem;
 pub use table::Table;
 
+use parameters::Parameters;
 use tree::{Entry, Lines};
 
 /// Errors of syntax that are told one by one: one slip makes a few of them, and a file
@@ -35,6 +39,7 @@ pub struct Document {
     root: Vec<Entry>,
     problems: RefCell<Diagnostics>,
     units: RefCell<Units>,
+    parameters: RefCell<Parameters>,
 }
 
 impl Document {
@@ -61,6 +66,7 @@ impl Document {
             root: tree::entries(root.get_ref(), &lines),
             problems: RefCell::default(),
             units: RefCell::new(Units::si()),
+            parameters: RefCell::default(),
         })
     }
 

@@ -64,7 +64,8 @@ impl Dimension {
     pub const FORCE_TIME: Self = Self::of(1, 1, -1, 0);
     /// Bending and torsional viscosity of a section, in N m^2 s inside.
     pub const BENDING_TIME: Self = Self::of(3, 1, -1, 0);
-
+    /// Velocity, in m/s inside.
+    pub const VELOCITY: Self = Self::of(1, 0, -1, 0);
     /// Force per length, in N/m inside.
     pub const FORCE_PER_LENGTH: Self = Self::of(0, 1, -2, 0);
     /// Acceleration, in m/s^2 inside.
@@ -103,6 +104,7 @@ impl fmt::Display for Dimension {
             Self::FORCE => "a force",
             Self::STRESS => "a stress",
             Self::DENSITY => "a density",
+            Self::VELOCITY => "a velocity",
             Self::ROTATION_SPEED => "a rotation speed",
             Self::FREQUENCY => "a frequency",
             Self::BENDING_STIFFNESS => "a bending or torsional stiffness",
@@ -460,6 +462,21 @@ pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, UnitProble
     let (number, unit) = trimmed.split_once(' ').ok_or_else(malformed)?;
     let number: f64 = number.parse().map_err(|_| malformed())?;
     Ok(number * parse_as(unit, expected)?.factor)
+}
+
+/// Reads a quantity of any kind with its unit; the value is in SI units.
+///
+/// # Errors
+/// As [`parse_quantity`].
+pub fn parse_any(text: &str) -> Result<(f64, Dimension), UnitProblem> {
+    let malformed = || UnitProblem::Quantity { found: text.into() };
+    let (number, unit) = text.trim().split_once(' ').ok_or_else(malformed)?;
+    let number: f64 = number.parse().map_err(|_| malformed())?;
+    let unit = parse(unit)?;
+    match (number * unit.factor).is_finite() {
+        true => Ok((number * unit.factor, unit.dimension)),
+        false => Err(malformed()),
+    }
 }
 
 #[cfg(test)]

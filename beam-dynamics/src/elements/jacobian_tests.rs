@@ -4,28 +4,37 @@
 //! eps/h of terms of order one (properties are chosen so) give about 1e-9 of the
 //! largest entry; 2e-8 leaves a factor for the third derivatives.
 
-use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::wrench;
 
 use super::beams::{
-    BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam, ViscousBeam,
+    BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam, LawBeam, ViscousBeam,
 };
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
-use super::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
-use super::springs::{Stand, SupportLaw, SupportSpring};
+use super::laws::{Cubic, Law, LawKind};
+use super::loads::{
+    Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
+};
+use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
+use crate::model::{
+    Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable,
+};
 
 const STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 2e-8;
 
 /// Deterministic numbers in [-1, 1].
-struct Random(u64);
+pub(super) struct Random(u64);
 
 impl Random {
-    fn number(&mut self) -> f64 {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    pub(super) fn number(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
@@ -33,11 +42,11 @@ impl Random {
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
-    fn vector(&mut self, size: f64) -> Vector3<f64> {
+    pub(super) fn vector(&mut self, size: f64) -> Vector3<f64> {
         size * Vector3::new(self.number(), self.number(), self.number())
     }
 
-    fn rotation(&mut self, size: f64) -> Matrix3<f64> {
+    pub(super) fn rotation(&mut self, size: f64) -> Matrix3<f64> {
         vector::to_rotation(&self.vector(size))
     }
 
@@ -60,7 +69,7 @@ impl Random {
 }
 
 /// Undeformed nodes near x = 0, 1, 2 with arbitrary attitudes.
-fn nodes(random: &mut Random, count: usize) -> Vec<Node> {
+pub(super) fn nodes(random: &mut Random, count: usize) -> Vec<Node> {
     (0..count)
         .map(|i| Node {
             label: format!("n{i}"),
@@ -416,5 +425,106 @@ fn imposed_motions_of_any_components() {
         let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
         assert_eq!(imposed.multipliers(), mask.count_ones() as usize);
         check(&imposed, &nodes, &mut random);
+    }
+}
+
+/// Elastic, and so that nothing cancels: cubic and viscous, unsymmetric.
+fn laws<const N: usize>(random: &mut Random) -> [Law<N>; 2] {
+    let cubic = LawKind::Cubic(std::array::from_fn(|i| Cubic {
+        first: 1.0 + 0.1 * i as f64,
+        second: 0.2,
+        third: 0.3,
+    }));
+    let viscosity = SMatrix::from_fn(|_, _| random.number());
+    let sum = vec![cubic.clone().into(), LawKind::Viscous { viscosity }.into()];
+    [cubic.into(), Law::sum(sum)]
+}
+
+#[test]
+fn rods_between_nodes_and_from_the_frame() {
+    let mut random = Random(11);
+    let nodes = nodes(&mut random, 2);
+    let end = |node: usize, random: &mut Random| End::Node {
+        node,
+        offset: random.vector(0.3),
+    };
+    let position = nodes[0].position + Vector3::new(0.0, 1.0, 0.2);
+    for (law, measure) in laws(&mut random)
+        .into_iter()
+        .zip([Measure::Strain, Measure::Elongation])
+    {
+        let law = || (measure, law.clone());
+        let between = [end(0, &mut random), end(1, &mut random)];
+        let rod = Rod::new("rod", between, &nodes, Some(0.8), law());
+        check(&rod, &nodes, &mut random);
+        let frame = End::Frame { position };
+        for ends in [[frame, end(0, &mut random)], [end(0, &mut random), frame]] {
+            let rod = Rod::new("rod to the frame", ends, &nodes, None, law());
+            check(&rod, &nodes[..1], &mut random);
+        }
+    }
+}
+
+#[test]
+fn springs_between_nodes_and_from_the_frame() {
+    let mut random = Random(12);
+    let nodes = nodes(&mut random, 2);
+    let three = laws::<3>(&mut random);
+    let together = laws::<6>(&mut random).map(SpringLaw::Together);
+    let along = three.clone().map(SpringLaw::of_displacement);
+    let about = three.clone().map(SpringLaw::of_rotation);
+    let [displacement, rotation] = three.map(Some);
+    let apart = SpringLaw::Apart {
+        displacement,
+        rotation,
+    };
+    let all = together
+        .into_iter()
+        .chain(along)
+        .chain(about)
+        .chain([apart]);
+    for law in all {
+        let (place, axes) = (random.vector(1.0), random.rotation(1.0));
+        for on in [&[0, 1][..], &[0]] {
+            let spring = Spring::new("spring", (on, &nodes), &place, &axes, law.clone());
+            check(&spring, &nodes[..on.len()], &mut random);
+        }
+    }
+}
+
+#[test]
+fn beams_of_any_law_with_offsets_and_turned_sections() {
+    let mut random = Random(13);
+    for law in laws(&mut random) {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let stiff = Law::linear(random.stiffness());
+        let beam = LawBeam::new("beam", [0, 1, 2], geometry, undeformed, [law, stiff]);
+        check(&beam, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn forces_between_nodes() {
+    let mut random = Random(14);
+    let nodes = nodes(&mut random, 2);
+    let offset = random.vector(0.3);
+    let line = Between::Line {
+        ends: [0, 1].map(|node| End::Node { node, offset }),
+        tension: 1.3,
+    };
+    let axes = Between::Axes {
+        nodes: [0, 1],
+        offset,
+        force: random.vector(1.0),
+        moment: random.vector(1.0),
+    };
+    for between in [line, axes] {
+        for factor in [LoadFactor::Constant, LoadFactor::Proportional] {
+            let drive = Drive::Constant(0.7);
+            let force = InternalForce::new("force", &nodes, between.clone(), factor, drive);
+            check(&force, &nodes, &mut random);
+        }
     }
 }

@@ -2,13 +2,21 @@
 
 mod algebra;
 mod clamp;
+mod delegate;
 mod hinge;
+mod joint;
+mod kinds;
+mod relative;
 mod rigid;
 
 pub use algebra::Attachment;
 pub use clamp::Clamp;
 pub use hinge::{Hinge, HingeSpring};
+pub use joint::{ConstraintJoint, JointEnds};
+pub use kinds::{Freedom, Placing, Turning, axes_along};
 pub use rigid::RigidConnection;
+
+pub(super) use delegate::is_a_joint;
 
 #[cfg(test)]
 mod tests;

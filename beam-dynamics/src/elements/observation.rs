@@ -32,6 +32,89 @@ pub struct Reaction {
     pub moment: Vector3<f64>,
 }
 
+/// A joint at a state: what it exerts and how its second end moves against its first.
+///
+/// The first end, a, is the first of two nodes, or the frame of the model; b is the other.
+/// Each carries a point and axes, which are the same in the undeformed model unless the
+/// joint says otherwise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointState {
+    /// Name of the joint.
+    pub joint: String,
+    /// Numbers of the nodes of a and b; `None` for the frame.
+    pub nodes: [Option<usize>; 2],
+    /// The axes (columns) that turn with a and with b, model's axes [-].
+    pub axes: [Matrix3<f64>; 2],
+    /// Force on b, model's axes [N].
+    pub force: Vector3<f64>,
+    /// Moment on b about its point, model's axes [N m].
+    pub moment: Vector3<f64>,
+    /// From the point of a to that of b, axes of a [m].
+    pub displacement: Vector3<f64>,
+    /// Rotation vector of the axes of b against those of a, axes of a; at most half a
+    /// turn [rad].
+    pub rotation: Vector3<f64>,
+    /// Angle about the axis of a joint that has one, between minus and plus half a turn
+    /// (see [`JointState::unwrapped`]) [rad].
+    pub angle: Option<f64>,
+    /// Rate of `displacement`: the velocity of b's point seen from a [m/s].
+    pub velocity: Vector3<f64>,
+    /// Angular velocity of b against a, axes of a [rad/s].
+    pub angular_velocity: Vector3<f64>,
+}
+
+/// The axes in which a reaction is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ReactionAxes {
+    /// Those of the model.
+    Model,
+    /// Those of the joint as they turn with a.
+    First,
+    /// Those of the joint as they turn with b.
+    Second,
+}
+
+impl JointState {
+    /// Force [N] and moment [N m] on b at its point.
+    pub fn reaction(&self, axes: ReactionAxes) -> [Vector3<f64>; 2] {
+        let back = match axes {
+            ReactionAxes::Model => Matrix3::identity(),
+            ReactionAxes::First => self.axes[0].transpose(),
+            ReactionAxes::Second => self.axes[1].transpose(),
+        };
+        [back * self.force, back * self.moment]
+    }
+
+    /// The angle with as many full turns as bring it next to `before`, the angle a moment
+    /// ago [rad].
+    pub fn unwrapped(&self, before: f64) -> Option<f64> {
+        use std::f64::consts::TAU;
+        let angle = self.angle?;
+        Some(angle + TAU * ((before - angle) / TAU).round())
+    }
+}
+
+/// A rod, or a spring between two nodes or between the frame and a node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpringState {
+    /// Name of the rod or spring.
+    pub spring: String,
+    /// Axes in which the vectors below are (columns), in the model's frame: those of the
+    /// first node, or of a rod its line and two directions across it [-].
+    pub axes: Matrix3<f64>,
+    /// Displacement of the second end against the first since the undeformed state; of a
+    /// rod its elongation and zeros [m].
+    pub displacement: Vector3<f64>,
+    /// Rotation vector of the second end against the first; of a rod zero [rad].
+    pub rotation: Vector3<f64>,
+    /// Force with which the spring resists the displacement: of a rod its tension and
+    /// zeros [N].
+    pub force: Vector3<f64>,
+    /// Moment with which the spring resists the rotation, on its first end and about the
+    /// place of the second [N m].
+    pub moment: Vector3<f64>,
+}
+
 /// All that the elements tell, in their order.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Observations {
@@ -39,4 +122,8 @@ pub struct Observations {
     pub sections: Vec<SectionState>,
     /// Reactions of joints.
     pub reactions: Vec<Reaction>,
+    /// Joints.
+    pub joints: Vec<JointState>,
+    /// Rods and springs between two ends.
+    pub springs: Vec<SpringState>,
 }

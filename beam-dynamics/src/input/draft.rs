@@ -9,16 +9,20 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 
 use super::along::Along;
+use super::drives;
 use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
+use super::transient::TransientProblem;
 use crate::assembly::System;
-use crate::case::{BladeNodes, Model, Spin};
+use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
 use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, ViscousBeam, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::Node;
+
+mod lookup;
 
 /// How the mass of a beam moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,8 +67,10 @@ struct Named {
 #[derive(Debug)]
 pub(super) struct Draft {
     properties: Catalog,
+    drives: drives::Catalog,
     hub: Option<Hub>,
     nodes: Vec<Node>,
+    initial: Vec<InitialMotion>,
     /// Axes of the blade to which each node belongs.
     blade_axes: Vec<Option<Matrix3<f64>>>,
     names: BTreeMap<String, Named>,
@@ -92,8 +98,10 @@ impl Draft {
         let remarks = properties.remarks.clone();
         Self {
             properties,
+            drives: drives::Catalog::default(),
             hub,
             nodes: Vec::new(),
+            initial: Vec::new(),
             blade_axes: Vec::new(),
             names: BTreeMap::new(),
             broken_blades: BTreeSet::new(),
@@ -115,6 +123,16 @@ impl Draft {
     /// The hub, if it could be read.
     pub fn hub(&self) -> Option<&Hub> {
         self.hub.as_ref()
+    }
+
+    /// The drives by name.
+    pub fn drives(&self) -> &drives::Catalog {
+        &self.drives
+    }
+
+    /// Says which drives have a name.
+    pub fn set_drives(&mut self, drives: drives::Catalog) {
+        self.drives = drives;
     }
 
     /// Nodes so far.
@@ -154,8 +172,14 @@ impl Draft {
             return None;
         }
         self.nodes.push(node);
+        self.initial.push(InitialMotion::default());
         self.blade_axes.push(blade_axes);
         Some(index)
+    }
+
+    /// Says how node number `node` moves at the start.
+    pub fn set_initial(&mut self, node: usize, initial: InitialMotion) {
+        self.initial[node] = initial;
     }
 
     /// Gives node number `index`, or one that could not be read, a further name.
@@ -336,8 +360,10 @@ impl Draft {
     /// Notes what is wrong with the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
         const CARDS: [&str; 5] = ["blade", "beam", "hinge", "rigid", "spring"];
-        let nothing = self.beams.is_empty() && self.joints.is_empty() && !self.broken;
-        if nothing || !CARDS.iter().any(|card| root.has(card)) {
+        let flies = root.has("transient") && (root.has("body") || root.has("joint"));
+        let bodies = !flies || self.bodies.is_empty();
+        let nothing = self.beams.is_empty() && self.joints.is_empty() && bodies && !self.broken;
+        if nothing || !(flies || CARDS.iter().any(|card| root.has(card))) {
             // That [blade] should be [[blade]] has been told already.
             if !CARDS.iter().any(|card| root.is_table(card)) {
                 root.note("", &InputProblem::EmptyModel);
@@ -356,6 +382,25 @@ impl Draft {
         let massless = massless && !root.has("modes");
         if !self.broken && !massless && self.moving_mass() <= 0.0 {
             root.note("", &InputProblem::NoMass);
+        }
+    }
+
+    /// Notes initial velocities of nodes of which nothing is asked in time.
+    pub fn check_initial(&self, root: &Table<'_>) {
+        if root.has("transient") {
+            return;
+        }
+        for (node, initial) in self.nodes.iter().zip(&self.initial) {
+            let keys = [
+                ("velocity", initial.velocity),
+                ("angular_velocity", initial.angular_velocity),
+            ];
+            let line = self.names.get(&node.label).map_or(1, |named| named.line);
+            for (key, _) in keys.into_iter().filter(|(_, value)| value.is_some()) {
+                let node = node.label.clone();
+                let problem = TransientProblem::IdleVelocity { node, key };
+                root.document().note(line, &problem);
+            }
         }
     }
 
@@ -424,6 +469,7 @@ impl Draft {
         elements.extend(self.loads);
         Some(Model {
             name,
+            initial: self.initial,
             beams: self.beams.iter().map(|beam| beam.nodes).collect(),
             blades: self.blades,
             system: System::new(self.nodes, elements),

@@ -6,6 +6,7 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
+use super::transient::initial_motion;
 use crate::model::Node;
 
 /// Adds every `[[node]]` to the model.
@@ -13,9 +14,14 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for table in root.tables("node") {
         let label = table.require_text("name", "the name of the node");
         let node = node(&table, label.clone());
+        let initial = initial_motion(&table);
         table.finish();
-        match (node, label) {
-            (Some(node), _) => drop(draft.add_node(node, &table, None)),
+        match (node.zip(initial), label) {
+            (Some((node, initial)), _) => {
+                if let Some(index) = draft.add_node(node, &table, None) {
+                    draft.set_initial(index, initial);
+                }
+            }
             (None, Some(label)) => drop(draft.name_node(&label, None, &table)),
             (None, None) => draft.note_broken(),
         }

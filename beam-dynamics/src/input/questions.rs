@@ -7,7 +7,10 @@ use shared_geom::units::Dimension;
 use super::loads::{LoadProblem, flag};
 use super::problem::InputProblem;
 use super::speeds::{self, RPM};
-use crate::case::{BucklingQuestion, ModesQuestion, Spin, StaticQuestion};
+use super::transient;
+use crate::case::{
+    BucklingQuestion, ModesQuestion, Spin, Start, StaticQuestion, TransientQuestion,
+};
 
 /// Steps along a path at most, unless a number is given.
 const DEFAULT_MOST_STEPS: usize = 500;
@@ -26,6 +29,7 @@ pub(super) struct Questions {
     pub modes: Option<ModesQuestion>,
     pub statics: Option<StaticQuestion>,
     pub buckling: Option<BucklingQuestion>,
+    pub transient: Option<TransientQuestion>,
 }
 
 /// Reads every question.
@@ -35,10 +39,12 @@ pub(super) fn read(root: &Table<'_>) -> Option<Questions> {
         false => Some(None),
     };
     let (statics, buckling) = (statics(root), buckling(root));
+    let transient = transient::read(root);
     Some(Questions {
         modes: modes?,
         statics: statics?,
         buckling: buckling?,
+        transient: transient?,
     })
 }
 
@@ -105,7 +111,7 @@ fn speed(table: &Table<'_>) -> Option<f64> {
     Some(speed)
 }
 
-fn at_most(table: &Table<'_>, key: &'static str, limit: usize) -> Option<usize> {
+pub(super) fn at_most(table: &Table<'_>, key: &'static str, limit: usize) -> Option<usize> {
     let found = table.count(key)?;
     if found > limit {
         table.note(key, &InputProblem::TooMany { key, found, limit });
@@ -120,8 +126,15 @@ impl Questions {
         let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());
         let of_statics = self.statics.iter().map(|statics| &statics.speed);
         let of_buckling = self.buckling.iter().map(|buckling| &buckling.speed);
-        let speeds = of_modes.chain(of_statics).chain(of_buckling);
-        let highest = speeds.copied().fold(0.0, f64::max);
+        let of_start = self.transient.iter().map(|question| match &question.start {
+            Start::Rotating { speed } => speed,
+            Start::Given | Start::Equilibrium => &0.0,
+        });
+        let speeds = of_modes
+            .chain(of_statics)
+            .chain(of_buckling)
+            .chain(of_start);
+        let highest = speeds.copied().map(f64::abs).fold(0.0, f64::max);
         let across = (gravity - spin.axis * spin.axis.dot(gravity)).norm();
         if highest > 0.0 && across > ALONG * gravity.norm() {
             let rpm = highest / RPM;

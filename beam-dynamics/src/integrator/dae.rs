@@ -5,14 +5,16 @@ use std::sync::Arc;
 use crate::assembly::{Combination, Pattern, Residual};
 use crate::solver::Worst;
 
-/// A system `F(y, y', t) = 0` with its accepted states and the states under trial.
+/// A system `F(y, y', t) = 0` with its two latest accepted states and the states under
+/// trial.
 ///
-/// The formulas of integration see numbers. Unknowns that are rotations are
-/// Gibbs-Rodrigues parameters relative to the latest accepted state: there they are
-/// zero, with the angular velocity as rate. A trial state, one a stage of the formula,
-/// is placed by a prediction and moved by corrections `dy`, `dy'` from it, which are
-/// composed with the prediction. Algebraic unknowns have no rate; their `dy` is what
-/// they change by from the latest accepted state.
+/// The formulas of integration see numbers: y is what each unknown has changed by since
+/// the latest accepted state, where all are zero. Unknowns that are rotations are
+/// Gibbs-Rodrigues parameters relative to it, with the angular velocity as rate there. A
+/// trial state, one a stage of the formula, is placed by a prediction and moved by
+/// corrections `dy`, `dy'` from it: sums for most unknowns, compositions with the
+/// predicted orientation for rotations. Algebraic unknowns have no rate: whatever stands
+/// in its place is zero and does not count.
 ///
 /// Nothing here allocates once a few steps are done.
 pub trait Dae {
@@ -22,15 +24,20 @@ pub trait Dae {
     /// Whether each unknown is algebraic: a multiplier, without rate.
     fn algebraic(&self) -> &[bool];
 
-    /// Accepted states that are kept at least.
-    fn history(&self) -> usize;
-
-    /// The accepted state `back` steps before the latest, by numbers relative to the
-    /// latest, and its rates.
+    /// The accepted state `back` (0 or 1) steps before the latest: its change from the
+    /// latest, and its rates. For 0 the changes are zero.
     fn past(&self, back: usize, y: &mut [f64], rates: &mut [f64]);
 
-    /// Places trial state `stage` at `time` \[s\] by a prediction relative to the latest
-    /// accepted state.
+    /// Makes the latest accepted state agree with what acts just after `time` \[s\], when
+    /// a drive has a corner or a jump there: the rates of momenta and the multipliers,
+    /// which jump with forces. `false` when the system cannot tell: then the next step
+    /// does not use the rates.
+    fn renew(&mut self, _time: f64) -> bool {
+        false
+    }
+
+    /// Places trial state `stage` (0 to 2) at `time` \[s\] by a prediction of its change
+    /// from the latest accepted state, and of its rates.
     fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]);
 
     /// Moves trial state `stage` from its prediction by the whole corrections so far.
@@ -42,10 +49,12 @@ pub trait Dae {
     /// Sums of derivatives at trial state `stage` by the corrections.
     fn jacobian(&mut self, stage: usize, out: &mut [Combination<'_>]);
 
-    /// Takes trial state `stage` as the latest accepted one.
+    /// Takes trial state `stage` as the latest accepted one; the latest so far becomes
+    /// the one before it.
     fn accept(&mut self, stage: usize);
 
-    /// The first time after `time` at which the system has a corner \[s\].
+    /// The first time after `time` at which the system has a corner or a jump \[s\];
+    /// infinite when there is none.
     fn next_corner(&self, time: f64) -> f64;
 
     /// The equation that is farthest from being fulfilled, by the largest term of its kind.

@@ -1,4 +1,23 @@
 //! Numbers that change with time.
+//!
+//! A [`Drive`] is a given function of time that knows its first and second derivative
+//! and the times at which it is not smooth. At a corner or a jump it has the value and
+//! the derivatives of the time after it.
+
+use std::sync::Arc;
+
+mod formula;
+mod noise;
+mod shape;
+mod table;
+
+#[cfg(test)]
+mod tests;
+
+pub use formula::Formula;
+pub use noise::{BandNoise, SteppedNoise};
+pub use shape::{Doublet, Harmonic, Ramp, Step};
+pub use table::{DriveTable, Interpolation, Outside, TableProblem};
 
 /// A number that changes with time, with its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -11,29 +30,166 @@ pub struct DriveValue {
     pub acceleration: f64,
 }
 
+impl DriveValue {
+    /// A number that does not change.
+    pub fn constant(value: f64) -> Self {
+        Self {
+            value,
+            ..Self::default()
+        }
+    }
+
+    /// The number times a constant.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self {
+            value: factor * self.value,
+            rate: factor * self.rate,
+            acceleration: factor * self.acceleration,
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self {
+            value: self.value + other.value,
+            rate: self.rate + other.rate,
+            acceleration: self.acceleration + other.acceleration,
+        }
+    }
+
+    /// `(a b)' = a' b + a b'`, `(a b)'' = a'' b + 2 a' b' + a b''`.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        Self {
+            value: self.value * other.value,
+            rate: self.rate * other.value + self.value * other.rate,
+            acceleration: self.acceleration * other.value
+                + 2.0 * self.rate * other.rate
+                + self.value * other.acceleration,
+        }
+    }
+}
+
 /// A given function of time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Drive {
     /// Always the same.
     Constant(f64),
+    /// From one value to another in a stretch of time.
+    Ramp(Ramp),
+    /// A jump.
+    Step(Step),
+    /// A sine.
+    Harmonic(Harmonic),
+    /// Up, then down by the same.
+    Doublet(Doublet),
+    /// Interpolated between given times.
+    Table(Arc<DriveTable>),
+    /// An expression of time.
+    Formula(Arc<Formula>),
+    /// A smooth random number of a band of frequencies.
+    Band(Arc<BandNoise>),
+    /// A random number with straight pieces.
+    Noise(SteppedNoise),
+    /// The sum of drives.
+    Sum(Arc<[Drive]>),
+    /// The product of drives.
+    Product(Arc<[Drive]>),
+    /// A drive times a constant.
+    Scaled(f64, Arc<Drive>),
+}
+
+impl Default for Drive {
+    fn default() -> Self {
+        Self::Constant(0.0)
+    }
 }
 
 impl Drive {
-    /// The value at `time` \[s\]; at a corner that after it.
-    pub fn at(&self, _time: f64) -> DriveValue {
+    /// The value at `time` \[s\]; at a corner that after it. Outside of the domain it is
+    /// not a number.
+    pub fn at(&self, time: f64) -> DriveValue {
         match self {
-            Self::Constant(value) => DriveValue {
-                value: *value,
-                ..DriveValue::default()
-            },
+            Self::Constant(value) => DriveValue::constant(*value),
+            Self::Ramp(ramp) => ramp.at(time),
+            Self::Step(step) => step.at(time),
+            Self::Harmonic(harmonic) => harmonic.at(time),
+            Self::Doublet(doublet) => doublet.at(time),
+            Self::Table(table) => table.at(time),
+            Self::Formula(formula) => formula.at(time),
+            Self::Band(noise) => noise.at(time),
+            Self::Noise(noise) => noise.at(time),
+            Self::Sum(terms) => {
+                let values = terms.iter().map(|term| term.at(time));
+                values.fold(DriveValue::default(), DriveValue::plus)
+            }
+            Self::Product(factors) => {
+                let values = factors.iter().map(|factor| factor.at(time));
+                values.fold(DriveValue::constant(1.0), DriveValue::times)
+            }
+            Self::Scaled(factor, drive) => drive.at(time).scaled(*factor),
         }
     }
 
     /// The first time after `time` at which the drive or its first derivative jumps \[s\];
     /// infinite when there is none.
-    pub fn next_corner(&self, _time: f64) -> f64 {
+    pub fn next_corner(&self, time: f64) -> f64 {
         match self {
-            Self::Constant(_) => f64::INFINITY,
+            Self::Constant(_) | Self::Band(_) => f64::INFINITY,
+            Self::Ramp(ramp) => ramp.next_corner(time),
+            Self::Step(step) => next_of(&[step.time], time),
+            Self::Harmonic(harmonic) => harmonic.next_corner(time),
+            Self::Doublet(doublet) => doublet.next_corner(time),
+            Self::Table(table) => table.next_corner(time),
+            Self::Formula(formula) => formula.next_corner(time),
+            Self::Noise(noise) => noise.next_corner(time),
+            Self::Sum(parts) | Self::Product(parts) => {
+                let corners = parts.iter().map(|part| part.next_corner(time));
+                corners.fold(f64::INFINITY, f64::min)
+            }
+            Self::Scaled(_, drive) => drive.next_corner(time),
         }
     }
+
+    /// The first and the last time at which it has a value \[s\].
+    pub fn domain(&self) -> [f64; 2] {
+        match self {
+            Self::Table(table) => table.domain(),
+            Self::Sum(parts) | Self::Product(parts) => {
+                let domains = parts.iter().map(Self::domain);
+                domains.fold(ALWAYS, |all, own| [all[0].max(own[0]), all[1].min(own[1])])
+            }
+            Self::Scaled(_, drive) => drive.domain(),
+            _ => ALWAYS,
+        }
+    }
+
+    /// The number that it always has, if it does not change.
+    pub fn constant(&self) -> Option<f64> {
+        match self {
+            Self::Constant(value) => Some(*value),
+            Self::Scaled(factor, drive) => drive.constant().map(|value| factor * value),
+            _ => None,
+        }
+    }
+
+    /// The drive times a constant.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        match self {
+            drive if factor == 1.0 => drive,
+            Self::Constant(value) => Self::Constant(factor * value),
+            Self::Scaled(own, drive) => Self::Scaled(factor * own, drive),
+            drive => Self::Scaled(factor, Arc::new(drive)),
+        }
+    }
+}
+
+/// All times.
+const ALWAYS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// The first of ascending `times` that lies after `time`; infinite when there is none.
+fn next_of(times: &[f64], time: f64) -> f64 {
+    let next = times.iter().find(|corner| **corner > time);
+    next.copied().unwrap_or(f64::INFINITY)
 }

@@ -70,6 +70,12 @@ impl State {
         }
     }
 
+    /// Becomes `other`, a state of the same model, in the room that is there.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.nodes.copy_from_slice(&other.nodes);
+        self.multipliers.copy_from_slice(&other.multipliers);
+    }
+
     /// Adds a correction of the unknowns, in the order of the numbering: positions,
     /// momenta and multipliers by sum, rotations by composition with the
     /// Gibbs-Rodrigues rotation of the correction, `R <- R(g) R`.

@@ -1,5 +1,8 @@
 //! A run in time: what is told of every step, and of the run.
 
+use serde::{Deserialize, Serialize};
+
+use crate::integrator::Progress;
 use crate::model::{Conditions, State};
 
 /// An accepted step.
@@ -23,10 +26,36 @@ pub struct Moment<'a> {
 pub trait Recorder {
     /// Takes a step; `false` ends the run, as when nothing more can be written.
     fn record(&mut self, moment: &Moment<'_>) -> bool;
+
+    /// Whether what the run can be continued from is wanted after this step.
+    fn wants_snapshot(&self, _moment: &Moment<'_>) -> bool {
+        false
+    }
+
+    /// Takes what the run can be continued from; `false` ends the run.
+    fn keep(&mut self, _snapshot: &Snapshot) -> bool {
+        true
+    }
+}
+
+/// All that a run needs to go on, to the last bit, as if it had never ended.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Snapshot {
+    /// Names of the nodes, by which a model is known again.
+    pub nodes: Vec<String>,
+    /// Number of multipliers.
+    pub multipliers: usize,
+    /// Number of the last step.
+    pub step: usize,
+    /// What the integrator knows of the steps so far.
+    pub progress: Progress,
+    /// The latest states, the last one first: thirty numbers a node, then the
+    /// multipliers [unit of each].
+    pub states: Vec<Vec<f64>>,
 }
 
 /// The effort of a run, for its last lines.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Effort {
     /// Accepted steps.
     pub steps: usize,

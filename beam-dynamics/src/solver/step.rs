@@ -101,6 +101,12 @@ impl StepSolver {
         self.choose_pivots()
     }
 
+    /// Forgets the last matrix and all that was kept of it, such as the order of its
+    /// pivots: the next one is factorized as the first.
+    pub fn forget(&mut self) {
+        self.factors = Factors::None;
+    }
+
     /// Solves `A x = b` with the last matrix, `b` being replaced by x; `None` when there
     /// is no matrix, or x is not finite.
     pub fn solve(&mut self, b: &mut [f64]) -> Option<()> {
@@ -197,3 +203,6 @@ impl StepSolver {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 //! What can be wrong with an input file as such.
 
 use crate::error::{Explain, nearest_name};
+use crate::expression::ExpressionProblem;
 use crate::files::nearest_file;
 use crate::units::UnitProblem;
 
@@ -89,6 +90,28 @@ pub enum DocumentProblem {
         /// What is wrong with the unit.
         problem: UnitProblem,
     },
+    /// An expression that cannot be read.
+    #[error("\"{key}\": {problem}")]
+    Expression {
+        /// The key.
+        key: String,
+        /// What is wrong with it.
+        problem: ExpressionProblem,
+    },
+    /// A parameter whose name no expression can use.
+    #[error("\"{name}\" is no name of a parameter, expected letters, digits and \"_\"")]
+    ParameterName {
+        /// The name.
+        name: String,
+    },
+    /// Parameters that depend on themselves.
+    #[error("the parameter \"{name}\" depends on itself: {}", .chain.join(" -> "))]
+    Cycle {
+        /// The parameter.
+        name: String,
+        /// The way from it back to it.
+        chain: Vec<String>,
+    },
     /// Something was wrong without a note of its own (a defect of the reader).
     #[error("the file is incomplete")]
     Incomplete,
@@ -114,6 +137,7 @@ impl Explain for DocumentProblem {
                     .map(|near| format!("did you mean \"{near}\"?"))
             }
             Self::Unit { problem, .. } => problem.help(),
+            Self::Expression { problem, .. } => problem.help(),
             Self::NoFile { name, known, .. } => Some(nearest_file(name, known)),
             Self::OtherFormat { .. } => {
                 Some("name the file ending in .toml that leads to it".to_owned())

@@ -14,32 +14,20 @@
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Matrix3;
 
-use super::algebra::{Attachment, Direction, Orthogonality};
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Observations, Reaction};
-use crate::model::Equation::Force;
-use crate::model::{Node, NodeMotion, Variable};
-
-/// Pairs (axis of the node, axis of the frame) that are kept orthogonal. At the held
-/// attitude `e_a x e_b` is, in turn, along the axes 1, 2 and 3.
-pub(super) const PAIRS: [(usize, usize); 3] = [(1, 2), (2, 0), (0, 1)];
+use super::delegate::is_a_joint;
+use super::joint::{ConstraintJoint, JointEnds};
+use super::kinds;
+use crate::model::Node;
 
 /// Holds a node to the frame of the model.
 #[derive(Debug, Clone)]
 pub struct Clamp {
-    label: String,
-    nodes: [usize; 1],
-    position: Vector3<f64>,
-    /// Axes in the frame.
-    axes: Matrix3<f64>,
-    /// The same axes on the node.
-    attachment: Attachment,
-    /// Axes along which the node is held.
-    directions: Vec<usize>,
-    /// Pairs of axes that are kept orthogonal.
-    pairs: Vec<(usize, usize)>,
+    joint: ConstraintJoint,
 }
+
+is_a_joint!(Clamp);
 
 impl Clamp {
     /// Holds node number `index` in its undeformed place and attitude.
@@ -56,89 +44,17 @@ impl Clamp {
         axes: &Matrix3<f64>,
         held: [bool; 6],
     ) -> Self {
-        let free: Vec<_> = (0..3).filter(|axis| !held[3 + axis]).collect();
-        let pairs = match free[..] {
-            [axis] => vec![(axis, (axis + 1) % 3), (axis, (axis + 2) % 3)],
-            _ => (0..3)
-                .filter(|axis| held[3 + axis])
-                .map(|axis| PAIRS[axis])
-                .collect(),
+        let ends = JointEnds {
+            a: None,
+            b: (index, node),
         };
-        Self {
-            label: label.into(),
-            nodes: [index],
-            position: node.position,
-            axes: *axes,
-            attachment: Attachment::to(node, &node.position, axes),
-            directions: (0..3).filter(|&axis| held[axis]).collect(),
-            pairs,
-        }
-    }
-
-    fn held(&self, direction: usize) -> Vector3<f64> {
-        self.axes.column(direction).into_owned()
-    }
-
-    /// The kept right angles, each with its row.
-    fn right_angles(&self, node: &NodeMotion) -> impl Iterator<Item = (usize, Orthogonality)> {
-        let turned = node.rotation * self.attachment.axes;
-        let (first, frame) = (self.directions.len(), self.axes);
-        let pairs = self.pairs.clone().into_iter().enumerate();
-        pairs.map(move |(i, (a, b))| {
-            let pair = Orthogonality {
-                a: Direction::of(Some(0), &turned, a),
-                b: Direction::of(None, &frame, b),
-            };
-            (first + i, pair)
-        })
-    }
-}
-
-impl Element for Clamp {
-    fn label(&self) -> &str {
-        &self.label
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn multipliers(&self) -> usize {
-        self.directions.len() + self.pairs.len()
-    }
-
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        let node = &at.nodes[0];
-        for (row, &direction) in self.directions.iter().enumerate() {
-            let axis = self.held(direction);
-            out.add(0, Force, &-(at.multipliers[row] * axis));
-            out.add_constraint(row, axis.dot(&(node.position - self.position)));
-        }
-        for (row, pair) in self.right_angles(node) {
-            pair.residual(row, at.multipliers, out);
-        }
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        for (row, &direction) in self.directions.iter().enumerate() {
-            let axis = self.held(direction);
-            out.add_multiplier((0, Force), row, &-axis);
-            out.add_constraint(row, (0, Variable::Position), &axis.transpose());
-        }
-        for (row, pair) in self.right_angles(&at.nodes[0]) {
-            pair.jacobian(row, at.multipliers, out);
-        }
-    }
-
-    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
-        let lambda = at.multipliers;
-        let forces = self.directions.iter().enumerate();
-        let couples = self.right_angles(&at.nodes[0]);
-        out.reactions.push(Reaction {
-            joint: self.label.clone(),
-            node: self.nodes[0],
-            force: forces.map(|(row, &i)| -lambda[row] * self.held(i)).sum(),
-            moment: couples.map(|(row, pair)| lambda[row] * pair.couple()).sum(),
+        let at = kinds::Placing::at(&node.position, axes);
+        let freedoms = held.map(|held| match held {
+            true => kinds::Freedom::Locked,
+            false => kinds::Freedom::Free,
         });
+        Self {
+            joint: ConstraintJoint::total(label, &ends, &at, freedoms),
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! both nodes and coincide in the undeformed state.
 //!
 //! ```text
-//! (x_a + f_a) - (x_b + f_b) = 0                                 multipliers: force
+//! (x_b + f_b) - (x_a + f_a) = 0                                 multipliers: force
 //! u_a . h_b = 0,   v_a . h_b = 0                                multipliers: moment
 //!
 //! phi  = atan2(v_a . u_b, u_a . u_b)          phi' = h_a . (omega_b - omega_a)
@@ -32,10 +32,11 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
-use super::algebra::{Attachment, Direction, Orthogonality, Point, three};
+use super::joint::{ConstraintJoint, JointEnds};
+use super::kinds::{Placing, axes_along};
 use crate::elements::{
-    Along, Element, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
-    prestress_of_multipliers,
+    Along, ConstraintRates, Element, Energy, Local, LocalJacobian, LocalResidual, Motion,
+    Observations, prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Node, NodeMotion, Variable};
@@ -54,9 +55,7 @@ pub struct HingeSpring {
 /// Lets a node turn against another about one axis.
 #[derive(Debug, Clone)]
 pub struct Hinge {
-    label: String,
-    nodes: [usize; 2],
-    attachments: [Attachment; 2],
+    joint: ConstraintJoint,
     /// The axis in the undeformed model.
     axis: Vector3<f64>,
     spring: HingeSpring,
@@ -64,7 +63,6 @@ pub struct Hinge {
 
 /// The hinge at a state.
 struct State {
-    points: [Point; 2],
     /// Axes h, u, v on each node.
     axes: [Matrix3<f64>; 2],
     /// Angular velocity of b against a [rad/s].
@@ -85,21 +83,21 @@ impl Hinge {
         spring: HingeSpring,
     ) -> Self {
         let axes = axes_along(axis);
+        let [a, b] = [0, 1].map(|i| (nodes[i], undeformed[i]));
+        let ends = JointEnds { a: Some(a), b };
+        let at = Placing::at(position, &axes);
         Self {
-            label: label.into(),
-            nodes,
-            attachments: undeformed.map(|node| Attachment::to(node, position, &axes)),
+            joint: ConstraintJoint::revolute(label, &ends, &at, None),
             axis: axes.column(0).into_owned(),
             spring,
         }
     }
 
     fn state(&self, nodes: &[NodeMotion]) -> State {
-        let ends: [_; 2] = std::array::from_fn(|i| self.attachments[i].at(i, &nodes[i]));
+        let ends = self.joint.ends(nodes);
         State {
-            points: ends.map(|end| end.0),
-            axes: ends.map(|end| end.1),
-            rate: nodes[1].angular_velocity - nodes[0].angular_velocity,
+            axes: [ends.a.axes, ends.b.axes],
+            rate: ends.b.spin - ends.a.spin,
         }
     }
 
@@ -154,16 +152,6 @@ impl Hinge {
     }
 }
 
-/// Axes with the first along `axis`, the others in some direction across it.
-fn axes_along(axis: &Vector3<f64>) -> Matrix3<f64> {
-    let h = axis.normalize();
-    // Across the coordinate axis from which h is farthest: never near zero.
-    let mut other = Vector3::zeros();
-    other[h.iamin()] = 1.0;
-    let u = other.cross(&h).normalize();
-    Matrix3::from_columns(&[h, u, h.cross(&u)])
-}
-
 impl State {
     /// The axis `h_a`.
     fn axis(&self) -> Vector3<f64> {
@@ -187,49 +175,52 @@ impl State {
         let (s, c) = self.sine_and_cosine();
         (s * a.column(1) - c * a.column(2)).cross(&b.column(1)) / (s * s + c * c)
     }
-
-    fn right_angles(&self) -> [Orthogonality; 2] {
-        [1, 2].map(|across| Orthogonality {
-            a: Direction::of(Some(0), &self.axes[0], across),
-            b: Direction::of(Some(1), &self.axes[1], 0),
-        })
-    }
 }
 
 impl Element for Hinge {
     fn label(&self) -> &str {
-        &self.label
+        self.joint.label()
     }
 
     fn nodes(&self) -> &[usize] {
-        &self.nodes
+        self.joint.nodes()
     }
 
     fn multipliers(&self) -> usize {
-        5
+        self.joint.multipliers()
+    }
+
+    fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
+        self.joint.constraint_rates(at, out)
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let HingeSpring {
+            stiffness, angle, ..
+        } = self.spring;
+        // A free hinge may stand where its angle has no value.
+        let turned = match stiffness == 0.0 {
+            true => 0.0,
+            false => self.angle(at.nodes) - angle,
+        };
+        Energy {
+            elastic: 0.5 * stiffness * turned * turned,
+            ..Energy::default()
+        }
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.joint.residual(at, out);
         let state = self.state(at.nodes);
-        state.points[0].residual(1.0, 0, at.multipliers, out);
-        state.points[1].residual(-1.0, 0, at.multipliers, out);
-        for (i, pair) in state.right_angles().iter().enumerate() {
-            pair.residual(3 + i, at.multipliers, out);
-        }
         let moment = self.moment(&state) * state.axis();
         out.add(0, Moment, &moment);
         out.add(1, Moment, &-moment);
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        let state = self.state(at.nodes);
-        state.points[0].jacobian(1.0, 0, at.multipliers, out);
-        state.points[1].jacobian(-1.0, 0, at.multipliers, out);
-        for (i, pair) in state.right_angles().iter().enumerate() {
-            pair.jacobian(3 + i, at.multipliers, out);
-        }
+        self.joint.jacobian(at, out);
         if !self.is_free() {
-            self.spring_jacobian(&state, out);
+            self.spring_jacobian(&self.state(at.nodes), out);
         }
     }
 
@@ -258,19 +249,7 @@ impl Element for Hinge {
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
         let state = self.state(at.nodes);
-        let couples = state.right_angles().into_iter().enumerate();
-        let couple = couples
-            .map(|(i, pair)| at.multipliers[3 + i] * pair.couple())
-            .sum::<Vector3<f64>>();
-        let couple = couple + self.moment(&state) * state.axis();
-        for (i, sign) in [(0, 1.0), (1, -1.0)] {
-            let (force, moment) = state.points[i].reaction(&three(at.multipliers, 0));
-            out.reactions.push(Reaction {
-                joint: self.label.clone(),
-                node: self.nodes[i],
-                force: sign * force,
-                moment: sign * (moment + couple),
-            });
-        }
+        let moment = self.moment(&state) * state.axis();
+        self.joint.observe_with(at, &moment, out);
     }
 }

@@ -1,0 +1,243 @@
+//! Motion in time: start-up, then step after step, every one told to a recorder.
+//!
+//! 1. Places and velocities are made to fulfill the constraints, with the smallest
+//!    weighted change; momenta, their rates and the multipliers follow.
+//! 2. The integrator makes one accepted step after the other, to the last instant.
+//! 3. What ends a run early is told with the equation that is worst and the likely cause.
+
+use crate::assembly::massless;
+use crate::case::{Model, TransientQuestion};
+use crate::integrator::{Counters, Integrator, Stepping};
+use crate::model::State;
+use crate::result::{Effort, Moment, Recorder, Snapshot};
+
+mod dummy;
+mod failure;
+mod multibody;
+mod placing;
+mod rates;
+mod saddle;
+mod snapshot;
+mod start;
+
+#[cfg(test)]
+mod tests;
+
+pub use failure::{StepTrouble, TransientFailure};
+pub use start::{Changed, StartChange};
+
+use failure::trouble;
+use multibody::Multibody;
+use start::{Started, start};
+
+/// What a run in time came to; its steps are with the recorder.
+#[derive(Debug)]
+pub struct TransientOutcome {
+    /// Steps, iterations, and where the time went.
+    pub effort: Effort,
+    /// Time reached [s].
+    pub time: f64,
+    /// Every change of the given places and velocities that start-up made.
+    pub changes: Vec<StartChange>,
+    /// What the reader must know: doubtful choices, how the start was found.
+    pub remarks: Vec<String>,
+    /// Why the run ended early, if it did.
+    pub failure: Option<TransientFailure>,
+}
+
+/// A run on its way.
+struct Run<'a> {
+    model: &'a Model,
+    question: &'a TransientQuestion,
+    dae: Multibody<'a>,
+    integrator: Integrator,
+    step: usize,
+    output_time: f64,
+}
+
+/// Runs `model` in time as `question` asks, from its start or from where `resumed` was
+/// kept, and tells `recorder` every accepted step; `clock` gives seconds \[s\].
+///
+/// A run that is continued does not tell its first state again.
+pub fn transient(
+    model: &Model,
+    question: &TransientQuestion,
+    resumed: Option<&Snapshot>,
+    recorder: &mut dyn Recorder,
+    clock: &dyn Fn() -> f64,
+) -> TransientOutcome {
+    let began = clock();
+    let mut outcome = TransientOutcome {
+        effort: Effort::default(),
+        time: question.from,
+        changes: Vec::new(),
+        remarks: doubts(model, question),
+        failure: None,
+    };
+    let run = match resumed {
+        None => begin(model, question, &mut outcome),
+        Some(snapshot) => resume(model, question, snapshot),
+    };
+    let mut run = match run {
+        Ok(run) => run,
+        Err(failure) => {
+            outcome.failure = Some(failure);
+            outcome.effort.total_time = clock() - began;
+            return outcome;
+        }
+    };
+    outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
+    outcome.time = run.integrator.time();
+    outcome.effort = effort(run.integrator.counters(), run.output_time);
+    outcome.effort.total_time = clock() - began;
+    outcome
+}
+
+/// What is doubtful about a question.
+fn doubts(model: &Model, question: &TransientQuestion) -> Vec<String> {
+    let has_multipliers = model.system.numbering().multipliers() > 0;
+    let doubt = question.scheme.warning(has_multipliers);
+    doubt.map(str::to_owned).into_iter().collect()
+}
+
+/// A run at its first instant.
+fn begin<'a>(
+    model: &'a Model,
+    question: &'a TransientQuestion,
+    outcome: &mut TransientOutcome,
+) -> Result<Run<'a>, TransientFailure> {
+    if let Some(node) = massless::find(&model.system).into_iter().next() {
+        return Err(node.into());
+    }
+    let Started {
+        state,
+        changes,
+        remarks,
+        is_consistent: _,
+    } = start(model, question)?;
+    outcome.changes = changes;
+    outcome.remarks.extend(remarks);
+    run(model, question, [state.clone(), state])
+}
+
+/// A run with its accepted states, the latest first, at the first instant.
+fn run<'a>(
+    model: &'a Model,
+    question: &'a TransientQuestion,
+    states: [State; 2],
+) -> Result<Run<'a>, TransientFailure> {
+    let dae = Multibody::new(model, states, question.simplified_jacobian);
+    let TransientQuestion {
+        scheme,
+        stepping,
+        newton,
+        from,
+        ..
+    } = *question;
+    let integrator =
+        Integrator::new(&dae, scheme, stepping, newton, from).ok_or(TransientFailure::Structure)?;
+    Ok(Run {
+        model,
+        question,
+        dae,
+        integrator,
+        step: 0,
+        output_time: 0.0,
+    })
+}
+
+/// A run where a snapshot was taken.
+fn resume<'a>(
+    model: &'a Model,
+    question: &'a TransientQuestion,
+    snapshot: &Snapshot,
+) -> Result<Run<'a>, TransientFailure> {
+    let states = snapshot::states(model, snapshot)?;
+    let mut run = run(model, question, states)?;
+    run.integrator.restore(&snapshot.progress);
+    run.step = snapshot.step;
+    Ok(run)
+}
+
+impl Run<'_> {
+    /// Steps to the last instant; the first state is told if `tell_start`.
+    fn go(
+        &mut self,
+        tell_start: bool,
+        recorder: &mut dyn Recorder,
+        clock: &dyn Fn() -> f64,
+    ) -> Result<(), TransientFailure> {
+        if tell_start {
+            self.tell((0.0, 0), recorder, clock)?;
+        }
+        while self.integrator.time() < self.question.to {
+            let stepped = self
+                .integrator
+                .step(&mut self.dae, self.question.to, clock)
+                .map_err(|failure| self.trouble(failure))?;
+            self.step += 1;
+            self.tell((stepped.length, stepped.iterations), recorder, clock)?;
+        }
+        Ok(())
+    }
+
+    /// Tells the recorder of the latest state.
+    fn tell(
+        &mut self,
+        (length, iterations): (f64, usize),
+        recorder: &mut dyn Recorder,
+        clock: &dyn Fn() -> f64,
+    ) -> Result<(), TransientFailure> {
+        let began = clock();
+        let time = self.integrator.time();
+        let conditions = self.model.conditions_at(time);
+        let moment = Moment {
+            step: self.step,
+            time,
+            length,
+            iterations,
+            state: self.dae.state(),
+            conditions: &conditions,
+        };
+        let mut goes_on = recorder.record(&moment);
+        if goes_on && recorder.wants_snapshot(&moment) {
+            let progress = self.integrator.snapshot();
+            let snapshot = snapshot::take(self.model, self.dae.states(), self.step, progress);
+            goes_on = recorder.keep(&snapshot);
+        }
+        self.output_time += clock() - began;
+        match goes_on {
+            true => Ok(()),
+            false => Err(TransientFailure::Recorder { time }),
+        }
+    }
+
+    fn trouble(&self, failure: crate::integrator::StepFailure) -> TransientFailure {
+        let wanted = match self.question.stepping {
+            Stepping::Constant { step } => step,
+            Stepping::Variable(_) => failure.length,
+        };
+        let conditions = self.model.conditions_at(failure.time);
+        let at = (self.dae.state(), &conditions);
+        TransientFailure::Step(Box::new(trouble(failure, &self.model.system, at, wanted)))
+    }
+}
+
+/// The effort of the steps, as results tell it.
+fn effort(counters: &Counters, output_time: f64) -> Effort {
+    Effort {
+        steps: counters.steps,
+        rejected: counters.rejected,
+        iterations: counters.iterations,
+        jacobians: counters.jacobians,
+        pivotings: counters.pivotings,
+        least_step: counters.least_step,
+        most_step: counters.most_step,
+        residual_time: counters.residual_time,
+        jacobian_time: counters.jacobian_time,
+        factorization_time: counters.factorization_time,
+        solution_time: counters.solution_time,
+        output_time,
+        ..Effort::default()
+    }
+}

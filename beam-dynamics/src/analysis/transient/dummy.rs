@@ -1,0 +1,49 @@
+//! First rates and multipliers by dummy steps.
+//!
+//! A few steps of next to no length from the first state damp what its rates and
+//! multipliers are wrong by; only these are kept, and the run starts from the first state.
+//!
+//! References: [Masarati], section 4.3.
+
+use crate::case::{Model, TransientQuestion};
+use crate::integrator::{Integrator, Scheme, StepLimits, Stepping};
+use crate::model::State;
+
+use super::failure::TransientFailure;
+use super::multibody::Multibody;
+
+/// Number of the steps.
+const STEPS: usize = 5;
+/// Their length, as a part of the first step of the run.
+const PART: f64 = 1e-3;
+
+/// `state` with the rates of momenta and the multipliers of a few very short steps.
+pub(super) fn dummy_rates(
+    model: &Model,
+    question: &TransientQuestion,
+    state: &State,
+) -> Result<State, TransientFailure> {
+    let first = match question.stepping {
+        Stepping::Constant { step } => step,
+        Stepping::Variable(control) => control.first,
+    };
+    let step = PART * first;
+    let mut dae = Multibody::new(model, [state.clone(), state.clone()], false);
+    let (scheme, stepping) = (Scheme::Bdf2, Stepping::Constant { step });
+    let limits = StepLimits::default();
+    let mut integrator = Integrator::new(&dae, scheme, stepping, limits, question.from)
+        .ok_or(TransientFailure::Structure)?;
+    let end = question.from + STEPS as f64 * step;
+    for _ in 0..STEPS {
+        integrator
+            .step(&mut dae, end, &|| 0.0)
+            .map_err(|failure| TransientFailure::Dummy(Box::new(failure)))?;
+    }
+    let mut found = state.clone();
+    for (node, after) in found.nodes.iter_mut().zip(&dae.state().nodes) {
+        node.momentum_rate = after.momentum_rate;
+        node.angular_momentum_rate = after.angular_momentum_rate;
+    }
+    found.multipliers.copy_from_slice(&dae.state().multipliers);
+    Ok(found)
+}

@@ -1,0 +1,238 @@
+//! Why a run in time ended before its last instant, in words.
+
+use std::fmt::Write;
+
+use nalgebra::Vector3;
+
+use crate::analysis::steady::NoEquilibrium;
+use crate::assembly::System;
+use crate::assembly::massless::MasslessNode;
+use crate::integrator::{Reason, StepFailure};
+use crate::model::{Conditions, NODE_UNKNOWNS, State};
+use crate::solver::Iteration;
+use shared_geom::error::Explain;
+
+use super::start::StartChange;
+
+/// Rotation of a node in a step above which a formula is out of its depth \[rad\].
+const LARGE_TURN: f64 = 0.5;
+/// Ratio of moments of inertia above which a body is slender.
+const SLENDER: f64 = 30.0;
+/// Iterations of the history that are told.
+const TOLD: usize = 8;
+
+/// Why a run in time ended before its last instant.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum TransientFailure {
+    /// The equations cannot be solved for structural reasons.
+    #[error("the equations of the model have no solution: some unknown is in none of them")]
+    Structure,
+    /// A node can move, although nothing says how.
+    #[error(transparent)]
+    Massless(#[from] MasslessNode),
+    /// No equilibrium to start from.
+    #[error("start: {0}")]
+    Equilibrium(#[from] Box<NoEquilibrium>),
+    /// No places fulfill the constraints.
+    #[error(
+        "start: no places of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e}"
+    )]
+    Places {
+        /// The worst constraint in words.
+        constraint: String,
+        /// What it is off by [unit of the constraint].
+        value: f64,
+    },
+    /// No velocities fulfill the constraints.
+    #[error(
+        "start: no velocities of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e}"
+    )]
+    Velocities {
+        /// The worst constraint in words.
+        constraint: String,
+        /// What it is off by [unit of the constraint/s].
+        value: f64,
+    },
+    /// A part of a model that is to turn as a whole is held, or driven otherwise.
+    #[error("start: the model does not go on to turn as a whole: {change}")]
+    Held {
+        /// The largest change that the constraints ask for.
+        change: StartChange,
+    },
+    /// A dummy step could not be made.
+    #[error("start: dummy steps: {0}")]
+    Dummy(Box<StepFailure>),
+    /// A step could not be made.
+    #[error("{0}")]
+    Step(Box<StepTrouble>),
+    /// A snapshot of another model.
+    #[error("the run cannot be continued: {reason}")]
+    Resume {
+        /// What does not fit, in words.
+        reason: String,
+    },
+    /// The recorder took no more.
+    #[error("output ended the run at {time} s")]
+    Recorder {
+        /// Time reached [s].
+        time: f64,
+    },
+}
+
+impl TransientFailure {
+    /// What to do about it.
+    pub fn remedy(&self) -> String {
+        let fixed = match self {
+            Self::Step(trouble) => return trouble.remedy(),
+            Self::Dummy(failure) => return failure.reason.remedies().join("; "),
+            Self::Massless(node) => return node.help().unwrap_or_default(),
+            Self::Structure | Self::Equilibrium(_) => {
+                "hold what is free, or take away the load that nothing can carry"
+            }
+            Self::Places { .. } => {
+                "look for lengths that cannot meet and for drives that start elsewhere, or place \
+                 the nodes nearer to where they fit"
+            }
+            Self::Velocities { .. } => {
+                "look for joints that say the same twice and for a position at which the \
+                 mechanism is locked"
+            }
+            Self::Held { .. } => {
+                "drive what holds the model at the speed of the start, for instance by a joint \
+                 whose angle is a ramp"
+            }
+            Self::Resume { .. } => "continue with the model and the file that were run before",
+            Self::Recorder { .. } => "look at what output says",
+        };
+        fixed.to_owned()
+    }
+}
+
+/// A step that could not be made, and what it may come from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepTrouble {
+    /// The failure of the integrator.
+    pub failure: StepFailure,
+    /// The likely cause in words.
+    pub cause: String,
+}
+
+impl std::fmt::Display for StepTrouble {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}; {}", self.failure, self.cause)?;
+        let told = history(&self.failure.history);
+        match told.is_empty() {
+            true => Ok(()),
+            false => write!(f, "; residual and correction of its iterations: {told}"),
+        }
+    }
+}
+
+impl std::error::Error for StepTrouble {}
+
+impl StepTrouble {
+    fn remedy(&self) -> String {
+        self.failure.reason.remedies().join("; ")
+    }
+}
+
+/// The iterations in short: relative residual and size of the correction.
+fn history(iterations: &[Iteration]) -> String {
+    let mut text = String::new();
+    for (i, iteration) in iterations.iter().take(TOLD).enumerate() {
+        let comma = if i > 0 { ", " } else { "" };
+        let (residual, correction) = (iteration.worst.relative, iteration.correction);
+        // Writing to a string does not fail.
+        let _ = write!(text, "{comma}{residual:.1e} {correction:.1e}");
+    }
+    if iterations.len() > TOLD {
+        let _ = write!(text, " and {} more", iterations.len() - TOLD);
+    }
+    text
+}
+
+/// The failure of a step with what it likely comes from, as the latest state shows it;
+/// `step` is the length that was wanted \[s\].
+pub(super) fn trouble(
+    failure: StepFailure,
+    system: &System,
+    (state, conditions): (&State, &Conditions),
+    step: f64,
+) -> StepTrouble {
+    let cause = cause(&failure, system, (state, conditions), step);
+    StepTrouble { failure, cause }
+}
+
+fn cause(
+    failure: &StepFailure,
+    system: &System,
+    (state, conditions): (&State, &Conditions),
+    step: f64,
+) -> String {
+    if failure.reason == Reason::NotFinite {
+        return "a law, a drive or a load has no value there".to_owned();
+    }
+    if let Some(node) = spinning_slender(system, state, conditions, step) {
+        return format!(
+            "likely cause: the body of node \"{node}\" is slender and its spin about its long \
+             axis is not damped by a formula of this radius at this step: take shorter steps, \
+             radius = 0.3 or less, or a larger inertia about that axis"
+        );
+    }
+    let (fastest, turn) = fastest(system, state, step);
+    if turn > LARGE_TURN {
+        return format!(
+            "likely cause: node \"{fastest}\" turns by {turn:.2} rad in a step of {step:.3e} s, \
+             which is too long for it"
+        );
+    }
+    match failure.reason {
+        Reason::Singular => {
+            "likely cause: a mechanism that is locked or can go two ways here, or constraints \
+             that say the same"
+        }
+        Reason::LocalError => "likely cause: a jump of a load or of a stiffness",
+        _ => {
+            "likely cause: a step too long for the fastest motion, or a mechanism near a position \
+             where it is locked"
+        }
+    }
+    .to_owned()
+}
+
+/// The node that turns most in a step, and its angle \[rad\].
+fn fastest(system: &System, state: &State, step: f64) -> (String, f64) {
+    let turns = state.nodes.iter().zip(system.nodes());
+    let turns = turns.map(|(motion, node)| (&node.label, step * motion.angular_velocity.norm()));
+    let most = turns.max_by(|a, b| a.1.total_cmp(&b.1));
+    most.map_or_else(|| (String::new(), 0.0), |(node, turn)| (node.clone(), turn))
+}
+
+/// A node whose body is slender and turns about its long axis faster than across it.
+fn spinning_slender(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+    step: f64,
+) -> Option<String> {
+    let tangent = system.tangent(state, conditions);
+    for (i, (motion, node)) in state.nodes.iter().zip(system.nodes()).enumerate() {
+        let first = NODE_UNKNOWNS * i + 3;
+        let entry =
+            |row: usize, column: usize| -tangent.by_rates.entry(first + row, first + column);
+        let inertia = nalgebra::Matrix3::from_fn(|i, j| 0.5 * (entry(i, j) + entry(j, i)));
+        let parts = inertia.symmetric_eigen();
+        let least = parts.eigenvalues.imin();
+        let (low, high) = (parts.eigenvalues[least], parts.eigenvalues.max());
+        if low <= 0.0 || high < SLENDER * low {
+            continue;
+        }
+        let axis: Vector3<f64> = parts.eigenvectors.column(least).into();
+        let spin = axis.dot(&motion.angular_velocity).abs();
+        let across = (motion.angular_velocity - axis * axis.dot(&motion.angular_velocity)).norm();
+        if spin * step > 0.1 && spin > across {
+            return Some(node.label.clone());
+        }
+    }
+    None
+}

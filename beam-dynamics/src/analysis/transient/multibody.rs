@@ -1,0 +1,341 @@
+//! A multibody model as a differential-algebraic system.
+//!
+//! Orientations are matrices. What the formulas see are parameters relative to the latest
+//! accepted state (the updated-updated scheme): with `R_1, omega_1` that state and
+//! `R_2, omega_2` the one before it,
+//!
+//! ```text
+//! history      g_1 = 0                    g_1' = omega_1
+//!              g_2 = g(R_2 R_1^T)         g_2' = G(g_2)^-1 omega_2
+//! prediction   R_0 = R(g) R_1             w_0  = G(g) g'
+//! correction   R   = R(u) R_0             omega = G(u) u' + R(u) w_0
+//! variation    theta = G du               d omega = G du' + H(u, u') du + theta x R(u) w_0
+//! ```
+//!
+//! The simplified variation, `theta = du` and `d omega = du' - omega x du`, is that of a
+//! correction that vanishes.
+//!
+//! References: [Masarati], section 3.4.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::rotation::gibbs::{self, Attitude, Increment};
+use shared_geom::rotation::skew;
+
+use crate::analysis::balance::worst;
+use crate::assembly::{Combination, Pattern, Residual, Variation, Workspace};
+use crate::case::Model;
+use crate::integrator::Dae;
+use crate::model::{Conditions, NODE_UNKNOWNS, NodeMotion, State};
+use crate::solver::Worst;
+
+use super::rates::consistent_rates;
+
+/// Accepted states that are kept.
+const KEPT: usize = 2;
+/// Trial states.
+const STAGES: usize = 3;
+
+/// A state under trial.
+#[derive(Debug)]
+struct Trial {
+    /// As predicted.
+    base: State,
+    /// As corrected.
+    state: State,
+    conditions: Conditions,
+    /// Correction of the orientation of each node.
+    turns: Vec<Increment>,
+}
+
+/// A multibody model as integrators see it.
+#[derive(Debug)]
+pub(super) struct Multibody<'a> {
+    model: &'a Model,
+    /// Accepted states, the latest first.
+    states: [State; KEPT],
+    trials: Vec<Trial>,
+    variations: Vec<Variation>,
+    work: Workspace,
+    algebraic: Vec<bool>,
+    is_simplified: bool,
+    /// Size of the model, by which displacements are measured [m].
+    size: f64,
+}
+
+impl<'a> Multibody<'a> {
+    /// The model with the accepted states `states`, the latest first; exact derivatives
+    /// unless they are to be simplified.
+    pub fn new(model: &'a Model, states: [State; KEPT], is_simplified: bool) -> Self {
+        let system = &model.system;
+        let nodes = system.nodes().len();
+        let numbering = system.numbering();
+        let still = Increment {
+            parameters: Vector3::zeros(),
+            rate: Vector3::zeros(),
+        };
+        let trial = || Trial {
+            base: states[0].clone(),
+            state: states[0].clone(),
+            conditions: model.conditions_at(0.0),
+            turns: vec![still; nodes],
+        };
+        let variation = Variation {
+            turn: Matrix3::identity(),
+            spin: Matrix3::zeros(),
+        };
+        Self {
+            model,
+            trials: (0..STAGES).map(|_| trial()).collect(),
+            variations: vec![variation; nodes],
+            work: system.workspace(),
+            algebraic: (0..numbering.unknowns())
+                .map(|place| place >= NODE_UNKNOWNS * nodes)
+                .collect(),
+            is_simplified,
+            size: size(&states[0]),
+            states,
+        }
+    }
+
+    /// The latest accepted state.
+    pub fn state(&self) -> &State {
+        &self.states[0]
+    }
+
+    /// The accepted states, the latest first.
+    pub fn states(&self) -> &[State] {
+        &self.states
+    }
+}
+
+/// Largest distance of a node from the first, or one \[m\].
+pub(super) fn size(state: &State) -> f64 {
+    let first = state
+        .nodes
+        .first()
+        .map_or_else(Vector3::zeros, |n| n.position);
+    let reach = state
+        .nodes
+        .iter()
+        .map(|node| (node.position - first).norm());
+    let size = reach.fold(0.0, f64::max);
+    if size > 0.0 { size } else { 1.0 }
+}
+
+/// The three numbers of a vector variable of a node.
+fn part(values: &[f64], variable: usize) -> Vector3<f64> {
+    Vector3::from_column_slice(&values[3 * variable..3 * variable + 3])
+}
+
+fn attitude(node: &NodeMotion) -> Attitude {
+    Attitude {
+        rotation: node.rotation,
+        angular_velocity: node.angular_velocity,
+    }
+}
+
+/// Numbers of all nodes, twelve each, and of the multipliers.
+fn split(values: &[f64], nodes: usize) -> (std::slice::Chunks<'_, f64>, &[f64]) {
+    let (of_nodes, of_multipliers) = values.split_at(NODE_UNKNOWNS * nodes);
+    (of_nodes.chunks(NODE_UNKNOWNS), of_multipliers)
+}
+
+/// One step of Newton's iteration for the polar factor: takes away the round-off of many
+/// products.
+fn orthogonal(r: &Matrix3<f64>) -> Matrix3<f64> {
+    r * (1.5 * Matrix3::identity() - 0.5 * r.transpose() * r)
+}
+
+fn write(node: &NodeMotion, origin: &NodeMotion, (y, rates): (&mut [f64], &mut [f64])) {
+    let turn = gibbs::relative(&attitude(node), &origin.rotation);
+    let changes = [
+        node.position - origin.position,
+        turn.parameters,
+        node.momentum - origin.momentum,
+        node.angular_momentum - origin.angular_momentum,
+    ];
+    let slopes = [
+        node.velocity,
+        turn.rate,
+        node.momentum_rate,
+        node.angular_momentum_rate,
+    ];
+    for i in 0..4 {
+        y[3 * i..3 * i + 3].copy_from_slice(changes[i].as_slice());
+        rates[3 * i..3 * i + 3].copy_from_slice(slopes[i].as_slice());
+    }
+}
+
+/// A node moved from `base` by changes of its unknowns and of their rates; `turned` is
+/// its attitude after it. The rates of `base` count as far as `kept`.
+fn moved(
+    base: &NodeMotion,
+    turned: &Attitude,
+    (y, rates): (&[f64], &[f64]),
+    kept: f64,
+) -> NodeMotion {
+    NodeMotion {
+        position: base.position + part(y, 0),
+        rotation: turned.rotation,
+        momentum: base.momentum + part(y, 2),
+        angular_momentum: base.angular_momentum + part(y, 3),
+        velocity: kept * base.velocity + part(rates, 0),
+        angular_velocity: turned.angular_velocity,
+        momentum_rate: kept * base.momentum_rate + part(rates, 2),
+        angular_momentum_rate: kept * base.angular_momentum_rate + part(rates, 3),
+    }
+}
+
+impl Dae for Multibody<'_> {
+    fn pattern(&self) -> &Arc<Pattern> {
+        self.model.system.pattern()
+    }
+
+    fn algebraic(&self) -> &[bool] {
+        &self.algebraic
+    }
+
+    fn past(&self, back: usize, y: &mut [f64], rates: &mut [f64]) {
+        let [latest, _] = &self.states;
+        let then = &self.states[back];
+        let nodes = latest.nodes.len();
+        let ends = (y.split_at_mut(NODE_UNKNOWNS * nodes)).0;
+        let slopes = (rates.split_at_mut(NODE_UNKNOWNS * nodes)).0;
+        let numbers = ends
+            .chunks_mut(NODE_UNKNOWNS)
+            .zip(slopes.chunks_mut(NODE_UNKNOWNS));
+        for ((node, origin), out) in then.nodes.iter().zip(&latest.nodes).zip(numbers) {
+            write(node, origin, out);
+        }
+        let multipliers = then.multipliers.iter().zip(&latest.multipliers);
+        let first = NODE_UNKNOWNS * nodes;
+        for (value, (now, origin)) in y[first..].iter_mut().zip(multipliers) {
+            *value = now - origin;
+        }
+        rates[first..].fill(0.0);
+    }
+
+    fn renew(&mut self, time: f64) -> bool {
+        let conditions = self.model.conditions_at(time);
+        match consistent_rates(&self.model.system, &self.states[0], &conditions) {
+            Some(state) => {
+                self.states[0] = state;
+                true
+            }
+            None => false,
+        }
+    }
+
+    fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]) {
+        let latest = &self.states[0];
+        let trial = &mut self.trials[stage];
+        trial.conditions = self.model.conditions_at(time);
+        let ((y, multipliers), (rates, _)) = (
+            split(y, latest.nodes.len()),
+            split(rates, latest.nodes.len()),
+        );
+        let numbers = y.zip(rates);
+        for ((base, node), numbers) in trial.base.nodes.iter_mut().zip(&latest.nodes).zip(numbers) {
+            let turn = Increment {
+                parameters: part(numbers.0, 1),
+                rate: part(numbers.1, 1),
+            };
+            let still = Attitude {
+                rotation: node.rotation,
+                angular_velocity: Vector3::zeros(),
+            };
+            *base = moved(node, &gibbs::corrected(&turn, &still), numbers, 0.0);
+        }
+        let old = latest.multipliers.iter().zip(multipliers);
+        for (base, (latest, change)) in trial.base.multipliers.iter_mut().zip(old) {
+            *base = latest + change;
+        }
+        trial.state.copy_from(&trial.base);
+        for turn in &mut trial.turns {
+            turn.parameters.fill(0.0);
+            turn.rate.fill(0.0);
+        }
+    }
+
+    fn correct(&mut self, stage: usize, y: &[f64], rates: &[f64]) {
+        let trial = &mut self.trials[stage];
+        let nodes = trial.base.nodes.len();
+        let ((y, multipliers), (rates, _)) = (split(y, nodes), split(rates, nodes));
+        let bases = trial.base.nodes.iter().zip(y.zip(rates));
+        let states = trial.state.nodes.iter_mut().zip(&mut trial.turns);
+        for ((state, turn), (base, numbers)) in states.zip(bases) {
+            turn.parameters = part(numbers.0, 1);
+            turn.rate = part(numbers.1, 1);
+            let turned = gibbs::corrected(turn, &attitude(base));
+            *state = moved(base, &turned, numbers, 1.0);
+        }
+        let bases = trial.base.multipliers.iter().zip(multipliers);
+        for (state, (base, change)) in trial.state.multipliers.iter_mut().zip(bases) {
+            *state = base + change;
+        }
+    }
+
+    fn residual(&mut self, stage: usize, out: &mut Residual) {
+        let trial = &self.trials[stage];
+        let system = &self.model.system;
+        system.residual_into(&trial.state, &trial.conditions, out, &mut self.work);
+    }
+
+    fn jacobian(&mut self, stage: usize, out: &mut [Combination<'_>]) {
+        let trial = &self.trials[stage];
+        let nodes = trial.base.nodes.iter().zip(&trial.turns);
+        for (variation, (base, turn)) in self.variations.iter_mut().zip(nodes) {
+            let exact = gibbs::linearized(turn, &attitude(base));
+            *variation = match self.is_simplified {
+                false => Variation {
+                    turn: exact.rotation,
+                    spin: exact.velocity,
+                },
+                true => Variation {
+                    turn: Matrix3::identity(),
+                    spin: -skew(&gibbs::corrected(turn, &attitude(base)).angular_velocity),
+                },
+            };
+        }
+        self.model.system.combine(
+            &trial.state,
+            &trial.conditions,
+            &self.variations,
+            out,
+            &mut self.work,
+        );
+    }
+
+    fn accept(&mut self, stage: usize) {
+        self.states.swap(0, 1);
+        self.states[0].copy_from(&self.trials[stage].state);
+        for node in &mut self.states[0].nodes {
+            node.rotation = orthogonal(&node.rotation);
+        }
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        self.model.next_corner(time)
+    }
+
+    fn worst(&self, residual: &Residual) -> Worst {
+        let nodes = self.model.system.nodes().len();
+        worst(residual, nodes, self.size / nodes.max(1) as f64)
+    }
+
+    fn size(&self, correction: &[f64]) -> f64 {
+        let (nodes, _) = split(correction, self.states[0].nodes.len());
+        let sizes = nodes.map(|node| (part(node, 0).norm() / self.size).max(part(node, 1).norm()));
+        sizes.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
+    }
+
+    fn error(&self, difference: &[f64]) -> f64 {
+        self.size(difference)
+    }
+
+    fn describe(&self, place: usize) -> String {
+        self.model.system.describe_equation(place)
+    }
+}

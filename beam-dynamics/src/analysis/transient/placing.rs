@@ -1,0 +1,328 @@
+//! Places and velocities that fulfill the constraints and change least.
+//!
+//! ```text
+//! places       minimize 1/2 d^T W d,    d = (x - x_0, psi(R R_0^T))    with Phi = 0
+//! velocities   minimize 1/2 (v - v_0)^T W (v - v_0)          with Phi_y v + Phi_t = 0
+//! ```
+//!
+//! by Newton's method on the conditions of an extremum. Weights are those of the nodes,
+//! for rotations times the square of the size of the model.
+
+use nalgebra::Vector3;
+use shared_geom::rotation::{gibbs, vector};
+
+use crate::assembly::{System, Tangent};
+use crate::case::InitialMotion;
+use crate::elements::Level;
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
+
+use super::multibody::size;
+use super::saddle::{By, MOTION, Saddle, constraint_rows, levels, motion};
+
+/// Iterations at most.
+const ITERATIONS: usize = 50;
+/// Largest change of a step, in sizes of the model and radians.
+const LARGEST: f64 = 0.5;
+/// Size of the last correction, in sizes of the model and radians.
+const SMALL: f64 = 1e-10;
+/// Constraints that are fulfilled up to this part of the size of the model are left alone.
+const FULFILLED: f64 = 1e-12;
+/// Weight of velocities of which nothing is said.
+const UNSAID: f64 = 1e-8;
+
+/// A constraint that cannot be fulfilled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Unfulfilled {
+    /// Its place among the equations.
+    pub place: usize,
+    /// What it is off by [unit of the constraint].
+    pub value: f64,
+}
+
+/// The constraint that is farthest from being fulfilled.
+fn worst(values: &[f64], first: usize) -> Unfulfilled {
+    let places = values.iter().enumerate().map(|(i, value)| Unfulfilled {
+        place: first + i,
+        value: *value,
+    });
+    let least = Unfulfilled {
+        place: first,
+        value: 0.0,
+    };
+    places.fold(least, |a, b| {
+        match b.value.abs() > a.value.abs() || b.value.is_nan() {
+            true => b,
+            false => a,
+        }
+    })
+}
+
+/// Values of the constraints of one level; zero for the others.
+fn values(system: &System, state: &State, conditions: &Conditions, level: Level) -> Vec<f64> {
+    let first = NODE_UNKNOWNS * system.nodes().len();
+    let residual = system.residual(state, conditions).values;
+    let values = residual[first..].iter().zip(levels(system));
+    values
+        .map(|(value, own)| if own == level { *value } else { 0.0 })
+        .collect()
+}
+
+/// Weights of the motion of all nodes, six each.
+fn weights(size: f64, initial: &[InitialMotion], of: fn(&InitialMotion) -> [f64; 2]) -> Vec<f64> {
+    let turn = size * size;
+    let of_node = |initial: &InitialMotion| {
+        let [place, attitude] = of(initial);
+        let attitude = turn * attitude;
+        [place, place, place, attitude, attitude, attitude]
+    };
+    initial.iter().flat_map(of_node).collect()
+}
+
+/// Moves the nodes of `state`, as little as their weights tell, until the constraints of
+/// positions are fulfilled. Velocities do not count.
+pub(super) fn place(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+    initial: &[InitialMotion],
+) -> Result<State, Unfulfilled> {
+    let nodes = state.nodes.len();
+    let first = NODE_UNKNOWNS * nodes;
+    let mut now = still(state);
+    let off = worst(&values(system, &now, conditions, Level::Position), first);
+    if off.value.abs() <= FULFILLED * size(state).max(1.0) {
+        return Ok(state.clone());
+    }
+    let start = now.clone();
+    let weights = weights(size(state), initial, |one| [one.weight; 2]);
+    for _ in 0..ITERATIONS {
+        let Some(step) = place_step(system, (&start, &now), conditions, &weights) else {
+            break;
+        };
+        let largest = largest(&step[..MOTION * nodes], size(state));
+        if !largest.is_finite() {
+            break;
+        }
+        let part = f64::min(1.0, LARGEST / largest);
+        move_by(&mut now, &step, part);
+        if largest <= SMALL {
+            return Ok(with_motion_of(now, state));
+        }
+    }
+    Err(worst(
+        &values(system, &now, conditions, Level::Position),
+        first,
+    ))
+}
+
+/// At rest, without multipliers.
+fn still(state: &State) -> State {
+    let mut still = state.clone();
+    for node in &mut still.nodes {
+        node.velocity = Vector3::zeros();
+        node.angular_velocity = Vector3::zeros();
+    }
+    still.multipliers.fill(0.0);
+    still
+}
+
+/// The places of `placed` with the velocities of `state`.
+fn with_motion_of(placed: State, state: &State) -> State {
+    let mut all = state.clone();
+    for (node, placed) in all.nodes.iter_mut().zip(&placed.nodes) {
+        (node.position, node.rotation) = (placed.position, placed.rotation);
+    }
+    all
+}
+
+fn move_by(state: &mut State, step: &[f64], part: f64) {
+    let nodes = state.nodes.len();
+    for (node, step) in state.nodes.iter_mut().zip(step.chunks(MOTION)) {
+        node.position += part * Vector3::from_column_slice(&step[..3]);
+        let turn = part * Vector3::from_column_slice(&step[3..]);
+        node.rotation = gibbs::to_rotation(&turn) * node.rotation;
+    }
+    for (zeta, change) in state.multipliers.iter_mut().zip(&step[MOTION * nodes..]) {
+        *zeta += part * change;
+    }
+}
+
+/// Largest displacement in sizes of the model, or rotation.
+fn largest(step: &[f64], size: f64) -> f64 {
+    let of_node = |step: &[f64]| {
+        let part = |i: usize| Vector3::from_column_slice(&step[i..i + 3]).norm();
+        (part(0) / size).max(part(3))
+    };
+    let sizes = step.chunks(MOTION).map(of_node);
+    sizes.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
+}
+
+/// One step to the extremum, from `now`, whose multipliers are those of the extremum.
+fn place_step(
+    system: &System,
+    (start, now): (&State, &State),
+    conditions: &Conditions,
+    weights: &[f64],
+) -> Option<Vec<f64>> {
+    let nodes = now.nodes.len();
+    let first = MOTION * nodes;
+    let tangent = system.tangent(now, conditions);
+    let mut saddle = Saddle::default();
+    saddle.constraints(system, &tangent, By::Positions);
+    let diagonal = weights
+        .iter()
+        .enumerate()
+        .map(|(i, weight)| (i, i, *weight));
+    saddle.entries.extend(diagonal);
+    saddle
+        .entries
+        .extend(curvature(system, now, conditions, &tangent));
+
+    let mut right = vec![0.0; first + now.multipliers.len()];
+    for (i, (node, origin)) in now.nodes.iter().zip(&start.nodes).enumerate() {
+        let moved = node.position - origin.position;
+        let turned = vector::from_rotation(&(node.rotation * origin.rotation.transpose()));
+        for k in 0..3 {
+            right[MOTION * i + k] = -weights[MOTION * i + k] * moved[k];
+            right[MOTION * i + 3 + k] = -weights[MOTION * i + 3 + k] * turned[k];
+        }
+    }
+    for (constraint, column, value) in constraint_rows(system, &tangent, By::Positions) {
+        right[column] -= value * now.multipliers[constraint];
+    }
+    let off = values(system, now, conditions, Level::Position);
+    for (value, off) in right[first..].iter_mut().zip(off) {
+        *value = -off;
+    }
+    saddle.solve(nodes, largest_of(weights), &right)
+}
+
+fn largest_of(weights: &[f64]) -> f64 {
+    weights.iter().copied().fold(f64::MIN_POSITIVE, f64::max)
+}
+
+/// `d(Phi_y^T zeta)/dy`: the constraint forces are `-Phi_y^T zeta`, and all other forces do
+/// not depend on zeta.
+fn curvature(
+    system: &System,
+    now: &State,
+    conditions: &Conditions,
+    tangent: &Tangent,
+) -> Vec<(usize, usize, f64)> {
+    let mut without = now.clone();
+    without.multipliers.fill(0.0);
+    let without = system.tangent(&without, conditions).by_unknowns;
+    let first = NODE_UNKNOWNS * now.nodes.len();
+    let change = tangent.by_unknowns.plus(-1.0, &without);
+    let entries = change.triplets().filter(|&(row, column, value)| {
+        let is_force = row < first && row % NODE_UNKNOWNS >= Equation::Force.row();
+        let is_motion = column < first && column % NODE_UNKNOWNS < Variable::Momentum.column();
+        value != 0.0 && is_force && is_motion
+    });
+    entries
+        .map(|(row, column, value)| (motion(row), motion(column), -value))
+        .collect()
+}
+
+/// Changes the velocities of `state`, as little as their weights tell, until all
+/// constraints are fulfilled with them.
+pub(super) fn set_moving(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+    initial: &[InitialMotion],
+) -> Result<State, Unfulfilled> {
+    let nodes = state.nodes.len();
+    let place = NODE_UNKNOWNS * nodes;
+    let of = |one: &InitialMotion| {
+        [one.velocity, one.angular_velocity].map(|said| {
+            let standard = if said.is_some() { 1.0 } else { UNSAID };
+            one.velocity_weight.unwrap_or(standard)
+        })
+    };
+    let weights = weights(size(state), initial, of);
+    let mut now = state.clone();
+    let mut off = velocity_constraints(system, &now, conditions);
+    let limit = |state: &State| FULFILLED * fastest(state).max(f64::MIN_POSITIVE);
+    for _ in 0..ITERATIONS {
+        if worst(&off, place).value.abs() <= limit(&now) {
+            return Ok(now);
+        }
+        let tangent = system.tangent(&now, conditions);
+        let mut saddle = Saddle::default();
+        saddle.constraints(system, &tangent, By::Velocities);
+        let diagonal = weights
+            .iter()
+            .enumerate()
+            .map(|(i, weight)| (i, i, *weight));
+        saddle.entries.extend(diagonal);
+        let mut right = vec![0.0; MOTION * nodes];
+        right.extend(off.iter().map(|off| -off));
+        let step = saddle
+            .solve(nodes, largest_of(&weights), &right)
+            .ok_or(worst(&off, place))?;
+        for (node, step) in now.nodes.iter_mut().zip(step.chunks(MOTION)) {
+            node.velocity += Vector3::from_column_slice(&step[..3]);
+            node.angular_velocity += Vector3::from_column_slice(&step[3..]);
+        }
+        let before = worst(&off, place).value.abs();
+        off = velocity_constraints(system, &now, conditions);
+        let after = worst(&off, place);
+        // Round-off of large terms: no step makes it better.
+        if after.value.abs() <= 1e-9 * fastest(&now).max(1e-3) && after.value.abs() > 0.1 * before {
+            return Ok(now);
+        }
+    }
+    Err(worst(&off, place))
+}
+
+/// Largest velocity, or size of the model times angular velocity \[m/s\].
+fn fastest(state: &State) -> f64 {
+    let size = size(state);
+    let of = state.nodes.iter().map(|node| {
+        node.velocity
+            .norm()
+            .max(size * node.angular_velocity.norm())
+    });
+    of.fold(0.0, f64::max)
+}
+
+/// First derivative of the constraints of positions, and the constraints of velocities.
+fn velocity_constraints(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
+    let mut off = values(system, state, conditions, Level::Velocity);
+    let by_time = by_time(system, state, conditions);
+    let levels = levels(system);
+    for (i, value) in by_time.into_iter().enumerate() {
+        if levels[i] == Level::Position {
+            off[i] = value;
+        }
+    }
+    let tangent = system.tangent(state, conditions);
+    for (constraint, column, value) in constraint_rows(system, &tangent, By::Positions) {
+        let node = &state.nodes[column / MOTION];
+        off[constraint] += value
+            * match column % MOTION {
+                i @ 0..3 => node.velocity[i],
+                i => node.angular_velocity[i - 3],
+            };
+    }
+    off
+}
+
+/// `Phi_t`, by central differences where an element does not tell it.
+fn by_time(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
+    /// The error of differences is about 1e-10 of the drive.
+    const DELAY: f64 = 1e-5;
+    if let Some((by_time, _)) = system.constraint_rates(state, conditions) {
+        return by_time;
+    }
+    let at = |delay: f64| {
+        let mut conditions = *conditions;
+        conditions.loading.time += delay;
+        values(system, state, &conditions, Level::Position)
+    };
+    let pairs = at(DELAY).into_iter().zip(at(-DELAY));
+    pairs
+        .map(|(later, before)| (later - before) / (2.0 * DELAY))
+        .collect()
+}

@@ -1,0 +1,155 @@
+//! Rates of momenta, and multipliers, that agree with the last derivative of the
+//! constraints.
+//!
+//! The momenta are functions of the motion, `beta = b(x, R, v, omega)`, so that with the
+//! accelerations a (of displacement and rotation)
+//!
+//! ```text
+//! beta' = q + M a           q = b_x v + b_theta omega,   M = b_v
+//! M a - F_lambda lambda = F_0 - q
+//! C a                   = -convective
+//! ```
+//!
+//! with `F_0` the forces, without multipliers, of the state, and C the derivatives of the
+//! constraints. Where a motion moves no mass its acceleration follows from the constraints,
+//! or is no one's concern: next to nothing is added to M in these directions, and left out
+//! again of the rates.
+
+use crate::assembly::massless::without_mass;
+use crate::assembly::{System, Tangent};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
+
+use super::multibody::size;
+use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
+
+/// Mass of what has none, as a part of the largest mass.
+const NEXT_TO_NOTHING: f64 = 1e-9;
+
+/// `state` with rates of momenta and multipliers that agree with its motion and with what
+/// acts; `None` when an element does not know how its constraints change, or when they
+/// have no solution.
+pub(super) fn consistent_rates(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+) -> Option<State> {
+    let (_, convective) = system.constraint_rates(state, conditions)?;
+    let mut state = state.clone();
+    for node in &mut state.nodes {
+        node.momentum_rate.fill(0.0);
+        node.angular_momentum_rate.fill(0.0);
+    }
+    state.multipliers.fill(0.0);
+    let nodes = state.nodes.len();
+    let tangent = system.tangent(&state, conditions);
+    let forces = system.residual(&state, conditions).values;
+    let masses = masses(nodes, &tangent);
+    let carried = carried(&state, &tangent);
+
+    let mut saddle = Saddle::default();
+    saddle.entries.extend(&masses);
+    saddle.entries.extend(multiplier_columns(nodes, &tangent));
+    let first = MOTION * nodes;
+    let rows = constraint_rows(system, &tangent, By::Velocities);
+    let rows = rows.into_iter().map(|(i, j, value)| (first + i, j, value));
+    saddle.entries.extend(rows);
+    let heaviest = masses.iter().map(|entry| entry.2.abs()).fold(0.0, f64::max);
+    let heaviest = if heaviest > 0.0 { heaviest } else { 1.0 };
+    soften(&mut saddle, system, (&state, &tangent), heaviest);
+
+    let mut right = vec![0.0; first + state.multipliers.len()];
+    for (row, force) in forces[..NODE_UNKNOWNS * nodes].iter().enumerate() {
+        if row % NODE_UNKNOWNS >= Equation::Force.row() {
+            right[motion(row)] += force;
+        }
+    }
+    right.iter_mut().zip(&carried).for_each(|(f, q)| *f -= q);
+    for (value, convective) in right[first..].iter_mut().zip(&convective) {
+        *value = -convective;
+    }
+    let solution = saddle.solve(nodes, heaviest, &right)?;
+    state.multipliers.copy_from_slice(&solution[first..]);
+    let mut rates = carried;
+    for (row, column, mass) in masses {
+        rates[row] += mass * solution[column];
+    }
+    for (node, rates) in state.nodes.iter_mut().zip(rates.chunks(MOTION)) {
+        node.momentum_rate.copy_from_slice(&rates[..3]);
+        node.angular_momentum_rate.copy_from_slice(&rates[3..]);
+    }
+    Some(state)
+}
+
+/// M: derivatives of the momenta by the velocities.
+fn masses(nodes: usize, tangent: &Tangent) -> Vec<(usize, usize, f64)> {
+    let entries = tangent.by_rates.triplets();
+    let is_mass =
+        |&(row, column, _): &(usize, usize, f64)| is_momentum_by_motion(nodes, row, column);
+    entries
+        .filter(is_mass)
+        .map(|(row, column, value)| (motion(row), motion(column), -value))
+        .collect()
+}
+
+/// q: rates of the momenta of nodes that are not accelerated.
+fn carried(state: &State, tangent: &Tangent) -> Vec<f64> {
+    let nodes = state.nodes.len();
+    let speed = |column: usize| {
+        let node = &state.nodes[column / NODE_UNKNOWNS];
+        match column % NODE_UNKNOWNS {
+            i @ 0..3 => node.velocity[i],
+            i => node.angular_velocity[i - 3],
+        }
+    };
+    let mut carried = vec![0.0; MOTION * nodes];
+    for (row, column, value) in tangent.by_unknowns.triplets() {
+        if is_momentum_by_motion(nodes, row, column) {
+            carried[motion(row)] -= value * speed(column);
+        }
+    }
+    carried
+}
+
+fn is_momentum_by_motion(nodes: usize, row: usize, column: usize) -> bool {
+    let is_node = row.max(column) < NODE_UNKNOWNS * nodes;
+    is_node
+        && row % NODE_UNKNOWNS < Equation::Force.row()
+        && column % NODE_UNKNOWNS < Variable::Momentum.column()
+}
+
+/// `-F_lambda`.
+fn multiplier_columns(nodes: usize, tangent: &Tangent) -> Vec<(usize, usize, f64)> {
+    let first = NODE_UNKNOWNS * nodes;
+    let entries = tangent.by_unknowns.triplets();
+    let is_force = |&(row, column, _): &(usize, usize, f64)| {
+        column >= first && row < first && row % NODE_UNKNOWNS >= Equation::Force.row()
+    };
+    entries
+        .filter(is_force)
+        .map(|(row, column, value)| (motion(row), MOTION * nodes + column - first, -value))
+        .collect()
+}
+
+/// Gives a little mass to what has none.
+fn soften(
+    saddle: &mut Saddle,
+    system: &System,
+    (state, tangent): (&State, &Tangent),
+    heaviest: f64,
+) {
+    let size = size(state);
+    let scale = |i: usize| if i < 3 { 1.0 } else { size };
+    for (node, basis) in without_mass(system, tangent, size).iter().enumerate() {
+        let mass = NEXT_TO_NOTHING * heaviest * basis * basis.transpose();
+        for i in 0..MOTION {
+            for j in 0..MOTION {
+                let value = scale(i) * mass[(i, j)] * scale(j);
+                if value != 0.0 {
+                    saddle
+                        .entries
+                        .push((MOTION * node + i, MOTION * node + j, value));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Systems of the motion of nodes and of multipliers, as start-up solves them:
+//!
+//! ```text
+//! [ K  C^T ] [ dy   ]   [ f ]
+//! [ C   0  ] [ zeta ] = [ g ]
+//! ```
+//!
+//! with six unknowns a node. Constraints that say the same twice share their multiplier:
+//! next to nothing is added to the diagonal of the second rows, and the solution is
+//! refined until this has no effect.
+
+use std::sync::Arc;
+
+use crate::assembly::{Pattern, Sparse, System, Tangent};
+use crate::elements::Level;
+use crate::model::{Equation, NODE_UNKNOWNS, Variable};
+use crate::solver::LinearSolver;
+
+/// Unknowns of the motion of a node.
+pub(super) const MOTION: usize = 6;
+/// What is added to the diagonal of multipliers, relative to its natural size.
+const SOFT: f64 = 1e-11;
+/// Refinements of a solution.
+const REFINEMENTS: usize = 3;
+
+/// Which derivatives of the constraints are meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum By {
+    /// Those by positions and rotations, of constraints of positions alone.
+    Positions,
+    /// Those by the highest derivative of the motion that a constraint holds.
+    Velocities,
+}
+
+/// A block matrix by its entries (row, column, value); equal places add up.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Saddle {
+    pub entries: Vec<(usize, usize, f64)>,
+}
+
+impl Saddle {
+    /// Adds the rows C of the constraints, and their transpose.
+    pub fn constraints(&mut self, system: &System, tangent: &Tangent, by: By) {
+        let first = MOTION * system.nodes().len();
+        for (constraint, column, value) in constraint_rows(system, tangent, by) {
+            self.entries.push((first + constraint, column, value));
+            self.entries.push((column, first + constraint, value));
+        }
+    }
+
+    /// Solves for all unknowns, of which the first `nodes` times six are motions; `None`
+    /// when the matrix is singular. `stiffness` is the size of K.
+    pub fn solve(&self, nodes: usize, stiffness: f64, right: &[f64]) -> Option<Vec<f64>> {
+        let size = right.len();
+        let soft = (MOTION * nodes..size).map(|i| (i, i, -SOFT / stiffness));
+        let exact = matrix(size, self.entries.iter().copied());
+        let entries = self.entries.iter().copied().chain(soft);
+        let softened = matrix(size, entries);
+        let solver = LinearSolver::new(softened.pattern())?;
+        let factors = solver.factorize(softened)?;
+        let mut x = vec![0.0; size];
+        for _ in 0..=REFINEMENTS {
+            let mut left = vec![0.0; size];
+            exact.multiply_add(&x, &mut left);
+            let mut change: Vec<_> = right.iter().zip(&left).map(|(b, ax)| b - ax).collect();
+            factors.solve(&mut change)?;
+            x.iter_mut().zip(&change).for_each(|(x, dx)| *x += dx);
+        }
+        Some(x)
+    }
+}
+
+/// Derivatives of the constraints: constraint, place of the motion, value.
+pub(super) fn constraint_rows(
+    system: &System,
+    tangent: &Tangent,
+    by: By,
+) -> Vec<(usize, usize, f64)> {
+    let levels = levels(system);
+    let first = NODE_UNKNOWNS * system.nodes().len();
+    let mut rows = Vec::new();
+    for (level, matrix) in [
+        (Level::Position, &tangent.by_unknowns),
+        (Level::Velocity, &tangent.by_rates),
+    ] {
+        if by == By::Positions && level == Level::Velocity {
+            continue;
+        }
+        for (row, column, value) in matrix.triplets() {
+            let is_motion = column < first && column % NODE_UNKNOWNS < Variable::Momentum.column();
+            if row >= first && is_motion && levels[row - first] == level {
+                rows.push((row - first, motion(column), value));
+            }
+        }
+    }
+    rows
+}
+
+fn matrix(size: usize, entries: impl Iterator<Item = (usize, usize, f64)> + Clone) -> Sparse {
+    let places = entries.clone().map(|(row, column, _)| (row, column));
+    let diagonal = (0..size).map(|i| (i, i));
+    let pattern = Arc::new(Pattern::new(size, places.chain(diagonal).collect()));
+    let mut matrix = Sparse::zero(Arc::clone(&pattern));
+    for (row, column, value) in entries {
+        if let Some(place) = pattern.place(row, column) {
+            matrix.values_mut()[place] += value;
+        }
+    }
+    matrix
+}
+
+/// Place of an unknown, or of an equation, of a node among the six of its motion.
+pub(super) fn motion(place: usize) -> usize {
+    MOTION * (place / NODE_UNKNOWNS) + place % NODE_UNKNOWNS % Equation::Force.row()
+}
+
+/// Level of each constraint, in the order of the multipliers.
+pub(super) fn levels(system: &System) -> Vec<Level> {
+    let of = |element: &dyn crate::elements::Element| -> Vec<Level> {
+        (0..element.multipliers())
+            .map(|i| element.level(i))
+            .collect()
+    };
+    system.elements().flat_map(of).collect()
+}

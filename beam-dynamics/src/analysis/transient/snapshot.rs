@@ -1,0 +1,90 @@
+//! What a run is continued from: its accepted states as plain numbers.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::case::Model;
+use crate::integrator::Progress;
+use crate::model::{NodeMotion, State};
+use crate::result::Snapshot;
+
+use super::failure::TransientFailure;
+
+/// Numbers of a node: position, orientation by columns, momenta, velocities, rates.
+const OF_NODE: usize = 30;
+
+/// All that is needed to go on from the accepted `states`, the latest first.
+pub(super) fn take(model: &Model, states: &[State], step: usize, progress: Progress) -> Snapshot {
+    let nodes = model.system.nodes();
+    Snapshot {
+        nodes: nodes.iter().map(|node| node.label.clone()).collect(),
+        multipliers: model.system.numbering().multipliers(),
+        step,
+        progress,
+        states: states.iter().map(numbers).collect(),
+    }
+}
+
+fn numbers(state: &State) -> Vec<f64> {
+    let of_node = |node: &NodeMotion| {
+        let mut numbers = Vec::with_capacity(OF_NODE);
+        numbers.extend(node.position.iter());
+        numbers.extend(node.rotation.iter());
+        for vector in [
+            &node.momentum,
+            &node.angular_momentum,
+            &node.velocity,
+            &node.angular_velocity,
+            &node.momentum_rate,
+            &node.angular_momentum_rate,
+        ] {
+            numbers.extend(vector.iter());
+        }
+        numbers
+    };
+    let of_nodes = state.nodes.iter().flat_map(of_node);
+    of_nodes.chain(state.multipliers.iter().copied()).collect()
+}
+
+/// The two accepted states of a snapshot of this model, the latest first.
+pub(super) fn states(model: &Model, snapshot: &Snapshot) -> Result<[State; 2], TransientFailure> {
+    let mismatch = |reason: &str| TransientFailure::Resume {
+        reason: reason.to_owned(),
+    };
+    let nodes = model.system.nodes();
+    let labels = nodes.iter().map(|node| node.label.as_str());
+    if !labels.eq(snapshot.nodes.iter().map(String::as_str)) {
+        return Err(mismatch("its nodes are not those of the model"));
+    }
+    let multipliers = model.system.numbering().multipliers();
+    if multipliers != snapshot.multipliers {
+        return Err(mismatch("its joints are not those of the model"));
+    }
+    let length = OF_NODE * nodes.len() + multipliers;
+    match &snapshot.states[..] {
+        [latest, before] if latest.len() == length && before.len() == length => {
+            Ok([latest, before].map(|numbers| state(numbers, nodes.len())))
+        }
+        _ => Err(mismatch("its states are incomplete")),
+    }
+}
+
+fn state(numbers: &[f64], nodes: usize) -> State {
+    let (of_nodes, multipliers) = numbers.split_at(OF_NODE * nodes);
+    let of_node = |numbers: &[f64]| {
+        let vector = |first: usize| Vector3::from_column_slice(&numbers[first..first + 3]);
+        NodeMotion {
+            position: vector(0),
+            rotation: Matrix3::from_column_slice(&numbers[3..12]),
+            momentum: vector(12),
+            angular_momentum: vector(15),
+            velocity: vector(18),
+            angular_velocity: vector(21),
+            momentum_rate: vector(24),
+            angular_momentum_rate: vector(27),
+        }
+    };
+    State {
+        nodes: of_nodes.chunks(OF_NODE).map(of_node).collect(),
+        multipliers: multipliers.to_vec(),
+    }
+}

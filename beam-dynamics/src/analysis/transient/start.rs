@@ -1,0 +1,283 @@
+//! The first state of a run: places, velocities, momenta, rates and multipliers.
+
+use std::fmt;
+
+use nalgebra::Vector3;
+use shared_geom::rotation::vector;
+
+use crate::analysis::steady::equilibrium;
+use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
+use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
+use crate::solver::LinearSolver;
+
+use super::dummy::dummy_rates;
+use super::failure::TransientFailure;
+use super::multibody::size;
+use super::placing::{Unfulfilled, place, set_moving};
+use super::rates::consistent_rates;
+
+/// Changes below this part of the size of the model, or of the fastest motion, are
+/// round-off.
+const VISIBLE: f64 = 1e-9;
+/// Changes of the velocities of an equilibrium that turns up to this part of the fastest.
+const TURNS: f64 = 1e-6;
+
+/// What of a node start-up changed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Changed {
+    /// Position [m].
+    Position,
+    /// Orientation, by the components of the rotation vector of its change [rad].
+    Orientation,
+    /// Velocity [m/s].
+    Velocity,
+    /// Angular velocity [rad/s].
+    AngularVelocity,
+}
+
+/// A change that start-up made, for the constraints to be fulfilled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StartChange {
+    /// The node.
+    pub node: String,
+    /// What was changed.
+    pub what: Changed,
+    /// The component: 0 to 2 for x to z.
+    pub component: usize,
+    /// As it was given [SI unit of it].
+    pub from: f64,
+    /// As it is [SI unit of it].
+    pub to: f64,
+}
+
+impl fmt::Display for StartChange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let axis = ["x", "y", "z"][self.component];
+        let (what, unit, scale) = match self.what {
+            Changed::Position => ("position", "m", 1.0),
+            Changed::Orientation => ("orientation", "deg", 180.0 / std::f64::consts::PI),
+            Changed::Velocity => ("velocity", "m/s", 1.0),
+            Changed::AngularVelocity => ("angular velocity", "rad/s", 1.0),
+        };
+        let number = |value: f64| {
+            let text = format!("{:.9e}", scale * value);
+            text.parse::<f64>().unwrap_or(value).to_string()
+        };
+        let about = match self.what {
+            Changed::Position | Changed::Velocity => "along",
+            Changed::Orientation | Changed::AngularVelocity => "about",
+        };
+        write!(
+            f,
+            "{what} of node \"{}\" {about} {axis}: from {} to {} {unit}",
+            self.node,
+            number(self.from),
+            number(self.to)
+        )
+    }
+}
+
+/// The first state, and how it was found.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Started {
+    /// The state.
+    pub state: State,
+    /// What of the given state was changed.
+    pub changes: Vec<StartChange>,
+    /// What the reader must know.
+    pub remarks: Vec<String>,
+    /// Whether the rates and the multipliers agree with the motion.
+    pub is_consistent: bool,
+}
+
+/// The first state of a run.
+pub(super) fn start(
+    model: &Model,
+    question: &TransientQuestion,
+) -> Result<Started, TransientFailure> {
+    let system = &model.system;
+    let conditions = model.conditions_at(question.from);
+    let kind = given(model, question, &conditions)?;
+    if let Start::Rotating { speed } = question.start {
+        turns_as_a_whole(model, &conditions, &kind, speed)?;
+    }
+    let given = with_velocities(kind, &model.initial);
+    let not_placed = |off: Unfulfilled| TransientFailure::Places {
+        constraint: system.describe_equation(off.place),
+        value: off.value,
+    };
+    let placed = place(system, &given, &conditions, &model.initial).map_err(not_placed)?;
+    let not_moving = |off: Unfulfilled| TransientFailure::Velocities {
+        constraint: system.describe_equation(off.place),
+        value: off.value,
+    };
+    let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;
+    let changes = changes(model, &given, &state);
+    find_momenta(model, &mut state, &conditions);
+    let mut started = Started {
+        state,
+        changes,
+        remarks: Vec::new(),
+        is_consistent: false,
+    };
+    find_rates(model, question, &conditions, &mut started)?;
+    Ok(started)
+}
+
+/// Places and velocities of the kind of start that is asked for.
+fn given(
+    model: &Model,
+    question: &TransientQuestion,
+    conditions: &Conditions,
+) -> Result<State, TransientFailure> {
+    let rest = model.system.rest();
+    let speed = match question.start {
+        Start::Given => return Ok(rest),
+        Start::Equilibrium => 0.0,
+        Start::Rotating { speed } => speed,
+    };
+    let turning = Conditions {
+        frame: TurningFrame {
+            angular_velocity: speed * model.spin.axis,
+            center: model.spin.center,
+        },
+        ..*conditions
+    };
+    let solver = LinearSolver::new(model.system.pattern()).ok_or(TransientFailure::Structure)?;
+    let from = (&Conditions::at_rest(), &rest);
+    let mut state = equilibrium(model, &solver, from, &turning)?.state;
+    // At this instant the axes that turn and those that do not are the same.
+    for node in &mut state.nodes {
+        node.velocity = node.velocity_in_space(&turning.frame);
+        node.angular_velocity = node.angular_velocity_in_space(&turning.frame);
+        let omega = turning.frame.angular_velocity;
+        node.momentum_rate = omega.cross(&node.momentum);
+        node.angular_momentum_rate = omega.cross(&node.angular_momentum);
+    }
+    Ok(state)
+}
+
+/// Adds the velocities that the nodes are given.
+fn with_velocities(mut state: State, initial: &[InitialMotion]) -> State {
+    for (node, initial) in state.nodes.iter_mut().zip(initial) {
+        node.velocity += initial.velocity.unwrap_or_default();
+        node.angular_velocity += initial.angular_velocity.unwrap_or_default();
+    }
+    state
+}
+
+/// Momenta from their definitions.
+fn find_momenta(model: &Model, state: &mut State, conditions: &Conditions) {
+    let residual = model.system.residual(state, conditions).values;
+    let rows = residual.chunks(NODE_UNKNOWNS);
+    for (node, rows) in state.nodes.iter_mut().zip(rows) {
+        node.momentum -= Vector3::from_column_slice(&rows[..3]);
+        node.angular_momentum -= Vector3::from_column_slice(&rows[3..6]);
+    }
+}
+
+fn find_rates(
+    model: &Model,
+    question: &TransientQuestion,
+    conditions: &Conditions,
+    started: &mut Started,
+) -> Result<(), TransientFailure> {
+    let state = &mut started.state;
+    match question.start_accelerations {
+        StartAccelerations::Zero => {
+            for node in &mut state.nodes {
+                node.momentum_rate.fill(0.0);
+                node.angular_momentum_rate.fill(0.0);
+            }
+            state.multipliers.fill(0.0);
+            return Ok(());
+        }
+        StartAccelerations::Consistent => {
+            if let Some(consistent) = consistent_rates(&model.system, state, conditions) {
+                *state = consistent;
+                started.is_consistent = true;
+                return Ok(());
+            }
+            let remark = "the second derivative of some constraint is not known: the first \
+                          accelerations and reactions were found by dummy steps";
+            started.remarks.push(remark.to_owned());
+        }
+        StartAccelerations::Dummy => {}
+    }
+    *state = dummy_rates(model, question, state)?;
+    started.is_consistent = true;
+    Ok(())
+}
+
+/// Every component that start-up changed visibly.
+fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
+    let size = size(given);
+    let fastest = |state: &State| {
+        let of = state.nodes.iter().map(|node| {
+            node.velocity
+                .norm()
+                .max(size * node.angular_velocity.norm())
+        });
+        of.fold(0.0, f64::max)
+    };
+    let fastest = fastest(given).max(fastest(found));
+    let mut changes = Vec::new();
+    let nodes = given.nodes.iter().zip(&found.nodes);
+    for ((given, found), node) in nodes.zip(model.system.nodes()) {
+        let turn = vector::from_rotation(&(found.rotation * given.rotation.transpose()));
+        for (what, from, to, smallest) in [
+            (
+                Changed::Position,
+                given.position,
+                found.position,
+                VISIBLE * size,
+            ),
+            (Changed::Orientation, Vector3::zeros(), turn, VISIBLE),
+            (
+                Changed::Velocity,
+                given.velocity,
+                found.velocity,
+                VISIBLE * fastest,
+            ),
+            (
+                Changed::AngularVelocity,
+                given.angular_velocity,
+                found.angular_velocity,
+                VISIBLE * fastest / size,
+            ),
+        ] {
+            for component in 0..3 {
+                if (to[component] - from[component]).abs() > smallest {
+                    changes.push(StartChange {
+                        node: node.label.clone(),
+                        what,
+                        component,
+                        from: from[component],
+                        to: to[component],
+                    });
+                }
+            }
+        }
+    }
+    changes
+}
+
+/// An equilibrium that turns must go on to turn: nothing may hold a part of it in space.
+fn turns_as_a_whole(
+    model: &Model,
+    conditions: &Conditions,
+    turning: &State,
+    speed: f64,
+) -> Result<(), TransientFailure> {
+    let all = vec![InitialMotion::default(); turning.nodes.len()];
+    let fastest = (speed * size(turning)).abs();
+    let Ok(held) = set_moving(&model.system, turning, conditions, &all) else {
+        return Ok(());
+    };
+    let changes = changes(model, turning, &held).into_iter();
+    let mut large = changes.filter(|change| (change.to - change.from).abs() > TURNS * fastest);
+    match large.next() {
+        Some(change) => Err(TransientFailure::Held { change }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,135 @@
+//! What is asked about motion in time.
+
+use nalgebra::Vector3;
+
+use super::Model;
+use crate::integrator::{Scheme, StepLimits, Stepping};
+use crate::model::{Conditions, Loading, TurningFrame};
+
+/// How a node moves at the start, as far as it is said.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InitialMotion {
+    /// Velocity in the model's frame [m/s].
+    pub velocity: Option<Vector3<f64>>,
+    /// Angular velocity, in the axes of the model [rad/s].
+    pub angular_velocity: Option<Vector3<f64>>,
+    /// Weight of a change of place and attitude: the larger, the less they change [-].
+    pub weight: f64,
+    /// Weight of a change of the velocities [-]; `None`: one for those that are said, next
+    /// to nothing for the others.
+    pub velocity_weight: Option<f64>,
+}
+
+impl Default for InitialMotion {
+    /// Nothing is said.
+    fn default() -> Self {
+        Self {
+            velocity: None,
+            angular_velocity: None,
+            weight: 1.0,
+            velocity_weight: None,
+        }
+    }
+}
+
+/// Where a run in time starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Start {
+    /// From the places and velocities of the nodes as they are given, made to fulfill the
+    /// constraints.
+    Given,
+    /// From the equilibrium at rest under what acts at the first instant.
+    Equilibrium,
+    /// From the equilibrium of the whole model turning steadily about the axis of the hub.
+    Rotating {
+        /// Speed of rotation [rad/s].
+        speed: f64,
+    },
+}
+
+/// How the accelerations and the reactions of the first instant are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StartAccelerations {
+    /// From the second derivative of the constraints, where all elements know it, else by
+    /// dummy steps.
+    Consistent,
+    /// They are zero.
+    Zero,
+    /// By a few very short steps of which only they are kept.
+    Dummy,
+}
+
+/// What is done with constraints that say the same twice.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Redundant {
+    /// They are told, and nothing is run.
+    Error,
+    /// Those that say nothing new are left out.
+    Remove,
+}
+
+/// What is asked about motion in time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TransientQuestion {
+    /// First instant [s].
+    pub from: f64,
+    /// Last instant [s].
+    pub to: f64,
+    /// Length of the steps.
+    pub stepping: Stepping,
+    /// Formula of integration.
+    pub scheme: Scheme,
+    /// Iteration of a step.
+    pub newton: StepLimits,
+    /// Whether rotations are linearized as at their prediction, and not exactly.
+    pub simplified_jacobian: bool,
+    /// Where the run starts.
+    pub start: Start,
+    /// How it gets its first accelerations and reactions.
+    pub start_accelerations: StartAccelerations,
+    /// What is done with constraints that say the same twice.
+    pub redundant: Redundant,
+}
+
+impl TransientQuestion {
+    /// From the given state, at time zero, to the time `to` in equal steps \[s\], all else
+    /// as it is when nothing is said.
+    pub fn new(to: f64, step: f64) -> Self {
+        Self {
+            from: 0.0,
+            to,
+            stepping: Stepping::Constant { step },
+            scheme: Scheme::default(),
+            newton: StepLimits::default(),
+            simplified_jacobian: false,
+            start: Start::Given,
+            start_accelerations: StartAccelerations::Consistent,
+            redundant: Redundant::Error,
+        }
+    }
+}
+
+impl Model {
+    /// All that acts at a time \[s\] of a run, in axes that do not turn: constant and
+    /// proportional loads act in full.
+    pub fn conditions_at(&self, time: f64) -> Conditions {
+        Conditions {
+            frame: TurningFrame {
+                angular_velocity: Vector3::zeros(),
+                center: self.spin.center,
+            },
+            loading: Loading {
+                gravity: self.gravity,
+                constant: 1.0,
+                proportional: 1.0,
+                time,
+            },
+        }
+    }
+
+    /// The first time after `time` at which something that acts has a corner \[s\].
+    pub fn next_corner(&self, time: f64) -> f64 {
+        let corners = self.system.elements().map(|one| one.next_corner(time));
+        corners.fold(f64::INFINITY, f64::min)
+    }
+}

@@ -1,0 +1,257 @@
+//! One constraint of a joint: a form and what it is held at.
+//!
+//! ```text
+//! along, across     Phi = form - s(t)                 distance   Phi = form of l = s(t)
+//! along, as rate    Phi = g . q' - s(t)               spin       Phi = g . q' - s(t)
+//! ```
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::form::sum_of_products;
+use super::{Carrier, Ends, Form, Part, Parts, Turned};
+use crate::elements::{Level, LocalJacobian, LocalResidual};
+use crate::model::Equation::{Force, Moment};
+use crate::model::{Drive, DriveValue, Variable};
+
+/// A form by the numbers of its axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::elements::joints) enum Held {
+    /// The distance along axis `axis` of the carrier; for the frame, of `a` undeformed.
+    Along(Carrier, usize),
+    /// The rate of that.
+    Velocity(Carrier, usize),
+    /// The cosine between an axis of a, turned by the drive, and one of b.
+    Across(usize, usize),
+    /// The distance of the points.
+    Distance,
+    /// The angular velocity of b against a about an axis of the carrier.
+    Spin(Carrier, usize),
+}
+
+/// A constraint.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::elements::joints) struct Row {
+    pub held: Held,
+    /// s; zero without.
+    pub target: Option<Drive>,
+}
+
+/// What rows need to know of a joint at a state.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::elements::joints) struct Seen<'a> {
+    pub ends: Ends,
+    /// Axes that stand in the frame.
+    pub frame: &'a Matrix3<f64>,
+    /// The axes of a as the drive turns them.
+    pub turned: Turned,
+    pub time: f64,
+    /// What the targets are multiplied with.
+    pub scale: DriveValue,
+}
+
+/// A row at a state.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::elements::joints) struct PlacedRow<'a> {
+    seen: &'a Seen<'a>,
+    pub form: Form,
+    /// Whether it holds a rate.
+    of_rates: bool,
+    target: DriveValue,
+    /// `e_a'` and `e_a''` of a form that the turned axes carry.
+    driven: [Vector3<f64>; 2],
+}
+
+impl Row {
+    /// A row that is held at zero.
+    pub fn zero(held: Held) -> Self {
+        Self { held, target: None }
+    }
+
+    /// A row that follows a drive.
+    pub fn driven(held: Held, target: Drive) -> Self {
+        let target = Some(target);
+        Self { held, target }
+    }
+
+    pub fn level(&self) -> Level {
+        match self.held {
+            Held::Velocity(..) | Held::Spin(..) => Level::Velocity,
+            _ => Level::Position,
+        }
+    }
+
+    pub fn at<'a>(&self, seen: &'a Seen<'a>) -> PlacedRow<'a> {
+        let target = self.target.as_ref();
+        let target = target.map_or_else(DriveValue::default, |s| s.at(seen.time));
+        let target = target.times(seen.scale);
+        let axis = |carrier: Carrier, axis: usize| match carrier {
+            Carrier::Frame => seen.frame.column(axis).into_owned(),
+            Carrier::A => seen.ends.a.axes.column(axis).into_owned(),
+            Carrier::B => seen.ends.b.axes.column(axis).into_owned(),
+        };
+        let mut driven = [Vector3::zeros(); 2];
+        let form = match self.held {
+            Held::Along(carrier, i) | Held::Velocity(carrier, i) => Form::Along {
+                axis: axis(carrier, i),
+                carrier,
+            },
+            Held::Across(a, b) => {
+                let a = seen.turned.axes.column(a).into_owned();
+                driven = seen.turned.derivatives(&a);
+                let b = axis(Carrier::B, b);
+                Form::Across { a, b }
+            }
+            Held::Distance => Form::Distance {
+                length: target.value,
+            },
+            Held::Spin(carrier, i) => Form::Spin {
+                axis: axis(carrier, i),
+                carrier,
+            },
+        };
+        PlacedRow {
+            seen,
+            form,
+            of_rates: self.level() == Level::Velocity,
+            target,
+            driven,
+        }
+    }
+}
+
+impl PlacedRow<'_> {
+    fn ends(&self) -> &Ends {
+        &self.seen.ends
+    }
+
+    /// Force and moment on each end for a multiplier of one, by part.
+    pub fn reaction(&self) -> Parts {
+        self.form.gradient(self.ends()).map(|g| -g)
+    }
+
+    /// Whether the part of the reaction belongs to the row at every state.
+    fn has(&self, part: Part) -> bool {
+        part.is_turn() || self.form.has_places()
+    }
+
+    fn value(&self) -> f64 {
+        let value = match self.of_rates {
+            true => sum_of_products(&self.form.gradient(self.ends()), &self.ends().rates()),
+            false => self.form.value(self.ends()),
+        };
+        match self.form {
+            Form::Distance { .. } => value,
+            _ => value - self.target.value,
+        }
+    }
+
+    /// Adds constraint number `row` and its reactions.
+    pub fn residual(&self, row: usize, lambda: f64, out: &mut LocalResidual) {
+        out.add_constraint(row, self.value());
+        let reaction = self.reaction();
+        self.each_part(|part, node| {
+            let equation = if part.is_turn() { Moment } else { Force };
+            out.add(node, equation, &(lambda * reaction[part as usize]));
+        });
+    }
+
+    /// Derivatives of [`Self::residual`].
+    pub fn jacobian(&self, row: usize, lambda: f64, out: &mut LocalJacobian) {
+        let reaction = self.reaction();
+        self.each_part(|part, node| {
+            let (equation, places, rates) = names(part);
+            let reaction = reaction[part as usize];
+            out.add_multiplier((node, equation), row, &reaction);
+            let by = if self.of_rates { rates } else { places };
+            out.add_constraint(row, (node, by), &-reaction.transpose());
+        });
+        let velocities = self.ends().rates();
+        self.form.hessian(self.ends(), &mut |of, by, block| {
+            let nodes = (self.ends().node(of.end()), self.ends().node(by.end()));
+            let (Some(node), Some(column)) = nodes else {
+                return;
+            };
+            let (equation, places) = (names(of).0, names(by).1);
+            out.add((node, equation), (column, places), &(-lambda * block));
+            if self.of_rates {
+                let slope = velocities[of as usize].transpose() * block;
+                out.add_constraint(row, (column, places), &slope);
+            }
+        });
+    }
+
+    /// Calls with every part that belongs to a node, and the node.
+    fn each_part(&self, mut with: impl FnMut(Part, usize)) {
+        for part in Part::ALL.into_iter().filter(|part| self.has(*part)) {
+            if let Some(node) = self.ends().node(part.end()) {
+                with(part, node);
+            }
+        }
+    }
+
+    /// `Phi_t` of a change of the target by `rate` and of the driven direction by `turn`,
+    /// and that of the gradient.
+    fn by_change(&self, rate: f64, turn: &Vector3<f64>) -> (f64, Parts) {
+        let (ends, zero) = (self.ends(), [Vector3::zeros(); 4]);
+        match self.form {
+            Form::Across { b, .. } => {
+                let changed = Form::Across { a: *turn, b };
+                (changed.value(ends) - rate, changed.gradient(ends))
+            }
+            Form::Distance { length } => {
+                let square = ends.between().norm_squared() / (length * length);
+                let slope = rate / length;
+                let gradient = self.form.gradient(ends).map(|g| -slope * g);
+                (-0.5 * (square + 1.0) * rate, gradient)
+            }
+            Form::Along { .. } | Form::Spin { .. } => (-rate, zero),
+        }
+    }
+
+    /// `d Phi/dt` at fixed positions, and the part of the last derivative of Phi without
+    /// accelerations.
+    pub fn rates(&self) -> (f64, f64) {
+        let curvature = self.form.curvature(self.ends());
+        let DriveValue {
+            rate, acceleration, ..
+        } = self.target;
+        if self.of_rates {
+            return (0.0, curvature - rate);
+        }
+        let (by_time, of_gradient) = self.by_change(rate, &self.driven[0]);
+        let (mut second, _) = self.by_change(acceleration, &self.driven[1]);
+        if let Form::Distance { length } = self.form {
+            second += self.ends().between().norm_squared() * rate * rate / length.powi(3);
+        }
+        let mixed = sum_of_products(&of_gradient, &self.ends().rates());
+        (by_time, curvature + 2.0 * mixed + second)
+    }
+
+    /// Adds the derivative of [`Self::residual`] by the factor of the targets: `turn` is w of
+    /// the axes for a rate of the factor of one, `rate` that factor's part in the target.
+    pub fn by_factor(
+        &self,
+        (row, lambda): (usize, f64),
+        (rate, turn): (f64, &Vector3<f64>),
+        out: &mut LocalResidual,
+    ) {
+        let turned = match self.form {
+            Form::Across { a, .. } => turn.cross(&a),
+            _ => Vector3::zeros(),
+        };
+        let (change, of_gradient) = self.by_change(rate, &turned);
+        out.add_constraint(row, change);
+        self.each_part(|part, node| {
+            let equation = names(part).0;
+            out.add(node, equation, &(-lambda * of_gradient[part as usize]));
+        });
+    }
+}
+
+/// Equation, variable and rate of a part.
+fn names(part: Part) -> (crate::model::Equation, Variable, Variable) {
+    match part.is_turn() {
+        true => (Moment, Variable::Rotation, Variable::AngularVelocity),
+        false => (Force, Variable::Position, Variable::Velocity),
+    }
+}

@@ -1,0 +1,297 @@
+//! A joint: constraints between two ends.
+//!
+//! The rows of the algebra, with what they need: the ends with their points and axes, the
+//! rotation vector by which a drive turns the axes of a, and what the targets grow with.
+//! Which rows make which joint stands with its constructor.
+//!
+//! References: [Masarati], appendix D: coincidence and orthogonality.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
+use super::relative;
+use crate::elements::loads::LoadFactor;
+use crate::elements::{
+    ConstraintRates, Element, Level, Local, LocalJacobian, LocalResidual, Motion, Observations,
+    Reaction,
+};
+use crate::model::{Drive, DriveValue, Loading, Node, NodeMotion};
+
+/// Constraints between two nodes, or between the frame of the model and a node.
+#[derive(Debug, Clone)]
+pub struct ConstraintJoint {
+    label: String,
+    nodes: Vec<usize>,
+    /// Of end a (the first node, or the frame) and of end b.
+    attachments: [Attachment; 2],
+    /// The undeformed axes of a, standing in the frame.
+    axes: Matrix3<f64>,
+    rows: Vec<Row>,
+    /// Components of the rotation vector that turns the axes of a.
+    turn: Option<[Drive; 3]>,
+    /// What the targets and that rotation grow with.
+    factor: Option<LoadFactor>,
+    /// What both are multiplied with.
+    scale: Option<Drive>,
+    /// The axis about which b turns against a, where there is one.
+    angle_about: Option<usize>,
+    /// Motions that are free on purpose.
+    motions: Vec<Motion>,
+}
+
+/// The ends of a joint in the undeformed model.
+#[derive(Debug, Clone, Copy)]
+pub struct JointEnds<'a> {
+    /// Number of the node of a and the node; `None` for the frame.
+    pub a: Option<(usize, &'a Node)>,
+    /// Number of the node of b, and the node.
+    pub b: (usize, &'a Node),
+}
+
+impl JointEnds<'_> {
+    /// Numbers of the nodes.
+    fn nodes(&self) -> Vec<usize> {
+        let a = self.a.iter().map(|a| a.0);
+        a.chain([self.b.0]).collect()
+    }
+}
+
+/// A point and axes (columns) in the undeformed model.
+pub(super) type Place = (Vector3<f64>, Matrix3<f64>);
+
+impl ConstraintJoint {
+    /// A joint of `rows` with the given points and axes of a and of b.
+    pub(super) fn of_rows(
+        label: impl Into<String>,
+        ends: &JointEnds<'_>,
+        places: [Place; 2],
+        rows: Vec<Row>,
+    ) -> Self {
+        let [(at_a, axes_a), (at_b, axes_b)] = &places;
+        let a = match ends.a {
+            Some((_, node)) => Attachment::to(node, at_a, axes_a),
+            None => Attachment::to_frame(at_a, axes_a),
+        };
+        let mut joint = Self {
+            label: label.into(),
+            nodes: ends.nodes(),
+            attachments: [a, Attachment::to(ends.b.1, at_b, axes_b)],
+            axes: *axes_a,
+            rows,
+            turn: None,
+            factor: None,
+            scale: None,
+            angle_about: None,
+            motions: Vec::new(),
+        };
+        let undeformed: Vec<_> = ends.a.iter().map(|a| a.1).chain([ends.b.1]).collect();
+        let undeformed: Vec<_> = undeformed.into_iter().map(NodeMotion::at_rest).collect();
+        joint.motions = relative::free_motions(&joint, &undeformed);
+        joint
+    }
+
+    /// With the axes of a turned by a rotation vector.
+    pub(super) fn turned_by(mut self, turn: [Drive; 3]) -> Self {
+        self.turn = Some(turn);
+        self
+    }
+
+    /// With targets and rotation that grow with the loads.
+    pub(in crate::elements) fn growing_with(mut self, factor: LoadFactor) -> Self {
+        self.factor = Some(factor);
+        self
+    }
+
+    /// With targets and rotation that are multiplied by a drive.
+    pub(in crate::elements) fn scaled_by(mut self, scale: Drive) -> Self {
+        self.scale = Some(scale);
+        self
+    }
+
+    /// With an angle of b against a about an axis.
+    pub(super) fn with_angle_about(mut self, axis: usize) -> Self {
+        self.angle_about = Some(axis);
+        self
+    }
+
+    /// The axis about which b turns against a, where there is one.
+    pub(super) fn angle_about(&self) -> Option<usize> {
+        self.angle_about
+    }
+
+    /// The constraints.
+    pub(super) fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// Both ends at a state.
+    pub(super) fn ends(&self, nodes: &[NodeMotion]) -> Ends {
+        let [on_a, on_b] = &self.attachments;
+        let b = nodes.len() - 1;
+        Ends {
+            a: End::at(on_a, (b > 0).then_some(0), nodes),
+            b: End::at(on_b, Some(b), nodes),
+        }
+    }
+
+    /// What the targets are multiplied with, now.
+    fn scale(&self, loading: &Loading) -> DriveValue {
+        let one = DriveValue::constant(1.0);
+        let scale = self.scale.as_ref().map_or(one, |s| s.at(loading.time));
+        match self.factor {
+            None => scale,
+            Some(factor) => scale.scaled(factor.value(loading)),
+        }
+    }
+
+    /// What the rows need to know of a state.
+    pub(super) fn seen(&self, nodes: &[NodeMotion], loading: &Loading) -> Seen<'_> {
+        let ends = self.ends(nodes);
+        let scale = self.scale(loading);
+        let turned = match &self.turn {
+            None => Turned::fixed(&ends.a.axes),
+            Some(turn) => Turned::by(&ends.a.axes, &by_axis(turn, loading.time, &scale)),
+        };
+        Seen {
+            ends,
+            frame: &self.axes,
+            turned,
+            time: loading.time,
+            scale,
+        }
+    }
+
+    fn seen_at(&self, at: &Local<'_>) -> Seen<'_> {
+        self.seen(at.nodes, at.loading)
+    }
+
+    /// Force and moment on each node about the node, model axes.
+    pub(super) fn reactions(&self, at: &Local<'_>) -> [[Vector3<f64>; 2]; 2] {
+        let seen = self.seen_at(at);
+        let mut sums = [[Vector3::zeros(); 2]; 2];
+        for (row, lambda) in self.rows.iter().zip(at.multipliers) {
+            let [force_a, moment_a, force_b, moment_b] = row.at(&seen).reaction();
+            sums[0][0] += *lambda * force_a;
+            sums[0][1] += *lambda * moment_a;
+            sums[1][0] += *lambda * force_b;
+            sums[1][1] += *lambda * moment_b;
+        }
+        sums
+    }
+
+    /// Tells of a state, with a further moment on a, the opposite of that on b.
+    pub(super) fn observe_with(&self, at: &Local<'_>, on_a: &Vector3<f64>, out: &mut Observations) {
+        let mut reactions = self.reactions(at);
+        reactions[0][1] += on_a;
+        reactions[1][1] -= on_a;
+        let first = 2 - self.nodes.len();
+        for (node, [force, moment]) in self.nodes.iter().zip(&reactions[first..]) {
+            out.reactions.push(Reaction {
+                joint: self.label.clone(),
+                node: *node,
+                force: *force,
+                moment: *moment,
+            });
+        }
+        let state = relative::state(self, at.nodes, &reactions[1]);
+        out.joints.push(state);
+    }
+}
+
+/// A rotation vector and its derivatives.
+fn by_axis(turn: &[Drive; 3], time: f64, scale: &DriveValue) -> [Vector3<f64>; 3] {
+    let mut found = [Vector3::zeros(); 3];
+    for (axis, drive) in turn.iter().enumerate() {
+        let now = drive.at(time).times(*scale);
+        found[0][axis] = now.value;
+        found[1][axis] = now.rate;
+        found[2][axis] = now.acceleration;
+    }
+    found
+}
+
+impl Element for ConstraintJoint {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn multipliers(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn level(&self, constraint: usize) -> Level {
+        self.rows
+            .get(constraint)
+            .map_or(Level::Position, Row::level)
+    }
+
+    fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
+        let seen = self.seen_at(at);
+        for (i, row) in self.rows.iter().enumerate() {
+            (out.by_time[i], out.convective[i]) = row.at(&seen).rates();
+        }
+        true
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        let targets = self.rows.iter().filter_map(|row| row.target.as_ref());
+        let drives = targets.chain(self.turn.iter().flatten()).chain(&self.scale);
+        let corners = drives.map(|drive| drive.next_corner(time));
+        corners.fold(f64::INFINITY, f64::min)
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        let seen = self.seen_at(at);
+        for (i, row) in self.rows.iter().enumerate() {
+            row.at(&seen).residual(i, at.multipliers[i], out);
+        }
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let seen = self.seen_at(at);
+        for (i, row) in self.rows.iter().enumerate() {
+            row.at(&seen).jacobian(i, at.multipliers[i], out);
+        }
+    }
+
+    fn motions(&self) -> Vec<Motion> {
+        self.motions.clone()
+    }
+
+    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        let Some(factor) = self.factor else {
+            return;
+        };
+        let seen = self.seen_at(at);
+        // The targets for a factor of one, times its slope: their growth.
+        let whole = self.scale.as_ref().map_or(1.0, |s| s.at(seen.time).value);
+        let slope = factor.derivative() * whole;
+        let turn = self.turn.as_ref().map_or_else(Vector3::zeros, |turn| {
+            let phi = by_axis(turn, seen.time, &seen.scale)[0];
+            let growth = turn
+                .each_ref()
+                .map(|drive| slope * drive.at(seen.time).value);
+            let growth = Vector3::from(growth);
+            Turned::by(&seen.ends.a.axes, &[phi, growth, Vector3::zeros()]).spin
+        });
+        for (i, row) in self.rows.iter().enumerate() {
+            let target = row.target.as_ref();
+            let rate = target.map_or(0.0, |drive| slope * drive.at(seen.time).value);
+            let growth = (rate, &turn);
+            row.at(&seen).by_factor((i, at.multipliers[i]), growth, out);
+        }
+    }
+
+    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+        self.observe_with(at, &Vector3::zeros(), out);
+    }
+}
+
+/// Rows that hold all three distances of the points along the axes of `carrier`.
+pub(super) fn same_point(carrier: Carrier) -> [Row; 3] {
+    [0, 1, 2].map(|axis| Row::zero(Held::Along(carrier, axis)))
+}

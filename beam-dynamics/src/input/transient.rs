@@ -1,0 +1,370 @@
+//! What is asked about motion in time: `[transient]`.
+
+use shared_geom::document::Table;
+use shared_geom::error::Explain;
+use shared_geom::units::Dimension;
+
+use super::number::short_number;
+use super::questions::at_most;
+use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
+use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
+
+mod node;
+
+pub(super) use node::initial_motion;
+
+/// Iterations of a step at most that may be asked for.
+const MOST_ITERATIONS: usize = 1000;
+/// Steps of a run at most: more are a slip of the pen.
+const MOST_STEPS: f64 = 1e9;
+/// Smallest tolerance of the iteration that round-off allows.
+const LEAST_TOLERANCE: f64 = 1e-13;
+/// Where variable steps stop, unless it is said: this part of the first step.
+const LEAST_STEP: f64 = 1e-6;
+/// Largest of the variable steps, unless it is said, as a part of the run.
+const MOST_STEP: f64 = 1.0 / 50.0;
+
+/// A problem of `[transient]` or of the initial motion of a node.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TransientProblem {
+    /// A run that ends before it starts.
+    #[error("\"to\" is {} s, expected later than \"from\", which is {} s", six(*.to), six(*.from))]
+    EndsBefore {
+        /// First instant \[s\].
+        from: f64,
+        /// Last instant \[s\].
+        to: f64,
+    },
+    /// A step that is longer than the run.
+    #[error("\"{key}\" is {} s, but the whole run lasts {} s", six(*.step), six(*.length))]
+    LongStep {
+        /// The key.
+        key: &'static str,
+        /// The step \[s\].
+        step: f64,
+        /// Length of the run \[s\].
+        length: f64,
+    },
+    /// More steps than anyone waits for.
+    #[error("the run would take {} steps of {} s", six(*.steps), six(*.step))]
+    ManySteps {
+        /// Their number.
+        steps: f64,
+        /// The step \[s\].
+        step: f64,
+    },
+    /// Limits of the step that exclude each other.
+    #[error("\"{lower}\" is {} s, more than \"{upper}\", which is {} s", six(*.low), six(*.high))]
+    Limits {
+        /// The key of the smaller.
+        lower: &'static str,
+        /// Its value \[s\].
+        low: f64,
+        /// The key of the larger.
+        upper: &'static str,
+        /// Its value \[s\].
+        high: f64,
+    },
+    /// A number outside of its range.
+    #[error("\"{key}\" is {}, expected {expected}", six(*.found))]
+    Range {
+        /// The key.
+        key: &'static str,
+        /// The number found.
+        found: f64,
+        /// What was expected, in words.
+        expected: &'static str,
+    },
+    /// A key that the scheme does not use.
+    #[error("the scheme \"{scheme}\" has no \"{key}\"")]
+    NotOfScheme {
+        /// The key.
+        key: &'static str,
+        /// The scheme.
+        scheme: &'static str,
+    },
+    /// A speed without rotation.
+    #[error("\"speed\" is that of a rotating start, but \"start\" is not \"rotating\"")]
+    IdleSpeed,
+    /// Velocities without a run in time.
+    #[error("node \"{node}\" has a \"{key}\", but nothing is asked in time")]
+    IdleVelocity {
+        /// Name of the node.
+        node: String,
+        /// The key.
+        key: &'static str,
+    },
+}
+
+impl Explain for TransientProblem {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::EndsBefore { .. } => "times are in the unit of time of the file",
+            Self::LongStep { .. } | Self::ManySteps { .. } => {
+                "give \"step\" in the unit of time of the file; some hundred steps a period of the \
+                 fastest motion of interest are usual"
+            }
+            Self::Limits { .. } => "steps are between \"least\" and \"most\"",
+            Self::NotOfScheme { key: "radius", .. } => {
+                "\"radius\" is that of \"two-step\" and \"cubic\""
+            }
+            Self::NotOfScheme { .. } => "\"zeta\" is that of \"parabolic\"",
+            Self::IdleSpeed => "say start = \"rotating\", or remove \"speed\"",
+            Self::IdleVelocity { .. } => "add [transient] with \"to\" and \"step\", or remove it",
+            Self::Range { .. } => return None,
+        };
+        Some(text.to_owned())
+    }
+}
+
+fn six(value: f64) -> String {
+    short_number(value, 6)
+}
+
+/// Reads `[transient]`; `Some(None)` without the card.
+pub(super) fn read(root: &Table<'_>) -> Option<Option<TransientQuestion>> {
+    if !root.has("transient") {
+        return Some(None);
+    }
+    let table = root.table("transient")?;
+    let question = question(&table);
+    table.finish();
+    question.map(Some)
+}
+
+fn question(table: &Table<'_>) -> Option<TransientQuestion> {
+    let times = times(table);
+    let stepping = stepping(table, times.map(|[from, to]| to - from));
+    let scheme = scheme(table);
+    let newton = newton(table);
+    let jacobian = word(table, "jacobian", &["exact", "simplified"]);
+    let start = start(table);
+    let accelerations = word(
+        table,
+        "start_accelerations",
+        &["consistent", "zero", "dummy"],
+    );
+    let redundant = word(table, "redundant", &["error", "remove"]);
+    let [from, to] = times?;
+    Some(TransientQuestion {
+        from,
+        to,
+        stepping: stepping?,
+        scheme: scheme?,
+        newton: newton?,
+        simplified_jacobian: jacobian? == 1,
+        start: start?,
+        start_accelerations: [
+            StartAccelerations::Consistent,
+            StartAccelerations::Zero,
+            StartAccelerations::Dummy,
+        ][accelerations?],
+        redundant: [Redundant::Error, Redundant::Remove][redundant?],
+    })
+}
+
+/// The number of the word under `key` among `known`; the first when there is none.
+fn word(table: &Table<'_>, key: &str, known: &[&str]) -> Option<usize> {
+    match table.has(key) {
+        true => table.word(key, known),
+        false => Some(0),
+    }
+}
+
+fn times(table: &Table<'_>) -> Option<[f64; 2]> {
+    let from = match table.has("from") {
+        true => table.quantity("from", Dimension::TIME),
+        false => Some(0.0),
+    };
+    let to = table.require_quantity("to", Dimension::TIME);
+    let (from, to) = (from?, to?);
+    if to <= from {
+        table.note("to", &TransientProblem::EndsBefore { from, to });
+        return None;
+    }
+    Some([from, to])
+}
+
+/// Reads `step`: a length, or limits; `length` is that of the run, if it is known.
+fn stepping(table: &Table<'_>, length: Option<f64>) -> Option<Stepping> {
+    if table.is_table("step") {
+        return variable(&table.table("step")?, length).map(Stepping::Variable);
+    }
+    let step = table.require_positive("step", Dimension::TIME)?;
+    is_possible(table, "step", step, length).then_some(Stepping::Constant { step })
+}
+
+/// Whether a step fits into a run; notes if not.
+fn is_possible(table: &Table<'_>, key: &'static str, step: f64, length: Option<f64>) -> bool {
+    let Some(length) = length else { return true };
+    let steps = length / step;
+    let problem = if step > length * (1.0 + 1e-9) {
+        TransientProblem::LongStep { key, step, length }
+    } else if steps > MOST_STEPS {
+        TransientProblem::ManySteps { steps, step }
+    } else {
+        return true;
+    };
+    table.note(key, &problem);
+    false
+}
+
+fn variable(table: &Table<'_>, length: Option<f64>) -> Option<StepControl> {
+    let first = table.require_positive("first", Dimension::TIME);
+    let optional = |key: &str| match table.has(key) {
+        true => table.require_positive(key, Dimension::TIME).map(Some),
+        false => Some(None),
+    };
+    let (least, most) = (optional("least"), optional("most"));
+    let tolerance = match table.has("tolerance") {
+        true => table.require_positive("tolerance", Dimension::NUMBER),
+        false => Some(1e-4),
+    };
+    table.finish();
+    let first = first?;
+    if !is_possible(table, "first", first, length) {
+        return None;
+    }
+    let least = least?.unwrap_or(LEAST_STEP * first);
+    let by_run = length.map_or(f64::INFINITY, |length| MOST_STEP * length);
+    let most = most?.unwrap_or(by_run.max(first));
+    for (lower, low, upper, high) in [
+        ("least", least, "first", first),
+        ("first", first, "most", most),
+    ] {
+        if low > high {
+            let key = if table.has(lower) { lower } else { upper };
+            let problem = TransientProblem::Limits {
+                lower,
+                low,
+                upper,
+                high,
+            };
+            table.note(key, &problem);
+            return None;
+        }
+    }
+    Some(StepControl {
+        first,
+        least,
+        most,
+        tolerance: tolerance?,
+    })
+}
+
+/// The words of schemes.
+const SCHEMES: [&str; 8] = [
+    "two-step",
+    "crank-nicolson",
+    "bdf2",
+    "implicit-euler",
+    "cubic",
+    "parabolic",
+    "radau-iia",
+    "gauss",
+];
+
+fn scheme(table: &Table<'_>) -> Option<Scheme> {
+    let number = word(table, "scheme", &SCHEMES);
+    let radius = number_in(table, "radius", (0.0, 1.0), "a number from 0 to 1");
+    let zeta = number_in(table, "zeta", (-1.0, 0.0), "a number above -1 and below 0");
+    let (number, radius, zeta) = (number?, radius?, zeta?);
+    let name = SCHEMES[number];
+    let has_radius = matches!(name, "two-step" | "cubic");
+    for (key, is_given, is_used) in [
+        ("radius", radius.is_some(), has_radius),
+        ("zeta", zeta.is_some(), name == "parabolic"),
+    ] {
+        if is_given && !is_used {
+            let problem = TransientProblem::NotOfScheme { key, scheme: name };
+            table.note(key, &problem);
+            return None;
+        }
+    }
+    let radius = radius.unwrap_or(0.6);
+    Some(match name {
+        "two-step" => Scheme::TwoStep { radius },
+        "crank-nicolson" => Scheme::CrankNicolson,
+        "bdf2" => Scheme::Bdf2,
+        "implicit-euler" => Scheme::ImplicitEuler,
+        "cubic" => Scheme::Cubic { radius },
+        "gauss" => Scheme::CubicGauss,
+        _ => Scheme::Parabolic {
+            zeta: zeta.unwrap_or(-2.0 / 3.0),
+        },
+    })
+}
+
+fn number_in(
+    table: &Table<'_>,
+    key: &'static str,
+    (low, high): (f64, f64),
+    expected: &'static str,
+) -> Option<Option<f64>> {
+    if !table.has(key) {
+        return Some(None);
+    }
+    let found = table.quantity(key, Dimension::NUMBER)?;
+    // The ends of zeta make the weights of the formula infinite.
+    let is_end = key == "zeta" && (found == low || found == high);
+    if !(low..=high).contains(&found) || is_end {
+        let problem = TransientProblem::Range {
+            key,
+            found,
+            expected,
+        };
+        table.note(key, &problem);
+        return None;
+    }
+    Some(Some(found))
+}
+
+fn newton(table: &Table<'_>) -> Option<StepLimits> {
+    let standard = StepLimits::default();
+    if !table.has("newton") {
+        return Some(standard);
+    }
+    let table = table.table("newton")?;
+    let method = word(&table, "method", &["full", "modified"]);
+    let iterations = match table.has("iterations") {
+        true => at_most(&table, "iterations", MOST_ITERATIONS),
+        false => Some(standard.iterations),
+    };
+    let tolerance = match table.has("tolerance") {
+        true => number_in(
+            &table,
+            "tolerance",
+            (LEAST_TOLERANCE, 1e-2),
+            "a number from 1e-13 to 0.01",
+        ),
+        false => Some(None),
+    };
+    table.finish();
+    Some(StepLimits {
+        jacobians: [Jacobians::Full, Jacobians::Modified][method?],
+        iterations: iterations?,
+        correction: tolerance?.unwrap_or(standard.correction),
+        ..standard
+    })
+}
+
+fn start(table: &Table<'_>) -> Option<Start> {
+    let number = word(table, "start", &["given", "equilibrium", "rotating"]);
+    let speed = match table.has("speed") {
+        true => table.quantity("speed", Dimension::ROTATION_SPEED).map(Some),
+        false => Some(None),
+    };
+    match (number?, speed?) {
+        (2, Some(speed)) => Some(Start::Rotating { speed }),
+        (2, None) => {
+            let _ = table.require_quantity("speed", Dimension::ROTATION_SPEED);
+            None
+        }
+        (_, Some(_)) => {
+            table.note("speed", &TransientProblem::IdleSpeed);
+            None
+        }
+        (0, None) => Some(Start::Given),
+        (_, None) => Some(Start::Equilibrium),
+    }
+}

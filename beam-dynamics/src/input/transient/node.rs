@@ -1,0 +1,47 @@
+//! How a node moves at the start.
+
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::TransientProblem;
+use crate::case::InitialMotion;
+
+/// Reads `velocity`, `angular_velocity`, `initial_weight` and `velocity_weight` of a node.
+pub(in crate::input) fn initial_motion(table: &Table<'_>) -> Option<InitialMotion> {
+    let vector = |key: &str, dimension: Dimension| match table.has(key) {
+        true => table.vector(key, dimension).map(Some),
+        false => Some(None),
+    };
+    let velocity = vector("velocity", Dimension::VELOCITY);
+    let angular_velocity = vector("angular_velocity", Dimension::ROTATION_SPEED);
+    let (weight, velocity_weight) = (
+        weight(table, "initial_weight"),
+        weight(table, "velocity_weight"),
+    );
+    Some(InitialMotion {
+        velocity: velocity?,
+        angular_velocity: angular_velocity?,
+        weight: weight?.unwrap_or(1.0),
+        velocity_weight: velocity_weight?,
+    })
+}
+
+/// A weight: what is infinitely lighter than the rest would leave it undetermined.
+fn weight(table: &Table<'_>, key: &'static str) -> Option<Option<f64>> {
+    const RANGE: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+    if !table.has(key) {
+        return Some(None);
+    }
+    let found = table.quantity(key, Dimension::NUMBER)?;
+    if !RANGE.contains(&found) {
+        let expected = "a weight from 1e-9 to 1e9, where 1 is usual";
+        let problem = TransientProblem::Range {
+            key,
+            found,
+            expected,
+        };
+        table.note(key, &problem);
+        return None;
+    }
+    Some(Some(found))
+}

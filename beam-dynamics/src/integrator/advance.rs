@@ -1,0 +1,349 @@
+//! One accepted step after the other.
+
+use serde::{Deserialize, Serialize};
+
+use super::corrector::{Corrector, Meter};
+use super::formula::{Formula, STAGES};
+use super::lengths::{Accepted, Lengths, Plan, cut_by};
+use super::prediction::{Past, error_of_value};
+use super::{Counters, Dae, Reason, Scheme, StepFailure, StepLimits, Stepping};
+
+/// An accepted step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stepped {
+    /// Time reached [s].
+    pub time: f64,
+    /// Length of the step [s].
+    pub length: f64,
+    /// Iterations of the step.
+    pub iterations: usize,
+    /// Longer steps that were tried before it.
+    pub rejected: usize,
+}
+
+/// Integrates a system step by step.
+#[derive(Debug)]
+pub struct Integrator {
+    scheme: Scheme,
+    stepping: Stepping,
+    limits: StepLimits,
+    progress: Progress,
+    corrector: Corrector,
+    past: Past,
+    /// Predicted changes and rates of one stage, and the rates of all.
+    predicted: Vec<f64>,
+    rates: [Vec<f64>; STAGES],
+    /// What the last stage was predicted to change by.
+    end: Vec<f64>,
+    difference: Vec<f64>,
+}
+
+/// All that an integrator knows of the steps behind it: with the two latest accepted
+/// states of the system, what a run needs to go on as if it had not been stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Progress {
+    /// Time of the latest accepted state [s].
+    pub time: f64,
+    /// The effort so far.
+    pub counters: Counters,
+    /// Length of the last step; zero before the first [s].
+    length: f64,
+    /// States behind the next step whose rates can be relied on: 0 to 2.
+    known: usize,
+    /// The time just after which the system is to be renewed.
+    corner: Option<f64>,
+    lengths: Lengths,
+}
+
+/// A local error is not thought to have a smaller constant than this, that of the formula
+/// of fourth order: those of higher order than the estimate has are measured as if one
+/// time derivative were one step.
+const LEAST_CONSTANT: f64 = 1.0 / 720.0;
+
+/// The cubic through two states does not reach farther than this, in steps before.
+const REACH: f64 = 4.0;
+
+impl Integrator {
+    /// An integrator of `dae`, whose latest accepted state is that at time `from` \[s\],
+    /// rates included; states before it do not count. `None` when the pattern is
+    /// structurally singular.
+    pub fn new(
+        dae: &dyn Dae,
+        scheme: Scheme,
+        stepping: Stepping,
+        limits: StepLimits,
+        from: f64,
+    ) -> Option<Self> {
+        let n = dae.pattern().size();
+        let zero = || vec![0.0; n];
+        Some(Self {
+            scheme,
+            stepping,
+            limits,
+            progress: Progress {
+                time: from,
+                counters: Counters::default(),
+                length: 0.0,
+                known: 1,
+                corner: None,
+                lengths: Lengths::new(&stepping, from),
+            },
+            corrector: Corrector::new(dae, scheme.formula(1.0).stages, &limits)?,
+            past: Past::new(n),
+            predicted: zero(),
+            rates: std::array::from_fn(|_| zero()),
+            end: zero(),
+            difference: zero(),
+        })
+    }
+
+    /// Makes one accepted step, towards `until` \[s\] and not beyond, tried shorter where
+    /// it must; none when `until` is reached. It lands on `until` and on the corners of the
+    /// system to the last bit; what acts just before a corner acts at the end of such a
+    /// step. `clock` tells the time that passes \[s\], for the times of the phases.
+    ///
+    /// # Errors
+    ///
+    /// When the least step is reached; the latest accepted state is as before the call.
+    pub fn step(
+        &mut self,
+        dae: &mut dyn Dae,
+        until: f64,
+        clock: &dyn Fn() -> f64,
+    ) -> Result<Stepped, StepFailure> {
+        let mut stepped = Stepped {
+            time: self.progress.time,
+            length: 0.0,
+            iterations: 0,
+            rejected: 0,
+        };
+        if !(until > self.progress.time) {
+            return Ok(stepped);
+        }
+        self.renew(dae);
+        loop {
+            let Progress { time, lengths, .. } = self.progress;
+            let plan = lengths.plan(dae, &self.stepping, time, until);
+            let formula = self.formula(plan.length);
+            let found = self.attempt(dae, &formula, &plan, clock);
+            let error = found.ok().and_then(|_| self.error(dae, &formula, &plan));
+            let reason = match (found, error) {
+                (Ok(_), Some(error)) if !(error <= 1.0) => Reason::LocalError,
+                (Ok(iterations), _) => {
+                    let accepted = Accepted {
+                        plan,
+                        iterations,
+                        was_cut: stepped.rejected > 0,
+                        error,
+                        order: formula.order.min(3),
+                    };
+                    self.accept(dae, &formula, &accepted);
+                    (stepped.time, stepped.length) = (plan.end, plan.length);
+                    stepped.iterations = iterations;
+                    return Ok(stepped);
+                }
+                (Err(reason), _) => reason,
+            };
+            stepped.rejected += 1;
+            self.progress.counters.rejected += 1;
+            let by = cut_by(error, formula.order.min(3), &self.stepping);
+            let lengths = &mut self.progress.lengths;
+            if !lengths.cut(&self.stepping, plan.length, by) {
+                return Err(self.failure(dae, reason, plan.length));
+            }
+        }
+    }
+
+    /// After a corner, lets the system find what jumps there.
+    fn renew(&mut self, dae: &mut dyn Dae) {
+        if let Some(corner) = self.progress.corner.take() {
+            self.progress.known = usize::from(dae.renew(corner));
+        }
+    }
+
+    /// The formula of a step of `length`, by what lies behind it.
+    fn formula(&self, length: f64) -> Formula {
+        let Progress { known, .. } = self.progress;
+        let ratio = self.ratio(length);
+        if known < 2 {
+            return self.scheme.first_formula(known > 0);
+        }
+        match ratio <= self.scheme.largest_ratio() {
+            true => self.scheme.formula(ratio),
+            false => self.scheme.first_formula(true),
+        }
+    }
+
+    /// Ratio of a step to the one before.
+    fn ratio(&self, length: f64) -> f64 {
+        length / self.progress.length
+    }
+
+    /// Predicts a step and iterates; the number of iterations.
+    fn attempt(
+        &mut self,
+        dae: &mut dyn Dae,
+        formula: &Formula,
+        plan: &Plan,
+        clock: &dyn Fn() -> f64,
+    ) -> Result<usize, Reason> {
+        self.predict(dae, formula, plan);
+        let mut meter = Meter {
+            counters: &mut self.progress.counters,
+            clock,
+        };
+        self.corrector
+            .converge(dae, formula, plan.length, &self.limits, &mut meter)
+    }
+
+    /// Predicts the rates of all stages, and by (D-100) their changes.
+    fn predict(&mut self, dae: &mut dyn Dae, formula: &Formula, plan: &Plan) {
+        let (past, length) = (&mut self.past, plan.length);
+        dae.past(0, &mut past.before, &mut past.latest_rates);
+        dae.past(1, &mut past.before, &mut past.rates_before);
+        let ratio = length / self.progress.length;
+        let has_cubic = self.progress.known > 1 && ratio <= REACH;
+        for (rates, place) in self.rates.iter_mut().zip(formula.places) {
+            match has_cubic {
+                true => past.rates((1.0 + place) * ratio, self.progress.length, rates),
+                false => rates.copy_from_slice(&past.latest_rates),
+            }
+            let algebraic = dae.algebraic().iter();
+            let of_algebraic = rates.iter_mut().zip(algebraic).filter(|(_, is)| **is);
+            of_algebraic.for_each(|(rate, _)| *rate = 0.0);
+        }
+        for stage in 0..formula.stages {
+            self.predict_changes(dae.algebraic(), formula, stage, length);
+            let time = match formula.places[stage] < 0.0 {
+                true => self.progress.time + (1.0 + formula.places[stage]) * length,
+                // At a corner, what acts before it.
+                false if plan.corner.is_some() => plan.end.next_down(),
+                false => plan.end,
+            };
+            dae.predict(stage, time, &self.predicted, &self.rates[stage]);
+        }
+        std::mem::swap(&mut self.end, &mut self.predicted);
+    }
+
+    fn predict_changes(&mut self, algebraic: &[bool], formula: &Formula, stage: usize, h: f64) {
+        let (past, weights) = (&self.past, &formula.weights[stage]);
+        let latest = h * formula.latest_rates[stage];
+        let before = h * formula.rates_before[stage];
+        for (i, &is_algebraic) in algebraic.iter().enumerate() {
+            if is_algebraic {
+                self.predicted[i] = 0.0;
+                continue;
+            }
+            let mut sum = latest * past.latest_rates[i];
+            if self.progress.known > 1 {
+                sum += formula.before * past.before[i] + before * past.rates_before[i];
+            }
+            for (rates, weight) in self.rates.iter().zip(weights) {
+                sum += h * weight * rates[i];
+            }
+            self.predicted[i] = sum;
+        }
+    }
+
+    /// The local error of the trial by the tolerance, where steps are variable and the
+    /// past is long enough: from the value y that a polynomial of the same order p
+    /// predicts, with the constants C of the formula and C_p of the polynomial,
+    ///
+    /// ```text
+    /// y(t_n) - y_n = C / (C_p - C) ( y_n - y )                                   (D-116)
+    /// ```
+    fn error(&mut self, dae: &dyn Dae, formula: &Formula, plan: &Plan) -> Option<f64> {
+        let Stepping::Variable(control) = &self.stepping else {
+            return None;
+        };
+        let order = formula.order.min(3);
+        let states = if order == 1 { 1 } else { 2 };
+        if self.progress.known < states {
+            return None;
+        }
+        let ratio = match order {
+            1 => 1.0,
+            _ => self.ratio(plan.length),
+        };
+        let constant = match formula.error.abs() < LEAST_CONSTANT {
+            true => LEAST_CONSTANT,
+            false => formula.error,
+        };
+        let factor = constant / (error_of_value(order, ratio) - constant);
+        let moved = self.corrector.moved().iter().zip(&self.end);
+        for (i, (moved, predicted)) in moved.enumerate() {
+            self.difference[i] = match dae.algebraic()[i] {
+                true => 0.0,
+                false => {
+                    let polynomial = self.past.value(order, plan.length, ratio, i);
+                    factor * (moved + predicted - polynomial)
+                }
+            };
+        }
+        Some(dae.error(&self.difference) / control.tolerance)
+    }
+
+    fn accept(&mut self, dae: &mut dyn Dae, formula: &Formula, accepted: &Accepted) {
+        dae.accept(formula.stages - 1);
+        let Plan {
+            length,
+            end,
+            corner,
+            ..
+        } = accepted.plan;
+        let progress = &mut self.progress;
+        progress.time = end;
+        progress.length = length;
+        progress.known = (progress.known + 1).min(2);
+        progress.corner = corner;
+        progress.counters.accept(length);
+        progress
+            .lengths
+            .follow(accepted, &self.stepping, &self.scheme, &self.limits);
+    }
+
+    fn failure(&self, dae: &dyn Dae, reason: Reason, length: f64) -> StepFailure {
+        let worst = self.corrector.worst();
+        StepFailure {
+            reason,
+            time: self.progress.time,
+            length,
+            least: self.progress.lengths.least(&self.stepping),
+            worst,
+            equation: dae.describe(worst.place),
+            history: self.corrector.history().to_vec(),
+        }
+    }
+
+    /// Time of the latest accepted state \[s\].
+    pub fn time(&self) -> f64 {
+        self.progress.time
+    }
+
+    /// The effort so far.
+    pub fn counters(&self) -> &Counters {
+        &self.progress.counters
+    }
+
+    /// What a run needs to go on from here, bit for bit. What would not come back, a kept
+    /// Jacobian and the order of its pivots, is dropped, so that this run goes on as one
+    /// that starts from the snapshot.
+    pub fn snapshot(&mut self) -> Progress {
+        self.corrector.forget();
+        self.progress
+    }
+
+    /// Goes on from a snapshot, made with the same scheme and stepping; the system must
+    /// have its two latest accepted states of that time.
+    pub fn restore(&mut self, progress: &Progress) {
+        self.corrector.forget();
+        self.progress = *progress;
+    }
+
+    /// Forgets the states before the latest, as after a change from outside; `has_rates`
+    /// tells whether the rates of the latest can be relied on.
+    pub fn restart(&mut self, has_rates: bool) {
+        self.progress.known = usize::from(has_rates);
+        self.progress.corner = None;
+    }
+}

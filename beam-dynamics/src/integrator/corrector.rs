@@ -1,0 +1,369 @@
+//! The Newton iteration of a step, for all stages of a formula at once.
+//!
+//! Unknowns are the corrections `d_t` of the rates of each stage, and of its algebraic
+//! unknowns themselves. A stage moves by `dy_s = h sum_t a_st d_t` and `dy'_s = d_s`, so
+//! that the block of row s and column t is
+//!
+//! ```text
+//! h a_st F_y + delta_st F_y'        (columns of algebraic unknowns: delta_st F_y)    (D-112)
+//! ```
+
+use std::sync::Arc;
+
+use super::formula::{Formula, STAGES};
+use super::{Counters, Dae, Jacobians, Reason, StepLimits};
+use crate::assembly::{Combination, Pattern, Residual, Sparse};
+use crate::solver::{Iteration, StepSolver, Worst};
+
+mod stages;
+
+use stages::StageMatrix;
+
+/// Counts and times what is done.
+pub(super) struct Meter<'a> {
+    /// What is counted.
+    pub counters: &'a mut Counters,
+    /// The time that passes [s].
+    pub clock: &'a dyn Fn() -> f64,
+}
+
+impl std::fmt::Debug for Meter<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.counters.fmt(f)
+    }
+}
+
+/// A residual or correction so far below its limit is nothing but round-off.
+const ROUND_OFF: f64 = 1e-3;
+
+/// A residual that falls by less has reached what round-off leaves of it.
+const STAGNATION: f64 = 0.5;
+
+/// A kept Jacobian is computed anew when the corrections shrink by less.
+const SLOW: f64 = 0.3;
+
+/// A kept Jacobian is computed anew when the weights of the formula times the step have
+/// changed by more: the corrections would shrink by no more than this.
+const CHANGED: f64 = 0.1;
+
+/// A correction of this size, in sizes of the system or radians, leads elsewhere.
+const BEYOND_REASON: f64 = 10.0;
+
+/// Corrections that grow so much, twice, do not come back.
+const GROWTH: f64 = 2.0;
+
+/// What a Jacobian was computed for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Kept {
+    /// Weights of the formula times the step [s].
+    weights: [[f64; STAGES]; STAGES],
+    /// Whether it was computed in the step under way.
+    is_of_this_step: bool,
+}
+
+/// Moves the stages of a step from their prediction until the system holds.
+#[derive(Debug)]
+pub(super) struct Corrector {
+    stages: usize,
+    algebraic: Vec<bool>,
+    matrix: StageMatrix,
+    solver: StepSolver,
+    kept: Option<Kept>,
+    residuals: Vec<Residual>,
+    /// Right side, then the correction: the stages of an unknown next to each other.
+    solution: Vec<f64>,
+    /// Corrections so far, and the last one, of each stage.
+    corrections: Vec<Vec<f64>>,
+    last: Vec<Vec<f64>>,
+    moved: Vec<f64>,
+    rates: Vec<f64>,
+    history: Vec<Iteration>,
+    /// First iteration that counts for the speed of convergence.
+    first: usize,
+    worst: Worst,
+}
+
+impl Corrector {
+    /// For formulas of `stages` stages; `None` when the pattern is structurally singular.
+    pub fn new(dae: &dyn Dae, stages: usize, limits: &StepLimits) -> Option<Self> {
+        let pattern = dae.pattern();
+        let n = pattern.size();
+        let matrix = StageMatrix::new(pattern, stages, dae.algebraic());
+        let zero = || vec![0.0; n];
+        let residual = || Residual {
+            values: zero(),
+            sizes: zero(),
+        };
+        Some(Self {
+            stages,
+            algebraic: dae.algebraic().to_vec(),
+            solver: StepSolver::new(matrix.pattern())?,
+            matrix,
+            kept: None,
+            residuals: (0..stages).map(|_| residual()).collect(),
+            solution: vec![0.0; stages * n],
+            corrections: (0..stages).map(|_| zero()).collect(),
+            last: (0..stages).map(|_| zero()).collect(),
+            moved: zero(),
+            rates: zero(),
+            history: Vec::with_capacity(limits.iterations),
+            first: 0,
+            worst: Worst::default(),
+        })
+    }
+
+    /// Drops the Jacobian and all that is kept of it.
+    pub fn forget(&mut self) {
+        self.kept = None;
+        self.solver.forget();
+    }
+
+    /// Iterations of the last step.
+    pub fn history(&self) -> &[Iteration] {
+        &self.history
+    }
+
+    /// The worst equation when the last step ended.
+    pub fn worst(&self) -> Worst {
+        self.worst
+    }
+
+    /// What the last stage has moved from its prediction.
+    pub fn moved(&self) -> &[f64] {
+        &self.moved
+    }
+
+    /// Iterates from the predicted stages; the number of iterations when they converge.
+    pub fn converge(
+        &mut self,
+        dae: &mut dyn Dae,
+        formula: &Formula,
+        length: f64,
+        limits: &StepLimits,
+        meter: &mut Meter<'_>,
+    ) -> Result<usize, Reason> {
+        self.begin();
+        let weights = formula.weights.map(|row| row.map(|weight| length * weight));
+        loop {
+            self.find_residuals(dae, meter)?;
+            if self.is_settled(limits) {
+                return Ok(self.history.len());
+            }
+            if self.history.len() >= limits.iterations {
+                return Err(Reason::NotConverged);
+            }
+            if self.is_due(&weights, limits) {
+                self.find_jacobian(dae, &weights, meter)?;
+            }
+            let size = self.find_correction(dae, &weights, meter)?;
+            self.history.push(Iteration {
+                worst: self.worst,
+                correction: size,
+            });
+            if self.leads_astray(size)? {
+                self.begin_again(dae, &weights);
+                continue;
+            }
+            self.apply(dae, &weights);
+            if size <= ROUND_OFF * limits.correction {
+                return Ok(self.history.len());
+            }
+        }
+    }
+
+    fn begin(&mut self) {
+        self.history.clear();
+        self.first = 0;
+        for correction in &mut self.corrections {
+            correction.fill(0.0);
+        }
+        if let Some(kept) = &mut self.kept {
+            kept.is_of_this_step = false;
+        }
+    }
+
+    /// Back to the prediction, without the Jacobian that led astray.
+    fn begin_again(&mut self, dae: &mut dyn Dae, weights: &[[f64; STAGES]; STAGES]) {
+        for last in &mut self.last {
+            last.fill(0.0);
+        }
+        for correction in &mut self.corrections {
+            correction.fill(0.0);
+        }
+        self.apply(dae, weights);
+        self.kept = None;
+        self.first = self.history.len();
+    }
+
+    fn find_residuals(&mut self, dae: &mut dyn Dae, meter: &mut Meter<'_>) -> Result<(), Reason> {
+        let start = (meter.clock)();
+        self.worst = Worst::default();
+        for (stage, residual) in self.residuals.iter_mut().enumerate() {
+            dae.residual(stage, residual);
+            if let Some(place) = residual.values.iter().position(|value| !value.is_finite()) {
+                let relative = f64::INFINITY;
+                self.worst = Worst { relative, place };
+                return Err(Reason::NotFinite);
+            }
+            let worst = dae.worst(residual);
+            if worst.relative > self.worst.relative {
+                self.worst = worst;
+            }
+        }
+        meter.counters.residual_time += (meter.clock)() - start;
+        Ok(())
+    }
+
+    /// Ratio of the last correction to the one before it.
+    fn shrinking(&self) -> Option<f64> {
+        match &self.history[self.first..] {
+            [.., before, last] => Some(last.correction / before.correction),
+            _ => None,
+        }
+    }
+
+    /// Whether the last correction was the last one that is needed.
+    ///
+    /// Corrections that shrink by theta leave theta / (1 - theta) of the last one; full
+    /// Newton leaves less. Where stiffness is high the residual has a floor of round-off
+    /// above its limit: then a small correction is enough.
+    fn is_settled(&self, limits: &StepLimits) -> bool {
+        let Some(last) = self.history[self.first..].last() else {
+            return false;
+        };
+        let left = match self.shrinking() {
+            Some(theta) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
+            Some(_) => f64::INFINITY,
+            None => last.correction,
+        };
+        let worst = self.worst.relative;
+        let is_at_floor = worst >= STAGNATION * last.worst.relative;
+        worst <= ROUND_OFF * limits.residual
+            || worst <= limits.residual && left <= limits.correction
+            || is_at_floor && last.correction <= limits.correction
+    }
+
+    fn is_due(&self, weights: &[[f64; STAGES]; STAGES], limits: &StepLimits) -> bool {
+        let Some(kept) = &self.kept else {
+            return true;
+        };
+        let all = || kept.weights.iter().flatten().zip(weights.iter().flatten());
+        let most = all().fold(0.0_f64, |most, (kept, _)| most.max(kept.abs()));
+        let has_changed = all().any(|(kept, now)| (kept - now).abs() > CHANGED * most);
+        let is_slow = self.shrinking().is_some_and(|theta| theta > SLOW);
+        limits.jacobians == Jacobians::Full || has_changed || is_slow
+    }
+
+    fn find_jacobian(
+        &mut self,
+        dae: &mut dyn Dae,
+        weights: &[[f64; STAGES]; STAGES],
+        meter: &mut Meter<'_>,
+    ) -> Result<(), Reason> {
+        let start = (meter.clock)();
+        self.matrix.combine(dae, weights);
+        let combined = (meter.clock)();
+        let pivotings = self.solver.counts().pivotings;
+        let factorized = self.solver.factorize(self.matrix.matrix());
+        meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
+        let end = (meter.clock)();
+        meter.counters.jacobians += 1;
+        meter.counters.jacobian_time += combined - start;
+        meter.counters.factorization_time += end - combined;
+        self.kept = None;
+        factorized.ok_or(Reason::Singular)?;
+        self.kept = Some(Kept {
+            weights: *weights,
+            is_of_this_step: true,
+        });
+        Ok(())
+    }
+
+    /// Solves for the last correction; its size.
+    fn find_correction(
+        &mut self,
+        dae: &dyn Dae,
+        weights: &[[f64; STAGES]; STAGES],
+        meter: &mut Meter<'_>,
+    ) -> Result<f64, Reason> {
+        let start = (meter.clock)();
+        let stages = self.stages;
+        for (stage, residual) in self.residuals.iter().enumerate() {
+            for (i, value) in residual.values.iter().enumerate() {
+                self.solution[stages * i + stage] = -value;
+            }
+        }
+        let pivotings = self.solver.counts().pivotings;
+        let solved = self.solver.solve(&mut self.solution);
+        meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
+        meter.counters.solution_time += (meter.clock)() - start;
+        meter.counters.iterations += 1;
+        solved.ok_or(Reason::Singular)?;
+        for (stage, last) in self.last.iter_mut().enumerate() {
+            for (i, value) in last.iter_mut().enumerate() {
+                *value = self.solution[stages * i + stage];
+            }
+        }
+        let mut size = 0.0_f64;
+        for stage in 0..stages {
+            self.move_by(stage, weights, Moves::Last);
+            size = size.max(dae.size(&self.moved));
+        }
+        Ok(size)
+    }
+
+    /// Whether the iteration must begin again, with a new Jacobian.
+    fn leads_astray(&self, size: f64) -> Result<bool, Reason> {
+        let is_kept = self.kept.is_some_and(|kept| !kept.is_of_this_step);
+        let grows = |pair: &&[Iteration]| pair[1].correction > GROWTH * pair[0].correction;
+        let growths = self.history[self.first..].windows(2).filter(grows).count();
+        let is_astray = !size.is_finite() || size > BEYOND_REASON;
+        if is_kept {
+            let is_slow = self.shrinking().is_some_and(|theta| theta >= 1.0);
+            return Ok(is_astray || is_slow);
+        }
+        match is_astray || growths > 1 {
+            true => Err(Reason::Diverged),
+            false => Ok(false),
+        }
+    }
+
+    /// Adds the last correction and moves the stages.
+    fn apply(&mut self, dae: &mut dyn Dae, weights: &[[f64; STAGES]; STAGES]) {
+        for (sum, last) in self.corrections.iter_mut().zip(&self.last) {
+            for (sum, last) in sum.iter_mut().zip(last) {
+                *sum += last;
+            }
+        }
+        for stage in 0..self.stages {
+            self.move_by(stage, weights, Moves::All);
+            dae.correct(stage, &self.moved, &self.rates);
+        }
+    }
+
+    /// What a stage moves by a correction of the rates of all stages.
+    fn move_by(&mut self, stage: usize, weights: &[[f64; STAGES]; STAGES], moves: Moves) {
+        let corrections = match moves {
+            Moves::Last => &self.last,
+            Moves::All => &self.corrections,
+        };
+        let own = &corrections[stage];
+        for (i, &is_algebraic) in self.algebraic.iter().enumerate() {
+            if is_algebraic {
+                self.moved[i] = own[i];
+                self.rates[i] = 0.0;
+                continue;
+            }
+            let weighted = corrections.iter().zip(&weights[stage]);
+            self.moved[i] = weighted.map(|(rates, weight)| weight * rates[i]).sum();
+            self.rates[i] = own[i];
+        }
+    }
+}
+
+/// Which corrections move a stage.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Moves {
+    Last,
+    All,
+}

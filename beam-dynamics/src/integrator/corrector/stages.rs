@@ -1,0 +1,115 @@
+//! The matrix of all stages of a formula.
+
+use super::{Arc, Combination, Dae, Pattern, STAGES, Sparse};
+
+/// The blocks (D-112) of a formula in one matrix, in which the stages of an unknown stand
+/// next to each other: the order of the unknowns that suits one stage suits them all.
+#[derive(Debug)]
+pub(super) struct StageMatrix {
+    stages: usize,
+    matrix: Sparse,
+    /// The blocks of one row of stages; none when there is one stage.
+    blocks: Vec<Sparse>,
+    /// For each block, row by row, the place in the matrix of each of its entries.
+    places: Vec<Vec<Option<usize>>>,
+}
+
+impl StageMatrix {
+    /// For a system of the given pattern.
+    pub fn new(pattern: &Arc<Pattern>, stages: usize, algebraic: &[bool]) -> Self {
+        if stages == 1 {
+            return Self {
+                stages,
+                matrix: Sparse::zero(Arc::clone(pattern)),
+                blocks: Vec::new(),
+                places: Vec::new(),
+            };
+        }
+        let of_block = |row: usize, column: usize| {
+            entries(pattern).map(move |(i, j)| {
+                let is_stored = row == column || !algebraic[j];
+                is_stored.then_some((stages * i + row, stages * j + column))
+            })
+        };
+        let blocks = || (0..stages).flat_map(|row| (0..stages).map(move |column| (row, column)));
+        let all = blocks().flat_map(|(row, column)| of_block(row, column).flatten());
+        let whole = Pattern::new(stages * pattern.size(), all.collect());
+        let place = |stored: Option<(usize, usize)>| stored.and_then(|(i, j)| whole.place(i, j));
+        let places = blocks().map(|(row, column)| of_block(row, column).map(place).collect());
+        Self {
+            stages,
+            blocks: vec![Sparse::zero(Arc::clone(pattern)); stages],
+            places: places.collect(),
+            matrix: Sparse::zero(Arc::new(whole)),
+        }
+    }
+
+    /// The pattern of the matrix.
+    pub fn pattern(&self) -> &Arc<Pattern> {
+        self.matrix.pattern()
+    }
+
+    /// The matrix.
+    pub fn matrix(&self) -> &Sparse {
+        &self.matrix
+    }
+
+    /// Fills the matrix at the present stages of the system; `weights` are those of the
+    /// formula times the step.
+    pub fn combine(&mut self, dae: &mut dyn Dae, weights: &[[f64; STAGES]; STAGES]) {
+        if self.stages == 1 {
+            let sum = block(weights[0][0], true, &mut self.matrix);
+            dae.jacobian(0, &mut [sum]);
+            return;
+        }
+        for row in 0..self.stages {
+            let weight = weights[row];
+            match &mut self.blocks[..] {
+                [a, b] => dae.jacobian(
+                    row,
+                    &mut [block(weight[0], row == 0, a), block(weight[1], row == 1, b)],
+                ),
+                [a, b, c] => dae.jacobian(
+                    row,
+                    &mut [
+                        block(weight[0], row == 0, a),
+                        block(weight[1], row == 1, b),
+                        block(weight[2], row == 2, c),
+                    ],
+                ),
+                _ => {}
+            }
+            self.scatter(row);
+        }
+    }
+
+    fn scatter(&mut self, row: usize) {
+        let places = &self.places[row * self.stages..];
+        for (block, places) in self.blocks.iter().zip(places) {
+            for (value, place) in block.values().iter().zip(places) {
+                if let Some(place) = place {
+                    self.matrix.values_mut()[*place] = *value;
+                }
+            }
+        }
+    }
+}
+
+/// A block (D-112), to be written to `matrix`.
+fn block(weight: f64, is_diagonal: bool, matrix: &mut Sparse) -> Combination<'_> {
+    let diagonal = if is_diagonal { 1.0 } else { 0.0 };
+    Combination {
+        by_unknowns: weight,
+        by_rates: diagonal,
+        by_algebraic: diagonal,
+        matrix,
+    }
+}
+
+/// Row and column of each entry of a pattern.
+fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize)> + '_ {
+    (0..pattern.size()).flat_map(move |column| {
+        let range = pattern.column_starts()[column]..pattern.column_starts()[column + 1];
+        range.map(move |place| (pattern.rows()[place], column))
+    })
+}

@@ -1,0 +1,95 @@
+//! Why a step could not be made.
+
+use std::fmt;
+
+use crate::solver::{Iteration, Worst};
+
+/// What stood in the way of the shortest step that was tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// The iteration came no nearer in the iterations allowed.
+    NotConverged,
+    /// The corrections grew.
+    Diverged,
+    /// The Jacobian is singular.
+    Singular,
+    /// A residual is no finite number.
+    NotFinite,
+    /// The local error stayed too large.
+    LocalError,
+}
+
+impl Reason {
+    /// The reason in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::NotConverged => "the iteration did not converge",
+            Self::Diverged => "the iteration diverged",
+            Self::Singular => "the Jacobian is singular",
+            Self::NotFinite => "a residual is not a finite number",
+            Self::LocalError => "the local error is too large",
+        }
+    }
+
+    /// What to try, the likeliest first.
+    pub fn remedies(self) -> &'static [&'static str] {
+        match self {
+            Self::NotConverged => &[
+                "allow shorter steps",
+                "take the exact Jacobian in every iteration",
+                "lower the asymptotic radius: it damps what the steps are too long for",
+            ],
+            Self::Diverged => &[
+                "allow shorter steps",
+                "look for a position at which the mechanism is locked or branches",
+                "lower the asymptotic radius",
+            ],
+            Self::Singular => &[
+                "look for constraints that say the same, and for parts without mass",
+                "look for a position at which the mechanism is locked or branches",
+            ],
+            Self::NotFinite => &[
+                "look for drives and laws that are not defined at this time or strain",
+                "allow shorter steps",
+            ],
+            Self::LocalError => &[
+                "look for a jump that no drive tells as a corner",
+                "allow shorter steps or a larger local error",
+            ],
+        }
+    }
+}
+
+/// A step that was cut until it became too short.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepFailure {
+    /// What stood in the way.
+    pub reason: Reason,
+    /// Time of the latest accepted state [s].
+    pub time: f64,
+    /// The step that was tried last [s].
+    pub length: f64,
+    /// The shortest step that was allowed [s].
+    pub least: f64,
+    /// The worst equation of the last iteration.
+    pub worst: Worst,
+    /// The worst equation in words: what and whose.
+    pub equation: String,
+    /// Iterations of the step that was tried last.
+    pub history: Vec<Iteration>,
+}
+
+impl fmt::Display for StepFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (time, length, least) = (self.time, self.length, self.least);
+        let (reason, equation) = (self.reason.words(), &self.equation);
+        write!(
+            f,
+            "no step from {time} s: {reason} at a step of {length:.3e} s (least {least:.3e} s); \
+             worst equation: {equation}, off by {:.3e} of its largest term",
+            self.worst.relative
+        )
+    }
+}
+
+impl std::error::Error for StepFailure {}

@@ -1,0 +1,254 @@
+//! How long the next step is, and where it ends.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Dae, Scheme, StepControl, StepLimits, Stepping};
+
+/// A constant step is cut to no less than this part of it.
+const LEAST_PART: f64 = 1.0 / 1024.0;
+
+/// Times that are nearer to each other than this part of a step are the same.
+const SAME_TIME: f64 = 1e-9;
+
+/// A grid point this near to a corner or to the end, in steps, is that point.
+const SAME_POINT: f64 = 1e-6;
+
+/// Part of the step that the local error allows which is taken, so that few steps are
+/// tried in vain.
+const SAFETY: f64 = 0.9;
+
+/// Steps shrink by no more at once.
+const LARGEST_CUT: f64 = 0.2;
+
+/// Steps that could grow by less stay: the Jacobian is kept, the ratio is one.
+const NOT_WORTH: f64 = 1.1;
+
+/// Parts of the iterations allowed beyond which steps do not grow, and shrink.
+const MANY: f64 = 1.0 / 3.0;
+const TOO_MANY: f64 = 2.0 / 3.0;
+
+/// Cut of a variable step whose iteration failed, or took too many.
+const FAILED: f64 = 0.25;
+const TIRED: f64 = 0.7;
+
+/// What the lengths of the next steps follow from.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(super) struct Lengths {
+    /// Start of the grid of constant steps [s].
+    pub from: f64,
+    /// Grid points reached, without the start.
+    pub points: u64,
+    /// The step wished for next [s].
+    pub wish: f64,
+}
+
+/// A step to be tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Plan {
+    /// Length [s].
+    pub length: f64,
+    /// Time at its end [s].
+    pub end: f64,
+    /// Whether the grid has one more point there.
+    pub is_on_grid: bool,
+    /// The time just after which the system must be renewed, when the step ends at a
+    /// corner [s].
+    pub corner: Option<f64>,
+}
+
+impl Lengths {
+    /// At the start of a run.
+    pub fn new(stepping: &Stepping, from: f64) -> Self {
+        let wish = match stepping {
+            Stepping::Constant { step } => *step,
+            Stepping::Variable(control) => control.first.clamp(control.least, control.most),
+        };
+        Self {
+            from,
+            points: 0,
+            wish,
+        }
+    }
+
+    /// The next step from `time`, to `until` at most.
+    pub fn plan(&self, dae: &dyn Dae, stepping: &Stepping, time: f64, until: f64) -> Plan {
+        let stop = self.stop(dae, time, until);
+        match stepping {
+            Stepping::Constant { step } => self.towards_grid(*step, time, &stop),
+            Stepping::Variable(_) => self.towards(time, &stop),
+        }
+    }
+
+    /// The next time to land on.
+    fn stop(&self, dae: &dyn Dae, time: f64, until: f64) -> Plan {
+        let same = SAME_TIME * self.wish;
+        let mut corner = dae.next_corner(time);
+        while corner > time && corner - time < same {
+            corner = dae.next_corner(corner);
+        }
+        let mut stop = Plan {
+            length: until - time,
+            end: until,
+            is_on_grid: false,
+            corner: None,
+        };
+        if corner > time && corner < until + same {
+            stop.end = if (corner - until).abs() < same {
+                until
+            } else {
+                corner
+            };
+            stop.length = stop.end - time;
+            // Corners that follow at once are passed with it.
+            let mut last = corner;
+            let mut next = dae.next_corner(corner);
+            while next > last && next - corner < same {
+                last = next;
+                next = dae.next_corner(last);
+            }
+            stop.corner = Some(last.max(stop.end));
+        }
+        stop
+    }
+
+    fn towards_grid(&self, step: f64, time: f64, stop: &Plan) -> Plan {
+        let point = self.from + (self.points + 1) as f64 * step;
+        let mut goal = *stop;
+        if (point - stop.end).abs() <= SAME_POINT * step {
+            goal.is_on_grid = true;
+        } else if point < stop.end {
+            goal = Plan {
+                length: point - time,
+                end: point,
+                is_on_grid: true,
+                corner: None,
+            };
+        }
+        // From grid point to grid point the step is the number given, to the last bit.
+        let round_off = 4.0 * f64::EPSILON * goal.end.abs().max(step);
+        if (goal.length - step).abs() <= round_off {
+            goal.length = step;
+        }
+        self.towards(time, &goal)
+    }
+
+    /// Towards a goal in steps of the wish; the last two are equal, so that none is tiny.
+    fn towards(&self, time: f64, goal: &Plan) -> Plan {
+        let steps = (goal.length / self.wish - SAME_POINT).ceil();
+        if !(steps > 1.0) {
+            return *goal;
+        }
+        let length = if steps == 2.0 {
+            0.5 * goal.length
+        } else {
+            self.wish
+        };
+        Plan {
+            length,
+            end: time + length,
+            is_on_grid: false,
+            corner: None,
+        }
+    }
+
+    /// The shortest step [s].
+    pub fn least(&self, stepping: &Stepping) -> f64 {
+        match stepping {
+            Stepping::Constant { step } => LEAST_PART * step,
+            Stepping::Variable(control) => control.least,
+        }
+    }
+
+    /// Wishes for a shorter step after one of `length` has failed; `false` when there is
+    /// none.
+    pub fn cut(&mut self, stepping: &Stepping, length: f64, by: f64) -> bool {
+        let least = self.least(stepping);
+        if length <= least {
+            return false;
+        }
+        self.wish = (by * length).max(least);
+        true
+    }
+
+    /// Wishes after an accepted step; `error` is its local error by the tolerance.
+    pub fn follow(
+        &mut self,
+        accepted: &Accepted,
+        stepping: &Stepping,
+        scheme: &Scheme,
+        limits: &StepLimits,
+    ) {
+        if accepted.plan.is_on_grid {
+            self.points += 1;
+        }
+        let effort = accepted.iterations as f64 / limits.iterations.max(1) as f64;
+        match stepping {
+            Stepping::Constant { step } => {
+                if self.wish < *step && effort <= MANY {
+                    self.wish = step.min(2.0 * self.wish);
+                }
+            }
+            Stepping::Variable(control) => self.adapt(accepted, effort, control, scheme),
+        }
+    }
+
+    fn adapt(&mut self, accepted: &Accepted, effort: f64, control: &StepControl, scheme: &Scheme) {
+        if accepted.plan.corner.is_some() {
+            self.wish = self.wish.min(control.first);
+            return;
+        }
+        let growth = if effort > TOO_MANY {
+            TIRED
+        } else if effort > MANY || accepted.was_cut {
+            1.0
+        } else {
+            scheme.growth()
+        };
+        let allowed = match accepted.error {
+            Some(error) => accepted.plan.length * factor(error, accepted.order),
+            None => self.wish,
+        };
+        let wish = allowed.clamp(LARGEST_CUT * self.wish, growth * self.wish);
+        let is_worth_it = wish < self.wish || wish >= NOT_WORTH * self.wish;
+        if is_worth_it || growth < NOT_WORTH {
+            self.wish = wish;
+        }
+        self.wish = self.wish.clamp(control.least, control.most);
+    }
+}
+
+/// What an accepted step tells of the next.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Accepted {
+    /// The step.
+    pub plan: Plan,
+    /// Its iterations.
+    pub iterations: usize,
+    /// Whether longer ones were tried before.
+    pub was_cut: bool,
+    /// Its local error by the tolerance, where it could be found [-].
+    pub error: Option<f64>,
+    /// Order of its formula.
+    pub order: usize,
+}
+
+/// The step by the present one that brings the local error to its tolerance:
+///
+/// ```text
+/// h_new / h = 0.9 ( tolerance / error )^(1 / (p + 1))                              (D-117)
+/// ```
+pub(super) fn factor(error: f64, order: usize) -> f64 {
+    SAFETY
+        * error
+            .max(f64::MIN_POSITIVE)
+            .powf(-1.0 / (order as f64 + 1.0))
+}
+
+/// By how much to cut a step whose local error is too large, or whose iteration failed.
+pub(super) fn cut_by(error: Option<f64>, order: usize, stepping: &Stepping) -> f64 {
+    match (error, stepping) {
+        (Some(error), _) => factor(error, order).clamp(LARGEST_CUT, SAFETY),
+        (None, Stepping::Constant { .. }) => 0.5,
+        (None, Stepping::Variable(_)) => FAILED,
+    }
+}

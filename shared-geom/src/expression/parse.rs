@@ -1,0 +1,354 @@
+//! The reader of expressions: precedence climbing.
+//!
+//! ```text
+//! comparison = sum [("<" | "<=" | ">" | ">=") sum]
+//! sum        = product {("+" | "-") product}
+//! product    = sign {("*" | "/") sign}
+//! sign       = ("-" | "+") sign | power
+//! power      = atom ["^" sign]
+//! atom       = number | name | function "(" comparison {"," comparison} ")"
+//!            | "(" comparison ")"
+//! ```
+
+use super::functions::{Function, NAMED, Operation};
+use super::run::STACK;
+use super::{Expression, ExpressionProblem, Jet};
+
+/// Depth of nesting that is read: more is no expression that a person wrote.
+const DEEPEST: usize = 48;
+
+/// Names that may stand in an expression.
+#[derive(Debug, Clone, Copy)]
+pub struct Names<'a> {
+    /// Names of variables: the number of each is its place in the list.
+    pub variables: &'a [&'a str],
+    /// Names of numbers that are known.
+    pub constants: &'a [(String, f64)],
+}
+
+/// Numbers that every expression knows: half a turn, and one degree in radians.
+const KNOWN: [(&str, f64); 2] = [
+    ("pi", std::f64::consts::PI),
+    ("deg", std::f64::consts::PI / 180.0),
+];
+
+impl Names<'_> {
+    fn find(&self, name: &str) -> Option<Operation> {
+        if let Some(index) = self.variables.iter().position(|own| *own == name) {
+            return Some(Operation::Variable(index));
+        }
+        let own = self.constants.iter().find(|own| own.0 == name);
+        let known = KNOWN.iter().find(|known| known.0 == name);
+        let value = own.map(|own| own.1).or(known.map(|known| known.1));
+        value.map(Operation::Constant)
+    }
+
+    fn all(&self) -> Vec<String> {
+        let variables = self.variables.iter().map(|&name| name.to_owned());
+        let constants = self.constants.iter().map(|own| own.0.clone());
+        let known = KNOWN.iter().map(|known| known.0.to_owned());
+        variables.chain(constants).chain(known).collect()
+    }
+}
+
+/// Whether a text can be a name in an expression: letters, digits and `_`, and no digit
+/// first; not one that an expression knows itself.
+pub fn is_name(text: &str) -> bool {
+    let known = KNOWN.iter().any(|known| known.0 == text)
+        || NAMED.iter().any(|function| function.0 == text);
+    !known && !text.is_empty() && text.chars().all(continues_name) && begins_name(first(text))
+}
+
+fn first(text: &str) -> char {
+    text.chars().next().unwrap_or(' ')
+}
+
+fn begins_name(letter: char) -> bool {
+    letter.is_ascii_alphabetic() || letter == '_'
+}
+
+fn continues_name(letter: char) -> bool {
+    letter.is_ascii_alphanumeric() || letter == '_'
+}
+
+/// Reads a whole text.
+pub(super) fn expression(text: &str, names: &Names<'_>) -> Result<Expression, ExpressionProblem> {
+    let mut reader = Reader {
+        text,
+        rest: text,
+        names,
+        program: Vec::new(),
+        height: 0,
+        depth: 0,
+    };
+    reader.comparison()?;
+    if reader.peek().is_some() {
+        return Err(reader.unexpected("an operator or the end"));
+    }
+    let mut used = vec![false; names.variables.len()];
+    for operation in &reader.program {
+        if let Operation::Variable(index) = operation {
+            used[*index] = true;
+        }
+    }
+    Ok(Expression {
+        text: text.trim().to_owned(),
+        program: reader.program,
+        used,
+    })
+}
+
+/// A text that is being read, and the program so far.
+struct Reader<'a> {
+    text: &'a str,
+    rest: &'a str,
+    names: &'a Names<'a>,
+    program: Vec<Operation>,
+    /// Numbers that the program leaves so far.
+    height: usize,
+    depth: usize,
+}
+
+type Read = Result<(), ExpressionProblem>;
+
+impl Reader<'_> {
+    /// The next letter that is no space.
+    fn peek(&mut self) -> Option<char> {
+        self.rest = self.rest.trim_start();
+        self.rest.chars().next()
+    }
+
+    fn take(&mut self, wanted: &str) -> bool {
+        let found = self.peek().is_some() && self.rest.starts_with(wanted);
+        if found {
+            self.rest = &self.rest[wanted.len()..];
+        }
+        found
+    }
+
+    /// Letter, from one, at which the rest begins.
+    fn column(&self) -> usize {
+        let read = self.text.len() - self.rest.len();
+        self.text[..read].chars().count() + 1
+    }
+
+    fn unexpected(&mut self, expected: &'static str) -> ExpressionProblem {
+        let found = match self.peek() {
+            None => "the end".to_owned(),
+            Some('*') => "the letter '*' again".to_owned(),
+            Some(letter) => format!("{letter:?}"),
+        };
+        ExpressionProblem::Unexpected {
+            text: self.text.trim().to_owned(),
+            column: self.column(),
+            found,
+            expected,
+        }
+    }
+
+    fn push(&mut self, operation: Operation) -> Read {
+        let taken = match operation {
+            Operation::Apply(function) => function.arguments(),
+            _ => 0,
+        };
+        self.height = self.height + 1 - taken;
+        if self.height > STACK {
+            let column = self.column();
+            return Err(ExpressionProblem::TooDeep { column });
+        }
+        self.program.push(operation);
+        self.fold(taken);
+        Ok(())
+    }
+
+    /// Does at once what has numbers for arguments.
+    fn fold(&mut self, taken: usize) {
+        let end = self.program.len();
+        let Some(&Operation::Apply(function)) = self.program.last() else {
+            return;
+        };
+        let Some(first) = end.checked_sub(taken + 1) else {
+            return;
+        };
+        let mut args = [Jet::default(); 3];
+        for (arg, operation) in args.iter_mut().zip(&self.program[first..end - 1]) {
+            let Operation::Constant(value) = operation else {
+                return;
+            };
+            *arg = Jet::constant(*value);
+        }
+        let value = function.at(&args[..taken]).value;
+        self.program.truncate(first);
+        self.program.push(Operation::Constant(value));
+    }
+
+    fn comparison(&mut self) -> Read {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            let column = self.column();
+            return Err(ExpressionProblem::TooDeep { column });
+        }
+        self.sum()?;
+        let signs = [
+            ("<=", Function::LessOrEqual),
+            ("<", Function::Less),
+            (">=", Function::GreaterOrEqual),
+            (">", Function::Greater),
+        ];
+        if let Some((_, function)) = signs.into_iter().find(|sign| self.take(sign.0)) {
+            self.sum()?;
+            self.push(Operation::Apply(function))?;
+        }
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn sum(&mut self) -> Read {
+        self.product()?;
+        loop {
+            let function = match self.peek() {
+                Some('+') => Function::Add,
+                Some('-') => Function::Subtract,
+                _ => return Ok(()),
+            };
+            self.rest = &self.rest[1..];
+            self.product()?;
+            self.push(Operation::Apply(function))?;
+        }
+    }
+
+    fn product(&mut self) -> Read {
+        self.sign()?;
+        loop {
+            let function = match self.peek() {
+                Some('*') => Function::Multiply,
+                Some('/') => Function::Divide,
+                _ => return Ok(()),
+            };
+            self.rest = &self.rest[1..];
+            self.sign()?;
+            self.push(Operation::Apply(function))?;
+        }
+    }
+
+    fn sign(&mut self) -> Read {
+        let mut negative = false;
+        while let Some(letter @ ('+' | '-')) = self.peek() {
+            negative ^= letter == '-';
+            self.rest = &self.rest[1..];
+        }
+        self.atom()?;
+        if self.take("^") {
+            self.depth += 1;
+            if self.depth > DEEPEST {
+                let column = self.column();
+                return Err(ExpressionProblem::TooDeep { column });
+            }
+            self.sign()?;
+            self.depth -= 1;
+            self.push(Operation::Apply(Function::Power))?;
+        }
+        match negative {
+            true => self.push(Operation::Apply(Function::Negative)),
+            false => Ok(()),
+        }
+    }
+
+    fn atom(&mut self) -> Read {
+        match self.peek() {
+            Some('(') => {
+                self.rest = &self.rest[1..];
+                self.comparison()?;
+                self.close("\")\" or an operator")
+            }
+            Some(letter) if letter.is_ascii_digit() || letter == '.' => self.number(),
+            Some(letter) if begins_name(letter) => self.name(),
+            _ => Err(self.unexpected("a number, a name or \"(\"")),
+        }
+    }
+
+    fn close(&mut self, expected: &'static str) -> Read {
+        match self.take(")") {
+            true => Ok(()),
+            false => Err(self.unexpected(expected)),
+        }
+    }
+
+    fn number(&mut self) -> Read {
+        let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+        let mut length = digits(self.rest);
+        if self.rest[length..].starts_with('.') {
+            length += 1 + digits(&self.rest[length + 1..]);
+        }
+        if self.rest[length..].starts_with(['e', 'E']) {
+            let sign = usize::from(self.rest[length + 1..].starts_with(['+', '-']));
+            let power = digits(&self.rest[length + 1 + sign..]);
+            if power > 0 {
+                length += 1 + sign + power;
+            }
+        }
+        let Ok(number) = self.rest[..length].parse() else {
+            return Err(self.unexpected("a number"));
+        };
+        self.rest = &self.rest[length..];
+        self.push(Operation::Constant(number))
+    }
+
+    fn name(&mut self) -> Read {
+        let column = self.column();
+        let length = self.rest.chars().take_while(|&c| continues_name(c)).count();
+        let (name, rest) = self.rest.split_at(length);
+        let name = name.to_owned();
+        let before = std::mem::replace(&mut self.rest, rest);
+        if self.take("(") {
+            return self.call(&name, column);
+        }
+        match self.names.find(&name) {
+            Some(operation) => self.push(operation),
+            None if NAMED.iter().any(|function| function.0 == name) => {
+                Err(self.unexpected("\"(\" behind the name of a function"))
+            }
+            None => {
+                self.rest = before;
+                Err(ExpressionProblem::UnknownName {
+                    text: self.text.trim().to_owned(),
+                    column,
+                    name,
+                    known: self.names.all(),
+                })
+            }
+        }
+    }
+
+    fn call(&mut self, name: &str, column: usize) -> Read {
+        let text = || self.text.trim().to_owned();
+        let Some(&(_, expected, function)) = NAMED.iter().find(|own| own.0 == name) else {
+            return Err(ExpressionProblem::UnknownFunction {
+                text: text(),
+                column,
+                name: name.to_owned(),
+            });
+        };
+        let mut found = 0;
+        if !self.take(")") {
+            loop {
+                self.comparison()?;
+                found += 1;
+                if !self.take(",") {
+                    break;
+                }
+            }
+            self.close("\",\", \")\" or an operator")?;
+        }
+        if found != expected {
+            return Err(ExpressionProblem::Arguments {
+                text: self.text.trim().to_owned(),
+                column,
+                name: name.to_owned(),
+                found,
+                expected,
+            });
+        }
+        self.push(Operation::Apply(function))
+    }
+}
