@@ -238,7 +238,10 @@ pub(super) struct Accepted {
 /// h_new / h = 0.9 ( tolerance / error )^(1 / (p + 1))                              (D-117)
 /// ```
 pub(super) fn factor(error: f64, order: usize) -> f64 {
-    SAFETY * error.max(f64::MIN_POSITIVE).powf(-1.0 / (order as f64 + 1.0))
+    SAFETY
+        * error
+            .max(f64::MIN_POSITIVE)
+            .powf(-1.0 / (order as f64 + 1.0))
 }
 
 /// By how much to cut a step whose local error is too large, or whose iteration failed.

@@ -32,6 +32,10 @@ use crate::solver::Worst;
 
 use super::rates::consistent_rates;
 
+mod own_axes;
+
+use own_axes::Blocks;
+
 /// Accepted states that are kept.
 const KEPT: usize = 2;
 /// Trial states.
@@ -57,6 +61,8 @@ pub(super) struct Multibody<'a> {
     states: [State; KEPT],
     trials: Vec<Trial>,
     variations: Vec<Variation>,
+    /// Nodes whose angular momentum is integrated in their own axes.
+    own_axes: Vec<Option<Blocks>>,
     work: Workspace,
     algebraic: Vec<bool>,
     is_simplified: bool,
@@ -89,6 +95,7 @@ impl<'a> Multibody<'a> {
             model,
             trials: (0..STAGES).map(|_| trial()).collect(),
             variations: vec![variation; nodes],
+            own_axes: own_axes::blocks(system),
             work: system.workspace(),
             algebraic: (0..numbering.unknowns())
                 .map(|place| place >= NODE_UNKNOWNS * nodes)
@@ -148,20 +155,34 @@ fn orthogonal(r: &Matrix3<f64>) -> Matrix3<f64> {
     r * (1.5 * Matrix3::identity() - 0.5 * r.transpose() * r)
 }
 
-fn write(node: &NodeMotion, origin: &NodeMotion, (y, rates): (&mut [f64], &mut [f64])) {
+/// Angular momentum and its rate as they are integrated: in space, or in the node's axes.
+fn integrated(node: &NodeMotion, in_own_axes: bool) -> [Vector3<f64>; 2] {
+    let (gamma, rate) = (node.angular_momentum, node.angular_momentum_rate);
+    if !in_own_axes {
+        return [gamma, rate];
+    }
+    let back = node.rotation.transpose();
+    [
+        back * gamma,
+        back * (rate - node.angular_velocity.cross(&gamma)),
+    ]
+}
+
+fn write(
+    node: &NodeMotion,
+    origin: &NodeMotion,
+    in_own_axes: bool,
+    (y, rates): (&mut [f64], &mut [f64]),
+) {
     let turn = gibbs::relative(&attitude(node), &origin.rotation);
+    let [gamma, gamma_rate] = integrated(node, in_own_axes);
     let changes = [
         node.position - origin.position,
         turn.parameters,
         node.momentum - origin.momentum,
-        node.angular_momentum - origin.angular_momentum,
+        gamma - integrated(origin, in_own_axes)[0],
     ];
-    let slopes = [
-        node.velocity,
-        turn.rate,
-        node.momentum_rate,
-        node.angular_momentum_rate,
-    ];
+    let slopes = [node.velocity, turn.rate, node.momentum_rate, gamma_rate];
     for i in 0..4 {
         y[3 * i..3 * i + 3].copy_from_slice(changes[i].as_slice());
         rates[3 * i..3 * i + 3].copy_from_slice(slopes[i].as_slice());
@@ -171,20 +192,30 @@ fn write(node: &NodeMotion, origin: &NodeMotion, (y, rates): (&mut [f64], &mut [
 /// A node moved from `base` by changes of its unknowns and of their rates; `turned` is
 /// its attitude after it. The rates of `base` count as far as `kept`.
 fn moved(
-    base: &NodeMotion,
+    (base, kept): (&NodeMotion, f64),
     turned: &Attitude,
+    in_own_axes: bool,
     (y, rates): (&[f64], &[f64]),
-    kept: f64,
 ) -> NodeMotion {
+    let [gamma, gamma_rate] = integrated(base, in_own_axes);
+    let (gamma, gamma_rate) = (gamma + part(y, 3), kept * gamma_rate + part(rates, 3));
+    let [gamma, gamma_rate] = match in_own_axes {
+        false => [gamma, gamma_rate],
+        true => {
+            let in_space = turned.rotation * gamma;
+            let turning = turned.angular_velocity.cross(&in_space);
+            [in_space, turned.rotation * gamma_rate + turning]
+        }
+    };
     NodeMotion {
         position: base.position + part(y, 0),
         rotation: turned.rotation,
         momentum: base.momentum + part(y, 2),
-        angular_momentum: base.angular_momentum + part(y, 3),
+        angular_momentum: gamma,
         velocity: kept * base.velocity + part(rates, 0),
         angular_velocity: turned.angular_velocity,
         momentum_rate: kept * base.momentum_rate + part(rates, 2),
-        angular_momentum_rate: kept * base.angular_momentum_rate + part(rates, 3),
+        angular_momentum_rate: gamma_rate,
     }
 }
 
@@ -206,8 +237,9 @@ impl Dae for Multibody<'_> {
         let numbers = ends
             .chunks_mut(NODE_UNKNOWNS)
             .zip(slopes.chunks_mut(NODE_UNKNOWNS));
-        for ((node, origin), out) in then.nodes.iter().zip(&latest.nodes).zip(numbers) {
-            write(node, origin, out);
+        let pairs = then.nodes.iter().zip(&latest.nodes).zip(&self.own_axes);
+        for (((node, origin), own), out) in pairs.zip(numbers) {
+            write(node, origin, own.is_some(), out);
         }
         let multipliers = then.multipliers.iter().zip(&latest.multipliers);
         let first = NODE_UNKNOWNS * nodes;
@@ -237,7 +269,8 @@ impl Dae for Multibody<'_> {
             split(rates, latest.nodes.len()),
         );
         let numbers = y.zip(rates);
-        for ((base, node), numbers) in trial.base.nodes.iter_mut().zip(&latest.nodes).zip(numbers) {
+        let bases = trial.base.nodes.iter_mut().zip(&self.own_axes);
+        for (((base, own), node), numbers) in bases.zip(&latest.nodes).zip(numbers) {
             let turn = Increment {
                 parameters: part(numbers.0, 1),
                 rate: part(numbers.1, 1),
@@ -246,7 +279,8 @@ impl Dae for Multibody<'_> {
                 rotation: node.rotation,
                 angular_velocity: Vector3::zeros(),
             };
-            *base = moved(node, &gibbs::corrected(&turn, &still), numbers, 0.0);
+            let turned = gibbs::corrected(&turn, &still);
+            *base = moved((node, 0.0), &turned, own.is_some(), numbers);
         }
         let old = latest.multipliers.iter().zip(multipliers);
         for (base, (latest, change)) in trial.base.multipliers.iter_mut().zip(old) {
@@ -263,13 +297,14 @@ impl Dae for Multibody<'_> {
         let trial = &mut self.trials[stage];
         let nodes = trial.base.nodes.len();
         let ((y, multipliers), (rates, _)) = (split(y, nodes), split(rates, nodes));
-        let bases = trial.base.nodes.iter().zip(y.zip(rates));
+        let bases = trial.base.nodes.iter().zip(&self.own_axes);
+        let bases = bases.zip(y.zip(rates));
         let states = trial.state.nodes.iter_mut().zip(&mut trial.turns);
-        for ((state, turn), (base, numbers)) in states.zip(bases) {
+        for ((state, turn), ((base, own), numbers)) in states.zip(bases) {
             turn.parameters = part(numbers.0, 1);
             turn.rate = part(numbers.1, 1);
             let turned = gibbs::corrected(turn, &attitude(base));
-            *state = moved(base, &turned, numbers, 1.0);
+            *state = moved((base, 1.0), &turned, own.is_some(), numbers);
         }
         let bases = trial.base.multipliers.iter().zip(multipliers);
         for (state, (base, change)) in trial.state.multipliers.iter_mut().zip(bases) {
@@ -306,6 +341,13 @@ impl Dae for Multibody<'_> {
             out,
             &mut self.work,
         );
+        let nodes = trial.state.nodes.iter().zip(&self.variations);
+        for ((node, variation), own) in nodes.zip(&self.own_axes) {
+            let Some(blocks) = own else { continue };
+            for sum in out.iter_mut() {
+                blocks.rewrite(node, variation, sum);
+            }
+        }
     }
 
     fn accept(&mut self, stage: usize) {

@@ -1,1 +1,7 @@
+//! Motion in time of small models.
 
+#![allow(clippy::unwrap_used, reason = "tests end when a model cannot be run")]
+
+mod bipendulum;
+mod models;
+mod rigid;
