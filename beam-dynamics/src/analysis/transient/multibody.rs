@@ -34,7 +34,7 @@ use super::rates::consistent_rates;
 
 mod own_axes;
 
-use own_axes::Blocks;
+use own_axes::OwnAxes;
 
 /// Accepted states that are kept.
 const KEPT: usize = 2;
@@ -61,8 +61,8 @@ pub(super) struct Multibody<'a> {
     states: [State; KEPT],
     trials: Vec<Trial>,
     variations: Vec<Variation>,
-    /// Nodes whose angular momentum is integrated in their own axes.
-    own_axes: Vec<Option<Blocks>>,
+    /// Nodes whose angular momentum is integrated in axes that follow their long axis.
+    own_axes: Vec<Option<OwnAxes>>,
     work: Workspace,
     algebraic: Vec<bool>,
     is_simplified: bool,
@@ -91,11 +91,12 @@ impl<'a> Multibody<'a> {
             turn: Matrix3::identity(),
             spin: Matrix3::zeros(),
         };
+        let tangent = system.tangent(&states[0], &model.conditions_at(0.0));
         Self {
             model,
             trials: (0..STAGES).map(|_| trial()).collect(),
             variations: vec![variation; nodes],
-            own_axes: own_axes::blocks(system),
+            own_axes: own_axes::find(system, &states[0].nodes, &tangent),
             work: system.workspace(),
             algebraic: (0..numbering.unknowns())
                 .map(|place| place >= NODE_UNKNOWNS * nodes)
@@ -155,32 +156,35 @@ fn orthogonal(r: &Matrix3<f64>) -> Matrix3<f64> {
     r * (1.5 * Matrix3::identity() - 0.5 * r.transpose() * r)
 }
 
-/// Angular momentum and its rate as they are integrated: in space, or in the node's axes.
-fn integrated(node: &NodeMotion, in_own_axes: bool) -> [Vector3<f64>; 2] {
+/// Where an angular momentum is integrated: in space, or in axes that follow a node from
+/// its latest accepted attitude.
+type Axes<'a> = Option<(&'a OwnAxes, &'a Matrix3<f64>)>;
+
+/// Angular momentum and its rate as they are integrated.
+fn integrated(node: &NodeMotion, axes: Axes<'_>) -> [Vector3<f64>; 2] {
     let (gamma, rate) = (node.angular_momentum, node.angular_momentum_rate);
-    if !in_own_axes {
+    let Some((own, origin)) = axes else {
         return [gamma, rate];
-    }
-    let back = node.rotation.transpose();
-    [
-        back * gamma,
-        back * (rate - node.angular_velocity.cross(&gamma)),
-    ]
+    };
+    let follows = own.at(origin, &node.rotation, &node.angular_velocity);
+    let back = follows.axes.transpose();
+    [back * gamma, back * (rate - follows.spin.cross(&gamma))]
 }
 
 fn write(
     node: &NodeMotion,
     origin: &NodeMotion,
-    in_own_axes: bool,
+    own: Option<&OwnAxes>,
     (y, rates): (&mut [f64], &mut [f64]),
 ) {
     let turn = gibbs::relative(&attitude(node), &origin.rotation);
-    let [gamma, gamma_rate] = integrated(node, in_own_axes);
+    let axes = own.map(|own| (own, &origin.rotation));
+    let [gamma, gamma_rate] = integrated(node, axes);
     let changes = [
         node.position - origin.position,
         turn.parameters,
         node.momentum - origin.momentum,
-        gamma - integrated(origin, in_own_axes)[0],
+        gamma - integrated(origin, axes)[0],
     ];
     let slopes = [node.velocity, turn.rate, node.momentum_rate, gamma_rate];
     for i in 0..4 {
@@ -194,17 +198,18 @@ fn write(
 fn moved(
     (base, kept): (&NodeMotion, f64),
     turned: &Attitude,
-    in_own_axes: bool,
+    axes: Axes<'_>,
     (y, rates): (&[f64], &[f64]),
 ) -> NodeMotion {
-    let [gamma, gamma_rate] = integrated(base, in_own_axes);
+    let [gamma, gamma_rate] = integrated(base, axes);
     let (gamma, gamma_rate) = (gamma + part(y, 3), kept * gamma_rate + part(rates, 3));
-    let [gamma, gamma_rate] = match in_own_axes {
-        false => [gamma, gamma_rate],
-        true => {
-            let in_space = turned.rotation * gamma;
-            let turning = turned.angular_velocity.cross(&in_space);
-            [in_space, turned.rotation * gamma_rate + turning]
+    let [gamma, gamma_rate] = match axes {
+        None => [gamma, gamma_rate],
+        Some((own, origin)) => {
+            let follows = own.at(origin, &turned.rotation, &turned.angular_velocity);
+            let in_space = follows.axes * gamma;
+            let turning = follows.spin.cross(&in_space);
+            [in_space, follows.axes * gamma_rate + turning]
         }
     };
     NodeMotion {
@@ -239,7 +244,7 @@ impl Dae for Multibody<'_> {
             .zip(slopes.chunks_mut(NODE_UNKNOWNS));
         let pairs = then.nodes.iter().zip(&latest.nodes).zip(&self.own_axes);
         for (((node, origin), own), out) in pairs.zip(numbers) {
-            write(node, origin, own.is_some(), out);
+            write(node, origin, own.as_ref(), out);
         }
         let multipliers = then.multipliers.iter().zip(&latest.multipliers);
         let first = NODE_UNKNOWNS * nodes;
@@ -280,7 +285,8 @@ impl Dae for Multibody<'_> {
                 angular_velocity: Vector3::zeros(),
             };
             let turned = gibbs::corrected(&turn, &still);
-            *base = moved((node, 0.0), &turned, own.is_some(), numbers);
+            let axes = own.as_ref().map(|own| (own, &node.rotation));
+            *base = moved((node, 0.0), &turned, axes, numbers);
         }
         let old = latest.multipliers.iter().zip(multipliers);
         for (base, (latest, change)) in trial.base.multipliers.iter_mut().zip(old) {
@@ -297,14 +303,15 @@ impl Dae for Multibody<'_> {
         let trial = &mut self.trials[stage];
         let nodes = trial.base.nodes.len();
         let ((y, multipliers), (rates, _)) = (split(y, nodes), split(rates, nodes));
-        let bases = trial.base.nodes.iter().zip(&self.own_axes);
-        let bases = bases.zip(y.zip(rates));
+        let origins = self.own_axes.iter().zip(&self.states[0].nodes);
+        let bases = trial.base.nodes.iter().zip(origins).zip(y.zip(rates));
         let states = trial.state.nodes.iter_mut().zip(&mut trial.turns);
-        for ((state, turn), ((base, own), numbers)) in states.zip(bases) {
+        for ((state, turn), ((base, (own, origin)), numbers)) in states.zip(bases) {
             turn.parameters = part(numbers.0, 1);
             turn.rate = part(numbers.1, 1);
             let turned = gibbs::corrected(turn, &attitude(base));
-            *state = moved((base, 1.0), &turned, own.is_some(), numbers);
+            let axes = own.as_ref().map(|own| (own, &origin.rotation));
+            *state = moved((base, 1.0), &turned, axes, numbers);
         }
         let bases = trial.base.multipliers.iter().zip(multipliers);
         for (state, (base, change)) in trial.state.multipliers.iter_mut().zip(bases) {
@@ -342,10 +349,11 @@ impl Dae for Multibody<'_> {
             &mut self.work,
         );
         let nodes = trial.state.nodes.iter().zip(&self.variations);
-        for ((node, variation), own) in nodes.zip(&self.own_axes) {
-            let Some(blocks) = own else { continue };
+        let origins = self.own_axes.iter().zip(&self.states[0].nodes);
+        for ((node, variation), (own, origin)) in nodes.zip(origins) {
+            let Some(own) = own else { continue };
             for sum in out.iter_mut() {
-                blocks.rewrite(node, variation, sum);
+                own.rewrite(node, &origin.rotation, variation, sum);
             }
         }
     }

@@ -3,5 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests end when a model cannot be run")]
 
 mod bipendulum;
+mod flexible;
+mod jacobian;
 mod models;
 mod rigid;
