@@ -14,10 +14,15 @@ const PEAK: f64 = 86.9;
 
 fn run(to: f64, step: f64) -> Run {
     let every = (0.025 / step).round() as usize;
-    Run::attempt("bipendulum", "bipendulum.dynamics.toml", every, |question| {
-        question.to = to;
-        question.stepping = Stepping::Constant { step };
-    })
+    Run::attempt(
+        "bipendulum",
+        "bipendulum.dynamics.toml",
+        every,
+        |question| {
+            question.to = to;
+            question.stepping = Stepping::Constant { step };
+        },
+    )
 }
 
 /// Largest errors of positions and of joint forces.
@@ -45,7 +50,13 @@ fn positions_and_reactions_follow() {
     let run = run(5.0, 5e-4);
     run.check_end();
     let [place, force] = errors(&run, 5.0);
-    record::largest(SOURCE, "bipendulum", "positions to 5 s, step 0.5 ms [m]", place, 2e-4);
+    record::largest(
+        SOURCE,
+        "bipendulum",
+        "positions to 5 s, step 0.5 ms [m]",
+        place,
+        2e-4,
+    );
     record::largest(
         SOURCE,
         "bipendulum",
@@ -67,7 +78,13 @@ fn the_first_reactions_are_those_of_the_motion() {
     let start = run.reaction("joint 1", "link 1", 0.0)[0];
     let expected = Vector3::new(0.0, 14.608, 3.739_630_072_75);
     let error = (start - expected).norm();
-    record::largest(SOURCE, "bipendulum", "first reaction of joint 1 [N]", error, 1e-6);
+    record::largest(
+        SOURCE,
+        "bipendulum",
+        "first reaction of joint 1 [N]",
+        error,
+        1e-6,
+    );
     assert!(error < 1e-6, "{start}");
     let mut last = start;
     for step in 1..=25 {

@@ -22,7 +22,10 @@ fn angle_error(file: &str, step: f64) -> f64 {
         question.stepping = Stepping::Constant { step };
     });
     let table = Table::new("bathe_pendulum.csv");
-    let errors = table.rows.iter().map(|row| (angle(&run, row[0]) - row[1]).abs());
+    let errors = table
+        .rows
+        .iter()
+        .map(|row| (angle(&run, row[0]) - row[1]).abs());
     errors.fold(0.0, f64::max)
 }
 
@@ -50,7 +53,9 @@ fn the_rod_stretches_as_it_should() {
     let source = "ordinary differential equations, 1e-12";
     for start in ["unstretched", "balanced"] {
         let file = format!("{start}.dynamics.toml");
-        let run = Run::new("deformable_pendulum", &file, 80, |question| question.to = 1.0);
+        let run = Run::new("deformable_pendulum", &file, 80, |question| {
+            question.to = 1.0
+        });
         let table = Table::new(&format!("deformable_pendulum_{start}.csv"));
         let column = table.column("elongation");
         let rows = || table.rows.iter().filter(|row| row[0] < 1.0 + 1e-9);
@@ -74,7 +79,13 @@ fn a_step_too_long_for_the_rod() {
         (
             "unstretched",
             0.6,
-            [0.000_911_5, 0.000_355_9, 0.000_338_3, 0.000_752_3, 0.000_183_1],
+            [
+                0.000_911_5,
+                0.000_355_9,
+                0.000_338_3,
+                0.000_752_3,
+                0.000_183_1,
+            ],
             1e-7,
         ),
         (
@@ -86,7 +97,13 @@ fn a_step_too_long_for_the_rod() {
         (
             "balanced",
             0.6,
-            [0.000_503_7, 0.000_495_9, 0.000_484_7, 0.000_469_1, 0.000_450_2],
+            [
+                0.000_503_7,
+                0.000_495_9,
+                0.000_484_7,
+                0.000_469_1,
+                0.000_450_2,
+            ],
             1e-7,
         ),
     ] {

@@ -33,12 +33,19 @@ fn a_free_body_keeps_its_momenta() {
         let start = momenta(&run.instants[0].1);
         for (number, quantity) in ["momentum", "angular momentum"].iter().enumerate() {
             let size = start[number].norm();
-            let changes = run.instants.iter().map(|(_, state)| {
-                (momenta(state)[number] - start[number]).norm() / size
-            });
+            let changes = run
+                .instants
+                .iter()
+                .map(|(_, state)| (momenta(state)[number] - start[number]).norm() / size);
             let change = changes.fold(0.0, f64::max);
             let case = format!("free body, {name}");
-            record::largest(BALANCE, &case, &format!("{quantity}, relative"), change, 1e-10);
+            record::largest(
+                BALANCE,
+                &case,
+                &format!("{quantity}, relative"),
+                change,
+                1e-10,
+            );
             assert!(change < 1e-10, "{case}: {quantity} {change:e}");
         }
     }
@@ -72,11 +79,22 @@ fn a_free_body_tumbles_as_euler_says() {
     for (number, quantity) in ["place", "angular velocity", "energy"].iter().enumerate() {
         let order = (coarse[number] / fine[number]).log2();
         record::order("Euler's equations", "free body", quantity, order, 1.9);
-        assert!(order > 1.9, "{quantity}: {:e} {:e}", coarse[number], fine[number]);
+        assert!(
+            order > 1.9,
+            "{quantity}: {:e} {:e}",
+            coarse[number],
+            fine[number]
+        );
     }
     // Four turns at 10 ms: an error of a thousandth of a turn.
     let source = "Euler's equations";
-    record::largest(source, "free body", "place to 10 s, step 5 ms [m]", fine[0], 2e-3);
+    record::largest(
+        source,
+        "free body",
+        "place to 10 s, step 5 ms [m]",
+        fine[0],
+        2e-3,
+    );
     assert!(fine[0] < 2e-3, "{:e}", fine[0]);
 }
 
@@ -123,6 +141,11 @@ fn a_flying_beam_keeps_energy_and_angular_momentum() {
     for (number, quantity) in ["energy", "angular momentum"].iter().enumerate() {
         let order = (coarse[number] / fine[number]).log2();
         record::order("free flight", "flying beam", quantity, order, 1.8);
-        assert!(order > 1.8, "{quantity}: {:e} {:e}", coarse[number], fine[number]);
+        assert!(
+            order > 1.8,
+            "{quantity}: {:e} {:e}",
+            coarse[number],
+            fine[number]
+        );
     }
 }

@@ -48,12 +48,9 @@ impl Run {
     }
 
     /// The same of any file.
-    pub fn of_file(
-        path: &Path,
-        every: usize,
-        change: impl FnOnce(&mut TransientQuestion),
-    ) -> Self {
-        let input = beam_dynamics::input::read(path).unwrap_or_else(|problems| panic!("{problems}"));
+    pub fn of_file(path: &Path, every: usize, change: impl FnOnce(&mut TransientQuestion)) -> Self {
+        let input =
+            beam_dynamics::input::read(path).unwrap_or_else(|problems| panic!("{problems}"));
         let mut question = input.transient.unwrap();
         change(&mut question);
         Self::of(input.model, &question, every)
@@ -124,7 +121,10 @@ impl Run {
         joint: &str,
         node: usize,
     ) -> [Vector3<f64>; 2] {
-        let observed = self.model.system.observe(state, &self.model.conditions_at(time));
+        let observed = self
+            .model
+            .system
+            .observe(state, &self.model.conditions_at(time));
         let mut reactions = observed.reactions.iter();
         let found = reactions.find(|reaction| reaction.joint == joint && reaction.node == node);
         let found = found.unwrap_or_else(|| panic!("no reaction of \"{joint}\""));
@@ -133,7 +133,9 @@ impl Run {
 
     /// Energy of the whole model at a state.
     pub fn energy(&self, state: &State, time: f64) -> Energy {
-        self.model.system.energy(state, &self.model.conditions_at(time))
+        self.model
+            .system
+            .energy(state, &self.model.conditions_at(time))
     }
 }
 

@@ -58,7 +58,10 @@ fn check(beams: usize, word: &str) {
         0.005,
     );
     assert!((time - 0.64).abs() < 0.005, "{case}: {peak} N at {time} s");
-    assert!((90.0..150.0).contains(&peak), "{case}: {peak} N at {time} s");
+    assert!(
+        (90.0..150.0).contains(&peak),
+        "{case}: {peak} N at {time} s"
+    );
 }
 
 #[test]

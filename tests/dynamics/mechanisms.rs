@@ -68,11 +68,28 @@ fn the_squeezer_reaches_its_published_state() {
     let [coarse, fine] = [2e-5, 1e-5].map(|step| squeezer(scheme, step));
     for (number, quantity) in ["angles", "angular velocities"].iter().enumerate() {
         let order = (coarse[number] / fine[number]).log2();
-        record::order(source, "squeezer", &format!("order of {quantity}"), order, 1.9);
-        assert!(order > 1.9, "{quantity}: {:e} {:e}", coarse[number], fine[number]);
+        record::order(
+            source,
+            "squeezer",
+            &format!("order of {quantity}"),
+            order,
+            1.9,
+        );
+        assert!(
+            order > 1.9,
+            "{quantity}: {:e} {:e}",
+            coarse[number],
+            fine[number]
+        );
     }
     let error = fine[0];
-    record::largest(source, "squeezer", "angles at 30 ms, step 10 us [rad]", error, 1e-2);
+    record::largest(
+        source,
+        "squeezer",
+        "angles at 30 ms, step 10 us [rad]",
+        error,
+        1e-2,
+    );
     assert!(error < 1e-2, "{error:e}");
 }
 
@@ -81,7 +98,13 @@ fn the_squeezer_reaches_its_published_state() {
 fn the_squeezer_by_radau() {
     let source = "Test Set for Initial Value Problem Solvers, andrews";
     let [error, rate] = squeezer(Scheme::Parabolic { zeta: -2.0 / 3.0 }, 2e-5);
-    record::largest(source, "squeezer, Radau IIA", "angles at 30 ms [rad]", error, 1e-4);
+    record::largest(
+        source,
+        "squeezer, Radau IIA",
+        "angles at 30 ms [rad]",
+        error,
+        1e-4,
+    );
     assert!(error < 1e-4 && rate < 1e-4, "{error:e} {rate:e}");
 }
 
@@ -92,8 +115,17 @@ fn the_rod_of_the_slider_crank_bends() {
     let run = Run::new("slider_crank", "slider_crank.dynamics.toml", 25, |_| {});
     let table = Table::new("slider_crank.csv");
     let [slider, bend] = ["x_slider", "deflection"].map(|name| table.column(name));
-    let count = (0..).take_while(|k| run.model.system.nodes().iter().any(|node| node.label == format!("rod {k}"))).count();
-    let [first, middle, last] = [0, (count - 1) / 2, count - 1].map(|k| run.node(&format!("rod {k}")));
+    let count = (0..)
+        .take_while(|k| {
+            run.model
+                .system
+                .nodes()
+                .iter()
+                .any(|node| node.label == format!("rod {k}"))
+        })
+        .count();
+    let [first, middle, last] =
+        [0, (count - 1) / 2, count - 1].map(|k| run.node(&format!("rod {k}")));
     let (mut bends, mut slides) = (0.0_f64, 0.0_f64);
     for row in &table.rows {
         let state = run.at(row[0]);
@@ -104,8 +136,20 @@ fn the_rod_of_the_slider_crank_bends() {
         slides = slides.max((place(last).x - row[slider]).abs());
     }
     let source = "eight quadratic elements of a plane beam, independent script";
-    record::largest(source, "slider-crank", "bending of the rod [m]", bends, 2e-5);
-    record::largest(source, "slider-crank", "place of the slider [m]", slides, 3e-5);
+    record::largest(
+        source,
+        "slider-crank",
+        "bending of the rod [m]",
+        bends,
+        2e-5,
+    );
+    record::largest(
+        source,
+        "slider-crank",
+        "place of the slider [m]",
+        slides,
+        3e-5,
+    );
     assert!(bends < 2e-5 && slides < 3e-5, "{bends:e} {slides:e}");
 }
 
@@ -130,8 +174,20 @@ fn bennetts_mechanism_moves() {
         moments = moments.max((found.dot(&Vector3::z()) - row[moment]).abs());
     }
     let source = "closed form, Bennett 1903";
-    record::largest(source, "Bennett mechanism", "places of the hinges [m]", places, 1e-7);
-    record::largest(source, "Bennett mechanism", "moment of the drive [N m]", moments, 0.02);
+    record::largest(
+        source,
+        "Bennett mechanism",
+        "places of the hinges [m]",
+        places,
+        1e-7,
+    );
+    record::largest(
+        source,
+        "Bennett mechanism",
+        "moment of the drive [N m]",
+        moments,
+        0.02,
+    );
     assert!(places < 1e-7 && moments < 0.02, "{places:e} {moments:e}");
 }
 
@@ -144,5 +200,9 @@ fn redundant_constraints_are_named() {
     let failure = run.outcome.failure.unwrap();
     let told = failure.to_string();
     assert!(told.contains("hinge"), "{told}");
-    assert!(failure.remedy().contains("redundant"), "{}", failure.remedy());
+    assert!(
+        failure.remedy().contains("redundant"),
+        "{}",
+        failure.remedy()
+    );
 }

@@ -64,8 +64,16 @@ fn errors_are_those_of_the_tables() {
 fn orders_of_the_stage_formulas() {
     let source = "orders on index 3, thesis appendix B";
     for (name, scheme, least) in [
-        ("Radau IIA", Scheme::Parabolic { zeta: -2.0 / 3.0 }, [3, 2, 1]),
-        ("cubic, radius 0.6", Scheme::Cubic { radius: 0.6 }, [3, 3, 2]),
+        (
+            "Radau IIA",
+            Scheme::Parabolic { zeta: -2.0 / 3.0 },
+            [3, 2, 1],
+        ),
+        (
+            "cubic, radius 0.6",
+            Scheme::Cubic { radius: 0.6 },
+            [3, 3, 2],
+        ),
     ] {
         let (coarse, fine) = (errors(scheme, 0.025), errors(scheme, 0.0125));
         let order = |k: usize| (coarse[k] / fine[k]).log2();
@@ -76,7 +84,13 @@ fn orders_of_the_stage_formulas() {
         ] {
             // Half way to the asymptote of a step that is halved once more.
             let least = f64::from(least) - 0.3;
-            record::order(source, name, &format!("order of {quantity}"), order(k), least);
+            record::order(
+                source,
+                name,
+                &format!("order of {quantity}"),
+                order(k),
+                least,
+            );
             assert!(order(k) > least, "{name}: {quantity} {}", order(k));
         }
     }

@@ -32,7 +32,13 @@ fn the_mass_center_follows_its_path() {
     for (case, tolerance) in [(1, 1e-5), (2, 1e-5), (3, 1e-5)] {
         let error = error(case, 10.0, 1e-3);
         let name = format!("spinning top, case {case}");
-        record::largest(source, &name, "mass center to 10 s, step 1 ms", error, tolerance);
+        record::largest(
+            source,
+            &name,
+            "mass center to 10 s, step 1 ms",
+            error,
+            tolerance,
+        );
         assert!(error < tolerance, "{name}: {error:e}");
     }
 }

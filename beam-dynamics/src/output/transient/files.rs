@@ -76,11 +76,15 @@ impl<'a> RunFiles<'a> {
             }
             Some(snapshot) => {
                 if let Some((grids, _)) = &mut files.grids {
-                    grids.resume(&files.results, snapshot.time);
+                    grids.resume(&files.results, snapshot.progress.time);
                 }
             }
         }
-        files.open_tables(model, question, resumed.map(|snapshot| snapshot.time))?;
+        files.open_tables(
+            model,
+            question,
+            resumed.map(|snapshot| snapshot.progress.time),
+        )?;
         Ok(files)
     }
 
@@ -182,7 +186,7 @@ impl Recorder for RunFiles<'_> {
     fn keep(&mut self, snapshot: &Snapshot) -> bool {
         let path = self.results.path(RESTART);
         if let Some(beat) = &mut self.restarts {
-            beat.last = Some(beat.number(snapshot.step, snapshot.time));
+            beat.last = Some(beat.number(snapshot.step, snapshot.progress.time));
         }
         match write_snapshot(snapshot, &path) {
             Ok(()) => {
@@ -222,7 +226,7 @@ impl Beat {
     /// A beat that has just been at `resumed`.
     fn new(every: Every, resumed: Option<&Snapshot>) -> Self {
         let mut beat = Self { every, last: None };
-        beat.last = resumed.map(|snapshot| beat.number(snapshot.step, snapshot.time));
+        beat.last = resumed.map(|snapshot| beat.number(snapshot.step, snapshot.progress.time));
         beat
     }
 
