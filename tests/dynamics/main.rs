@@ -23,6 +23,7 @@ mod mbdyn_model;
 mod mechanisms;
 mod pendulum;
 mod postbuckling;
+mod probe;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;

@@ -270,7 +270,9 @@ impl Corrector {
         let start = (meter.clock)();
         self.matrix.combine(dae, weights);
         let combined = (meter.clock)();
+        let pivotings = self.solver.counts().pivotings;
         let factorized = self.solver.factorize(self.matrix.matrix());
+        meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
         let end = (meter.clock)();
         meter.counters.jacobians += 1;
         meter.counters.jacobian_time += combined - start;
@@ -299,7 +301,9 @@ impl Corrector {
                 self.solution[stages * i + stage] = -value;
             }
         }
+        let pivotings = self.solver.counts().pivotings;
         let solved = self.solver.solve(&mut self.solution);
+        meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
         meter.counters.solution_time += (meter.clock)() - start;
         meter.counters.iterations += 1;
         solved.ok_or(Reason::Singular)?;
