@@ -63,8 +63,9 @@ const LEAST_CONSTANT: f64 = 1.0 / 720.0;
 /// The cubic through two states does not reach farther than this, in steps before.
 const REACH: f64 = 4.0;
 
-/// A jump of the rates that is a smaller part of their change in the step before disturbs
-/// formulas of second order in their third order.
+/// A jump of the rates that is a smaller part of their change in the step before, which is
+/// of the order of h, costs a two-step formula an error of the order of h^2, once: what it
+/// makes in a whole run.
 const SMALL_JUMP: f64 = 0.5;
 
 impl Integrator {
