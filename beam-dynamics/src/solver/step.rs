@@ -34,6 +34,8 @@ pub struct LinearCounts {
 /// fulfill their equations. Where that fails new ones are chosen, and where these fail
 /// too, the factorization of [`LinearSolver`] takes over. Nothing is allocated while
 /// pivots are kept.
+///
+/// References: [Arioli1989], the error of a solution.
 #[derive(Debug)]
 pub struct StepSolver {
     matrix: Sparse,
