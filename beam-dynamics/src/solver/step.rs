@@ -183,7 +183,7 @@ impl StepSolver {
     }
 
     /// Largest residual `b - A x` relative to the terms of its equation,
-    /// `|r_i| / (|A| |x| + |b|)_i`.
+    /// `|r_i| / (|A| |x| + |b|)_i` (D-135).
     fn error(&mut self, x: &[f64]) -> f64 {
         self.residual.copy_from_slice(&self.right_side);
         let sizes = self.sizes.iter_mut().zip(&self.right_side);

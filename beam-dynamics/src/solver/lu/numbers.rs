@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! above:     u_p = x_p - sum_{j < p} l_pj u_j           rows p of the segments
-//!            x_r <- x_r - sum_j l_rj u_j                rows r below them
+//!            x_r <- x_r - sum_j l_rj u_j                rows r below them    (D-133)
 //! diagonal:  u_dd = x_d,  l_rd = x_r / u_dd             in the panel of the strip
 //! ```
 //!
@@ -47,7 +47,7 @@ pub(super) struct Growth {
 
 impl Growth {
     /// By how much the rounding of the factors exceeds that of the matrix [-]:
-    /// `max|L| max|U| / max|A|`.
+    /// `max|L| max|U| / max|A|` (D-134).
     pub fn factor(&self) -> f64 {
         self.lower.max(1.0) * self.upper / self.matrix
     }
