@@ -9,6 +9,7 @@ use crate::model::{Loading, NodeMotion, TurningFrame};
 pub mod beams;
 pub mod bodies;
 pub mod joints;
+pub mod laws;
 pub mod loads;
 pub mod springs;
 
@@ -16,6 +17,8 @@ mod constraint;
 mod local;
 mod motion;
 mod observation;
+mod reduced;
+mod signal;
 
 #[cfg(test)]
 mod jacobian_tests;
@@ -25,7 +28,11 @@ mod rates_tests;
 pub use constraint::{ConstraintRates, Energy, Level};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
-pub use observation::{JointState, Observations, Reaction, ReactionAxes, SectionState};
+pub use observation::{
+    JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
+};
+pub use reduced::ReducedElement;
+pub use signal::{Post, Sensed, Sensor, Signal};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
 #[derive(Debug, Clone, Copy)]
@@ -96,6 +103,12 @@ pub trait Element: Debug + Send + Sync {
     /// Adds the derivatives of the residual. The blocks that are added must be the
     /// same at every state, so that the pattern of the system is found once.
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian);
+
+    /// Whether it resists every relative motion of its nodes without constraints, as a beam
+    /// does.
+    fn joins_nodes(&self) -> bool {
+        false
+    }
 
     /// Relative motions of its nodes at the undeformed state that the element, beside its
     /// constraints, resists by springs or leaves free on purpose.

@@ -21,6 +21,7 @@ pub mod mesh;
 pub mod quadrature;
 pub mod rotation;
 pub mod section;
+pub mod spline;
 pub mod units;
 pub mod vtk;
 pub mod wrench;

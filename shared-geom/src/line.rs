@@ -19,7 +19,6 @@ use nalgebra::{Matrix3, Vector3};
 mod arc;
 mod curve;
 mod problem;
-mod spline;
 
 pub use curve::Curve;
 pub use problem::LineProblem;

@@ -64,7 +64,6 @@ impl Dimension {
     pub const FORCE_TIME: Self = Self::of(1, 1, -1, 0);
     /// Bending and torsional viscosity of a section, in N m^2 s inside.
     pub const BENDING_TIME: Self = Self::of(3, 1, -1, 0);
-
     /// Velocity, in m/s inside.
     pub const VELOCITY: Self = Self::of(1, 0, -1, 0);
     /// Force per length, in N/m inside.
@@ -82,7 +81,8 @@ impl Dimension {
     }
 
     /// Product with `other` raised to `power`; exponents saturate.
-    fn times(self, other: Self, power: i8) -> Self {
+    #[must_use]
+    pub fn times(self, other: Self, power: i8) -> Self {
         let add = |a: i8, b: i8| a.saturating_add(b.saturating_mul(power));
         Self {
             length: add(self.length, other.length),

@@ -61,7 +61,7 @@ impl Explain for Mechanism {
 pub struct Mobility {
     /// Motions that nothing resists and no hinge allows; none in a sound model.
     pub mechanisms: Vec<Mechanism>,
-    /// Names of the hinges that can turn.
+    /// Names of the hinges and other joints that can move.
     pub free_hinges: Vec<String>,
 }
 
@@ -96,7 +96,8 @@ pub fn find(system: &System) -> Mobility {
     }
     let turns = |row: &RowDVector<f64>| (row * &unlocked).amax() > VISIBLE;
     let free_hinges = free.iter().filter(|(_, row)| turns(row));
-    let free_hinges = free_hinges.map(|(label, _)| (*label).to_owned()).collect();
+    let mut free_hinges: Vec<_> = free_hinges.map(|(label, _)| (*label).to_owned()).collect();
+    free_hinges.dedup();
     rows.extend(free.into_iter().map(|(_, row)| row));
     let forgotten = null_space(&rows, 6 * parts.len());
     let mechanisms = parts.iter().enumerate().filter_map(|(i, part)| {
@@ -110,11 +111,11 @@ pub fn find(system: &System) -> Mobility {
     }
 }
 
-/// Nodes connected through elements without constraints.
+/// Nodes connected through elements that resist all their relative motions.
 fn rigid_parts(system: &System) -> Vec<Part> {
     let count = system.nodes().len();
     let mut part_of: Vec<usize> = (0..count).collect();
-    for element in system.elements().filter(|e| e.multipliers() == 0) {
+    for element in system.elements().filter(|e| e.joins_nodes()) {
         for pair in element.nodes().windows(2) {
             let (a, b) = (part_of[pair[0]], part_of[pair[1]]);
             part_of.iter_mut().filter(|p| **p == b).for_each(|p| *p = a);

@@ -94,6 +94,27 @@ impl JointState {
     }
 }
 
+/// A rod, or a spring between two nodes or between the frame and a node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpringState {
+    /// Name of the rod or spring.
+    pub spring: String,
+    /// Axes in which the vectors below are (columns), in the model's frame: those of the
+    /// first node, or of a rod its line and two directions across it [-].
+    pub axes: Matrix3<f64>,
+    /// Displacement of the second end against the first since the undeformed state; of a
+    /// rod its elongation and zeros [m].
+    pub displacement: Vector3<f64>,
+    /// Rotation vector of the second end against the first; of a rod zero [rad].
+    pub rotation: Vector3<f64>,
+    /// Force with which the spring resists the displacement: of a rod its tension and
+    /// zeros [N].
+    pub force: Vector3<f64>,
+    /// Moment with which the spring resists the rotation, on its first end and about the
+    /// place of the second [N m].
+    pub moment: Vector3<f64>,
+}
+
 /// All that the elements tell, in their order.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Observations {
@@ -103,4 +124,6 @@ pub struct Observations {
     pub reactions: Vec<Reaction>,
     /// Joints.
     pub joints: Vec<JointState>,
+    /// Rods and springs between two ends.
+    pub springs: Vec<SpringState>,
 }

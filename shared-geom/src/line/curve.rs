@@ -3,9 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::arc::{self, Frame};
-use super::spline::Spline;
 use super::{Course, LinePoint, Placed, ReferenceLine, Side, about_x};
 use crate::quadrature;
+use crate::spline::Spline;
 
 /// Points of the Gauss rule for the length of a spline.
 const RULE: usize = 6;

@@ -1,7 +1,7 @@
 //! How the constraints of a system change by themselves.
 
 use super::System;
-use crate::elements::{ConstraintRates, Energy};
+use crate::elements::ConstraintRates;
 use crate::model::{Conditions, NodeMotion, State};
 
 impl System {
@@ -29,16 +29,5 @@ impl System {
             }
         }
         Some((by_time, convective))
-    }
-
-    /// Energy of all elements.
-    pub fn energy(&self, state: &State, conditions: &Conditions) -> Energy {
-        let mut energy = Energy::default();
-        for (index, element) in self.elements.iter().enumerate() {
-            let nodes = element.nodes().iter().map(|&node| state.nodes[node]);
-            let nodes: Vec<NodeMotion> = nodes.collect();
-            energy += element.energy(&self.seen_by(index, &nodes, state, conditions));
-        }
-        energy
     }
 }

@@ -16,6 +16,8 @@
 //! node 3: - F_II           - M_II       - (p_II - x_3) x F_II
 //! ```
 //!
+//! The elastic energy is taken by the same two points, `sum 1/2 eps . K eps J0`.
+//!
 //! Variations (see [`super::interpolation`] for theta and d p):
 //!
 //! ```text
@@ -32,7 +34,7 @@ use shared_geom::rotation::{gibbs, skew};
 use super::geometry::{BeamGeometry, ReferencePoint};
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::elements::{
-    Along, Element, Local, LocalJacobian, LocalResidual, Observations, SectionState,
+    Along, Element, Energy, Local, LocalJacobian, LocalResidual, Observations, SectionState,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
@@ -212,6 +214,21 @@ impl Element for ElasticBeam {
 
     fn nodes(&self) -> &[usize] {
         &self.nodes
+    }
+
+    fn joins_nodes(&self) -> bool {
+        true
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let strains = self.strains(at.nodes);
+        let of_point = |(point, strain): (&EvaluationPoint, &Vector6<f64>)| {
+            0.5 * strain.dot(&(point.stiffness * strain)) * point.reference.j0
+        };
+        Energy {
+            elastic: self.points.iter().zip(&strains).map(of_point).sum(),
+            ..Energy::default()
+        }
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

@@ -11,6 +11,8 @@
 //! angular momentum  - int_k [(p - x_k) x h + k] ds
 //! force balance       int_k m a_g ds                       a_g: acceleration of gravity
 //! moment balance      int_k [(p - x_k) x m a_g + S x a_g] ds
+//! kinetic energy    1/2 int (p' . h + omega . k) ds
+//! potential           - int (m p + S) . a_g ds         (zero at the origin)
 //! ```
 //!
 //! with mass m, first moment S and inertia J per length, turned with the section.
@@ -34,7 +36,7 @@ use super::elastic::ElasticBeam;
 use super::geometry::BeamGeometry;
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::elements::bodies::RigidInertia;
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
+use crate::elements::{Element, Energy, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 
@@ -270,6 +272,19 @@ impl Element for BeamInertia {
 
     fn nodes(&self) -> &[usize] {
         &self.nodes
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let mut sum = Energy::default();
+        for mass in &self.points {
+            let motion = mass.motion(&nodal, at.nodes, at.frame);
+            let twice = motion.velocity.dot(&motion.h) + motion.omega.dot(&motion.k);
+            let moment_of_mass = mass.mass * motion.point.p + motion.s;
+            sum.kinetic += 0.5 * mass.length * twice;
+            sum.gravity -= mass.length * moment_of_mass.dot(&at.loading.gravity);
+        }
+        sum
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

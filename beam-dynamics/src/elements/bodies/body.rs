@@ -8,6 +8,8 @@
 //! angular momentum   - (S x v + J omega)
 //! force balance        m a_g                       a_g: acceleration of gravity
 //! moment balance       S x a_g
+//! kinetic energy       1/2 v . (m v + omega x S) + 1/2 omega . (S x v + J omega)
+//! potential          - (m x + S) . a_g             (zero at the origin)
 //! ```
 //!
 //! References: [Masarati], momentum and momenta moment of a rigid body.
@@ -15,7 +17,7 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
+use crate::elements::{Element, Energy, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{NodeMotion, TurningFrame, Variable};
 
@@ -98,6 +100,19 @@ impl Element for RigidBody {
 
     fn nodes(&self) -> &[usize] {
         &self.nodes
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let node = &at.nodes[0];
+        let Kinematics { s, j, v, omega } = self.kinematics(node, at.frame);
+        let momentum = self.inertia.mass * v + omega.cross(&s);
+        let angular = s.cross(&v) + j * omega;
+        let moment_of_mass = self.inertia.mass * node.position + s;
+        Energy {
+            kinetic: 0.5 * (v.dot(&momentum) + omega.dot(&angular)),
+            gravity: -moment_of_mass.dot(&at.loading.gravity),
+            ..Energy::default()
+        }
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

@@ -35,8 +35,8 @@ use shared_geom::rotation::skew;
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
 use crate::elements::{
-    Along, ConstraintRates, Element, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    prestress_of_multipliers,
+    Along, ConstraintRates, Element, Energy, Local, LocalJacobian, LocalResidual, Motion,
+    Observations, prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Node, NodeMotion, Variable};
@@ -192,6 +192,21 @@ impl Element for Hinge {
 
     fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
         self.joint.constraint_rates(at, out)
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let HingeSpring {
+            stiffness, angle, ..
+        } = self.spring;
+        // A free hinge may stand where its angle has no value.
+        let turned = match stiffness == 0.0 {
+            true => 0.0,
+            false => self.angle(at.nodes) - angle,
+        };
+        Energy {
+            elastic: 0.5 * stiffness * turned * turned,
+            ..Energy::default()
+        }
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

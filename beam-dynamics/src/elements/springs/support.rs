@@ -29,7 +29,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use crate::elements::{
-    Along, Element, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
+    Along, Element, Energy, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
@@ -155,6 +155,16 @@ impl Element for SupportSpring {
 
     fn nodes(&self) -> &[usize] {
         &self.nodes
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let State { u, psi, .. } = self.state(&at.nodes[0], at.frame);
+        let along = u.dot(&(self.law.stiffness * u));
+        let about = psi.dot(&(self.law.turning_stiffness * psi));
+        Energy {
+            elastic: 0.5 * (along + about),
+            ..Energy::default()
+        }
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

@@ -1,0 +1,159 @@
+//! Constitutive laws: the force of a spring, a rod or a beam section from its strain.
+//!
+//! Of dimension N = 1 (rods), 3 (displacement, or rotation) or 6 (both, and beam
+//! sections). A law is a sum of terms. With the strain eps, its rate and the time t, each
+//! term gives
+//!
+//! ```text
+//! f = g( eps - eps_0(t), eps' - eps_0'(t) ) + f_0(t)
+//! ```
+//!
+//! with a prestrain eps_0 and a prestress f_0, each a constant vector times a drive, and
+//! one of the functions g of [`LawKind`].
+
+mod curve;
+mod expression;
+mod kind;
+mod per_component;
+
+#[cfg(test)]
+mod tests;
+
+use nalgebra::{SMatrix, SVector};
+
+pub use curve::{Between, Curve, Outside};
+pub use expression::ExpressionLaw;
+pub use kind::LawKind;
+pub use per_component::{Bilinear, Cubic};
+
+use crate::model::Drive;
+
+/// A force, with its derivatives by strain and by rate of strain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Response<const N: usize> {
+    /// The force [N, N m].
+    pub force: SVector<f64, N>,
+    /// Its derivative by the strain [unit of force / unit of strain].
+    pub by_strain: SMatrix<f64, N, N>,
+    /// Its derivative by the rate of strain [unit of force s / unit of strain].
+    pub by_rate: SMatrix<f64, N, N>,
+}
+
+impl<const N: usize> Response<N> {
+    /// No force.
+    pub fn zero() -> Self {
+        Self {
+            force: SVector::zeros(),
+            by_strain: SMatrix::zeros(),
+            by_rate: SMatrix::zeros(),
+        }
+    }
+}
+
+/// A constant vector times a drive.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Driven<const N: usize> {
+    /// The vector for the drive one [unit of strain or force].
+    pub vector: SVector<f64, N>,
+    /// What it is multiplied with [-].
+    pub drive: Drive,
+}
+
+/// One term of a law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Term<const N: usize> {
+    /// The function.
+    pub kind: LawKind<N>,
+    /// Strain at which the function vanishes.
+    pub prestrain: Option<Driven<N>>,
+    /// Force beside the function.
+    pub prestress: Option<Driven<N>>,
+}
+
+impl<const N: usize> From<LawKind<N>> for Term<N> {
+    fn from(kind: LawKind<N>) -> Self {
+        Self {
+            kind,
+            prestrain: None,
+            prestress: None,
+        }
+    }
+}
+
+/// A constitutive law: the sum of its terms.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Law<const N: usize> {
+    terms: Vec<Term<N>>,
+}
+
+impl<const N: usize> From<LawKind<N>> for Law<N> {
+    fn from(kind: LawKind<N>) -> Self {
+        Self::sum(vec![kind.into()])
+    }
+}
+
+impl<const N: usize> Law<N> {
+    /// The sum of `terms`.
+    pub fn sum(terms: Vec<Term<N>>) -> Self {
+        Self { terms }
+    }
+
+    /// A linear law.
+    pub fn linear(stiffness: SMatrix<f64, N, N>) -> Self {
+        LawKind::Linear { stiffness }.into()
+    }
+
+    /// The force at a strain, a rate of strain and a time.
+    pub fn at(&self, strain: &SVector<f64, N>, rate: &SVector<f64, N>, time: f64) -> Response<N> {
+        let mut sum = Response::zero();
+        for term in &self.terms {
+            let (mut strain, mut rate) = (*strain, *rate);
+            if let Some(Driven { vector, drive }) = &term.prestrain {
+                let now = drive.at(time);
+                strain -= vector * now.value;
+                rate -= vector * now.rate;
+            }
+            term.kind.add(&strain, &rate, time, &mut sum);
+            if let Some(Driven { vector, drive }) = &term.prestress {
+                sum.force += vector * drive.at(time).value;
+            }
+        }
+        sum
+    }
+
+    /// Elastic energy at a strain: that of the terms that have one, and of the
+    /// prestresses, `f_0 . eps` [J, or J per unit length].
+    pub fn energy(&self, strain: &SVector<f64, N>, time: f64) -> f64 {
+        let of_term = |term: &Term<N>| {
+            let value = |driven: &Option<Driven<N>>| match driven {
+                Some(driven) => driven.vector * driven.drive.at(time).value,
+                None => SVector::zeros(),
+            };
+            let elastic = strain - value(&term.prestrain);
+            term.kind.energy(&elastic) + value(&term.prestress).dot(strain)
+        };
+        self.terms.iter().map(of_term).sum()
+    }
+
+    /// Stiffness without strain, at the time zero.
+    pub fn stiffness_at_rest(&self) -> SMatrix<f64, N, N> {
+        let zero = SVector::zeros();
+        self.at(&zero, &zero, 0.0).by_strain
+    }
+
+    /// Whether the force depends on the rate of strain.
+    pub fn is_viscous(&self) -> bool {
+        self.terms.iter().any(|term| term.kind.is_viscous())
+    }
+
+    /// The first time after `time` at which a drive has a corner or a jump \[s\];
+    /// infinite when there is none.
+    pub fn next_corner(&self, time: f64) -> f64 {
+        let driven = |term: &Term<N>| {
+            let both = [&term.prestrain, &term.prestress].into_iter().flatten();
+            let next = both.map(|driven| driven.drive.next_corner(time));
+            next.fold(f64::INFINITY, f64::min)
+        };
+        self.terms.iter().map(driven).fold(f64::INFINITY, f64::min)
+    }
+}

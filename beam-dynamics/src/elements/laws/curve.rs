@@ -1,0 +1,118 @@
+//! Tables of force over strain.
+//!
+//! Between the points straight or a natural cubic spline; outside of them held, or on
+//! along the slope of the end:
+//!
+//! ```text
+//! hold      f = f_n                               e > e_n, and so at the other end
+//! extend    f = f_n + f'(e_n) (e - e_n)
+//! ```
+
+use std::sync::Arc;
+
+use shared_geom::spline::Spline;
+
+/// How a curve runs between its points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Between {
+    /// Straight.
+    Linear,
+    /// By a natural cubic spline.
+    Spline,
+}
+
+/// What a curve is beyond its points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outside {
+    /// The force of the end.
+    Hold,
+    /// Straight on with the slope of the end.
+    Extend,
+}
+
+/// A force over a strain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    points: Arc<Points>,
+    outside: Outside,
+}
+
+#[derive(Debug, PartialEq)]
+struct Points {
+    line: Spline,
+    /// Integral from the first point to each.
+    sums: Vec<f64>,
+    /// The same to the strain zero.
+    to_zero: f64,
+}
+
+impl Curve {
+    /// The curve through at least two points of `strain`, strictly ascending, and `force`.
+    pub fn new(strain: &[f64], force: &[f64], between: Between, outside: Outside) -> Self {
+        let line = match between {
+            Between::Linear => Spline::straight(strain, force),
+            Between::Spline => Spline::new(strain, force),
+        };
+        let mut sums = vec![0.0];
+        for (i, end) in strain.iter().skip(1).enumerate() {
+            sums.push(sums[i] + line.integral(i, *end));
+        }
+        let points = |to_zero| {
+            Arc::new(Points {
+                line: line.clone(),
+                sums: sums.clone(),
+                to_zero,
+            })
+        };
+        let unset = Self {
+            points: points(0.0),
+            outside,
+        };
+        Self {
+            points: points(unset.from_first(0.0)),
+            outside,
+        }
+    }
+
+    /// Force and slope at a strain.
+    pub fn at(&self, e: f64) -> (f64, f64) {
+        let line = &self.points.line;
+        let (i, inside) = self.place(e);
+        let (force, slope) = (line.value(i, inside), line.slope(i, inside));
+        match self.outside {
+            _ if inside == e => (force, slope),
+            Outside::Hold => (force, 0.0),
+            Outside::Extend => (force + slope * (e - inside), slope),
+        }
+    }
+
+    /// Integral of the force from the strain zero.
+    pub fn integral(&self, e: f64) -> f64 {
+        self.from_first(e) - self.points.to_zero
+    }
+
+    /// Interval, and the nearest strain in it.
+    fn place(&self, e: f64) -> (usize, f64) {
+        let line = &self.points.line;
+        let places = line.places();
+        let ends = (places.first(), places.last());
+        let inside = match ends {
+            (Some(first), Some(last)) => e.max(*first).min(*last),
+            _ => e,
+        };
+        (line.interval(inside), inside)
+    }
+
+    /// Integral from the first point.
+    fn from_first(&self, e: f64) -> f64 {
+        let (i, inside) = self.place(e);
+        let within = self.points.sums[i] + self.points.line.integral(i, inside);
+        let beyond = e - inside;
+        let slope = self.at(e).1;
+        let bent = match self.outside {
+            Outside::Hold => 0.0,
+            Outside::Extend => 0.5 * slope * beyond * beyond,
+        };
+        within + self.points.line.value(i, inside) * beyond + bent
+    }
+}

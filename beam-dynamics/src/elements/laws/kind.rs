@@ -1,0 +1,125 @@
+//! The functions of which laws consist.
+//!
+//! ```text
+//! linear          f = K e                     energy  1/2 e . K e
+//! viscous         f = D e'                            none
+//! viscoelastic    f = K e + D e'                      1/2 e . K e       (Kelvin, Voigt)
+//! ```
+//!
+//! and for each component by itself
+//!
+//! ```text
+//! cubic           f = k_1 e + k_2 |e| e + k_3 e^3     1/2 k_1 e^2 + 1/3 k_2 |e|^3 + 1/4 k_3 e^4
+//! bilinear        see [`Bilinear`]
+//! tabulated       f = T(e)                            int_0^e T
+//! ```
+//!
+//! An expression gives each component by all strains, their rates and the time; it has no
+//! energy here.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::{Bilinear, Cubic, Curve, ExpressionLaw, Response};
+
+/// A function of strain and rate of strain.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LawKind<const N: usize> {
+    /// Force proportional to the strain.
+    Linear {
+        /// Symmetric stiffness [unit of force / unit of strain].
+        stiffness: SMatrix<f64, N, N>,
+    },
+    /// Force proportional to the rate of strain.
+    Viscous {
+        /// Viscosity [unit of force s / unit of strain].
+        viscosity: SMatrix<f64, N, N>,
+    },
+    /// Both.
+    Viscoelastic {
+        /// Symmetric stiffness [unit of force / unit of strain].
+        stiffness: SMatrix<f64, N, N>,
+        /// Viscosity [unit of force s / unit of strain].
+        viscosity: SMatrix<f64, N, N>,
+    },
+    /// A polynomial of each component.
+    Cubic([Cubic; N]),
+    /// Two slopes of each component.
+    Bilinear([Bilinear; N]),
+    /// A table of each component; a component without one has no force.
+    Table([Option<Curve>; N]),
+    /// An expression for each component.
+    Expression(ExpressionLaw<N>),
+}
+
+impl<const N: usize> LawKind<N> {
+    /// Adds force and derivatives.
+    pub(super) fn add(
+        &self,
+        strain: &SVector<f64, N>,
+        rate: &SVector<f64, N>,
+        time: f64,
+        out: &mut Response<N>,
+    ) {
+        match self {
+            Self::Linear { stiffness } => {
+                out.force += stiffness * strain;
+                out.by_strain += stiffness;
+            }
+            Self::Viscous { viscosity } => {
+                out.force += viscosity * rate;
+                out.by_rate += viscosity;
+            }
+            Self::Viscoelastic {
+                stiffness,
+                viscosity,
+            } => {
+                out.force += stiffness * strain + viscosity * rate;
+                out.by_strain += stiffness;
+                out.by_rate += viscosity;
+            }
+            Self::Cubic(of) => add_each(strain, out, |i, e| of[i].at(e)),
+            Self::Bilinear(of) => add_each(strain, out, |i, e| of[i].at(e)),
+            Self::Table(of) => add_each(strain, out, |i, e| match &of[i] {
+                Some(curve) => curve.at(e),
+                None => (0.0, 0.0),
+            }),
+            Self::Expression(law) => law.add(strain, rate, time, out),
+        }
+    }
+
+    /// Elastic energy; zero for what has none.
+    pub(super) fn energy(&self, strain: &SVector<f64, N>) -> f64 {
+        let sum = |of: &dyn Fn(usize, f64) -> f64| (0..N).map(|i| of(i, strain[i])).sum();
+        match self {
+            Self::Linear { stiffness } | Self::Viscoelastic { stiffness, .. } => {
+                0.5 * strain.dot(&(stiffness * strain))
+            }
+            Self::Viscous { .. } | Self::Expression(_) => 0.0,
+            Self::Cubic(of) => sum(&|i, e| of[i].energy(e)),
+            Self::Bilinear(of) => sum(&|i, e| of[i].energy(e)),
+            Self::Table(of) => sum(&|i, e| of[i].as_ref().map_or(0.0, |curve| curve.integral(e))),
+        }
+    }
+
+    /// Whether the force depends on the rate of strain.
+    pub(super) fn is_viscous(&self) -> bool {
+        match self {
+            Self::Viscous { .. } | Self::Viscoelastic { .. } => true,
+            Self::Expression(law) => law.is_viscous(),
+            _ => false,
+        }
+    }
+}
+
+/// Adds force and slope of each component by itself.
+fn add_each<const N: usize>(
+    strain: &SVector<f64, N>,
+    out: &mut Response<N>,
+    of: impl Fn(usize, f64) -> (f64, f64),
+) {
+    for i in 0..N {
+        let (force, slope) = of(i, strain[i]);
+        out.force[i] += force;
+        out.by_strain[(i, i)] += slope;
+    }
+}
