@@ -10,6 +10,8 @@ use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
 use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
 mod node;
+#[cfg(test)]
+mod tests;
 
 pub(super) use node::initial_motion;
 
