@@ -223,9 +223,8 @@ impl Run<'_> {
             Stepping::Constant { step } => step,
             Stepping::Variable(_) => failure.length,
         };
-        let conditions = self.model.conditions_at(failure.time);
-        let at = (self.dae.state(), &conditions);
-        TransientFailure::Step(Box::new(trouble(failure, &self.model.system, at, wanted)))
+        let (system, state) = (&self.model.system, self.dae.state());
+        TransientFailure::Step(Box::new(trouble(failure, system, state, wanted)))
     }
 }
 

@@ -13,7 +13,7 @@ mod node;
 #[cfg(test)]
 mod tests;
 
-pub(super) use node::initial_motion;
+pub(super) use node::{check, initial_motion};
 
 /// Iterations of a step at most that may be asked for.
 const MOST_ITERATIONS: usize = 1000;

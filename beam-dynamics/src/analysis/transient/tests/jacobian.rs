@@ -82,7 +82,6 @@ fn error(model: &Model) -> f64 {
 fn derivatives_are_exact_for_slender_and_other_bodies() {
     for model in [bipendulum(), top(Vector3::new(0.3, 0.9, 7.5))] {
         let error = error(&model);
-        println!("{error:e}");
         assert!(error < 2e-8, "{}: {error:e}", model.name);
     }
 }

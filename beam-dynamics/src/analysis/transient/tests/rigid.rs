@@ -32,15 +32,12 @@ fn a_pendulum_starts_without_oscillation() {
         [tension(&found[0]), tension(&found[1])]
     };
     let [start, step] = first(StartAccelerations::Consistent);
-    println!("consistent {start} {step}");
     assert!((start - 1.0).abs() < 1e-12, "{start}");
     assert!((step - 1.02).abs() < 1e-4, "{step}");
     let [start, step] = first(StartAccelerations::Dummy);
-    println!("dummy {start} {step}");
     assert!((start - 1.0).abs() < 1e-3, "{start}");
     assert!((step - 1.02).abs() < 2e-4, "{step}");
     let [start, step] = first(StartAccelerations::Zero);
-    println!("zero {start} {step}");
     assert!(start == 0.0 && (step - 1.02).abs() > 0.5, "{start} {step}");
 }
 
@@ -96,7 +93,6 @@ fn top_error(number: usize, h: f64) -> f64 {
 fn a_spinning_top_stays_on_its_path() {
     for (number, coarse) in [(0, 1e-3), (1, 1e-3), (2, 1e-4)] {
         let errors = [0.01, 0.005, 0.001].map(|h| top_error(number, h));
-        println!("top {number}: {errors:?}");
         assert!(errors[0] < coarse, "{errors:?}");
         assert!(errors[2] < 1e-5, "{errors:?}");
         let order = (errors[0] / errors[1]).log2();
@@ -123,7 +119,6 @@ fn a_free_body_keeps_its_momenta() {
         off_linear = off_linear.max((now - linear).norm());
         off_angular = off_angular.max((now_angular - angular).norm());
     }
-    println!("free body {off_linear:e} {off_angular:e}");
     assert!(off_linear < 1e-10, "{off_linear:e}");
     assert!(off_angular < 1e-10, "{off_angular:e}");
 }
@@ -173,7 +168,6 @@ fn the_simplified_jacobian_finds_the_same_motion() {
     let ends = [&exact, &simplified].map(|run| run.0.states.last().unwrap().nodes[0]);
     let off = (ends[0].rotation - ends[1].rotation).amax();
     let iterations = [&exact, &simplified].map(|run| run.1.effort.iterations);
-    println!("simplified {off:e} {iterations:?}");
     assert!(off < 1e-9, "{off:e}");
     assert!(iterations[0] <= iterations[1], "{iterations:?}");
 }

@@ -8,7 +8,7 @@ use crate::assembly::System;
 use crate::case::{InitialMotion, Model, Redundant, TransientQuestion};
 use crate::elements::Element;
 use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing};
-use crate::model::{Drive, Node};
+use crate::model::{Drive, Node, Ramp};
 
 fn distance(nodes: &[Node], b: usize, length: f64) -> Box<dyn Element> {
     let ends = JointEnds {
@@ -155,4 +155,56 @@ fn a_loose_node_without_mass_is_named() {
     let text = failure.to_string();
     assert!(text.starts_with("node \"loose\" has no mass"), "{text}");
     assert!(failure.remedy().contains("[[body]]"));
+}
+
+// A body on a rail along x, two to the right of a point beside it, on a rod from that point
+// that shortens from sqrt(5) to less than the distance one of the rail: at one there is no
+// place any more, after (sqrt(5) - 1)/(sqrt(5) - 0.5) of the ramp of one second, 0.712 s.
+#[test]
+fn a_step_that_cannot_be_made_is_explained_and_the_rest_is_kept() {
+    let nodes = vec![node(
+        "slider",
+        Vector3::new(2.0, 0.0, 0.0),
+        Matrix3::identity(),
+    )];
+    let held = [false, true, true, true, true, true];
+    let rail = Clamp::partial("rail", 0, &nodes[0], &Matrix3::identity(), held);
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let placing = Placing {
+        points: [Vector3::y(), nodes[0].position],
+        axes: [Matrix3::identity(); 2],
+    };
+    let length = Drive::Ramp(Ramp {
+        from: 5.0_f64.sqrt(),
+        to: 0.5,
+        start: 0.0,
+        end: 1.0,
+        smooth: false,
+    });
+    let rod = ConstraintJoint::distance("rod", &ends, &placing, length);
+    let elements: Vec<Box<dyn Element>> = vec![
+        body(0, 1.0, Vector3::zeros(), [1.0; 3]),
+        Box::new(rail),
+        Box::new(rod),
+    ];
+    let model = Model::new("rail", System::new(nodes, elements));
+    let (kept, outcome) = run(&model, &TransientQuestion::new(1.0, 0.01));
+    let failure = outcome.failure.unwrap();
+    let text = failure.to_string();
+    assert!(matches!(failure, TransientFailure::Step(_)), "{text}");
+    assert!((outcome.time - 0.712).abs() < 0.01, "{}", outcome.time);
+    assert_eq!(kept.times.last(), Some(&outcome.time));
+    for part in ["no step from 0.7", "worst equation: ", "likely cause: "] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(!failure.remedy().is_empty());
+    // The slider follows the rod: x^2 + 1 = length^2.
+    for (time, state) in kept.times.iter().zip(&kept.states).take(60) {
+        let length = 5.0_f64.sqrt() + (0.5 - 5.0_f64.sqrt()) * time;
+        let x = state.nodes[0].position.x;
+        assert!((x * x + 1.0 - length * length).abs() < 1e-9, "{time}: {x}");
+    }
 }
