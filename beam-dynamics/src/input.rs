@@ -203,7 +203,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     root.finish();
 
     draft.check(&root);
-    draft.check_initial(&root);
+    transient::check(&root, &draft);
     if let Some(run) = questions.as_ref().and_then(|all| all.transient.as_ref()) {
         draft.drives().check(document, [run.from, run.to]);
     }

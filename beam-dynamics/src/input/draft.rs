@@ -15,7 +15,6 @@ use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
 use super::sensors::Sensors;
-use super::transient::TransientProblem;
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
@@ -416,23 +415,13 @@ impl Draft {
         }
     }
 
-    /// Notes initial velocities of nodes of which nothing is asked in time.
-    pub fn check_initial(&self, root: &Table<'_>) {
-        if root.has("transient") {
-            return;
-        }
-        for (node, initial) in self.nodes.iter().zip(&self.initial) {
-            let keys = [
-                ("velocity", initial.velocity),
-                ("angular_velocity", initial.angular_velocity),
-            ];
+    /// How each node moves at the start, with its name and the line of its card.
+    pub fn initial(&self) -> impl Iterator<Item = (&InitialMotion, &str, usize)> {
+        let nodes = self.initial.iter().zip(&self.nodes);
+        nodes.map(move |(initial, node)| {
             let line = self.names.get(&node.label).map_or(1, |named| named.line);
-            for (key, _) in keys.into_iter().filter(|(_, value)| value.is_some()) {
-                let node = node.label.clone();
-                let problem = TransientProblem::IdleVelocity { node, key };
-                root.document().note(line, &problem);
-            }
-        }
+            (initial, node.label.as_str(), line)
+        })
     }
 
     /// Mass that is not held by clamps \[kg\].
