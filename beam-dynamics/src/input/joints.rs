@@ -25,6 +25,7 @@ pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
         let is_new = draft.take_label("joint", &label, table);
         let nodes = nodes(table, draft, &format!("hinge \"{label}\""));
         let axis = axis(table);
+        let frame = draft.frames().of(table);
         let offset = match table.has("offset") {
             true => table.vector("offset", Dimension::LENGTH),
             false => Some(Vector3::zeros()),
@@ -35,12 +36,14 @@ pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
             false => Some(0),
         };
         table.finish();
-        match (nodes, axis, offset, spring, in_node) {
-            (Some(nodes), Some(axis), Some(offset), Some(spring), Some(in_node)) if is_new => {
+        match (nodes, axis.zip(frame), offset, spring, in_node) {
+            (Some(nodes), Some((axis, frame)), Some(offset), Some(spring), Some(in_node))
+                if is_new =>
+            {
                 let outer = &draft.nodes()[nodes[1]];
                 let position = outer.position + outer.rotation * offset;
                 let axis = match in_node {
-                    0 => axis,
+                    0 => frame.direction(&axis),
                     _ => outer.rotation * axis,
                 };
                 draft.add_hinge(&label, nodes, (position, axis), spring);
