@@ -46,7 +46,7 @@ pub struct BladeNodes {
 }
 
 /// A checked model.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Model {
     /// Name, for tables and plots.
     pub name: String,
