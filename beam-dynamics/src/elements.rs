@@ -17,6 +17,7 @@ mod constraint;
 mod local;
 mod motion;
 mod observation;
+mod reduced;
 mod signal;
 
 #[cfg(test)]
@@ -30,6 +31,7 @@ pub use motion::Motion;
 pub use observation::{
     JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
 };
+pub use reduced::ReducedElement;
 pub use signal::{Post, Sensed, Sensor, Signal};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
@@ -101,6 +103,12 @@ pub trait Element: Debug + Send + Sync {
     /// Adds the derivatives of the residual. The blocks that are added must be the
     /// same at every state, so that the pattern of the system is found once.
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian);
+
+    /// Whether it resists every relative motion of its nodes without constraints, as a beam
+    /// does.
+    fn joins_nodes(&self) -> bool {
+        false
+    }
 
     /// Relative motions of its nodes at the undeformed state that the element, beside its
     /// constraints, resists by springs or leaves free on purpose.

@@ -49,6 +49,8 @@ mod summary;
 mod transient;
 
 #[cfg(test)]
+mod frame_tests;
+#[cfg(test)]
 mod joint_tests;
 #[cfg(test)]
 mod tests;

@@ -110,11 +110,11 @@ pub fn find(system: &System) -> Mobility {
     }
 }
 
-/// Nodes connected through elements without constraints.
+/// Nodes connected through elements that resist all their relative motions.
 fn rigid_parts(system: &System) -> Vec<Part> {
     let count = system.nodes().len();
     let mut part_of: Vec<usize> = (0..count).collect();
-    for element in system.elements().filter(|e| e.multipliers() == 0) {
+    for element in system.elements().filter(|e| e.joins_nodes()) {
         for pair in element.nodes().windows(2) {
             let (a, b) = (part_of[pair[0]], part_of[pair[1]]);
             part_of.iter_mut().filter(|p| **p == b).for_each(|p| *p = a);

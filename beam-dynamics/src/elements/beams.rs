@@ -1,5 +1,6 @@
 //! Geometrically exact three-node beam by finite volumes, and its inertia.
 
+mod constitutive;
 mod distributed;
 mod elastic;
 mod geometry;
@@ -11,6 +12,7 @@ mod viscous;
 #[cfg(test)]
 mod objectivity_tests;
 
+pub use constitutive::LawBeam;
 pub use distributed::{DistributedLoad, LineLoad};
 pub use elastic::ElasticBeam;
 pub use geometry::{BeamGeometry, BeamNode};

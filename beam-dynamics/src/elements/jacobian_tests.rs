@@ -4,20 +4,26 @@
 //! eps/h of terms of order one (properties are chosen so) give about 1e-9 of the
 //! largest entry; 2e-8 leaves a factor for the third derivatives.
 
-use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
-use shared_geom::expression::{Expression, Names};
+use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::wrench;
 
 use super::beams::{
-    BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam, ViscousBeam,
+    BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam, LawBeam, ViscousBeam,
 };
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
-use super::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
-use super::springs::{Stand, SupportLaw, SupportSpring};
-use super::{Element, Local, LocalJacobian, LocalResidual, Post, Sensed, Sensor, Signal};
-use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
+use super::laws::{Cubic, Law, LawKind};
+use super::loads::{
+    Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
+};
+use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
+use super::{Element, Local, LocalJacobian, LocalResidual};
+use crate::model::{
+    Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable,
+};
+
+mod sensing;
 
 const STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 2e-8;
@@ -406,82 +412,6 @@ fn loads_along_beams_with_offsets_and_turned_sections() {
     }
 }
 
-/// A signal of everything that can be sensed, of three nodes against each other.
-fn sensing(nodes: &[Node]) -> Signal {
-    let kinds = [
-        Sensed::Position,
-        Sensed::Displacement,
-        Sensed::Velocity,
-        Sensed::AngularVelocity,
-    ];
-    let post = |node, against, axes| Post {
-        node,
-        against,
-        axes,
-    };
-    let anywhere = [
-        post(0, None, None),
-        post(1, Some(0), None),
-        post(1, Some(0), Some(2)),
-        post(2, None, Some(1)),
-        post(2, Some(1), Some(1)),
-    ];
-    let turning = [
-        post(1, None, None),
-        post(1, None, Some(1)),
-        post(0, Some(2), Some(2)),
-    ];
-    let mut posts: Vec<_> = anywhere
-        .into_iter()
-        .flat_map(|post| kinds.map(|kind| (kind, post)))
-        .collect();
-    posts.extend(turning.map(|post| (Sensed::Rotation, post)));
-    let sensor = |(i, (kind, post)): (usize, (Sensed, Post))| {
-        Sensor::new(kind, post, i % 3, 0.5 + 0.1 * i as f64, nodes)
-    };
-    let sensors: Vec<_> = posts.into_iter().enumerate().map(sensor).collect();
-    let names: Vec<_> = (0..sensors.len()).map(|i| format!("q{i}")).collect();
-    let text: Vec<_> = names
-        .iter()
-        .enumerate()
-        .map(|(i, name)| format!("sin({name}*{})/(2 + t^2)", 0.2 + 0.03 * i as f64))
-        .collect();
-    let variables: Vec<_> = ["t"]
-        .into_iter()
-        .chain(names.iter().map(String::as_str))
-        .collect();
-    let names = Names {
-        variables: &variables,
-        constants: &[],
-    };
-    let expression = Expression::parse(&text.join(" + "), &names).unwrap();
-    Signal::sensing(expression, sensors, [0.3, 0.7])
-}
-
-#[test]
-fn loads_that_sense_nodes() {
-    let mut random = Random(21);
-    for (turning, factor) in kinds() {
-        let nodes = nodes(&mut random, 3);
-        let load = NodalForce {
-            force: random.vector(1.0),
-            moment: random.vector(1.0),
-            offset: random.vector(0.5),
-            turning,
-            factor,
-        };
-        let load = NodalLoad::new("load", 0, &nodes[0], load).driven(sensing(&nodes));
-        assert_eq!(load.nodes(), [0, 1, 2]);
-        check(&load, &nodes, &mut random);
-        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
-        let (geometry, [a, b]) = (geometry(&mut random), [(); 2].map(|()| random.vector(1.0)));
-        let kind = (turning, factor);
-        let along = |_: f64| [a, b];
-        let load = DistributedLoad::new("load", [0, 1, 2], geometry, undeformed, kind, &[], along);
-        check(&load.driven(sensing(&nodes)), &nodes, &mut random);
-    }
-}
-
 #[test]
 fn imposed_motions_of_any_components() {
     let mut random = Random(8);
@@ -497,5 +427,106 @@ fn imposed_motions_of_any_components() {
         let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
         assert_eq!(imposed.multipliers(), mask.count_ones() as usize);
         check(&imposed, &nodes, &mut random);
+    }
+}
+
+/// Elastic, and so that nothing cancels: cubic and viscous, unsymmetric.
+fn laws<const N: usize>(random: &mut Random) -> [Law<N>; 2] {
+    let cubic = LawKind::Cubic(std::array::from_fn(|i| Cubic {
+        first: 1.0 + 0.1 * i as f64,
+        second: 0.2,
+        third: 0.3,
+    }));
+    let viscosity = SMatrix::from_fn(|_, _| random.number());
+    let sum = vec![cubic.clone().into(), LawKind::Viscous { viscosity }.into()];
+    [cubic.into(), Law::sum(sum)]
+}
+
+#[test]
+fn rods_between_nodes_and_from_the_frame() {
+    let mut random = Random(11);
+    let nodes = nodes(&mut random, 2);
+    let end = |node: usize, random: &mut Random| End::Node {
+        node,
+        offset: random.vector(0.3),
+    };
+    let position = nodes[0].position + Vector3::new(0.0, 1.0, 0.2);
+    for (law, measure) in laws(&mut random)
+        .into_iter()
+        .zip([Measure::Strain, Measure::Elongation])
+    {
+        let law = || (measure, law.clone());
+        let between = [end(0, &mut random), end(1, &mut random)];
+        let rod = Rod::new("rod", between, &nodes, Some(0.8), law());
+        check(&rod, &nodes, &mut random);
+        let frame = End::Frame { position };
+        for ends in [[frame, end(0, &mut random)], [end(0, &mut random), frame]] {
+            let rod = Rod::new("rod to the frame", ends, &nodes, None, law());
+            check(&rod, &nodes[..1], &mut random);
+        }
+    }
+}
+
+#[test]
+fn springs_between_nodes_and_from_the_frame() {
+    let mut random = Random(12);
+    let nodes = nodes(&mut random, 2);
+    let three = laws::<3>(&mut random);
+    let together = laws::<6>(&mut random).map(SpringLaw::Together);
+    let along = three.clone().map(SpringLaw::of_displacement);
+    let about = three.clone().map(SpringLaw::of_rotation);
+    let [displacement, rotation] = three.map(Some);
+    let apart = SpringLaw::Apart {
+        displacement,
+        rotation,
+    };
+    let all = together
+        .into_iter()
+        .chain(along)
+        .chain(about)
+        .chain([apart]);
+    for law in all {
+        let (place, axes) = (random.vector(1.0), random.rotation(1.0));
+        for on in [&[0, 1][..], &[0]] {
+            let spring = Spring::new("spring", (on, &nodes), &place, &axes, law.clone());
+            check(&spring, &nodes[..on.len()], &mut random);
+        }
+    }
+}
+
+#[test]
+fn beams_of_any_law_with_offsets_and_turned_sections() {
+    let mut random = Random(13);
+    for law in laws(&mut random) {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let stiff = Law::linear(random.stiffness());
+        let beam = LawBeam::new("beam", [0, 1, 2], geometry, undeformed, [law, stiff]);
+        check(&beam, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn forces_between_nodes() {
+    let mut random = Random(14);
+    let nodes = nodes(&mut random, 2);
+    let offset = random.vector(0.3);
+    let line = Between::Line {
+        ends: [0, 1].map(|node| End::Node { node, offset }),
+        tension: 1.3,
+    };
+    let axes = Between::Axes {
+        nodes: [0, 1],
+        offset,
+        force: random.vector(1.0),
+        moment: random.vector(1.0),
+    };
+    for between in [line, axes] {
+        for factor in [LoadFactor::Constant, LoadFactor::Proportional] {
+            let drive = Drive::Constant(0.7);
+            let force = InternalForce::new("force", &nodes, between.clone(), factor, drive);
+            check(&force, &nodes, &mut random);
+        }
     }
 }

@@ -4,8 +4,10 @@
 
 mod factor;
 mod imposed;
+mod internal;
 mod nodal;
 
 pub use factor::{LoadFactor, Turning};
 pub use imposed::{Imposed, ImposedMotion};
+pub use internal::{Between, InternalForce};
 pub use nodal::{NodalForce, NodalLoad};

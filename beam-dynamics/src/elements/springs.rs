@@ -1,5 +1,13 @@
-//! Springs and dampers between a node and what carries the model.
+//! Rods, springs and dampers between nodes, or between a node and what carries the model.
 
+pub(in crate::elements) mod line;
+mod rod;
+mod spring;
+mod spring_law;
 mod support;
 
+pub use line::End;
+pub use rod::{Measure, Rod};
+pub use spring::Spring;
+pub use spring_law::SpringLaw;
 pub use support::{Stand, SupportLaw, SupportSpring};

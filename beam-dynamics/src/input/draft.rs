@@ -24,6 +24,8 @@ use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::{Drive, Node};
 
+mod given;
+mod held;
 mod lookup;
 
 /// How the mass of a beam moves.
@@ -129,36 +131,6 @@ impl Draft {
     /// The hub, if it could be read.
     pub fn hub(&self) -> Option<&Hub> {
         self.hub.as_ref()
-    }
-
-    /// The drives by name.
-    pub fn drives(&self) -> &drives::Catalog {
-        &self.drives
-    }
-
-    /// Says which drives have a name.
-    pub fn set_drives(&mut self, drives: drives::Catalog) {
-        self.drives = drives;
-    }
-
-    /// The frames in which cards may be written.
-    pub fn frames(&self) -> &Frames {
-        &self.frames
-    }
-
-    /// Says which frames there are.
-    pub fn set_frames(&mut self, frames: Frames) {
-        self.frames = frames;
-    }
-
-    /// What loads may sense.
-    pub fn sensors(&self) -> &Sensors {
-        &self.sensors
-    }
-
-    /// Says what loads may sense.
-    pub fn set_sensors(&mut self, sensors: Sensors) {
-        self.sensors = sensors;
     }
 
     /// Nodes so far.
@@ -348,30 +320,6 @@ impl Draft {
     /// Hinges, rigid connections and supports so far.
     pub fn joints(&self) -> impl Iterator<Item = &dyn Element> {
         self.joints.iter().map(AsRef::as_ref)
-    }
-
-    /// The node of the hub when the hub moves; `None` when the frame holds it, so that
-    /// roots are clamped.
-    pub fn hub_node(&self) -> Option<usize> {
-        self.hub_node
-    }
-
-    /// Says which node is that of a hub that moves.
-    pub fn set_hub_node(&mut self, node: usize) {
-        self.used.insert(node);
-        self.hub_node = Some(node);
-    }
-
-    /// Holds the root of a blade by the hub: by the frame, or by the node of a hub that
-    /// moves. What holds the node already is noted under `key`.
-    pub fn hold_root(&mut self, node: usize, table: &Table<'_>, key: &str) {
-        match self.hub_node() {
-            None => self.add_clamp(node, table, key),
-            Some(hub) => {
-                let label = format!("hub to {}", self.nodes[node].label);
-                self.add_rigid(&label, [hub, node]);
-            }
-        }
     }
 
     /// Clamps a node; a node that is clamped already is noted under `key`.

@@ -216,6 +216,10 @@ impl Element for ElasticBeam {
         &self.nodes
     }
 
+    fn joins_nodes(&self) -> bool {
+        true
+    }
+
     fn energy(&self, at: &Local<'_>) -> Energy {
         let strains = self.strains(at.nodes);
         let of_point = |(point, strain): (&EvaluationPoint, &Vector6<f64>)| {

@@ -1,0 +1,238 @@
+//! Forces between two nodes: what one node exerts on the other, and takes itself.
+//!
+//! *Along the line* between two points (see [`crate::elements::springs`]): a tension T,
+//! which pulls them together.
+//!
+//! *In the axes of the first node* a: with `r = x_b + f_b - x_a` and the factor q,
+//!
+//! ```text
+//! F = q R_a F~,  M = q R_a M~          on b:   F    f_b x F + M
+//!                                      on a: - F  - r x F - M
+//! ```
+//!
+//! Both act at the place `x_b + f_b` of the second, so that they balance exactly. Variations:
+//!
+//! ```text
+//! d F = -[F]x theta_a        d M = -[M]x theta_a
+//! d (f_b x F) = [f_b]x d F + [F]x [f_b]x theta_b
+//! d (r x F)   = [r]x d F - [F]x (d x_b - [f_b]x theta_b - d x_a)
+//! ```
+//!
+//! References: [Masarati], forces between nodes.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::rotation::skew;
+
+use super::factor::LoadFactor;
+use crate::elements::springs::End;
+use crate::elements::springs::line::{Line, PullVariation};
+use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual};
+use crate::model::Equation::{Force, Moment};
+use crate::model::{Drive, Node, NodeMotion, Variable};
+
+/// What acts between two nodes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Between {
+    /// A force along the line between two points, positive where it pulls them together.
+    Line {
+        /// The points.
+        ends: [End; 2],
+        /// The force for the factor and the drive one [N].
+        tension: f64,
+    },
+    /// A force and a moment on the second node that turn with the first.
+    Axes {
+        /// Numbers of the nodes.
+        nodes: [usize; 2],
+        /// Place on the second node, in its axes [m].
+        offset: Vector3<f64>,
+        /// Force on the second node, undeformed, model's axes [N].
+        force: Vector3<f64>,
+        /// Moment on it, undeformed, model's axes [N m].
+        moment: Vector3<f64>,
+    },
+}
+
+/// A force between two nodes.
+#[derive(Debug, Clone)]
+pub struct InternalForce {
+    label: String,
+    acting: Acting,
+    factor: LoadFactor,
+    drive: Drive,
+}
+
+#[derive(Debug, Clone)]
+enum Acting {
+    Line {
+        line: Line,
+        tension: f64,
+    },
+    Axes {
+        nodes: [usize; 2],
+        offset: Vector3<f64>,
+        /// In the axes of the first node.
+        force: Vector3<f64>,
+        moment: Vector3<f64>,
+    },
+}
+
+/// Force and moment of the axes of the first node at a state.
+struct Pair {
+    /// Arms of the force from each node.
+    arms: [Vector3<f64>; 2],
+    force: Vector3<f64>,
+    moment: Vector3<f64>,
+}
+
+/// Signs on the first and on the second node.
+const SIGNS: [f64; 2] = [-1.0, 1.0];
+
+impl InternalForce {
+    /// What acts `between` two of the `nodes` of the model.
+    pub fn new(
+        label: impl Into<String>,
+        nodes: &[Node],
+        between: Between,
+        factor: LoadFactor,
+        drive: Drive,
+    ) -> Self {
+        let acting = match between {
+            Between::Line { ends, tension } => Acting::Line {
+                line: Line::new(ends),
+                tension,
+            },
+            Between::Axes {
+                nodes: [a, b],
+                offset,
+                force,
+                moment,
+            } => {
+                let into_first = nodes[a].rotation.transpose();
+                Acting::Axes {
+                    nodes: [a, b],
+                    offset,
+                    force: into_first * force,
+                    moment: into_first * moment,
+                }
+            }
+        };
+        Self {
+            label: label.into(),
+            acting,
+            factor,
+            drive,
+        }
+    }
+
+    /// Factor of the forces.
+    fn size(&self, at: &Local<'_>) -> f64 {
+        self.factor.value(at.loading) * self.drive.at(at.loading.time).value
+    }
+
+    /// Its derivative by the factor of the proportional loads.
+    fn growth(&self, at: &Local<'_>) -> f64 {
+        self.factor.derivative() * self.drive.at(at.loading.time).value
+    }
+
+    fn add(&self, size: f64, at: &Local<'_>, out: &mut LocalResidual) {
+        match &self.acting {
+            Acting::Line { line, tension } => {
+                line.state(at.nodes).add_pull(size * tension, out);
+            }
+            axes @ Acting::Axes { .. } => {
+                let pair = axes.pair(size, at.nodes);
+                for (node, sign) in SIGNS.into_iter().enumerate() {
+                    out.add(node, Force, &(sign * pair.force));
+                    out.add(node, Moment, &(sign * pair.moment));
+                    out.add(node, Moment, &(sign * pair.arms[node].cross(&pair.force)));
+                }
+            }
+        }
+    }
+
+    fn add_variation(&self, size: f64, at: &Local<'_>, out: &mut LocalJacobian) {
+        match &self.acting {
+            Acting::Line { line, tension } => {
+                let state = line.state(at.nodes);
+                let by = PullVariation {
+                    by_d: size * tension * state.turning(),
+                    by_rate: None,
+                };
+                state.add_variation(size * tension, &by, out);
+            }
+            axes @ Acting::Axes { .. } => axes.pair(size, at.nodes).add_variation(out),
+        }
+    }
+}
+
+impl Acting {
+    fn pair(&self, size: f64, nodes: &[NodeMotion]) -> Pair {
+        let (a, b) = (&nodes[0], &nodes[1]);
+        let zero = Vector3::zeros();
+        let [offset, force, moment] = match self {
+            Self::Line { .. } => [zero; 3],
+            Self::Axes {
+                offset,
+                force,
+                moment,
+                ..
+            } => [*offset, *force, *moment],
+        };
+        let f = b.rotation * offset;
+        Pair {
+            arms: [b.position + f - a.position, f],
+            force: size * (a.rotation * force),
+            moment: size * (a.rotation * moment),
+        }
+    }
+}
+
+impl Pair {
+    fn add_variation(&self, out: &mut LocalJacobian) {
+        let (force, moment) = (skew(&self.force), skew(&self.moment));
+        let [r, f] = self.arms.map(|arm| skew(&arm));
+        let turned = |arm: &Matrix3<f64>| -(arm * force) - moment;
+        out.add((0, Force), (0, Variable::Rotation), &force);
+        out.add((0, Moment), (0, Variable::Rotation), &-turned(&r));
+        out.add((1, Force), (0, Variable::Rotation), &-force);
+        out.add((1, Moment), (0, Variable::Rotation), &turned(&f));
+        out.add((1, Moment), (1, Variable::Rotation), &(force * f));
+        out.add((0, Moment), (0, Variable::Position), &-force);
+        out.add((0, Moment), (1, Variable::Position), &force);
+        out.add((0, Moment), (1, Variable::Rotation), &-(force * f));
+    }
+}
+
+impl Element for InternalForce {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        match &self.acting {
+            Acting::Line { line, .. } => line.nodes(),
+            Acting::Axes { nodes, .. } => nodes,
+        }
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        self.drive.next_corner(time)
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.add(self.size(at), at, out);
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        self.add_variation(self.size(at), at, out);
+    }
+
+    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.add(self.growth(at), at, out);
+    }
+
+    fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
+        self.add_variation(self.growth(at), at, out);
+    }
+}

@@ -1,0 +1,418 @@
+//! Spring between two nodes, or between the frame and a node: laws of the displacement
+//! and of the rotation of the second against the first.
+//!
+//! Axes E (columns) are attached to both nodes and coincide in the undeformed state; the
+//! frame may stand for the first node, with `x_a` any fixed point. At the place
+//! `p = x_b + f_b` of the second node,
+//!
+//! ```text
+//! r   = p - x_a                                  w = v_b + omega_b x f_b - v_a - omega_a x r
+//! u   = E_a^T r - (E_a^T r)_0                    u'   = E_a^T w
+//! psi = vector(E_a^T E_b)                        psi' = T(psi)^-1 Omega,  Omega = E_a^T (omega_b - omega_a)
+//! [f~; m~] = law([u; psi], [u'; psi'], t)        F = E_a f~,  M = E_a T(psi)^-T m~
+//! ```
+//!
+//! The force acts on both nodes at the place p, so that the moments balance exactly, and M
+//! is the moment of the energy of the law:
+//!
+//! ```text
+//! on a:    F      r x F + M                      on b:  - F    - f_b x F - M
+//! ```
+//!
+//! psi is less than half a turn. Variations, with `d r = d x_b - [f_b]x theta_b - d x_a`:
+//!
+//! ```text
+//! d u    = E_a^T (d r + [r]x theta_a)            d psi = T^-1 E_a^T (theta_b - theta_a)
+//! d u'   = E_a^T (d w + [w]x theta_a)
+//! d w    = - [omega_b]x [f_b]x theta_b - [omega_a]x d r        (at fixed velocities)
+//! d psi' = d(T^-1 Omega)/d psi d psi + T^-1 E_a^T [omega_b - omega_a]x theta_a
+//! d F    = E_a d f~ - [F]x theta_a
+//! d M    = E_a ( T^-T d m~ + d(T^-T m~)/d psi d psi ) - [M]x theta_a
+//! ```
+//!
+//! References: [Bauchau2003] for T and its inverse; [Masarati], springs in the axes of a
+//! node.
+
+use nalgebra::{Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
+use shared_geom::rotation::{skew, vector};
+
+use super::spring_law::SpringLaw;
+use crate::elements::laws::Response;
+use crate::elements::{
+    Along, Element, Energy, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
+    SpringState,
+};
+use crate::model::Equation::{Force, Moment};
+use crate::model::{Node, NodeMotion, Variable};
+
+const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
+const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
+
+/// A law between two nodes, or between the frame and a node.
+#[derive(Debug, Clone)]
+pub struct Spring {
+    label: String,
+    /// One node, or two.
+    nodes: Vec<usize>,
+    undeformed: Vec<NodeMotion>,
+    /// The axes E on the first end and on the second, in their axes.
+    axes: [Matrix3<f64>; 2],
+    /// The place on the second node, in its axes [m].
+    offset: Vector3<f64>,
+    /// `x_a` where the frame is the first end [m].
+    fixed: Vector3<f64>,
+    /// `(E_a^T r)_0` [m].
+    relaxed: Vector3<f64>,
+    law: SpringLaw,
+}
+
+/// Derivatives of strains, or of their rates, by position and rotation of a and of b.
+type ByEnds = [[Matrix6x3<f64>; 2]; 2];
+
+/// The spring at a state.
+struct State {
+    /// Motion of the first end, at rest for the frame, and of the second.
+    a: NodeMotion,
+    b: NodeMotion,
+    /// `E_a`.
+    g: Matrix3<f64>,
+    r: Vector3<f64>,
+    f: Vector3<f64>,
+    w: Vector3<f64>,
+    spin: Vector3<f64>,
+    inverse: Matrix3<f64>,
+    strain: Vector6<f64>,
+    rate: Vector6<f64>,
+}
+
+/// Force and moment, in model axes and in those of the first end.
+struct Wrench {
+    force: Vector3<f64>,
+    moment: Vector3<f64>,
+    /// `m~` of the equations.
+    inner: Vector3<f64>,
+}
+
+impl Spring {
+    /// A spring between the nodes number `nodes` of the model, or with one node between the
+    /// frame and it, at `place` and along `axes`, both in the model's frame and undeformed.
+    pub fn new(
+        label: impl Into<String>,
+        (nodes, all): (&[usize], &[Node]),
+        place: &Vector3<f64>,
+        axes: &Matrix3<f64>,
+        law: impl Into<SpringLaw>,
+    ) -> Self {
+        let rest = nodes.iter().map(|&node| NodeMotion::at_rest(&all[node]));
+        let mut spring = Self {
+            label: label.into(),
+            nodes: nodes.to_vec(),
+            undeformed: rest.collect(),
+            axes: [*axes; 2],
+            offset: Vector3::zeros(),
+            fixed: *place,
+            relaxed: Vector3::zeros(),
+            law: law.into(),
+        };
+        let [a, b] = spring.ends(&spring.undeformed);
+        spring.axes = [a, b].map(|end| end.rotation.transpose() * axes);
+        spring.offset = b.rotation.transpose() * (place - b.position);
+        spring.relaxed = axes.transpose() * (place - a.position);
+        spring
+    }
+
+    /// Motion of the ends.
+    fn ends(&self, nodes: &[NodeMotion]) -> [NodeMotion; 2] {
+        match nodes {
+            [a, b] => [*a, *b],
+            _ => {
+                let frame = Node {
+                    label: String::new(),
+                    position: self.fixed,
+                    rotation: Matrix3::identity(),
+                };
+                [NodeMotion::at_rest(&frame), nodes[0]]
+            }
+        }
+    }
+
+    fn state(&self, nodes: &[NodeMotion]) -> State {
+        let [a, b] = self.ends(nodes);
+        let g = a.rotation * self.axes[0];
+        let f = b.rotation * self.offset;
+        let r = b.position + f - a.position;
+        let arm_rate = b.angular_velocity.cross(&f) - a.angular_velocity.cross(&r);
+        let w = b.velocity - a.velocity + arm_rate;
+        let psi = vector::from_rotation(&(g.transpose() * b.rotation * self.axes[1]));
+        let spin = g.transpose() * (b.angular_velocity - a.angular_velocity);
+        let inverse = vector::tangent_inverse(&psi);
+        let u = g.transpose() * r - self.relaxed;
+        State {
+            strain: six(&u, &psi),
+            rate: six(&(g.transpose() * w), &(inverse * spin)),
+            a,
+            b,
+            g,
+            r,
+            f,
+            w,
+            spin,
+            inverse,
+        }
+    }
+
+    fn response(&self, state: &State, time: f64) -> Response<6> {
+        self.law.at(&state.strain, &state.rate, time)
+    }
+
+    /// Place of an end among the nodes of the element; `None` for the frame.
+    fn local(&self, end: usize) -> Option<usize> {
+        (end + self.nodes.len()).checked_sub(2)
+    }
+
+    /// Adds the variation of forces and moments, where those of the law vary by
+    /// `stiffness` and `viscosity` and the force and moment at present are `wrench`.
+    fn add_variation(
+        &self,
+        state: &State,
+        wrench: &Wrench,
+        [stiffness, viscosity]: [&Matrix6<f64>; 2],
+        out: &mut LocalJacobian,
+    ) {
+        let by = state.variation();
+        let rate_by = state.rate_variation();
+        let columns = (0..2).filter_map(|j| Some((j, self.local(j)?)));
+        for (j, column) in columns {
+            for k in 0..2 {
+                let section = stiffness * by[j][k] + viscosity * rate_by[j][k];
+                let moved = (j, k, &by[j][k]);
+                let rows = state.varied(wrench, &section, Some(moved));
+                self.add_rows(&rows, (column, UNKNOWNS[k]), out);
+                if self.law.is_viscous() {
+                    let rows = state.varied(wrench, &(viscosity * by[j][k]), None);
+                    self.add_rows(&rows, (column, RATES[k]), out);
+                }
+            }
+        }
+    }
+
+    /// Adds force and moment rows of both ends in a column, where there can be something.
+    fn add_rows(
+        &self,
+        rows: &[[Matrix3<f64>; 2]; 2],
+        column: (usize, Variable),
+        out: &mut LocalJacobian,
+    ) {
+        let of_place = matches!(column.1, Variable::Position | Variable::Velocity);
+        let has_force = self.law.has_force();
+        if of_place && !has_force {
+            return;
+        }
+        for (end, [force, moment]) in rows.iter().enumerate() {
+            let Some(row) = self.local(end) else { continue };
+            if has_force {
+                out.add((row, Force), column, force);
+            }
+            out.add((row, Moment), column, moment);
+        }
+    }
+}
+
+fn six(first: &Vector3<f64>, last: &Vector3<f64>) -> Vector6<f64> {
+    Vector6::new(first.x, first.y, first.z, last.x, last.y, last.z)
+}
+
+fn stacked(first: &Matrix3<f64>, last: &Matrix3<f64>) -> Matrix6x3<f64> {
+    let mut both = Matrix6x3::zeros();
+    both.fixed_view_mut::<3, 3>(0, 0).copy_from(first);
+    both.fixed_view_mut::<3, 3>(3, 0).copy_from(last);
+    both
+}
+
+impl State {
+    fn psi(&self) -> Vector3<f64> {
+        self.strain.fixed_rows::<3>(3).into_owned()
+    }
+
+    fn wrench(&self, section: &Vector6<f64>) -> Wrench {
+        let inner = section.fixed_rows::<3>(3).into_owned();
+        Wrench {
+            force: self.g * section.fixed_rows::<3>(0),
+            moment: self.g * (self.inverse.transpose() * inner),
+            inner,
+        }
+    }
+
+    /// Variation of the strains; also of their rates by the velocities.
+    fn variation(&self) -> ByEnds {
+        let gt = self.g.transpose();
+        let turned = self.inverse * gt;
+        let zero = Matrix3::zeros();
+        [
+            [
+                stacked(&-gt, &zero),
+                stacked(&(gt * skew(&self.r)), &-turned),
+            ],
+            [
+                stacked(&gt, &zero),
+                stacked(&(-gt * skew(&self.f)), &turned),
+            ],
+        ]
+    }
+
+    /// Variation of the rates of strain at fixed velocities.
+    fn rate_variation(&self) -> ByEnds {
+        let gt = self.g.transpose();
+        let [omega_a, omega_b] = [&self.a, &self.b].map(|end| skew(&end.angular_velocity));
+        let f = skew(&self.f);
+        let turned = self.inverse * gt;
+        let bent = vector::tangent_inverse_derivative(&self.psi(), &self.spin) * turned;
+        let relative = turned * (omega_b - omega_a);
+        let zero = Matrix3::zeros();
+        [
+            [
+                stacked(&(gt * omega_a), &zero),
+                stacked(&(gt * skew(&self.w)), &(relative - bent)),
+            ],
+            [
+                stacked(&(-gt * omega_a), &zero),
+                stacked(&(gt * (omega_a - omega_b) * f), &bent),
+            ],
+        ]
+    }
+
+    /// Variations of force and moment on a and on b, when the law's forces vary by
+    /// `section` and, if it moves, end `j` is moved (`k` = 0) or turned (1), which varies the
+    /// strains by `by`.
+    fn varied(
+        &self,
+        wrench: &Wrench,
+        section: &Matrix6x3<f64>,
+        moved: Option<(usize, usize, &Matrix6x3<f64>)>,
+    ) -> [[Matrix3<f64>; 2]; 2] {
+        let f = skew(&self.f);
+        let mut force = self.g * section.fixed_rows::<3>(0);
+        let mut inner = self.inverse.transpose() * section.fixed_rows::<3>(3);
+        let (mut arm_a, mut arm_b) = (Matrix3::zeros(), Matrix3::zeros());
+        let mut turned = Matrix3::zeros();
+        if let Some((j, k, by)) = moved {
+            let bent = -vector::tangent_inverse_derivative(&-self.psi(), &wrench.inner);
+            inner += bent * by.fixed_rows::<3>(3);
+            arm_a = match (j, k) {
+                (0, 0) => -Matrix3::identity(),
+                (1, 0) => Matrix3::identity(),
+                (1, _) => -f,
+                _ => Matrix3::zeros(),
+            };
+            if (j, k) == (1, 1) {
+                arm_b = -f;
+            }
+            if (j, k) == (0, 1) {
+                force -= skew(&wrench.force);
+                turned = skew(&wrench.moment);
+            }
+        }
+        let moment = self.g * inner - turned;
+        let lever = skew(&wrench.force);
+        [
+            [force, skew(&self.r) * force - lever * arm_a + moment],
+            [-force, -(f * force - lever * arm_b) - moment],
+        ]
+    }
+}
+
+impl Element for Spring {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        self.law.next_corner(time)
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let strain = self.state(at.nodes).strain;
+        Energy {
+            elastic: self.law.energy(&strain, at.loading.time),
+            ..Energy::default()
+        }
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        let state = self.state(at.nodes);
+        let Wrench { force, moment, .. } =
+            state.wrench(&self.response(&state, at.loading.time).force);
+        let arms = [(state.r, 1.0), (state.f, -1.0)];
+        for (end, (arm, sign)) in arms.into_iter().enumerate() {
+            if let Some(row) = self.local(end) {
+                out.add(row, Force, &(sign * force));
+                out.add(row, Moment, &(sign * arm.cross(&force)));
+                out.add(row, Moment, &(sign * moment));
+            }
+        }
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let state = self.state(at.nodes);
+        let response = self.response(&state, at.loading.time);
+        let wrench = state.wrench(&response.force);
+        let slopes = [&response.by_strain, &response.by_rate];
+        self.add_variation(&state, &wrench, slopes, out);
+    }
+
+    /// The part that is proportional to force and moment, for their growth along the motion.
+    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        let state = self.state(at.nodes);
+        let mut strain = Vector6::zeros();
+        for (end, by) in state.variation().iter().enumerate() {
+            if let Some(local) = self.local(end) {
+                let [displacement, rotation] = &along.nodes[local];
+                strain += by[0] * displacement + by[1] * rotation;
+            }
+        }
+        let growth = self.response(&state, at.loading.time).by_strain * strain;
+        let none = Matrix6::zeros();
+        self.add_variation(&state, &state.wrench(&growth), [&none, &none], out);
+    }
+
+    fn motions(&self) -> Vec<Motion> {
+        let by = self.state(&self.undeformed).variation();
+        let stiffness = self.law.stiffness_at_rest();
+        let resisted = stiffness.row_iter().filter(|row| row.amax() > 0.0);
+        let motion = |row: nalgebra::RowVector6<f64>| {
+            let ends = (0..2).filter(|&end| self.local(end).is_some());
+            let form = |end: usize| [0, 1].map(|k| (row * by[end][k]).transpose());
+            Motion {
+                form: ends.map(form).collect(),
+                is_resisted: true,
+            }
+        };
+        resisted.map(|row| motion(row.into_owned())).collect()
+    }
+
+    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+        let state = self.state(at.nodes);
+        let section = self.response(&state, at.loading.time).force;
+        let Wrench { force, moment, .. } = state.wrench(&section);
+        out.springs.push(SpringState {
+            spring: self.label.clone(),
+            axes: state.g,
+            displacement: state.strain.fixed_rows::<3>(0).into_owned(),
+            rotation: state.psi(),
+            force: section.fixed_rows::<3>(0).into_owned(),
+            moment: state.g.transpose() * moment,
+        });
+        if self.nodes.len() == 1 {
+            out.reactions.push(Reaction {
+                joint: self.label.clone(),
+                node: self.nodes[0],
+                force: -force,
+                moment: -(state.f.cross(&force) + moment),
+            });
+        }
+    }
+}
