@@ -194,6 +194,7 @@ velocity = [0, 0, 4]
 [[body]]
 node = \"a\"
 mass = 2
+inertia = [1, 1, 1]
 [[load]]
 node = \"a\"
 in = \"inner\"
@@ -310,6 +311,7 @@ position = [1, 0, 0]
 [[body]]
 node = \"a\"
 mass = 2
+inertia = [1, 1, 1]
 [[load]]
 node = \"a\"
 force = [0, 0, 1]
