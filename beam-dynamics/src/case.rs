@@ -9,7 +9,8 @@ mod columns;
 mod transient;
 
 pub use columns::{
-    Axes, Column, EnergyPart, Every, NodeQuantity, NodeVector, OutputQuestion, Part, Quantity,
+    Axes, Column, EnergyPart, Every, JointMotion, NodeQuantity, NodeVector, OutputQuestion, Part,
+    Quantity,
 };
 pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 

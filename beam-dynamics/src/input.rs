@@ -27,11 +27,14 @@ mod columns;
 mod damping;
 mod draft;
 mod drives;
+mod ends;
 mod frames;
 mod hub;
 mod hub_support;
 mod in_place;
+mod internal_forces;
 mod joints;
+mod laws;
 mod loads;
 mod measured;
 mod modal_damping;
@@ -41,6 +44,7 @@ mod number;
 mod problem;
 mod properties;
 mod questions;
+mod rods;
 mod sensors;
 mod shapes;
 mod speeds;
@@ -60,6 +64,8 @@ pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
 pub use drives::DriveProblem;
 pub use frames::FrameProblem;
+pub use joints::JointProblem;
+pub use laws::LawProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
@@ -89,7 +95,7 @@ pub struct Input {
     pub transient: Option<TransientQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
-    /// Names of the hinges that nothing but motion and loads holds.
+    /// Names of the joints that nothing but motion and loads holds.
     pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
@@ -137,7 +143,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     problems.into_result(input)
 }
 
-/// What the reader must know of hinges without a spring.
+/// What the reader must know of joints that move without a spring.
 fn free_hinges(names: &[String]) -> Option<String> {
     let [first, others @ ..] = names else {
         return None;
@@ -147,7 +153,7 @@ fn free_hinges(names: &[String]) -> Option<String> {
         count => format!(" and {count} more"),
     };
     Some(format!(
-        "hinge \"{first}\"{others} can turn freely: at rest this is a motion of frequency zero"
+        "joint \"{first}\"{others} can move freely: at rest this is a motion of frequency zero"
     ))
 }
 
@@ -185,10 +191,13 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     bodies::read(&root, &mut draft);
     joints::read_hinges(&root, &mut draft);
     joints::read_rigid(&root, &mut draft);
+    joints::read_joints(&root, &mut draft);
+    rods::read(&root, &mut draft);
     springs::read(&root, &mut draft);
     let sensors = sensors::read(&root, &mut draft);
     draft.set_sensors(sensors);
     loads::read(&root, &mut draft);
+    internal_forces::read(&root, &mut draft);
     let gravity = loads::gravity(&root, &draft);
     let questions = questions::read(&root);
     let measured = measured::read(&root);
@@ -197,8 +206,8 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
 
     draft.check(&root);
     draft.check_initial(&root);
-    if let Some(run) = questions.as_ref().and_then(|all| all.transient.as_ref()) {
-        draft.drives().check(document, [run.from, run.to]);
+    if let Some(times) = questions.as_ref().and_then(Questions::times) {
+        draft.drives().check(document, times);
     }
     let ((gravity, gravity_drive), questions) = (gravity?, questions?);
     questions.check(&root, &gravity, &draft.hub()?.spin());

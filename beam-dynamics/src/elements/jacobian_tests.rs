@@ -12,7 +12,7 @@ use super::beams::{
     BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam, LawBeam, ViscousBeam,
 };
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
-use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
+use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
 use super::laws::{Cubic, Law, LawKind};
 use super::loads::{
     Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
@@ -529,4 +529,31 @@ fn forces_between_nodes() {
             check(&force, &nodes, &mut random);
         }
     }
+}
+
+#[test]
+fn joints_of_every_kind() {
+    let mut random = Random(12);
+    let nodes = nodes(&mut random, 2);
+    for setting in &samples::settings(&nodes, || random.vector(1.0)) {
+        let count = 1 + usize::from(setting.ends.a.is_some());
+        for joint in samples::all(setting) {
+            check(&joint, &nodes[..count], &mut Random(13));
+        }
+    }
+}
+
+#[test]
+fn imposed_motions_times_a_drive() {
+    let mut random = Random(14);
+    let nodes = nodes(&mut random, 1);
+    let motion = ImposedMotion {
+        displacement: [Some(0.3), None, Some(-0.2)],
+        rotation: [Some(0.5), Some(-0.4), None],
+        axes: random.rotation(1.0),
+        factor: LoadFactor::Proportional,
+    };
+    let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
+    let imposed = imposed.driven_by(samples::drive(0.8));
+    check(&imposed, &nodes, &mut random);
 }

@@ -19,13 +19,15 @@ use super::transient::TransientProblem;
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
-use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, ViscousBeam, lumped_bodies};
+use crate::elements::beams::{
+    BeamGeometry, BeamInertia, ElasticBeam, LawBeam, ViscousBeam, lumped_bodies,
+};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::{Drive, Node};
 
+mod blades;
 mod given;
-mod held;
 mod lookup;
 
 /// How the mass of a beam moves.
@@ -201,16 +203,6 @@ impl Draft {
         self.loads.push(load);
     }
 
-    /// Blades so far.
-    pub fn blades(&self) -> &[BladeNodes] {
-        &self.blades
-    }
-
-    /// Whether a blade of this name could not be read.
-    pub fn is_broken_blade(&self, blade: &str) -> bool {
-        self.broken_blades.contains(blade)
-    }
-
     /// Notes that a card could not be read.
     pub fn note_broken(&mut self) {
         self.broken = true;
@@ -336,7 +328,7 @@ impl Draft {
 
     /// Notes what is wrong with the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
-        const CARDS: [&str; 5] = ["blade", "beam", "hinge", "rigid", "spring"];
+        const CARDS: [&str; 7] = ["blade", "beam", "hinge", "rigid", "joint", "spring", "rod"];
         let flies = root.has("transient") && (root.has("body") || root.has("joint"));
         let bodies = !flies || self.bodies.is_empty();
         let nothing = self.beams.is_empty() && self.joints.is_empty() && bodies && !self.broken;
@@ -413,11 +405,6 @@ impl Draft {
             .with_mass(|mass| lumped_bodies(&beam.geometry, ends, mass))
     }
 
-    /// Notes that the given nodes, from the root to the tip, are those of a blade.
-    pub fn add_blade(&mut self, blade: BladeNodes) {
-        self.blades.push(blade);
-    }
-
     /// Adds what the reader must know of a file that was read.
     pub fn add_remarks(&mut self, remarks: Vec<String>) {
         self.remarks.extend(remarks);
@@ -465,17 +452,22 @@ impl Draft {
             along,
             inertia,
         } = beam;
-        let stiffness = along.stiffness;
-        let elastic = ElasticBeam::new(label, *nodes, *geometry, self.ends(beam), stiffness);
-        let mut elements = vec![boxed(elastic)];
-        if let Some(damping) = along.damping {
-            let ends = self.ends(beam);
-            let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
-            elements.push(boxed(viscous));
+        let mut elements = Vec::new();
+        let ends = self.ends(beam);
+        if let Some(law) = &along.law {
+            let laws = [law.clone(), law.clone()];
+            elements.push(boxed(LawBeam::new(label, *nodes, *geometry, ends, laws)));
+        } else {
+            let stiffness = along.stiffness;
+            let elastic = ElasticBeam::new(label, *nodes, *geometry, ends, stiffness);
+            elements.push(boxed(elastic));
+            if let Some(damping) = along.damping {
+                let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
+                elements.push(boxed(viscous));
+            }
         }
         match inertia {
             Inertia::Consistent => {
-                let ends = self.ends(beam);
                 let inertia = along
                     .with_mass(|mass| BeamInertia::along(label, *nodes, *geometry, ends, mass));
                 elements.push(boxed(inertia));

@@ -16,12 +16,13 @@ use shared_geom::units::Dimension;
 use super::problem::InputProblem;
 
 /// Cards that may be written in a frame.
-pub(super) const FRAMED: [&str; 8] = [
+pub(super) const FRAMED: [&str; 9] = [
     "node",
     "load",
     "distributed_load",
     "imposed",
     "hinge",
+    "joint",
     "spring",
     "frame",
     "repeat",

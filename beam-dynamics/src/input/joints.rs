@@ -1,4 +1,4 @@
-//! Hinges and rigid connections between two nodes.
+//! Joints: hinges and rigid connections between two nodes, and joints of every kind.
 
 use nalgebra::Vector3;
 use shared_geom::document::Table;
@@ -8,6 +8,15 @@ use super::draft::Draft;
 use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::elements::joints::HingeSpring;
+
+mod kinds;
+mod problem;
+
+#[cfg(test)]
+mod tests;
+
+pub(super) use kinds::read as read_joints;
+pub use problem::JointProblem;
 
 /// Adds every `[[hinge]]` to the model.
 pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
@@ -65,6 +74,16 @@ fn name(table: &Table<'_>, kind: &str, number: usize) -> String {
 
 /// The two nodes of a joint.
 fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 2]> {
+    node_pair(table, draft, words, "two")
+}
+
+/// The two nodes of a joint, of which it must list `expected`.
+fn node_pair(
+    table: &Table<'_>,
+    draft: &mut Draft,
+    words: &str,
+    expected: &'static str,
+) -> Option<[usize; 2]> {
     if !table.has("nodes") {
         let _ = table.require_text("nodes", "the names of two nodes");
     }
@@ -77,7 +96,7 @@ fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 2]
         .map(|name| draft.find_node(name, table, "nodes", words))
         .collect();
     let [first, second] = found[..] else {
-        let (key, found, expected) = ("nodes", names.len(), "two");
+        let (key, found) = ("nodes", names.len());
         let problem = InputProblem::Count {
             key,
             found,

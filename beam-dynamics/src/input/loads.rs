@@ -149,8 +149,13 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
         let node = node(table, draft, &label);
         let motion = imposed(table);
         let frame = draft.frames().of(table);
+        let drive = match table.has("drive") {
+            true => drives::read(table, "drive", Dimension::NUMBER, draft.drives()).map(Some),
+            false => Some(None),
+        };
         table.finish();
-        let (Some(node), Some(mut motion), Some(frame), true) = (node, motion, frame, is_new)
+        let (Some(node), Some(mut motion), Some(frame), Some(drive), true) =
+            (node, motion, frame, drive, is_new)
         else {
             draft.note_broken();
             continue;
@@ -170,6 +175,10 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
         }
         motion.axes = frame.axes(&motion.axes);
         let imposed = Imposed::new(label, node, &draft.nodes()[node], motion);
+        let imposed = match drive {
+            Some(drive) => imposed.driven_by(drive),
+            None => imposed,
+        };
         draft.add_load(Box::new(imposed));
     }
 }

@@ -322,6 +322,14 @@ impl<'a> Table<'a> {
         rows.into_iter().collect()
     }
 
+    /// Length of the list under `key`.
+    pub fn row_count(&self, key: &str) -> Option<usize> {
+        match self.ask(key).map(|value| &value.kind) {
+            Some(Kind::Array(items)) => Some(items.len()),
+            _ => None,
+        }
+    }
+
     /// Rows of plain numbers under `key`, each of `columns`; no unit is applied.
     pub fn rows(&self, key: &str, rows: usize, columns: usize) -> Option<Vec<Vec<f64>>> {
         let expected = format!("{rows} rows of {columns} numbers");

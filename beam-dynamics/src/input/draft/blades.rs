@@ -1,8 +1,9 @@
-//! What holds the roots of blades.
+//! Blades, and what holds their roots.
 
 use shared_geom::document::Table;
 
 use super::Draft;
+use crate::case::BladeNodes;
 
 impl Draft {
     /// The node of the hub when the hub moves; `None` when the frame holds it, so that
@@ -27,5 +28,20 @@ impl Draft {
                 self.add_rigid(&label, [hub, node]);
             }
         }
+    }
+
+    /// Blades so far.
+    pub fn blades(&self) -> &[BladeNodes] {
+        &self.blades
+    }
+
+    /// Whether a blade of this name could not be read.
+    pub fn is_broken_blade(&self, blade: &str) -> bool {
+        self.broken_blades.contains(blade)
+    }
+
+    /// Notes that the given nodes, from the root to the tip, are those of a blade.
+    pub fn add_blade(&mut self, blade: BladeNodes) {
+        self.blades.push(blade);
     }
 }
