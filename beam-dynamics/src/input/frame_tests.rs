@@ -229,6 +229,75 @@ step = 0.1
     );
 }
 
+// Copies of a hinged body with a joint, a spring and a force between nodes, by half a
+// turn: points (x, y) -> (-x, -y).
+#[test]
+fn joints_springs_and_forces_turn_with_their_copy() {
+    let cards = |kind: &str, name: &str, sign: f64, axes: &str| {
+        let x = |value: f64| sign * value;
+        format!(
+            "[[{kind}node]]\nname = \"in{name}\"\nposition = [{}, 0, 0]\n{axes}\
+             [[{kind}node]]\nname = \"out{name}\"\nposition = [{}, {}, 0]\n{axes}\
+             [[{kind}body]]\nname = \"mass{name}\"\nnode = \"out{name}\"\nmass = 2\ninertia = [1, 1, 1]\n\
+             [[{kind}clamp]]\nnode = \"in{name}\"\n\
+             [[{kind}joint]]\nname = \"pin{name}\"\nkind = \"revolute\"\n\
+             nodes = [\"in{name}\", \"out{name}\"]\nat = [{}, {}, 0]\naxis = [{}, {}, 1]\n\
+             [[{kind}spring]]\nname = \"spring{name}\"\nnode = \"out{name}\"\nstiffness = [1, 2, 3]\n\
+             orientation = [0, 0, {}]\n\
+             [[{kind}internal_force]]\nname = \"pull{name}\"\nnodes = [\"in{name}\", \"out{name}\"]\n\
+             force = [{}, {}, 3]\n",
+            x(1.0),
+            x(2.0),
+            x(0.5),
+            x(1.5),
+            x(0.25),
+            x(0.1),
+            x(0.2),
+            if sign > 0.0 { 20.0 } else { 200.0 },
+            x(1.0),
+            x(2.0),
+        )
+    };
+    let end = "[transient]\nto = 1\nstep = 0.1\n";
+    let half = "orientation = [0, 0, 180]\n";
+    let by_hand = [cards("", " 1", 1.0, ""), cards("", " 2", -1.0, half)].concat();
+    let copies = format!(
+        "[[repeat]]\nname = \"side\"\ncount = 2\n{}",
+        cards("repeat.", "", 1.0, "")
+    );
+    let [found, expected] = [copies, by_hand].map(|cards| input(&format!("{cards}{end}")).unwrap());
+    let [a, b] = [&found, &expected].map(|input| {
+        let system = &input.model.system;
+        let mut state = system.rest();
+        for (i, node) in state.nodes.iter_mut().enumerate() {
+            node.position += Vector3::new(0.1, 0.2, -0.1) * (i as f64 + 1.0);
+        }
+        // Multipliers of a joint turn with axes that are not given across its own.
+        let values = system.residual(&state, &conditions(0.0)).values;
+        values[..12 * system.nodes().len()].to_vec()
+    });
+    for (a, b) in a.iter().zip(&b) {
+        assert!((a - b).abs() < 1e-12, "{a} {b}");
+    }
+    assert_eq!(
+        found.model.system.numbering(),
+        expected.model.system.numbering()
+    );
+}
+
+#[test]
+fn equilibria_ask_tables_for_the_time_zero() {
+    let late = ARMS.replace(
+        "\"= cos(2*t)\"",
+        "{ kind = \"table\", rows = [[1, 0], [2, 1]] }",
+    );
+    let shown = refused(&late);
+    assert!(
+        shown.contains("\"drive\" has values from 1 s to 2 s, and the run goes from 0 s to 0 s"),
+        "{shown}"
+    );
+}
+
 #[test]
 fn parameters_stand_in_any_number() {
     let written = ARMS

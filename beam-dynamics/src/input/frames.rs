@@ -16,11 +16,12 @@ use shared_geom::units::Dimension;
 use super::problem::InputProblem;
 
 /// Cards that may be written in a frame.
-pub(super) const FRAMED: [&str; 9] = [
+pub(super) const FRAMED: [&str; 10] = [
     "node",
     "load",
     "distributed_load",
     "imposed",
+    "internal_force",
     "hinge",
     "joint",
     "spring",
