@@ -2,6 +2,7 @@
 
 pub mod massless;
 pub mod mechanism;
+pub mod redundancy;
 
 mod combination;
 mod pattern;

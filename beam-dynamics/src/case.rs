@@ -5,8 +5,12 @@ use nalgebra::Vector3;
 use crate::assembly::System;
 use crate::model::{Conditions, Loading, NamingAxes, TurningFrame};
 
+mod columns;
 mod transient;
 
+pub use columns::{
+    Axes, Column, EnergyPart, Every, NodeQuantity, NodeVector, OutputQuestion, Part, Quantity,
+};
 pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 
 /// How the model's frame turns.

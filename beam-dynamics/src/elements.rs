@@ -17,7 +17,10 @@ mod constraint;
 mod local;
 mod motion;
 mod observation;
+mod reduced;
 
+#[cfg(test)]
+mod energy_tests;
 #[cfg(test)]
 mod jacobian_tests;
 #[cfg(test)]
@@ -29,6 +32,7 @@ pub use motion::Motion;
 pub use observation::{
     JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
 };
+pub use reduced::ReducedElement;
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
 #[derive(Debug, Clone, Copy)]

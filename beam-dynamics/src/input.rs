@@ -11,7 +11,9 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 
 use crate::assembly::{massless, mechanism};
-use crate::case::{BucklingQuestion, Model, ModesQuestion, StaticQuestion, TransientQuestion};
+use crate::case::{
+    BucklingQuestion, Model, ModesQuestion, OutputQuestion, StaticQuestion, TransientQuestion,
+};
 use crate::result::Measured;
 
 mod along;
@@ -21,6 +23,7 @@ mod blade_file;
 mod blades;
 mod bodies;
 mod clamps;
+mod columns;
 mod damping;
 mod draft;
 mod drives;
@@ -54,6 +57,8 @@ mod tests;
 
 pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
+pub use columns::ColumnProblem;
+pub use drives::DriveProblem;
 pub use laws::LawProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
@@ -78,6 +83,8 @@ pub struct Input {
     pub statics: Option<StaticQuestion>,
     /// What is asked about critical loads; `None` without `[buckling]`.
     pub buckling: Option<BucklingQuestion>,
+    /// What a run in time writes.
+    pub output: OutputQuestion,
     /// What is asked about motion in time; `None` without `[transient]`.
     pub transient: Option<TransientQuestion>,
     /// Measurements to set beside the result; empty when there are none.
@@ -176,6 +183,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let gravity = loads::gravity(&root);
     let questions = questions::read(&root);
     let measured = measured::read(&root);
+    let output = columns::read(&root, &draft);
     root.finish();
 
     draft.check(&root);
@@ -184,6 +192,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     questions.check(&root, &gravity, &draft.hub()?.spin());
     let mut input = finish(name, draft, questions, measured?)?;
     input.model.gravity = gravity;
+    input.output = output?;
     Some(input)
 }
 
@@ -198,6 +207,7 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         modes: questions.modes,
         statics: questions.statics,
         buckling: questions.buckling,
+        output: OutputQuestion::default(),
         transient: questions.transient,
         measured,
         free_hinges: Vec::new(),

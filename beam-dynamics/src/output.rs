@@ -17,6 +17,7 @@ mod table_csv;
 mod table_modes;
 mod table_text;
 mod text;
+mod transient;
 mod views;
 
 #[cfg(test)]
@@ -37,3 +38,7 @@ pub use statics::{
 pub use table_csv::frequency_csv;
 pub use table_modes::mode_csv;
 pub use table_text::{CONVENTION, convention, frequency_text};
+pub use transient::{
+    Curve, Heading, RunFileProblem, RunFiles, TimePlot, TimeTable, effort_text, read_snapshot,
+    write_snapshot,
+};

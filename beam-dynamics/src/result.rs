@@ -3,10 +3,12 @@
 use nalgebra::{Complex, Matrix3};
 
 mod buckling;
+mod columns;
 mod statics;
 mod transient;
 
 pub use buckling::{BucklingMode, BucklingResult};
+pub use columns::ColumnValues;
 pub use statics::{StaticResult, StaticStep};
 pub use transient::{Effort, Moment, Recorder, Snapshot};
 

@@ -15,11 +15,13 @@ use crate::error::{Diagnostics, Explain, Place};
 use crate::files::read_bytes;
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
+mod item;
 mod parameters;
 mod problem;
 mod table;
 mod tree;
 
+pub use item::Item;
 pub use problem::DocumentProblem;
 pub use table::Table;
 

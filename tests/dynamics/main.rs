@@ -4,21 +4,31 @@
 
 mod articulated;
 mod beam_statics;
+mod bipendulum;
 mod blade_roots;
 mod buckling;
 mod case_files;
 mod chain;
 mod damping;
+mod elastic_pendulums;
 mod equal_blades;
 mod formats;
+mod free_flight;
+mod in_time;
 mod joints;
+mod leverage;
 mod loads;
 mod mbdyn_model;
+mod mechanisms;
+mod pendulum;
+mod postbuckling;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;
 mod rotor;
+mod spinning_top;
 mod statics;
+mod swinging;
 mod tm4760;
 mod uniform_beam;
 mod wind_blades;

@@ -10,17 +10,18 @@ use crate::elements::bodies::NodeBalance;
 use crate::elements::{Element, Local, LocalJacobian, Observations};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
 
-mod energy;
 mod growth;
 mod layout;
 mod rates;
+mod removal;
 mod step;
+mod told;
 
 /// A model as a system of equations `F(y, y') = 0`.
 #[derive(Debug)]
 pub struct System {
     nodes: Vec<Node>,
-    elements: Vec<Box<dyn Element>>,
+    elements: Vec<Arc<dyn Element>>,
     numbering: Numbering,
     pattern: Arc<Pattern>,
     /// Places of each element.
@@ -55,7 +56,12 @@ impl System {
             let balance: Box<dyn Element> = Box::new(NodeBalance::new(&node.label, i));
             balance
         });
-        let elements: Vec<_> = balances.chain(elements).collect();
+        let elements = balances.chain(elements).map(Arc::from).collect();
+        Self::of(nodes, elements)
+    }
+
+    /// The system of all its elements, the balances of the nodes first.
+    fn of(nodes: Vec<Node>, elements: Vec<Arc<dyn Element>>) -> Self {
         let counts = elements.iter().map(|element| element.multipliers());
         let numbering = Numbering::new(nodes.len(), counts);
         let mut system = Self {

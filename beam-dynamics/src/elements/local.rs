@@ -4,6 +4,8 @@ use nalgebra::{DMatrix, Matrix3, RowVector3, Vector3};
 
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 
+mod removal;
+
 /// Residual of one element: twelve rows a node, then one a constraint.
 #[derive(Debug, Clone)]
 pub struct LocalResidual {

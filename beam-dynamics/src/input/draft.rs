@@ -24,6 +24,8 @@ use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::Node;
 
+mod lookup;
+
 /// How the mass of a beam moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Inertia {

@@ -1,22 +1,43 @@
 //! Numbers that change with time: `[drives.NAME]`, and what may stand for one in a card.
+//!
+//! A plain number counts in the declared unit of the key for which it stands. A drive
+//! that has a name counts so for every key that uses it, unless it has a `unit`.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use shared_geom::document::Table;
-use shared_geom::expression::{Expression, Names, written};
+use shared_geom::document::{Document, Item, Table};
+use shared_geom::expression::{Names, written};
 use shared_geom::units::Dimension;
+
+mod columns;
+mod kinds;
+mod measure;
+mod problem;
+#[cfg(test)]
+mod tests;
+
+pub use problem::DriveProblem;
 
 use super::problem::InputProblem;
 use crate::model::{Drive, Formula};
+use measure::Measure;
+
+/// A drive with a name.
+#[derive(Debug, Clone)]
+struct Named {
+    drive: Drive,
+    measure: Measure,
+}
 
 /// The drives of an input by name; those that are wrong are `None`.
 #[derive(Debug, Default)]
 pub(super) struct Catalog {
-    named: BTreeMap<String, Option<Drive>>,
-    /// Drives by name that a card uses.
-    used: RefCell<Vec<String>>,
+    named: BTreeMap<String, Option<Named>>,
+    /// Where a drive that does not have a value at all times is used: its line, its key
+    /// and the times between which it has one.
+    bounded: RefCell<Vec<(usize, String, [f64; 2])>>,
 }
 
 /// Reads the drive under `key` of a card, in SI units of `dimension`: a number or a
@@ -28,68 +49,182 @@ pub(super) fn read(
     dimension: Dimension,
     catalog: &Catalog,
 ) -> Option<Drive> {
-    if !table.has(key) {
-        return None;
-    }
-    if !table.is_text(key) {
-        return table.quantity(key, dimension).map(Drive::Constant);
-    }
-    let text = table.text(key)?;
-    let document = table.document();
-    if let Some(text) = written(&text) {
-        let formula = formula(table, key, text)?;
-        return Some(formula.scaled(document.factor(dimension)));
-    }
-    if let Some(drive) = catalog.named.get(text.trim()) {
-        catalog.used.borrow_mut().push(text.trim().to_owned());
-        return Some(drive.clone()?.scaled(document.factor(dimension)));
-    }
-    let is_quantity = text.trim().contains(' ') || text.starts_with(|c: char| c.is_ascii_digit());
-    if is_quantity {
-        return table.quantity(key, dimension).map(Drive::Constant);
-    }
-    let problem = InputProblem::UnknownName {
-        kind: "drive",
-        name: text,
-        user: table.title().to_owned(),
-        known: catalog.named.keys().cloned().collect(),
-    };
-    table.note(key, &problem);
-    None
+    read_item(&table.item(key)?, dimension, catalog)
 }
 
-/// An expression of time, in declared units.
-fn formula(table: &Table<'_>, key: &str, text: &str) -> Option<Drive> {
-    let document = table.document();
+/// As [`read`], of a value wherever it stands.
+pub(super) fn read_item(item: &Item<'_>, dimension: Dimension, catalog: &Catalog) -> Option<Drive> {
+    let find = |name: &str| catalog.find(name, item);
+    let drive = drive(item, Measure::Declared(dimension), &find)?;
+    let domain = drive.domain();
+    if domain.iter().any(|end| end.is_finite()) {
+        let place = (item.line(), item.key().to_owned(), domain);
+        catalog.bounded.borrow_mut().push(place);
+    }
+    Some(drive)
+}
+
+/// What finds a drive by its name and notes that there is none.
+type Find<'a> = dyn Fn(&str) -> Option<Named> + 'a;
+
+/// A drive in `measure`.
+fn drive(item: &Item<'_>, measure: Measure, find: &Find<'_>) -> Option<Drive> {
+    if let Some(table) = item.table(&format!("the drive under \"{}\"", item.key())) {
+        let drive = kinds::read(&table, measure, find);
+        table.finish();
+        return drive;
+    }
+    let Some(text) = item.text() else {
+        return measure.number(item).map(Drive::Constant);
+    };
+    if let Some(text) = written(text) {
+        return formula(item, text, measure);
+    }
+    let begins = text.trim_start().chars().next();
+    if begins.is_some_and(|letter| letter.is_ascii_digit() || "+-.".contains(letter)) {
+        return measure.number(item).map(Drive::Constant);
+    }
+    let named = find(text.trim())?;
+    match measure.factor_from(named.measure, item.document()) {
+        Some(factor) => Some(named.drive.scaled(factor)),
+        None => {
+            let name = text.trim().to_owned();
+            item.note(&DriveProblem::Measures {
+                name,
+                measures: named.measure.words(),
+                expected: measure.words(),
+            });
+            None
+        }
+    }
+}
+
+/// An expression of time in declared units.
+fn formula(item: &Item<'_>, text: &str, measure: Measure) -> Option<Drive> {
+    let document = item.document();
     let constants = document.parameters();
     let names = Names {
         variables: &["t"],
         constants: &constants,
     };
-    let expression = document.expression(key, table.line_of(key), text, &names)?;
-    if !expression.uses(0) {
-        return table_constant(&expression);
+    let expression = document.expression(item.key(), item.line(), text, &names)?;
+    let factor = measure.factor(document);
+    if expression.uses(0) {
+        let formula = Formula::new(expression, document.factor(Dimension::TIME));
+        return Some(Drive::Formula(Arc::new(formula)).scaled(factor));
     }
-    let formula = Formula::new(expression, document.factor(Dimension::TIME));
-    Some(Drive::Formula(Arc::new(formula)))
-}
-
-fn table_constant(expression: &Expression) -> Option<Drive> {
     let value = expression.at(|_| Default::default()).value;
-    Some(Drive::Constant(value))
+    if value.is_nan() && constants.iter().any(|own| own.1.is_nan()) {
+        // What is wrong with the parameter has been told.
+        return None;
+    }
+    match value.is_finite() {
+        true => Some(Drive::Constant(factor * value)),
+        false => item.wrong("an expression with a finite value"),
+    }
 }
 
-/// Reads every `[drives.NAME]`.
+/// Reads every `[drives.NAME]`, each of which may use others.
 pub(super) fn read_named(root: &Table<'_>) -> Catalog {
-    let mut catalog = Catalog::default();
-    for (name, table) in root.named_tables("drives") {
-        let text = table.require_text("expression", "an expression of t");
-        let drive = text.and_then(|text| {
-            let text = written(&text).unwrap_or(&text).to_owned();
-            formula(&table, "expression", &text)
+    let tables = root.named_tables("drives");
+    let reader = Reader {
+        tables: &tables,
+        done: RefCell::default(),
+        open: RefCell::default(),
+    };
+    for (name, _) in &tables {
+        reader.find(name);
+    }
+    Catalog {
+        named: reader.done.into_inner(),
+        bounded: RefCell::default(),
+    }
+}
+
+/// Drives with names while they are read.
+struct Reader<'a, 'd> {
+    tables: &'a [(String, Table<'d>)],
+    done: RefCell<BTreeMap<String, Option<Named>>>,
+    /// Names that are being read, each used by the one before.
+    open: RefCell<Vec<String>>,
+}
+
+impl Reader<'_, '_> {
+    /// The drive called `name`; `None` when it is wrong, which has been noted.
+    fn find(&self, name: &str) -> Option<Named> {
+        if let Some(found) = self.done.borrow().get(name) {
+            return found.clone();
+        }
+        let table = &self.tables.iter().find(|own| own.0 == name)?.1;
+        self.open.borrow_mut().push(name.to_owned());
+        let measure = Measure::of_table(table);
+        let drive = measure.and_then(|measure| {
+            let find = |other: &str| self.other(other, table);
+            let drive = kinds::read(table, measure, &find)?;
+            Some(Named { drive, measure })
         });
         table.finish();
-        catalog.named.insert(name, drive);
+        self.open.borrow_mut().pop();
+        self.done
+            .borrow_mut()
+            .insert(name.to_owned(), drive.clone());
+        drive
     }
-    catalog
+
+    /// A drive that another one uses.
+    fn other(&self, name: &str, user: &Table<'_>) -> Option<Named> {
+        let open = self.open.borrow().clone();
+        if let Some(first) = open.iter().position(|own| own == name) {
+            let chain = open[first..].iter().cloned();
+            let chain = chain.chain([name.to_owned()]).collect();
+            user.note("", &DriveProblem::Cycle { chain });
+            return None;
+        }
+        if !self.tables.iter().any(|own| own.0 == name) {
+            let known = self.tables.iter().map(|own| own.0.clone());
+            user.note("", &unknown(name, user.title(), known.collect()));
+            return None;
+        }
+        self.find(name)
+    }
+}
+
+fn unknown(name: &str, user: &str, known: Vec<String>) -> InputProblem {
+    InputProblem::UnknownName {
+        kind: "drive",
+        name: name.to_owned(),
+        user: user.to_owned(),
+        known,
+    }
+}
+
+impl Catalog {
+    fn find(&self, name: &str, item: &Item<'_>) -> Option<Named> {
+        let found = self.named.get(name);
+        if found.is_none() {
+            let user = format!("\"{}\"", item.key());
+            item.note(&unknown(name, &user, self.named.keys().cloned().collect()));
+        }
+        found?.clone()
+    }
+
+    /// Notes every drive that a card uses and that has no value at some time of a run.
+    pub fn check(&self, document: &Document, [from, to]: [f64; 2]) {
+        for (line, key, [first, last]) in self.bounded.borrow().iter() {
+            if from < *first || to > *last {
+                let problem = DriveProblem::Outside {
+                    key: key.clone(),
+                    domain: [*first, *last],
+                    run: [from, to],
+                };
+                document.note(*line, &problem);
+            }
+        }
+    }
+
+    /// The drives with names, those in plain numbers as they are; for output.
+    pub fn drives(&self) -> impl Iterator<Item = (&str, &Drive)> {
+        let sound = self.named.iter();
+        sound.filter_map(|(name, named)| Some((name.as_str(), &named.as_ref()?.drive)))
+    }
 }

@@ -58,7 +58,8 @@ impl DriveValue {
     }
 
     /// `(a b)' = a' b + a b'`, `(a b)'' = a'' b + 2 a' b' + a b''`.
-    fn times(self, other: Self) -> Self {
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
         Self {
             value: self.value * other.value,
             rate: self.rate * other.value + self.value * other.rate,

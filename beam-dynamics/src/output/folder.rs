@@ -30,7 +30,8 @@ impl<'a> Results<'a> {
         }
     }
 
-    fn path(&self, ending: &str) -> PathBuf {
+    /// Path of the file `NAME.ENDING`.
+    pub fn path(&self, ending: &str) -> PathBuf {
         self.folder.join(format!("{}.{ending}", self.name))
     }
 

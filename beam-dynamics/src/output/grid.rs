@@ -1,9 +1,13 @@
 //! A model as a grid of VTK: nodes are points, half beams are lines.
 
 use nalgebra::{Matrix3, Vector3};
+use shared_geom::rotation::vector;
 use shared_geom::vtk::{Cell, FieldFile};
+use shared_geom::wrench::COMPONENTS;
 
 use super::structure::Structure;
+use crate::elements::SectionState;
+use crate::model::Node;
 
 /// Names of the arrays of axes.
 const AXES: [&str; 3] = ["axis_x", "axis_y", "axis_z"];
@@ -33,6 +37,31 @@ impl Structure {
         file
     }
 
+    /// The model with its nodes at `positions` and `rotations`: at the nodes displacement,
+    /// rotation vector and axes; on each half beam the internal force, the generalized
+    /// strain and the section axes at its evaluation point.
+    pub fn moved_grid(
+        &self,
+        nodes: &[Node],
+        positions: &[Vector3<f64>],
+        rotations: &[Matrix3<f64>],
+        sections: &[SectionState],
+    ) -> FieldFile {
+        let mut file = self.grid(positions);
+        let nodes = || nodes.iter().enumerate();
+        let moved: Vec<_> = nodes()
+            .map(|(k, node)| positions[k] - node.position)
+            .collect();
+        add_vectors(&mut file, "displacement", &moved);
+        let turned: Vec<Vector3<f64>> = nodes()
+            .map(|(k, node)| vector::from_rotation(&(rotations[k] * node.rotation.transpose())))
+            .collect();
+        add_vectors(&mut file, "rotation", &turned);
+        add_axes(&mut file, rotations);
+        add_sections(&mut file, self, sections);
+        file
+    }
+
     /// Number of cells of the grid.
     pub fn cell_count(&self) -> usize {
         2 * self.beams.len() + self.loose_nodes().len()
@@ -53,5 +82,29 @@ pub(super) fn add_axes(file: &mut FieldFile, attitudes: &[Matrix3<f64>]) {
             .map(|attitude| attitude.column(column).into_owned())
             .collect();
         add_vectors(file, name, &vectors);
+    }
+}
+
+/// Adds what the evaluation points tell; where there is none it is not a number.
+fn add_sections(file: &mut FieldFile, structure: &Structure, sections: &[SectionState]) {
+    let count = structure.cell_count();
+    let values = |value: &dyn Fn(&SectionState) -> f64| -> Vec<f64> {
+        let known = sections.iter().take(2 * structure.beams.len()).map(value);
+        known
+            .chain(std::iter::repeat(f64::NAN))
+            .take(count)
+            .collect()
+    };
+    for (component, name) in COMPONENTS.iter().enumerate() {
+        let name = name.replace(' ', "_");
+        let forces = values(&|section| section.internal_force[component]);
+        file.cell_values(&format!("internal_force_{name}"), 1, forces);
+        let strains = values(&|section| section.strain[component]);
+        file.cell_values(&format!("strain_{name}"), 1, strains);
+    }
+    for (column, name) in ["section_x", "section_y", "section_z"].iter().enumerate() {
+        let parts = [0, 1, 2].map(|row| values(&|section| section.axes[(row, column)]));
+        let vectors = (0..count).flat_map(|cell| [0, 1, 2].map(|row: usize| parts[row][cell]));
+        file.cell_values(name, 3, vectors.collect());
     }
 }

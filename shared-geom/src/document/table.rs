@@ -6,11 +6,11 @@ use std::path::PathBuf;
 use nalgebra::Vector3;
 
 use super::tree::{Entry, Kind, Value};
-use super::{Document, DocumentProblem};
+use super::{Document, DocumentProblem, Item};
 use crate::error::Explain;
 use crate::expression::written;
 use crate::files::names_beside;
-use crate::units::{Dimension, parse_quantity};
+use crate::units::Dimension;
 
 /// Numbers of expressions below it can be counts: those that are whole without doubt.
 const COUNTS: f64 = 9e15;
@@ -79,15 +79,23 @@ impl<'a> Table<'a> {
         self.ask(key).is_some()
     }
 
-    /// Whether `key` holds a text.
+    /// Whether `key` holds a text, and not an expression that stands for a number.
     pub fn is_text(&self, key: &str) -> bool {
-        matches!(
-            self.ask(key),
-            Some(Value {
-                kind: Kind::Text(_),
-                ..
-            })
-        )
+        let item = self.item(key);
+        let text = item.as_ref().and_then(Item::text);
+        text.is_some_and(|text| written(text).is_none())
+    }
+
+    /// The value under `key`, of whatever type.
+    pub fn item(&self, key: &str) -> Option<Item<'a>> {
+        let value = self.ask(key)?;
+        Some(Item::new(self.document, key, value))
+    }
+
+    /// As [`Table::item`], and required.
+    pub fn require_item(&self, key: &str, expected: &str) -> Option<Item<'a>> {
+        self.require(key, expected)?;
+        self.item(key)
     }
 
     /// Whether `key` holds a table.
@@ -438,37 +446,10 @@ impl<'a> Table<'a> {
     }
 
     fn in_si(&self, key: &str, value: &Value, dimension: Dimension) -> Option<f64> {
-        let plain = |number: f64| number * self.document.factor(dimension);
-        let number = match &value.kind {
-            Kind::Integer(number) => plain(*number as f64),
-            Kind::Number(number) => plain(*number),
-            Kind::Text(text) if written(text).is_some() => {
-                plain(self.document.evaluate(key, value.line, text)?)
-            }
-            Kind::Text(text) => match parse_quantity(text, dimension) {
-                Ok(number) => number,
-                Err(problem) => {
-                    let key = key.to_owned();
-                    let problem = DocumentProblem::Unit { key, problem };
-                    self.document.note(value.line, &problem);
-                    return None;
-                }
-            },
-            _ => return self.wrong_value(key, value, &dimension.to_string()),
-        };
-        if number.is_finite() {
-            return Some(number);
-        }
-        self.wrong_value(key, value, &format!("{dimension}, finite"))
+        Item::new(self.document, key, value).quantity(dimension)
     }
 
     fn wrong_value<T>(&self, key: &str, value: &Value, expected: &str) -> Option<T> {
-        let problem = DocumentProblem::WrongValue {
-            key: key.to_owned(),
-            found: value.kind.describe(),
-            expected: expected.to_owned(),
-        };
-        self.document.note(value.line, &problem);
-        None
+        Item::new(self.document, key, value).wrong(expected)
     }
 }

@@ -24,7 +24,7 @@ mod row;
 mod turn;
 
 pub(super) use form::{Carrier, Form};
-pub(super) use row::{Held, Row, Seen, product};
+pub(super) use row::{Held, Row, Seen};
 pub(super) use turn::Turned;
 
 /// A point and axes fixed to a node.

@@ -8,7 +8,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned, product};
+use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
 use crate::elements::loads::LoadFactor;
 use crate::elements::{
@@ -136,14 +136,11 @@ impl ConstraintJoint {
 
     /// What the targets are multiplied with, now.
     fn scale(&self, loading: &Loading) -> DriveValue {
-        let one = DriveValue {
-            value: 1.0,
-            ..DriveValue::default()
-        };
+        let one = DriveValue::constant(1.0);
         let scale = self.scale.as_ref().map_or(one, |s| s.at(loading.time));
         match self.factor {
             None => scale,
-            Some(factor) => times(&scale, factor.value(loading)),
+            Some(factor) => scale.scaled(factor.value(loading)),
         }
     }
 
@@ -205,21 +202,12 @@ impl ConstraintJoint {
 fn by_axis(turn: &[Drive; 3], time: f64, scale: &DriveValue) -> [Vector3<f64>; 3] {
     let mut found = [Vector3::zeros(); 3];
     for (axis, drive) in turn.iter().enumerate() {
-        let now = product(&drive.at(time), scale);
+        let now = drive.at(time).times(*scale);
         found[0][axis] = now.value;
         found[1][axis] = now.rate;
         found[2][axis] = now.acceleration;
     }
     found
-}
-
-/// A value and its derivatives times a number.
-fn times(value: &DriveValue, factor: f64) -> DriveValue {
-    DriveValue {
-        value: factor * value.value,
-        rate: factor * value.rate,
-        acceleration: factor * value.acceleration,
-    }
 }
 
 impl Element for ConstraintJoint {

@@ -1,12 +1,7 @@
 //! Equilibria as field files.
 
-use nalgebra::Vector3;
-use shared_geom::rotation::vector;
 use shared_geom::vtk::FieldFile;
-use shared_geom::wrench::COMPONENTS;
 
-use crate::elements::SectionState;
-use crate::output::grid::{add_axes, add_vectors};
 use crate::output::structure::Structure;
 use crate::result::{StaticResult, StaticStep};
 
@@ -18,47 +13,12 @@ pub(super) fn step_grid(
     structure: &Structure,
     step: &StaticStep,
 ) -> FieldFile {
-    let mut file = structure.grid(&step.positions);
-    let nodes = || result.nodes.iter().enumerate();
-    let moved: Vec<_> = nodes()
-        .map(|(k, node)| step.positions[k] - node.position)
-        .collect();
-    add_vectors(&mut file, "displacement", &moved);
-    let turned: Vec<Vector3<f64>> = nodes()
-        .map(|(k, node)| vector::from_rotation(&(step.rotations[k] * node.rotation.transpose())))
-        .collect();
-    add_vectors(&mut file, "rotation", &turned);
-    add_axes(&mut file, &step.rotations);
-    add_sections(&mut file, structure, step);
-    file
-}
-
-/// Adds what the evaluation points tell; where there is none it is not a number.
-fn add_sections(file: &mut FieldFile, structure: &Structure, step: &StaticStep) {
-    let count = structure.cell_count();
-    let values = |value: &dyn Fn(&SectionState) -> f64| -> Vec<f64> {
-        let known = step
-            .sections
-            .iter()
-            .take(2 * structure.beams.len())
-            .map(value);
-        known
-            .chain(std::iter::repeat(f64::NAN))
-            .take(count)
-            .collect()
-    };
-    for (component, name) in COMPONENTS.iter().enumerate() {
-        let name = name.replace(' ', "_");
-        let forces = values(&|section| section.internal_force[component]);
-        file.cell_values(&format!("internal_force_{name}"), 1, forces);
-        let strains = values(&|section| section.strain[component]);
-        file.cell_values(&format!("strain_{name}"), 1, strains);
-    }
-    for (column, name) in ["section_x", "section_y", "section_z"].iter().enumerate() {
-        let parts = [0, 1, 2].map(|row| values(&|section| section.axes[(row, column)]));
-        let vectors = (0..count).flat_map(|cell| [0, 1, 2].map(|row: usize| parts[row][cell]));
-        file.cell_values(name, 3, vectors.collect());
-    }
+    structure.moved_grid(
+        &result.nodes,
+        &step.positions,
+        &step.rotations,
+        &step.sections,
+    )
 }
 
 #[cfg(test)]

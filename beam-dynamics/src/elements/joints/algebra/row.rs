@@ -83,7 +83,7 @@ impl Row {
     pub fn at<'a>(&self, seen: &'a Seen<'a>) -> PlacedRow<'a> {
         let target = self.target.as_ref();
         let target = target.map_or_else(DriveValue::default, |s| s.at(seen.time));
-        let target = product(&target, &seen.scale);
+        let target = target.times(seen.scale);
         let axis = |carrier: Carrier, axis: usize| match carrier {
             Carrier::Frame => seen.frame.column(axis).into_owned(),
             Carrier::A => seen.ends.a.axes.column(axis).into_owned(),
@@ -245,15 +245,6 @@ impl PlacedRow<'_> {
             let equation = names(part).0;
             out.add(node, equation, &(-lambda * of_gradient[part as usize]));
         });
-    }
-}
-
-/// The product of two numbers that change with time.
-pub(in crate::elements::joints) fn product(a: &DriveValue, b: &DriveValue) -> DriveValue {
-    DriveValue {
-        value: a.value * b.value,
-        rate: a.rate * b.value + a.value * b.rate,
-        acceleration: a.acceleration * b.value + 2.0 * a.rate * b.rate + a.value * b.acceleration,
     }
 }
 

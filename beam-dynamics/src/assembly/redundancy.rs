@@ -1,0 +1,356 @@
+//! Redundant constraints: those that follow from others.
+//!
+//! With `Phi_y` the derivatives of the constraints at a state by displacements and rotations
+//! (by velocities, for constraints of these), constraint i is redundant when
+//!
+//! ```text
+//! Phi_y,i = sum_{k before i} c_k Phi_y,k
+//! ```
+//!
+//! Its multiplier and those of the others then share a load in no unique way, and the
+//! equations are singular. Rotations are scaled by the size of the model and each row to
+//! one. In the order of the elements, each row is reduced by the rows before it, as the
+//! columns of `Phi_y^T` in a sparse LU decomposition with partial pivoting (pivots of at least
+//! [`PIVOT`] of the largest entry, in the column with fewest entries, which keeps it sparse):
+//! what is left of a redundant one is round-off. Work and room follow the fill: linear for
+//! chains and trees of any size, at worst cubic in the constraints of a closed net.
+//!
+//! Whether a redundant constraint agrees with the others at all is told by its residual;
+//! one that is driven otherwise than those it follows from cannot be fulfilled.
+
+use std::collections::BTreeSet;
+
+use nalgebra::Vector3;
+use shared_geom::error::Explain;
+
+use super::System;
+use crate::elements::{Element, Level};
+use crate::model::{Conditions, NODE_UNKNOWNS, State, Variable};
+
+/// What is left of a row of size one counts as zero below this: the entries carry the
+/// tolerance of the assembly of positions, 1e-10 and less.
+const ZERO: f64 = 1e-8;
+/// Part of the largest entry that a pivot has at least.
+const PIVOT: f64 = 0.3;
+/// Part of the largest coefficient above which a constraint counts among those from which
+/// another follows.
+const SHARE: f64 = 1e-6;
+
+/// A constraint that follows from others.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("constraint {number} ({direction}) of \"{joint}\" follows from {}", sources(.joint, .from))]
+pub struct Redundant {
+    /// Its number among the multipliers of the system.
+    pub constraint: usize,
+    /// Name of the element.
+    pub joint: String,
+    /// Its number among the constraints of the element, from one.
+    pub number: usize,
+    /// What it holds, in words: `along z`.
+    pub direction: String,
+    /// Names of the elements from whose constraints it follows, each once.
+    pub from: Vec<String>,
+}
+
+fn sources(joint: &str, from: &[String]) -> String {
+    let others: Vec<_> = from.iter().filter(|name| *name != joint).collect();
+    let mut words: Vec<_> = others.iter().map(|name| format!("\"{name}\"")).collect();
+    if others.len() < from.len() {
+        let itself = match words.is_empty() {
+            true => "its other constraints",
+            false => "others of its own",
+        };
+        words.push(itself.to_owned());
+    }
+    match &words[..] {
+        [] => "nothing: it holds nothing".to_owned(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+impl Explain for Redundant {
+    fn help(&self) -> Option<String> {
+        let help = "take a joint of fewer constraints, or set redundant = \"remove\" in \
+            [transient]: the loads are then shared as if the constraint were not there";
+        Some(help.to_owned())
+    }
+}
+
+/// A constraint by its derivatives.
+struct Row {
+    /// Entries (column, value), by ascending column, the largest of size one.
+    entries: Vec<(usize, f64)>,
+    element: usize,
+    number: usize,
+}
+
+/// A reduced row and how it was made: `reduced = row - sum factor pivot`.
+struct Reduced {
+    constraint: usize,
+    column: usize,
+    entries: Vec<(usize, f64)>,
+    /// Entry in the pivot column.
+    pivot: f64,
+    /// The pivots that were subtracted, with their factors.
+    made_with: Vec<(usize, f64)>,
+}
+
+/// The redundant constraints of a system at a state, in order.
+pub fn find(system: &System, state: &State, conditions: &Conditions) -> Vec<Redundant> {
+    let rows = rows(system, state, conditions);
+    let mut search = Search::new(&rows, system.numbering().unknowns());
+    let mut found = Vec::new();
+    for (constraint, row) in rows.iter().enumerate() {
+        let made_with = search.reduce(&row.entries);
+        if search.take(constraint, &made_with) {
+            continue;
+        }
+        found.push(describe(
+            system,
+            state,
+            &rows,
+            constraint,
+            &search.sources(made_with),
+        ));
+    }
+    found
+}
+
+/// The rows of `Phi_y`, scaled; empty where the constraint was removed.
+fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
+    let first = NODE_UNKNOWNS * system.nodes().len();
+    let mut rows: Vec<_> = system
+        .elements()
+        .enumerate()
+        .flat_map(|(element, of)| (0..of.multipliers()).map(move |number| (element, number)))
+        .map(|(element, number)| Row {
+            entries: Vec::new(),
+            element,
+            number,
+        })
+        .collect();
+    let levels: Vec<_> = system.elements().flat_map(levels).collect();
+    let tangent = system.tangent(state, conditions);
+    let size = size(state);
+    for (level, matrix) in [
+        (Level::Position, &tangent.by_unknowns),
+        (Level::Velocity, &tangent.by_rates),
+    ] {
+        for (row, column, value) in matrix.triplets() {
+            let place = column % NODE_UNKNOWNS;
+            let moves = column < first && place < Variable::Momentum.column();
+            if row < first || !moves || levels[row - first] != level || value == 0.0 {
+                continue;
+            }
+            let turns = place >= Variable::Rotation.column();
+            let value = if turns { value / size } else { value };
+            rows[row - first].entries.push((column, value));
+        }
+    }
+    rows.iter_mut()
+        .for_each(|row| scale_to_one(&mut row.entries));
+    rows
+}
+
+fn levels(element: &dyn Element) -> impl Iterator<Item = Level> {
+    (0..element.multipliers()).map(|number| element.level(number))
+}
+
+/// Largest distance of a node from their middle, or one \[m\].
+fn size(state: &State) -> f64 {
+    let places = state.nodes.iter().map(|node| node.position);
+    let middle = places.clone().sum::<Vector3<f64>>() / state.nodes.len().max(1) as f64;
+    let reach = places.map(|place| (place - middle).norm());
+    let size = reach.fold(0.0, f64::max);
+    if size > 0.0 { size } else { 1.0 }
+}
+
+fn scale_to_one(entries: &mut [(usize, f64)]) {
+    let largest = entries
+        .iter()
+        .map(|entry| entry.1.abs())
+        .fold(0.0, f64::max);
+    if largest > 0.0 {
+        entries.iter_mut().for_each(|entry| entry.1 /= largest);
+    }
+}
+
+/// The decomposition as far as it has come.
+struct Search {
+    pivots: Vec<Reduced>,
+    /// The pivot of each column.
+    pivot_of: Vec<Option<usize>>,
+    /// Number of constraints with an entry in each column.
+    counts: Vec<usize>,
+    /// The row that is being reduced, and the columns where it may have entries.
+    work: Vec<f64>,
+    filled: BTreeSet<usize>,
+}
+
+impl Search {
+    fn new(rows: &[Row], columns: usize) -> Self {
+        let mut counts = vec![0; columns];
+        for row in rows {
+            row.entries.iter().for_each(|entry| counts[entry.0] += 1);
+        }
+        Self {
+            pivots: Vec::new(),
+            pivot_of: vec![None; columns],
+            counts,
+            work: vec![0.0; columns],
+            filled: BTreeSet::new(),
+        }
+    }
+
+    /// Subtracts the pivots from a row, which is left in `work`; the pivots with their
+    /// factors.
+    fn reduce(&mut self, entries: &[(usize, f64)]) -> Vec<(usize, f64)> {
+        let mut waiting = BTreeSet::new();
+        for &(column, value) in entries {
+            self.work[column] = value;
+            self.filled.insert(column);
+            waiting.extend(self.pivot_of[column]);
+        }
+        // A pivot row has nothing in the columns of the pivots before it.
+        let mut made_with = Vec::new();
+        while let Some(number) = waiting.pop_first() {
+            let pivot = &self.pivots[number];
+            let factor = self.work[pivot.column] / pivot.pivot;
+            if factor == 0.0 {
+                continue;
+            }
+            for &(column, value) in &pivot.entries {
+                self.work[column] -= factor * value;
+                if self.filled.insert(column) {
+                    let later = self.pivot_of[column].filter(|later| *later > number);
+                    waiting.extend(later);
+                }
+            }
+            self.work[pivot.column] = 0.0;
+            made_with.push((number, factor));
+        }
+        made_with
+    }
+
+    /// Makes a pivot of the row in `work`, unless nothing is left of it.
+    fn take(&mut self, constraint: usize, made_with: &[(usize, f64)]) -> bool {
+        let left: Vec<_> = std::mem::take(&mut self.filled)
+            .into_iter()
+            .map(|column| (column, std::mem::take(&mut self.work[column])))
+            .filter(|entry| entry.1 != 0.0)
+            .collect();
+        let largest = left.iter().map(|entry| entry.1.abs()).fold(0.0, f64::max);
+        if largest <= ZERO {
+            return false;
+        }
+        let fit = left.iter().filter(|entry| entry.1.abs() >= PIVOT * largest);
+        let Some(&(column, pivot)) = fit.min_by_key(|entry| self.counts[entry.0]) else {
+            return false;
+        };
+        self.pivot_of[column] = Some(self.pivots.len());
+        self.pivots.push(Reduced {
+            constraint,
+            column,
+            // Smaller ones are round-off.
+            entries: left
+                .into_iter()
+                .filter(|entry| entry.1.abs() > 1e-14)
+                .collect(),
+            pivot,
+            made_with: made_with.to_vec(),
+        });
+        true
+    }
+
+    /// The constraints, with their coefficients, of which a sum of pivots consists.
+    fn sources(&self, made_with: Vec<(usize, f64)>) -> Vec<(usize, f64)> {
+        let mut factors = std::collections::BTreeMap::from_iter(made_with);
+        let mut found = Vec::new();
+        while let Some((number, factor)) = factors.pop_last() {
+            let pivot = &self.pivots[number];
+            found.push((pivot.constraint, factor));
+            for &(earlier, part) in &pivot.made_with {
+                *factors.entry(earlier).or_insert(0.0) -= factor * part;
+            }
+        }
+        found
+    }
+}
+
+fn describe(
+    system: &System,
+    state: &State,
+    rows: &[Row],
+    constraint: usize,
+    sources: &[(usize, f64)],
+) -> Redundant {
+    let elements: Vec<_> = system.elements().collect();
+    let row = &rows[constraint];
+    let largest = sources
+        .iter()
+        .map(|source| source.1.abs())
+        .fold(0.0, f64::max);
+    let from = sources
+        .iter()
+        .filter(|source| source.1.abs() > SHARE * largest);
+    let of: BTreeSet<_> = from.map(|source| rows[source.0].element).collect();
+    Redundant {
+        constraint,
+        joint: elements[row.element].label().to_owned(),
+        number: row.number + 1,
+        direction: direction(row, elements[row.element], size(state)),
+        from: of
+            .into_iter()
+            .map(|of| elements[of].label().to_owned())
+            .collect(),
+    }
+}
+
+/// What a constraint holds, in words: the direction of its force on the last node of the
+/// element, or of its moment.
+fn direction(row: &Row, element: &dyn Element, size: f64) -> String {
+    let last = element.nodes().last().copied().unwrap_or(0);
+    let part = |variable: Variable| {
+        let first = NODE_UNKNOWNS * last + variable.column();
+        let entries = row.entries.iter();
+        entries.fold(
+            Vector3::zeros(),
+            |mut sum: Vector3<f64>, &(column, value)| {
+                if (first..first + 3).contains(&column) {
+                    sum[column - first] = value;
+                }
+                sum
+            },
+        )
+    };
+    let (along, about) = (part(Variable::Position), part(Variable::Rotation));
+    match along.amax() > ZERO {
+        true => format!("along {}", in_words(&along)),
+        false => format!("rotation about {}", in_words(&(size * about))),
+    }
+}
+
+/// `x`, or the components of the unit vector.
+fn in_words(direction: &Vector3<f64>) -> String {
+    let norm = direction.norm();
+    if norm == 0.0 {
+        return "nothing".to_owned();
+    }
+    let unit = direction / norm;
+    let largest = unit.iamax();
+    if (unit[largest].abs() - 1.0).abs() < 1e-9 {
+        return ["x", "y", "z"][largest].to_owned();
+    }
+    let unit = unit * unit[largest].signum();
+    let number = |value: f64| format!("{value:.3}").replace("-0.000", "0.000");
+    format!(
+        "({}, {}, {})",
+        number(unit.x),
+        number(unit.y),
+        number(unit.z)
+    )
+}
+
+#[cfg(test)]
+mod tests;

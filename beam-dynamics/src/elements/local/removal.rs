@@ -1,0 +1,31 @@
+//! Constraints that are taken out of an element.
+
+use super::{LocalJacobian, LocalResidual};
+use crate::model::NODE_UNKNOWNS;
+
+impl LocalResidual {
+    /// Puts "the multiplier is zero" in the place of a constraint.
+    pub fn remove_constraint(&mut self, constraint: usize, multiplier: f64) {
+        let row = NODE_UNKNOWNS * self.nodes + constraint;
+        self.values[row] = multiplier;
+        self.sizes[row] = multiplier.abs();
+    }
+}
+
+impl LocalJacobian {
+    /// Puts "the multiplier is zero" in the place of a constraint: nothing is left of its
+    /// row and its column.
+    pub fn remove_constraint(&mut self, constraint: usize) {
+        let place = NODE_UNKNOWNS * self.nodes + constraint;
+        for matrix in [&mut self.by_unknowns, &mut self.by_rates] {
+            matrix.row_mut(place).fill(0.0);
+            matrix.column_mut(place).fill(0.0);
+        }
+        self.by_unknowns[(place, place)] = 1.0;
+        if !self.touched.is_empty() {
+            self.touched.row_mut(place).fill(false);
+            self.touched.column_mut(place).fill(false);
+            self.touched[(place, place)] = true;
+        }
+    }
+}

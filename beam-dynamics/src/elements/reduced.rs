@@ -1,0 +1,113 @@
+//! An element without some of its constraints.
+
+use std::sync::Arc;
+
+use super::{
+    Along, ConstraintRates, Element, Energy, Level, Local, LocalJacobian, LocalResidual, Motion,
+    Observations,
+};
+
+/// Number of multipliers of all but unusual elements.
+const FEW: usize = 16;
+
+/// An element in which "the multiplier is zero" stands in the place of some constraints.
+#[derive(Debug)]
+pub struct ReducedElement {
+    element: Arc<dyn Element>,
+    removed: Vec<usize>,
+}
+
+impl ReducedElement {
+    /// `element` without its constraints number `removed`.
+    pub fn new(element: Arc<dyn Element>, removed: Vec<usize>) -> Self {
+        Self { element, removed }
+    }
+
+    /// Calls with what the element sees, the multipliers of removed constraints at zero.
+    fn with<T>(&self, at: &Local<'_>, call: impl FnOnce(&Local<'_>) -> T) -> T {
+        let count = at.multipliers.len();
+        let mut few = [0.0; FEW];
+        let mut many = Vec::new();
+        let kept = match count <= FEW {
+            true => &mut few[..count],
+            false => {
+                many.resize(count, 0.0);
+                &mut many[..]
+            }
+        };
+        kept.copy_from_slice(at.multipliers);
+        self.removed.iter().for_each(|&i| kept[i] = 0.0);
+        call(&Local {
+            multipliers: kept,
+            ..*at
+        })
+    }
+}
+
+impl Element for ReducedElement {
+    fn label(&self) -> &str {
+        self.element.label()
+    }
+
+    fn nodes(&self) -> &[usize] {
+        self.element.nodes()
+    }
+
+    fn multipliers(&self) -> usize {
+        self.element.multipliers()
+    }
+
+    fn level(&self, constraint: usize) -> Level {
+        self.element.level(constraint)
+    }
+
+    fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
+        let knows = self.element.constraint_rates(at, out);
+        for &constraint in &self.removed {
+            out.by_time[constraint] = 0.0;
+            out.convective[constraint] = 0.0;
+        }
+        knows
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        self.element.next_corner(time)
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        self.with(at, |at| self.element.energy(at))
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.with(at, |at| self.element.residual(at, out));
+        for &constraint in &self.removed {
+            out.remove_constraint(constraint, at.multipliers[constraint]);
+        }
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        self.with(at, |at| self.element.jacobian(at, out));
+        for &constraint in &self.removed {
+            out.remove_constraint(constraint);
+        }
+    }
+
+    fn motions(&self) -> Vec<Motion> {
+        self.element.motions()
+    }
+
+    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.with(at, |at| self.element.by_factor(at, out));
+        for &constraint in &self.removed {
+            out.remove_constraint(constraint, 0.0);
+        }
+    }
+
+    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        self.with(at, |at| self.element.prestress(at, along, out));
+    }
+
+    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+        self.with(at, |at| self.element.observe(at, out));
+    }
+}

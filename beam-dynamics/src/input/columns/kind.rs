@@ -1,0 +1,173 @@
+//! The quantities that a column can have: their words, dimensions and units.
+
+use shared_geom::units::Dimension;
+
+use crate::case::{EnergyPart, NodeVector};
+
+/// A word under `quantity`, where its numbers come from, what they measure (of beams
+/// their first three components), and their unit unless one is given.
+pub(super) type Kind = (&'static str, Source, Dimension, &'static str);
+
+/// Where the numbers of a quantity come from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Source {
+    /// A vector of a node.
+    Node(NodeVector),
+    /// A momentum of a node, or of the model where no node is named.
+    Momentum {
+        /// The angular one.
+        is_angular: bool,
+    },
+    /// Internal force or strain of a beam.
+    Section {
+        /// The strain.
+        is_strain: bool,
+    },
+    /// Reaction of a joint.
+    Reaction {
+        /// The moment.
+        is_moment: bool,
+    },
+    /// Energy of the model.
+    Energy(EnergyPart),
+    /// Length of the step.
+    StepLength,
+    /// Iterations of the step.
+    Iterations,
+}
+
+const fn dimension(length: i8, mass: i8, time: i8) -> Dimension {
+    Dimension {
+        length,
+        mass,
+        time,
+        angle: 0,
+    }
+}
+
+/// Velocity, in m/s.
+const VELOCITY: Dimension = dimension(1, 0, -1);
+/// Momentum, in kg m/s.
+const MOMENTUM: Dimension = dimension(1, 1, -1);
+/// Curvature and twist, in 1/m.
+pub(super) const CURVATURE: Dimension = dimension(-1, 0, 0);
+
+/// All quantities.
+pub(super) const KINDS: [Kind; 21] = [
+    (
+        "position",
+        Source::Node(NodeVector::Position),
+        Dimension::LENGTH,
+        "m",
+    ),
+    (
+        "displacement",
+        Source::Node(NodeVector::Displacement),
+        Dimension::LENGTH,
+        "m",
+    ),
+    (
+        "velocity",
+        Source::Node(NodeVector::Velocity),
+        VELOCITY,
+        "m/s",
+    ),
+    (
+        "velocity_in_space",
+        Source::Node(NodeVector::VelocityInSpace),
+        VELOCITY,
+        "m/s",
+    ),
+    (
+        "rotation",
+        Source::Node(NodeVector::Rotation),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "attitude",
+        Source::Node(NodeVector::Attitude),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "euler_angles",
+        Source::Node(NodeVector::Euler([2, 1, 0])),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "angular_velocity",
+        Source::Node(NodeVector::AngularVelocity),
+        Dimension::ROTATION_SPEED,
+        "rad/s",
+    ),
+    (
+        "angular_velocity_in_space",
+        Source::Node(NodeVector::AngularVelocityInSpace),
+        Dimension::ROTATION_SPEED,
+        "rad/s",
+    ),
+    (
+        "momentum",
+        Source::Momentum { is_angular: false },
+        MOMENTUM,
+        "kg*m/s",
+    ),
+    (
+        "angular_momentum",
+        Source::Momentum { is_angular: true },
+        Dimension::TURNING_DAMPER,
+        "kg*m^2/s",
+    ),
+    (
+        "internal_force",
+        Source::Section { is_strain: false },
+        Dimension::FORCE,
+        "N",
+    ),
+    (
+        "strain",
+        Source::Section { is_strain: true },
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "reaction_force",
+        Source::Reaction { is_moment: false },
+        Dimension::FORCE,
+        "N",
+    ),
+    (
+        "reaction_moment",
+        Source::Reaction { is_moment: true },
+        Dimension::MOMENT,
+        "N*m",
+    ),
+    (
+        "kinetic_energy",
+        Source::Energy(EnergyPart::Kinetic),
+        Dimension::MOMENT,
+        "N*m",
+    ),
+    (
+        "elastic_energy",
+        Source::Energy(EnergyPart::Elastic),
+        Dimension::MOMENT,
+        "N*m",
+    ),
+    (
+        "gravity_energy",
+        Source::Energy(EnergyPart::Gravity),
+        Dimension::MOMENT,
+        "N*m",
+    ),
+    (
+        "energy",
+        Source::Energy(EnergyPart::Total),
+        Dimension::MOMENT,
+        "N*m",
+    ),
+    ("step_length", Source::StepLength, Dimension::TIME, "s"),
+    ("iterations", Source::Iterations, Dimension::NUMBER, "1"),
+];

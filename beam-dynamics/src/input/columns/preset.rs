@@ -1,0 +1,63 @@
+//! Columns of a file that asks for none.
+
+use super::column::is_name;
+use crate::case::{Axes, Column, EnergyPart, NodeQuantity, NodeVector, Part, Quantity};
+use crate::input::draft::Draft;
+
+/// Nodes with columns of their own.
+const MOST_NODES: usize = 8;
+
+/// The places of the nodes that tell most, and the energies.
+pub(super) fn columns(draft: &Draft) -> Vec<Column> {
+    let mut columns: Vec<Column> = Vec::new();
+    for node in draft.telling_nodes(MOST_NODES) {
+        let label = &draft.nodes()[node].label;
+        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+            let mut name = format!("{}_{axis}", as_name(label));
+            while columns.iter().any(|column| column.name == name) {
+                name.insert(0, '_');
+            }
+            columns.push(Column {
+                name,
+                unit: "m".to_owned(),
+                factor: 1.0,
+                words: format!("position {axis} of {label}"),
+                quantity: Quantity::Node(NodeQuantity {
+                    node,
+                    vector: NodeVector::Position,
+                    part: Part::Component(k),
+                    against: None,
+                    axes: Axes::Model,
+                }),
+            });
+        }
+    }
+    for (name, part) in [
+        ("kinetic_energy", EnergyPart::Kinetic),
+        ("elastic_energy", EnergyPart::Elastic),
+        ("gravity_energy", EnergyPart::Gravity),
+        ("energy", EnergyPart::Total),
+    ] {
+        columns.push(Column {
+            name: name.to_owned(),
+            unit: "N*m".to_owned(),
+            factor: 1.0,
+            words: name.replace('_', " "),
+            quantity: Quantity::Energy(part),
+        });
+    }
+    columns
+}
+
+/// The label of a node as a name of a column.
+fn as_name(label: &str) -> String {
+    let letter = |c: char| match c.is_ascii_alphanumeric() {
+        true => c,
+        false => '_',
+    };
+    let name: String = label.chars().map(letter).collect();
+    match is_name(&name) {
+        true => name,
+        false => format!("n{name}"),
+    }
+}

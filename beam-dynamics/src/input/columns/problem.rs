@@ -1,0 +1,71 @@
+//! What can be wrong with what is to be written of a run in time.
+
+use shared_geom::error::Explain;
+
+/// A problem of `[output]`.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ColumnProblem {
+    /// A name that files and programs cannot use.
+    #[error("\"{name}\" is no name of a column, expected letters, digits, \"_\", \".\" or \"-\"")]
+    NoName {
+        /// The name found.
+        name: String,
+    },
+    /// A name that two columns have.
+    #[error("column \"{name}\" is already defined on line {line}, expected one of this name")]
+    Doubled {
+        /// The name.
+        name: String,
+        /// Line of the first.
+        line: usize,
+    },
+    /// The name of the first column.
+    #[error("\"time\" is the name of the first column, which every table has")]
+    Time,
+    /// Angles about axes that do not tell every attitude.
+    #[error("\"sequence\" is \"{found}\", expected three axes, neighbors different, as in \"zxz\"")]
+    Sequence {
+        /// The text found.
+        found: String,
+    },
+    /// A point that a beam does not have.
+    #[error("\"point\" is {found}, expected 1 or 2: beams have two evaluation points")]
+    Point {
+        /// The number found.
+        found: usize,
+    },
+    /// A node on which a joint does not act.
+    #[error("\"{joint}\" does not act on node \"{node}\", expected one of its nodes")]
+    NotOfJoint {
+        /// The joint.
+        joint: String,
+        /// The node found.
+        node: String,
+        /// Its nodes.
+        known: Vec<String>,
+    },
+}
+
+impl Explain for ColumnProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::NoName { .. } => Some(
+                "it becomes a name of Python and of a file: begin with a letter, as in \"tip_z\""
+                    .to_owned(),
+            ),
+            Self::Doubled { .. } => Some(
+                "several components of one vector get its name and \"_x\", \"_y\", \"_z\""
+                    .to_owned(),
+            ),
+            Self::Time => Some("time is written without being asked for".to_owned()),
+            Self::Sequence { .. } => {
+                Some("\"zyx\" is yaw, pitch, roll; \"zxz\" precession, nutation, spin".to_owned())
+            }
+            Self::Point { .. } => Some("1 is the one near the first node".to_owned()),
+            Self::NotOfJoint { known, .. } => {
+                let quoted: Vec<_> = known.iter().map(|name| format!("\"{name}\"")).collect();
+                Some(format!("its nodes: {}", quoted.join(", ")))
+            }
+        }
+    }
+}

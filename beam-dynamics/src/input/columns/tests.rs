@@ -1,0 +1,233 @@
+use std::fs;
+
+use crate::case::{Axes, Column, Every, NodeQuantity, NodeVector, Part, Quantity};
+use crate::input::{Input, read};
+
+const MODEL: &str = "
+units = \"SI\"
+[properties.strip]
+ea = 7e6
+gay = 2e6
+gaz = 1e6
+gj = 30
+eiy = 40
+eiz = 900
+m = 2
+iy = 0.01
+iz = 0.04
+[[node]]
+name = \"root\"
+position = [0, 0, 0]
+[[node]]
+name = \"mid\"
+position = [1, 0, 0]
+[[node]]
+name = \"the tip\"
+position = [2, 0, 0]
+[[beam]]
+name = \"mast\"
+nodes = [\"root\", \"mid\", \"the tip\"]
+properties = \"strip\"
+[[clamp]]
+node = \"root\"
+";
+
+fn input(cards: &str) -> Result<Input, String> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dynamics.toml");
+    fs::write(&path, format!("{MODEL}{cards}")).unwrap();
+    let prefix = format!("{}/", folder.path().display());
+    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+}
+
+fn names(columns: &[Column]) -> Vec<&str> {
+    columns.iter().map(|column| column.name.as_str()).collect()
+}
+
+#[test]
+fn without_columns_nodes_that_move_and_energies_are_written() {
+    let output = input("").unwrap().output;
+    let expected = [
+        "mid_x",
+        "mid_y",
+        "mid_z",
+        "the_tip_x",
+        "the_tip_y",
+        "the_tip_z",
+        "kinetic_energy",
+        "elastic_energy",
+        "gravity_energy",
+        "energy",
+    ];
+    assert_eq!(names(&output.columns), expected);
+    assert_eq!(output.every, Every::Steps(1));
+    assert!(output.csv && output.netcdf && output.vtu.is_none());
+}
+
+#[test]
+fn columns_have_names_units_and_parts() {
+    let output = input(
+        "[output]
+        every = \"2 ms\"
+        restart_every = 100
+        vtu = 5
+        netcdf = false
+        [[output.column]]
+        name = \"tip\"
+        quantity = \"displacement\"
+        of = \"the tip\"
+        unit = \"mm\"
+        [[output.column]]
+        name = \"pitch\"
+        quantity = \"euler_angles\"
+        sequence = \"zxz\"
+        of = \"the tip\"
+        against = \"root\"
+        component = \"second\"
+        [[output.column]]
+        name = \"root_bending\"
+        quantity = \"internal_force\"
+        of = \"mast\"
+        component = \"bending_y\"
+        unit = \"kN*m\"
+        [[output.column]]
+        name = \"held\"
+        quantity = \"reaction_force\"
+        of = \"clamp of root\"
+        in = \"the tip\"
+        component = [\"x\", \"magnitude\"]
+        [[output.column]]
+        name = \"spin\"
+        quantity = \"angular_momentum\"
+        about = [0, 0, 1]
+        component = \"z\"
+        [[output.column]]
+        name = \"rate\"
+        quantity = \"angular_velocity\"
+        of = \"mid\"
+        component = \"x\"
+        unit = \"rpm\"\n",
+    )
+    .unwrap()
+    .output;
+    assert_eq!(output.every, Every::Time(2e-3));
+    assert_eq!(output.restart, Some(Every::Steps(100)));
+    assert_eq!(
+        (output.vtu, output.csv, output.netcdf),
+        (Some(5), true, false)
+    );
+    let expected = [
+        "tip_x",
+        "tip_y",
+        "tip_z",
+        "pitch",
+        "root_bending",
+        "held_x",
+        "held_magnitude",
+        "spin",
+        "rate",
+    ];
+    assert_eq!(names(&output.columns), expected);
+    let [_, y, _, pitch, bending, _, held, _, rate] = &output.columns[..] else {
+        panic!("nine columns");
+    };
+    assert_eq!((y.unit.as_str(), y.factor), ("mm", 1e-3));
+    assert_eq!(y.words, "displacement y of the tip");
+    let quantity = NodeQuantity {
+        node: 2,
+        vector: NodeVector::Euler([2, 0, 2]),
+        part: Part::Component(1),
+        against: Some(0),
+        axes: Axes::Model,
+    };
+    assert_eq!(pitch.quantity, Quantity::Node(quantity));
+    assert_eq!(pitch.unit, "deg");
+    assert_eq!((bending.unit.as_str(), bending.factor), ("kN*m", 1e3));
+    let quantity = Quantity::Section {
+        beam: "mast".to_owned(),
+        point: 0,
+        strain: false,
+        component: 4,
+    };
+    assert_eq!(bending.quantity, quantity);
+    assert!(matches!(
+        held.quantity,
+        Quantity::Reaction {
+            node: 0,
+            part: Part::Magnitude,
+            axes: Axes::Node(2),
+            ..
+        }
+    ));
+    assert!((rate.factor * 60.0 - std::f64::consts::TAU).abs() < 1e-14);
+}
+
+#[test]
+fn all_that_is_wrong_is_told_with_the_nearest_name() {
+    let told = input(
+        "[output]
+every = 0
+[[output.column]]
+name = \"1st\"
+quantity = \"posizion\"
+[[output.column]]
+name = \"a\"
+quantity = \"position\"
+of = \"the tib\"
+component = \"w\"
+[[output.column]]
+name = \"b\"
+quantity = \"velocity\"
+of = \"mid\"
+unit = \"mm\"
+colour = 1
+[[output.column]]
+name = \"c\"
+quantity = \"strain\"
+of = \"mest\"
+point = 3
+[[output.column]]
+name = \"d\"
+quantity = \"reaction_force\"
+of = \"clamp of rood\"
+[[output.column]]
+name = \"e\"
+quantity = \"reaction_force\"
+of = \"clamp of root\"
+node = \"mid\"
+[[output.column]]
+name = \"f\"
+quantity = \"euler_angles\"
+of = \"mid\"
+sequence = \"xxz\"
+[[output.column]]
+name = \"g\"
+quantity = \"energy\"
+[[output.column]]
+name = \"g\"
+quantity = \"energy\"
+[[output.column]]
+name = \"time\"
+quantity = \"energy\"
+",
+    )
+    .unwrap_err();
+    for expected in [
+        "a.dynamics.toml:29: \"every\" is 0, expected a whole number of at least 1",
+        "a.dynamics.toml:31: \"1st\" is no name of a column, expected letters",
+        "did you mean \"position\"?",
+        "unknown node \"the tib\" in column \"a\"\n  help: did you mean \"the tip\"?",
+        "a.dynamics.toml:37: \"component\" ",
+        "\"mm\" measures a length, expected",
+        "colour",
+        "unknown beam \"mest\" in column \"c\"\n  help: did you mean \"mast\"?",
+        "\"point\" is 3, expected 1 or 2",
+        "unknown joint \"clamp of rood\" in column \"d\"\n  help: did you mean \"clamp of root\"?",
+        "\"clamp of root\" does not act on node \"mid\"",
+        "\"sequence\" is \"xxz\"",
+        "column \"g\" is already defined on line ",
+        "\"time\" is the name of the first column",
+    ] {
+        assert!(told.contains(expected), "{expected}\n---\n{told}");
+    }
+}

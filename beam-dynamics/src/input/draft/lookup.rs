@@ -1,0 +1,128 @@
+//! Names that output uses: looked up, without a use of what they name.
+
+use shared_geom::document::Table;
+
+use super::Draft;
+use crate::elements::Element;
+use crate::input::problem::InputProblem;
+
+impl Draft {
+    /// The node called `name` under `key` of a card that is `user` in words; the node
+    /// does not count as used.
+    pub fn look_up_node(
+        &self,
+        name: &str,
+        table: &Table<'_>,
+        key: &str,
+        user: &str,
+    ) -> Option<usize> {
+        if let Some(named) = self.names.get(name) {
+            return named.node;
+        }
+        if !self.is_of_broken_blade(name) {
+            let known = self.names.keys().cloned().collect();
+            note_unknown("node", name, user, known, (table, key));
+        }
+        None
+    }
+
+    /// Whether there is a beam called `name`; notes it where there is none.
+    pub fn look_up_beam(&self, name: &str, table: &Table<'_>, key: &str, user: &str) -> bool {
+        let labels = || self.beams.iter().map(|beam| &beam.label);
+        let is_known = labels().any(|label| label == name);
+        if !is_known && !self.is_of_broken_blade(name) && !self.is_taken("beam", name) {
+            let known = labels().cloned().collect();
+            note_unknown("beam", name, user, known, (table, key));
+        }
+        is_known
+    }
+
+    /// The nodes of the joint, clamp, support or imposed motion called `name`; notes it
+    /// where there is none.
+    pub fn look_up_joint(
+        &self,
+        name: &str,
+        table: &Table<'_>,
+        key: &str,
+        user: &str,
+    ) -> Option<Vec<usize>> {
+        let clamp = |node: &usize| (format!("clamp of {}", self.nodes[*node].label), vec![*node]);
+        let moving = self.loads.iter().filter(|load| load.multipliers() > 0);
+        let of_element = |element: &Box<dyn Element>| {
+            let label = element.label().to_owned();
+            (label, element.nodes().to_vec())
+        };
+        let elements = self.joints.iter().chain(moving).map(of_element);
+        let mut all = self.clamps.keys().map(clamp).chain(elements);
+        let mut known = Vec::new();
+        let found = all.find_map(|(label, nodes)| match label == name {
+            true => Some(nodes),
+            false => {
+                known.push(label);
+                None
+            }
+        });
+        let is_broken = ["joint", "spring", "imposed"]
+            .iter()
+            .any(|kind| self.is_taken(kind, name));
+        if found.is_none() && !is_broken {
+            note_unknown("joint", name, user, known, (table, key));
+        }
+        found
+    }
+
+    /// Nodes that a run in time is likely about: all that move where they are few, else
+    /// the ends of lines of beams and the nodes of bodies, up to `most`.
+    pub fn telling_nodes(&self, most: usize) -> Vec<usize> {
+        let moves = |node: &usize| !self.clamps.contains_key(node);
+        let all: Vec<_> = (0..self.nodes.len()).filter(moves).collect();
+        if all.len() <= most {
+            return all;
+        }
+        let uses = |node: usize| {
+            let of_beams = self.beams.iter().flat_map(|beam| beam.nodes);
+            of_beams.filter(|other| *other == node).count()
+        };
+        let is_end = |node: usize| {
+            let ends = self
+                .beams
+                .iter()
+                .flat_map(|beam| [beam.nodes[0], beam.nodes[2]]);
+            uses(node) == 1 && ends.into_iter().any(|end| end == node)
+        };
+        let has_body = |node: usize| self.bodies.iter().any(|body| body.1 == node);
+        let mut found: Vec<_> = all.iter().copied().filter(|node| is_end(*node)).collect();
+        let bodies = all
+            .iter()
+            .filter(|node| has_body(**node) && !is_end(**node));
+        found.extend(bodies);
+        found.truncate(most);
+        found
+    }
+
+    fn is_taken(&self, kind: &'static str, name: &str) -> bool {
+        self.labels.contains_key(&(kind, name.to_owned()))
+    }
+
+    fn is_of_broken_blade(&self, name: &str) -> bool {
+        let blade = name.split_once('/').map(|parts| parts.0);
+        blade.is_some_and(|blade| self.broken_blades.contains(blade))
+    }
+}
+
+fn note_unknown(
+    kind: &'static str,
+    name: &str,
+    user: &str,
+    known: Vec<String>,
+    (table, key): (&Table<'_>, &str),
+) {
+    let (name, user) = (name.to_owned(), user.to_owned());
+    let problem = InputProblem::UnknownName {
+        kind,
+        name,
+        user,
+        known,
+    };
+    table.note(key, &problem);
+}

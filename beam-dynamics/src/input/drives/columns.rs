@@ -1,0 +1,188 @@
+//! Drives from tables: rows in place, or columns of a CSV file.
+
+use std::sync::Arc;
+
+use shared_geom::document::{DocumentProblem, Item, Table, read_text};
+use shared_geom::error::{Diagnostics, Explain, Place};
+use shared_geom::units::Dimension;
+
+use super::DriveProblem;
+use super::measure::Measure;
+use crate::model::{Drive, DriveTable, Interpolation, Outside, TableProblem};
+
+/// Problems of the rows that are shown one by one.
+const ROWS_SHOWN: usize = 10;
+
+/// A row of a table, and its line.
+type Row = (usize, [f64; 2]);
+
+/// Reads a table of times and values.
+pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
+    let interpolation = match table.has("interpolation") {
+        true => table.word("interpolation", &["linear", "spline"]),
+        false => Some(0),
+    };
+    let outside = match table.has("outside") {
+        true => table.word("outside", &["error", "hold"]),
+        false => Some(0),
+    };
+    let second = table.document().factor(Dimension::TIME);
+    let factor = measure.factor(table.document());
+    let (file, rows) = match (table.has("file"), table.has("rows")) {
+        (true, false) => from_file(table)?,
+        (false, true) => (None, in_place(table)?),
+        (both, _) => {
+            let found = if both { "both" } else { "none" };
+            let keys = ["file", "rows"];
+            table.note("", &DriveProblem::OneOf { keys, found });
+            return None;
+        }
+    };
+    let scaled = |row: &Row| [row.1[0] * second, row.1[1] * factor];
+    let numbers: Vec<_> = rows.iter().map(scaled).collect();
+    let interpolation = [Interpolation::Linear, Interpolation::Spline][interpolation?];
+    let outside = [Outside::Error, Outside::Hold][outside?];
+    let told = |line: usize, problem: DriveProblem| match &file {
+        Some(file) => drop(
+            table
+                .document()
+                .keep::<()>(Err(Diagnostics::one(Place::line(file, line), &problem))),
+        ),
+        None => table.document().note(line, &problem),
+    };
+    match DriveTable::new(&numbers, interpolation, outside) {
+        Ok(found) => return Some(Drive::Table(Arc::new(found))),
+        Err(TableProblem::Few { found }) => {
+            let line = rows.first().map_or(1, |row| row.0);
+            told(line, DriveProblem::FewRows { found });
+        }
+        Err(TableProblem::NotRising { row } | TableProblem::NotFinite { row }) => {
+            let before = rows[row.saturating_sub(1)].1[0];
+            let time = rows[row].1[0];
+            told(rows[row].0, DriveProblem::NotRising { time, before });
+        }
+    }
+    None
+}
+
+fn in_place(table: &Table<'_>) -> Option<Vec<Row>> {
+    const EXPECTED: &str = "rows of a time and a value, as in [[0, 1], [2, 3]]";
+    let item = table.item("rows")?;
+    let Some(items) = item.list() else {
+        return item.wrong(EXPECTED);
+    };
+    let row = |item: &Item<'_>| -> Option<Row> {
+        match item.list().as_deref() {
+            Some([time, value]) => {
+                let row = [time, value].map(|number| number.quantity(Dimension::NUMBER));
+                Some((item.line(), [row[0]?, row[1]?]))
+            }
+            _ => item.wrong(EXPECTED),
+        }
+    };
+    // Every row is looked at, so that each wrong one is noted.
+    let rows: Vec<_> = items.iter().map(row).collect();
+    rows.into_iter().collect()
+}
+
+/// The rows of the file that the table names, and its name.
+fn from_file(table: &Table<'_>) -> Option<(Option<String>, Vec<Row>)> {
+    let written = table.text("file")?;
+    let columns = match table.has("columns") {
+        true => Some(table.texts("columns")?),
+        false => None,
+    };
+    if columns.as_ref().is_some_and(|columns| columns.len() != 2) {
+        table.wrong(
+            "columns",
+            "two names: of the column of times and that of values",
+        );
+        return None;
+    }
+    let path = table.existing("file", &written)?;
+    let file = path.display().to_string();
+    let text = table.document().keep(read_text(&path))?;
+    let rows = rows(&text, &file, columns.as_deref());
+    Some((Some(file), table.document().keep(rows)?))
+}
+
+/// The two columns of a CSV text with a heading; the first two unless they are named.
+/// Empty lines and lines that begin with `#` do not count.
+fn rows(text: &str, file: &str, columns: Option<&[String]>) -> Result<Vec<Row>, Diagnostics> {
+    let mut reader = csv::ReaderBuilder::new()
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .from_reader(text.as_bytes());
+    let headers = reader.headers().cloned().unwrap_or_default();
+    let heading: Vec<_> = headers.iter().map(str::to_owned).collect();
+    let first = line(text, &headers);
+    let mut problems = Diagnostics::new();
+    let mut place = |i: usize| match columns {
+        None => (i < heading.len()).then_some(i),
+        Some(names) => {
+            let found = heading.iter().position(|own| *own == names[i]);
+            if found.is_none() {
+                let (name, known) = (names[i].clone(), heading.clone());
+                let problem = DriveProblem::NoColumn { name, known };
+                problems.push(Place::line(file, first), &problem);
+            }
+            found
+        }
+    };
+    let places = [place(0), place(1)];
+    let [Some(time), Some(value)] = places else {
+        if problems.is_empty() {
+            let expected = "a heading and two columns, of times and values".to_owned();
+            let (key, found) = ("file".to_owned(), "a table of fewer columns".to_owned());
+            let problem = DocumentProblem::WrongValue {
+                key,
+                found,
+                expected,
+            };
+            problems.push(Place::line(file, first), &problem);
+        }
+        return Err(problems);
+    };
+    let mut rows = Vec::new();
+    let mut wrong = Vec::new();
+    // Reading text from memory and with rows of any length, nothing can fail.
+    for record in reader.records().filter_map(Result::ok) {
+        let line = line(text, &record);
+        let number = |column: usize| {
+            let found = record.get(column).unwrap_or("");
+            let number = found.parse::<f64>().ok().filter(|n| n.is_finite());
+            number.ok_or_else(|| DriveProblem::NoNumber {
+                found: found.to_owned(),
+                column: heading[column].clone(),
+            })
+        };
+        match (number(time), number(value)) {
+            (Ok(time), Ok(value)) => rows.push((line, [time, value])),
+            (Err(problem), _) | (_, Err(problem)) => wrong.push((line, problem)),
+        }
+    }
+    tell(&mut problems, file, &wrong);
+    problems.into_result(rows)
+}
+
+/// The line of a record: the reader tells where it began to look for it, which may be
+/// at lines that do not count.
+fn line(text: &str, record: &csv::StringRecord) -> usize {
+    let begin = record.position().map_or(0, |place| place.byte() as usize);
+    let (before, rest) = text.split_at_checked(begin).unwrap_or((text, ""));
+    let counts = |line: &&str| !line.trim().is_empty() && !line.starts_with('#');
+    let skipped = rest.lines().take_while(|line| !counts(line)).count();
+    1 + before.matches('\n').count() + skipped
+}
+
+/// Tells what is wrong with rows, one by one those that a reader will look at.
+fn tell(problems: &mut Diagnostics, file: &str, wrong: &[(usize, impl Explain)]) {
+    for (line, problem) in wrong.iter().take(ROWS_SHOWN) {
+        problems.push(Place::line(file, *line), problem);
+    }
+    if let Some((line, _)) = wrong.get(ROWS_SHOWN) {
+        let count = wrong.len() - ROWS_SHOWN;
+        problems.push(Place::line(file, *line), &DriveProblem::MoreRows { count });
+    }
+}

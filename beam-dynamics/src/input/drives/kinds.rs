@@ -1,0 +1,219 @@
+//! The kinds of drives.
+
+use std::sync::Arc;
+
+use shared_geom::document::{Item, Table};
+use shared_geom::expression::written;
+use shared_geom::units::Dimension;
+
+use super::measure::Measure;
+use super::{DriveProblem, Find, columns, drive, formula};
+use crate::model::{BandNoise, Doublet, Drive, Harmonic, Ramp, Step, SteppedNoise};
+
+const KINDS: [&str; 10] = [
+    "constant",
+    "ramp",
+    "step",
+    "harmonic",
+    "doublet",
+    "table",
+    "expression",
+    "sum",
+    "product",
+    "random",
+];
+/// Sines of a random drive, unless a number is given, and at most.
+const DEFAULT_TERMS: usize = 64;
+const MOST_TERMS: usize = 10_000;
+
+/// Reads a table with the key `kind`.
+pub(super) fn read(table: &Table<'_>, measure: Measure, find: &Find<'_>) -> Option<Drive> {
+    if matches!(measure, Measure::Declared(_)) && table.has("unit") {
+        table.note("unit", &DriveProblem::UnitInPlace);
+    }
+    table.require_text("kind", "the kind of the drive")?;
+    match KINDS[table.word("kind", &KINDS)?] {
+        "constant" => value(table, "value", measure).map(Drive::Constant),
+        "ramp" => ramp(table, measure),
+        "step" => step(table, measure),
+        "harmonic" => harmonic(table, measure),
+        "doublet" => doublet(table, measure),
+        "table" => columns::read(table, measure),
+        "expression" => {
+            let item = table.require_item("expression", "an expression of t")?;
+            match item.text() {
+                Some(text) => formula(&item, written(text).unwrap_or(text), measure),
+                None => item.wrong("an expression of t, as in \"2*sin(t)\""),
+            }
+        }
+        "random" => random(table, measure),
+        kind => combined(table, kind == "sum", measure, find),
+    }
+}
+
+/// A required number in the measure of the drive.
+fn value(table: &Table<'_>, key: &str, measure: Measure) -> Option<f64> {
+    measure.number(&table.require_item(key, &measure.words())?)
+}
+
+fn value_or_zero(table: &Table<'_>, key: &str, measure: Measure) -> Option<f64> {
+    match table.item(key) {
+        Some(item) => measure.number(&item),
+        None => Some(0.0),
+    }
+}
+
+fn quantity_or(table: &Table<'_>, key: &str, dimension: Dimension, other: f64) -> Option<f64> {
+    match table.has(key) {
+        true => table.quantity(key, dimension),
+        false => Some(other),
+    }
+}
+
+fn ramp(table: &Table<'_>, measure: Measure) -> Option<Drive> {
+    let from = value_or_zero(table, "from", measure);
+    let to = value(table, "to", measure);
+    let start = quantity_or(table, "start", Dimension::TIME, 0.0);
+    let has = ["end", "duration"].map(|key| table.has(key));
+    let end = match has {
+        [true, false] => table.quantity("end", Dimension::TIME),
+        [false, true] => {
+            let duration = table.quantity("duration", Dimension::TIME);
+            duration
+                .zip(start)
+                .map(|(duration, start)| start + duration)
+        }
+        [both, _] => {
+            let found = if both { "both" } else { "none" };
+            let keys = ["end", "duration"];
+            table.note("", &DriveProblem::OneOf { keys, found });
+            None
+        }
+    };
+    let smooth = match table.has("shape") {
+        true => table
+            .word("shape", &["linear", "smooth"])
+            .map(|word| word == 1),
+        false => Some(false),
+    };
+    let (start, end) = (start?, end?);
+    if end <= start {
+        table.note("", &DriveProblem::Backward { start, end });
+        return None;
+    }
+    Some(Drive::Ramp(Ramp {
+        from: from?,
+        to: to?,
+        start,
+        end,
+        smooth: smooth?,
+    }))
+}
+
+fn step(table: &Table<'_>, measure: Measure) -> Option<Drive> {
+    let from = value_or_zero(table, "from", measure);
+    let to = value(table, "to", measure);
+    let time = table.require_quantity("time", Dimension::TIME);
+    Some(Drive::Step(Step {
+        from: from?,
+        to: to?,
+        time: time?,
+    }))
+}
+
+fn harmonic(table: &Table<'_>, measure: Measure) -> Option<Drive> {
+    let mean = value_or_zero(table, "mean", measure);
+    let amplitude = value(table, "amplitude", measure);
+    let frequency = table.require_positive("frequency", Dimension::FREQUENCY);
+    let phase = quantity_or(table, "phase", Dimension::ANGLE, 0.0);
+    let start = quantity_or(table, "start", Dimension::TIME, 0.0);
+    let cycles = match table.has("cycles") {
+        true => table.require_positive("cycles", Dimension::NUMBER),
+        false => Some(f64::INFINITY),
+    };
+    Some(Drive::Harmonic(Harmonic {
+        mean: mean?,
+        amplitude: amplitude?,
+        frequency: frequency?,
+        phase: phase?,
+        start: start?,
+        cycles: cycles?,
+    }))
+}
+
+fn doublet(table: &Table<'_>, measure: Measure) -> Option<Drive> {
+    let amplitude = value(table, "amplitude", measure);
+    let start = quantity_or(table, "start", Dimension::TIME, 0.0);
+    let duration = table.require_positive("duration", Dimension::TIME);
+    Some(Drive::Doublet(Doublet {
+        amplitude: amplitude?,
+        start: start?,
+        duration: duration?,
+    }))
+}
+
+fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
+    let mean = value_or_zero(table, "mean", measure);
+    let deviation = value(table, "deviation", measure);
+    let seed = table.require_count("seed").map(|seed| seed as u64);
+    let (has_band, has_interval) = (table.has("band"), table.has("interval"));
+    if has_band == has_interval {
+        let found = if has_band { "both" } else { "none" };
+        let keys = ["band", "interval"];
+        table.note("", &DriveProblem::OneOf { keys, found });
+        return None;
+    }
+    if has_interval {
+        let interval = table.require_positive("interval", Dimension::TIME);
+        return Some(Drive::Noise(SteppedNoise {
+            mean: mean?,
+            deviation: deviation?,
+            interval: interval?,
+            seed: seed?,
+        }));
+    }
+    let terms = match table.has("terms") {
+        true => table.count("terms"),
+        false => Some(DEFAULT_TERMS),
+    };
+    let [low, high] = table.quantities("band", Dimension::FREQUENCY)?[..] else {
+        table.wrong("band", "an array of 2, each a frequency");
+        return None;
+    };
+    if low < 0.0 || high <= low {
+        let band = [low, high];
+        table.note("band", &DriveProblem::Band { band });
+        return None;
+    }
+    let terms = terms?;
+    if terms > MOST_TERMS {
+        table.wrong("terms", "a number of at most 10000");
+        return None;
+    }
+    let noise = BandNoise::new([mean?, deviation?], [low, high], terms, seed?);
+    Some(Drive::Band(Arc::new(noise)))
+}
+
+/// A sum of drives, or a product of one with plain ones.
+fn combined(table: &Table<'_>, is_sum: bool, measure: Measure, find: &Find<'_>) -> Option<Drive> {
+    let key = if is_sum { "terms" } else { "factors" };
+    let items = table.require_item(key, "a list of drives")?;
+    let Some(items) = items.list() else {
+        return items.wrong("a list of drives");
+    };
+    if items.is_empty() {
+        table.note(key, &DriveProblem::Nothing { key });
+        return None;
+    }
+    let part = |(i, item): (usize, &Item<'_>)| match is_sum || i == 0 {
+        true => drive(item, measure, find),
+        false => drive(item, Measure::Declared(Dimension::NUMBER), find),
+    };
+    // Every part is looked at, so that each wrong one is noted.
+    let parts: Vec<_> = items.iter().enumerate().map(part).collect();
+    let parts: Option<Vec<_>> = parts.into_iter().collect();
+    Some(match is_sum {
+        true => Drive::Sum(parts?.into()),
+        false => Drive::Product(parts?.into()),
+    })
+}

@@ -1,0 +1,76 @@
+//! What the numbers of a drive count.
+
+use shared_geom::document::{Document, DocumentProblem, Item, Table};
+use shared_geom::units::{self, Dimension, Unit};
+
+/// What the numbers of a drive count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Measure {
+    /// A quantity in its declared unit.
+    Declared(Dimension),
+    /// Plain numbers.
+    Plain,
+    /// A quantity in a unit that the drive names.
+    Unit(Unit),
+}
+
+impl Measure {
+    /// That of a drive with a name: its `unit`, or plain numbers.
+    pub fn of_table(table: &Table<'_>) -> Option<Self> {
+        if !table.has("unit") {
+            return Some(Self::Plain);
+        }
+        let text = table.text("unit")?;
+        match units::parse(&text) {
+            Ok(unit) => Some(Self::Unit(unit)),
+            Err(problem) => {
+                let key = "unit".to_owned();
+                table.note("unit", &DocumentProblem::Unit { key, problem });
+                None
+            }
+        }
+    }
+
+    /// SI units, or plain ones, in a plain number \[unit of the drive\].
+    pub fn factor(self, document: &Document) -> f64 {
+        match self {
+            Self::Declared(dimension) => document.factor(dimension),
+            Self::Plain => 1.0,
+            Self::Unit(unit) => unit.factor,
+        }
+    }
+
+    /// What a drive that counts `other` is multiplied by to count this; `None` when they
+    /// measure different things.
+    pub fn factor_from(self, other: Self, document: &Document) -> Option<f64> {
+        match (self, other) {
+            (_, Self::Plain) => Some(self.factor(document)),
+            (Self::Plain, _) => None,
+            _ => (self.dimension() == other.dimension()).then_some(1.0),
+        }
+    }
+
+    fn dimension(self) -> Dimension {
+        match self {
+            Self::Declared(dimension) => dimension,
+            Self::Plain => Dimension::NUMBER,
+            Self::Unit(unit) => unit.dimension,
+        }
+    }
+
+    /// In words.
+    pub fn words(self) -> String {
+        self.dimension().to_string()
+    }
+
+    /// A number that counts so, in SI units.
+    pub fn number(self, item: &Item<'_>) -> Option<f64> {
+        let is_plain = item
+            .text()
+            .is_none_or(|text| text.trim_start().starts_with('='));
+        match self {
+            Self::Unit(unit) if is_plain => Some(unit.factor * item.quantity(Dimension::NUMBER)?),
+            _ => item.quantity(self.dimension()),
+        }
+    }
+}

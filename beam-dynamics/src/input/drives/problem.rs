@@ -1,0 +1,134 @@
+//! What can be wrong with drives.
+
+use shared_geom::error::{Explain, nearest_name};
+
+use crate::input::short_number;
+
+/// A problem of a drive.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DriveProblem {
+    /// A drive that measures something else than the key.
+    #[error("the drive \"{name}\" measures {measures}, expected {expected}")]
+    Measures {
+        /// Name of the drive.
+        name: String,
+        /// What it measures, in words.
+        measures: String,
+        /// What was expected, in words.
+        expected: String,
+    },
+    /// Drives that use each other.
+    #[error("the drive \"{}\" uses itself: {}", .chain[0], .chain.join(" -> "))]
+    Cycle {
+        /// The drives, from one back to it.
+        chain: Vec<String>,
+    },
+    /// A drive without values at some times of a run.
+    #[error(
+        "\"{key}\" has values from {} s to {} s, and the run goes from {} s to {} s",
+        six(.domain[0]), six(.domain[1]), six(.run[0]), six(.run[1])
+    )]
+    Outside {
+        /// The key.
+        key: String,
+        /// First and last time of the drive \[s\].
+        domain: [f64; 2],
+        /// First and last time of the run \[s\].
+        run: [f64; 2],
+    },
+    /// An end that does not come after the start.
+    #[error("the drive ends at {} s, expected a time after its start at {} s", six(*.end), six(*.start))]
+    Backward {
+        /// Start \[s\].
+        start: f64,
+        /// End \[s\].
+        end: f64,
+    },
+    /// Two keys of which one is needed.
+    #[error("the drive has {found} of \"{}\" and \"{}\", expected one", .keys[0], .keys[1])]
+    OneOf {
+        /// The keys.
+        keys: [&'static str; 2],
+        /// `both` or `none`.
+        found: &'static str,
+    },
+    /// A drive with a key that only drives with a name have.
+    #[error("a drive in its place has no \"unit\": it counts in the unit of its key")]
+    UnitInPlace,
+    /// A band of frequencies that is none.
+    #[error("\"band\" is {} Hz to {} Hz, expected two rising frequencies from zero on", six(.band[0]), six(.band[1]))]
+    Band {
+        /// The frequencies \[Hz\].
+        band: [f64; 2],
+    },
+    /// An empty list.
+    #[error("\"{key}\" is empty, expected drives")]
+    Nothing {
+        /// The key.
+        key: &'static str,
+    },
+    /// Fewer than two rows.
+    #[error("the table has {found} rows, expected at least two")]
+    FewRows {
+        /// Number of rows.
+        found: usize,
+    },
+    /// A time that does not come after the one before.
+    #[error("the time {time} does not come after {before}, expected rising times")]
+    NotRising {
+        /// The time as written.
+        time: f64,
+        /// The time before it.
+        before: f64,
+    },
+    /// A column that the file does not have.
+    #[error("no column \"{name}\"")]
+    NoColumn {
+        /// The name.
+        name: String,
+        /// The columns of the file.
+        known: Vec<String>,
+    },
+    /// A row that cannot be read.
+    #[error("\"{found}\" in column \"{column}\" is no number")]
+    NoNumber {
+        /// What stands there.
+        found: String,
+        /// The column.
+        column: String,
+    },
+    /// Further rows with problems.
+    #[error("{count} more rows have problems")]
+    MoreRows {
+        /// Their number.
+        count: usize,
+    },
+}
+
+impl Explain for DriveProblem {
+    fn help(&self) -> Option<String> {
+        let fixed = match self {
+            Self::NoColumn { name, known } => {
+                return Some(match nearest_name(name, known.iter().map(String::as_str)) {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => format!("columns: {}", known.join(", ")),
+                });
+            }
+            Self::Outside { .. } => {
+                "give more values, or outside = \"hold\" to go on with the first and the last"
+            }
+            Self::Measures { .. } => {
+                "give the drive another \"unit\", or none: it then counts in the unit of each key"
+            }
+            Self::UnitInPlace => {
+                "give it a name, [drives.NAME], or write the values with their unit"
+            }
+            _ => return None,
+        };
+        Some(fixed.to_owned())
+    }
+}
+
+fn six(value: f64) -> String {
+    short_number(value, 6)
+}

@@ -1,0 +1,89 @@
+//! The table of a run as text: a row as soon as it is known.
+
+use std::fmt::Write as _;
+use std::fs::{File, OpenOptions};
+use std::io::{Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use super::{Heading, RowWriter, RunFileProblem, cannot_read, cannot_write};
+
+/// A table of comma-separated values. Each row is handed to the system by itself, so
+/// that a run that is killed has all of them.
+#[derive(Debug)]
+pub(super) struct CsvRows {
+    path: PathBuf,
+    file: File,
+    line: String,
+}
+
+impl CsvRows {
+    /// A new file with its header line.
+    pub fn create(path: &Path, headings: &[Heading]) -> Result<Self, RunFileProblem> {
+        let mut file = File::create(path).map_err(|error| cannot_write(path, &error))?;
+        let header = header(headings);
+        file.write_all(header.as_bytes())
+            .map_err(|error| cannot_write(path, &error))?;
+        Ok(Self {
+            path: path.to_owned(),
+            file,
+            line: String::new(),
+        })
+    }
+
+    /// The file of an earlier part of the run, without its rows after `time` \[s\]; a new
+    /// one where there is none.
+    pub fn resume(path: &Path, headings: &[Heading], time: f64) -> Result<Self, RunFileProblem> {
+        if !path.exists() {
+            return Self::create(path, headings);
+        }
+        let text = std::fs::read_to_string(path).map_err(|error| cannot_read(path, &error))?;
+        let header = header(headings);
+        let Some(rows) = text.strip_prefix(&header) else {
+            let file = path.display().to_string();
+            return Err(RunFileProblem::OtherColumns { file });
+        };
+        let is_before = |row: &&str| {
+            let first = row.split(',').next().unwrap_or_default();
+            row.ends_with('\n') && first.parse::<f64>().is_ok_and(|found| found <= time)
+        };
+        let kept = rows.split_inclusive('\n').take_while(is_before);
+        let length = header.len() + kept.map(str::len).sum::<usize>();
+        let open = || {
+            let mut file = OpenOptions::new().write(true).open(path)?;
+            file.set_len(length as u64)?;
+            file.seek(SeekFrom::End(0))?;
+            Ok(file)
+        };
+        Ok(Self {
+            path: path.to_owned(),
+            file: open().map_err(|error| cannot_write(path, &error))?,
+            line: String::new(),
+        })
+    }
+}
+
+impl RowWriter for CsvRows {
+    fn path(&self) -> &Path {
+        &self.path
+    }
+
+    fn write(&mut self, row: &[f64]) -> Result<(), RunFileProblem> {
+        self.line.clear();
+        for (k, value) in row.iter().enumerate() {
+            let comma = if k > 0 { "," } else { "" };
+            // The shortest text that is read as the same number. A text takes all.
+            let _ = write!(self.line, "{comma}{value:?}");
+        }
+        self.line.push('\n');
+        self.file
+            .write_all(self.line.as_bytes())
+            .map_err(|error| cannot_write(&self.path, &error))
+    }
+}
+
+/// Names with their units in brackets.
+fn header(headings: &[Heading]) -> String {
+    let column = |heading: &Heading| format!("{} [{}]", heading.name, heading.shown_unit());
+    let columns: Vec<_> = headings.iter().map(column).collect();
+    columns.join(",") + "\n"
+}

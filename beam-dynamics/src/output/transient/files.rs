@@ -1,0 +1,251 @@
+//! The files of a run, written while it runs: every recorder behind one.
+
+use std::path::{Path, PathBuf};
+
+use shared_geom::files::make_folder;
+
+use super::csv_rows::CsvRows;
+use super::grids::{FIELDS, Grids, SERIES};
+use super::netcdf_rows::NetcdfRows;
+use super::restart::write_snapshot;
+use super::{Heading, RowWriter, RunFileProblem, TimePlot, TimeTable};
+use crate::case::{Every, Model, OutputQuestion};
+use crate::output::Written;
+use crate::output::folder::Results;
+use crate::result::{ColumnValues, Moment, Recorder, Snapshot};
+
+const CSV: &str = "transient.csv";
+const NETCDF: &str = "transient.nc";
+const RESTART: &str = "restart.json";
+const TEXT: &str = "transient.txt";
+const PLOT: [&str; 2] = ["transient.png", "transient.svg"];
+/// Numbers of a table that are still drawn without being asked for.
+const MOST_NUMBERS: usize = 20_000_000;
+
+/// Writes `NAME.transient.csv` and `NAME.transient.nc` (a row each `every`), field files
+/// in `NAME.transient` with their series `NAME.transient.pvd`, `NAME.restart.json`, and at
+/// the end `NAME.transient.txt` and a figure of all columns.
+#[derive(Debug)]
+pub struct RunFiles<'a> {
+    values: ColumnValues<'a>,
+    results: Results<'a>,
+    tables: Vec<Box<dyn RowWriter>>,
+    grids: Option<(Grids<'a>, usize)>,
+    rows: Beat,
+    restarts: Option<Beat>,
+    kept: Option<PathBuf>,
+    /// Steps up to this one are written already.
+    resumed: Option<usize>,
+    row: Vec<f64>,
+    problem: Option<RunFileProblem>,
+}
+
+impl<'a> RunFiles<'a> {
+    /// The files of `model` called `name` in `folder`, which is made when it does not
+    /// exist. Files of an earlier run are removed; a run that goes on from `resumed` keeps
+    /// them up to its time.
+    ///
+    /// # Errors
+    /// [`RunFileProblem`]: the folder or a file cannot be made, or has other columns.
+    pub fn new(
+        model: &'a Model,
+        question: &'a OutputQuestion,
+        (folder, name): (&'a Path, &'a str),
+        resumed: Option<&Snapshot>,
+    ) -> Result<Self, RunFileProblem> {
+        make_folder(folder)?;
+        let results = Results::new(folder, name);
+        let mut files = Self {
+            values: ColumnValues::new(model, question),
+            tables: Vec::new(),
+            grids: question.vtu.map(|each| (Grids::new(model), each)),
+            rows: Beat::new(question.every, resumed),
+            restarts: question.restart.map(|every| Beat::new(every, resumed)),
+            kept: None,
+            resumed: resumed.map(|snapshot| snapshot.step),
+            row: vec![0.0; 1 + question.columns.len()],
+            problem: None,
+            results,
+        };
+        files.results.remove(PLOT);
+        files.results.remove([TEXT]);
+        match resumed {
+            None => {
+                files.results.remove([CSV, NETCDF, SERIES, RESTART]);
+                files.results.remove_fields(FIELDS);
+            }
+            Some(snapshot) => {
+                if let Some((grids, _)) = &mut files.grids {
+                    grids.resume(&files.results, snapshot.progress.time);
+                }
+            }
+        }
+        files.open_tables(
+            model,
+            question,
+            resumed.map(|snapshot| snapshot.progress.time),
+        )?;
+        Ok(files)
+    }
+
+    fn open_tables(
+        &mut self,
+        model: &Model,
+        question: &OutputQuestion,
+        time: Option<f64>,
+    ) -> Result<(), RunFileProblem> {
+        let of_columns = question.columns.iter().map(Heading::of);
+        let headings: Vec<_> = std::iter::once(Heading::time()).chain(of_columns).collect();
+        if question.csv {
+            let path = self.results.path(CSV);
+            self.tables.push(match time {
+                None => Box::new(CsvRows::create(&path, &headings)?),
+                Some(time) => Box::new(CsvRows::resume(&path, &headings, time)?),
+            });
+        }
+        if question.netcdf {
+            let (path, title) = (self.results.path(NETCDF), &model.name);
+            self.tables.push(match time {
+                None => Box::new(NetcdfRows::create(&path, title, &headings)?),
+                Some(time) => Box::new(NetcdfRows::resume(&path, title, &headings, time)?),
+            });
+        }
+        Ok(())
+    }
+
+    /// The problem that ended the run, if it was output.
+    pub fn problem(&self) -> Option<&RunFileProblem> {
+        self.problem.as_ref()
+    }
+
+    /// Writes the figure and `text`, and lists all files.
+    ///
+    /// # Errors
+    /// [`RunFileProblem`]: the one that ended the run, or a file that cannot be written.
+    pub fn finish(mut self, title: &str, text: &str) -> Result<Written, RunFileProblem> {
+        if let Some(problem) = self.problem {
+            return Err(problem);
+        }
+        let paths = self.tables.iter().map(|table| table.path().to_owned());
+        let paths: Vec<_> = paths.collect();
+        self.results.written.files.extend(paths.iter().cloned());
+        self.results.text(TEXT, text)?;
+        if let Some(plot) = paths.last().and_then(|path| default_plot(title, path)) {
+            self.results.figures(PLOT, |path| plot.save(path))?;
+        }
+        if self.grids.is_some() && self.results.path(SERIES).exists() {
+            let series = self.results.path(SERIES);
+            self.results.written.files.push(series);
+            self.results.list_fields(FIELDS);
+        }
+        self.results.written.files.extend(self.kept);
+        Ok(self.results.written)
+    }
+
+    fn write(&mut self, moment: &Moment<'_>) -> Result<(), RunFileProblem> {
+        let before = self.rows.last;
+        if !self.rows.is_due(moment) {
+            return Ok(());
+        }
+        self.row[0] = moment.time;
+        self.values.evaluate(moment, &mut self.row[1..]);
+        for table in &mut self.tables {
+            table.write(&self.row)?;
+        }
+        if let Some((grids, each)) = &mut self.grids {
+            let number = |row: u64| row / *each as u64;
+            let is_due = before.map(number) != self.rows.last.map(number);
+            if is_due {
+                grids.write(&mut self.results, moment)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Recorder for RunFiles<'_> {
+    fn record(&mut self, moment: &Moment<'_>) -> bool {
+        if self.resumed.is_some_and(|step| moment.step <= step) {
+            return true;
+        }
+        match self.write(moment) {
+            Ok(()) => true,
+            Err(problem) => {
+                self.problem = Some(problem);
+                false
+            }
+        }
+    }
+
+    fn wants_snapshot(&self, moment: &Moment<'_>) -> bool {
+        self.restarts
+            .as_ref()
+            .is_some_and(|beat| beat.would_be_due(moment))
+    }
+
+    fn keep(&mut self, snapshot: &Snapshot) -> bool {
+        let path = self.results.path(RESTART);
+        if let Some(beat) = &mut self.restarts {
+            beat.last = Some(beat.number(snapshot.step, snapshot.progress.time));
+        }
+        match write_snapshot(snapshot, &path) {
+            Ok(()) => {
+                self.kept = Some(path);
+                true
+            }
+            Err(problem) => {
+                self.problem = Some(problem);
+                false
+            }
+        }
+    }
+}
+
+/// All columns of the table at `path`, when it can be drawn.
+fn default_plot(title: &str, path: &Path) -> Option<TimePlot> {
+    let size = std::fs::metadata(path).ok()?.len() as usize;
+    if size / 8 > MOST_NUMBERS {
+        return None;
+    }
+    let table = TimeTable::read(path).ok()?;
+    TimePlot::new(title, &[table], "time", &[]).ok()
+}
+
+/// When something is due.
+#[derive(Debug, Clone, Copy)]
+struct Beat {
+    every: Every,
+    /// Number of the latest beat; `None` before the first.
+    last: Option<u64>,
+}
+
+impl Beat {
+    /// Round-off of times, as part of the distance of beats.
+    const ROUND_OFF: f64 = 1e-6;
+
+    /// A beat that has just been at `resumed`.
+    fn new(every: Every, resumed: Option<&Snapshot>) -> Self {
+        let mut beat = Self { every, last: None };
+        beat.last = resumed.map(|snapshot| beat.number(snapshot.step, snapshot.progress.time));
+        beat
+    }
+
+    /// Number of the beat that a step belongs to.
+    fn number(&self, step: usize, time: f64) -> u64 {
+        match self.every {
+            Every::Steps(count) => (step / count.max(1)) as u64,
+            // Times before zero are one beat.
+            Every::Time(distance) => (time / distance + Self::ROUND_OFF).floor() as u64,
+        }
+    }
+
+    fn would_be_due(&self, moment: &Moment<'_>) -> bool {
+        self.last != Some(self.number(moment.step, moment.time))
+    }
+
+    fn is_due(&mut self, moment: &Moment<'_>) -> bool {
+        let is_due = self.would_be_due(moment);
+        self.last = Some(self.number(moment.step, moment.time));
+        is_due
+    }
+}

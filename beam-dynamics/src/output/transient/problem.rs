@@ -1,0 +1,74 @@
+//! What can go wrong with the files of a run in time.
+
+use shared_geom::error::{Explain, nearest_name};
+use shared_geom::files::OutputProblem;
+
+/// A problem of the files of a run in time.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum RunFileProblem {
+    /// A file that cannot be read.
+    #[error("\"{file}\" cannot be read: {reason}")]
+    Unreadable {
+        /// The file.
+        file: String,
+        /// The reason in words.
+        reason: String,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// A table of another run.
+    #[error("\"{file}\" has other columns than this run")]
+    OtherColumns {
+        /// The file.
+        file: String,
+    },
+    /// A name that no column has.
+    #[error("unknown column \"{name}\" of \"{file}\"")]
+    NoColumn {
+        /// The name found.
+        name: String,
+        /// The file.
+        file: String,
+        /// The names of its columns.
+        known: Vec<String>,
+    },
+    /// A table without rows to draw.
+    #[error("\"{file}\" has {rows} rows, expected at least two to draw a line")]
+    NoRows {
+        /// The file.
+        file: String,
+        /// Their number.
+        rows: usize,
+    },
+    /// A file that cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputProblem),
+}
+
+impl Explain for RunFileProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Unreadable { remedy, .. } => Some((*remedy).to_owned()),
+            Self::OtherColumns { .. } => Some(
+                "go on with the [output] of the first part, or write into another folder with --out"
+                    .to_owned(),
+            ),
+            Self::NoColumn { name, known, .. } => Some(nearest_column(name, known)),
+            Self::NoRows { .. } => None,
+            Self::Output(problem) => problem.help(),
+        }
+    }
+}
+
+fn nearest_column(name: &str, known: &[String]) -> String {
+    const SHOWN: usize = 24;
+    if let Some(near) = nearest_name(name, known.iter().map(String::as_str)) {
+        return format!("did you mean \"{near}\"?");
+    }
+    let shown: Vec<_> = known.iter().take(SHOWN).map(String::as_str).collect();
+    let more = match known.len() > SHOWN {
+        true => format!(" and {} more", known.len() - SHOWN),
+        false => String::new(),
+    };
+    format!("columns: {}{more}", shown.join(", "))
+}

@@ -1,0 +1,36 @@
+//! The file from which a run goes on.
+
+use std::path::Path;
+
+use shared_geom::files::read_bytes;
+
+use super::{RunFileProblem, cannot_read, cannot_write};
+use crate::result::Snapshot;
+
+/// Writes a snapshot, numbers as the shortest text that is read as the same bits. The file
+/// of this name is replaced when the new one is complete, so that a run that is killed
+/// leaves the one or the other.
+///
+/// # Errors
+/// [`RunFileProblem::Output`].
+pub fn write_snapshot(snapshot: &Snapshot, path: &Path) -> Result<(), RunFileProblem> {
+    let text = serde_json::to_string(snapshot)
+        .map_err(|error| cannot_write(path, &std::io::Error::other(error)))?;
+    let new = path.with_extension("json.new");
+    std::fs::write(&new, text)
+        .and_then(|()| std::fs::rename(&new, path))
+        .map_err(|error| cannot_write(path, &error))
+}
+
+/// Reads a snapshot.
+///
+/// # Errors
+/// [`RunFileProblem::Unreadable`].
+pub fn read_snapshot(path: &Path) -> Result<Snapshot, RunFileProblem> {
+    let bytes = read_bytes(path).map_err(|error| cannot_read(path, &error))?;
+    serde_json::from_slice(&bytes).map_err(|error| RunFileProblem::Unreadable {
+        file: path.display().to_string(),
+        reason: format!("it is no restart file: {error}"),
+        remedy: "name a file NAME.restart.json that transient wrote",
+    })
+}

@@ -1,0 +1,162 @@
+//! Tables of runs, read back: what plots are made of.
+
+use std::path::Path;
+
+use netcdf3::FileReader;
+
+use super::{Heading, RunFileProblem, cannot_read};
+
+/// What to do with a file that is no table.
+const REMEDY: &str = "name a table that transient wrote, NAME.transient.csv or NAME.transient.nc";
+
+/// The table of a run: columns of numbers, time first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TimeTable {
+    /// Where it was read.
+    pub file: String,
+    /// Names, units and, of NetCDF files, meanings of the columns.
+    pub headings: Vec<Heading>,
+    /// The numbers of each column [its unit].
+    pub columns: Vec<Vec<f64>>,
+}
+
+impl TimeTable {
+    /// Reads a table as text (`.csv`) or in binary (`.nc`).
+    ///
+    /// # Errors
+    /// [`RunFileProblem::Unreadable`].
+    pub fn read(path: &Path) -> Result<Self, RunFileProblem> {
+        let ending = path.extension().and_then(|ending| ending.to_str());
+        match ending {
+            Some("csv") => read_csv(path),
+            Some("nc") => read_netcdf(path),
+            _ => Err(unreadable(path, "its ending is neither .csv nor .nc")),
+        }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.columns.first().map_or(0, Vec::len)
+    }
+
+    /// Places of the columns called `name`; with `*` at its end of all that begin so.
+    ///
+    /// # Errors
+    /// [`RunFileProblem::NoColumn`].
+    pub fn find(&self, name: &str) -> Result<Vec<usize>, RunFileProblem> {
+        let fits = |heading: &Heading| match name.strip_suffix('*') {
+            Some(first) => heading.name.starts_with(first),
+            None => heading.name == name,
+        };
+        let places = self.headings.iter().enumerate();
+        let found: Vec<_> = places.filter(|(_, h)| fits(h)).map(|(k, _)| k).collect();
+        if !found.is_empty() {
+            return Ok(found);
+        }
+        Err(RunFileProblem::NoColumn {
+            name: name.to_owned(),
+            file: self.file.clone(),
+            known: self.headings.iter().map(|h| h.name.clone()).collect(),
+        })
+    }
+}
+
+fn unreadable(path: &Path, reason: impl Into<String>) -> RunFileProblem {
+    RunFileProblem::Unreadable {
+        file: path.display().to_string(),
+        reason: reason.into(),
+        remedy: REMEDY,
+    }
+}
+
+fn read_csv(path: &Path) -> Result<TimeTable, RunFileProblem> {
+    let bytes = shared_geom::files::read_bytes(path).map_err(|error| cannot_read(path, &error))?;
+    let mut reader = csv::ReaderBuilder::new()
+        .flexible(true)
+        .from_reader(&bytes[..]);
+    let failed = |error: csv::Error| unreadable(path, error.to_string());
+    let headings: Vec<_> = reader
+        .headers()
+        .map_err(failed)?
+        .iter()
+        .map(heading)
+        .collect();
+    let mut columns = vec![Vec::new(); headings.len()];
+    let is_torn = bytes.last() != Some(&b'\n');
+    let records: Result<Vec<_>, _> = reader.records().collect();
+    let mut records = records.map_err(failed)?;
+    if is_torn {
+        // The run is writing its last line just now, or was killed there.
+        records.pop();
+    }
+    for (row, record) in records.iter().enumerate() {
+        if record.len() != headings.len() {
+            let reason = format!("line {} has {} values", row + 2, record.len());
+            return Err(unreadable(path, reason));
+        }
+        for (column, value) in columns.iter_mut().zip(record) {
+            let value = value.trim();
+            let number = match value.is_empty() {
+                true => Ok(f64::NAN),
+                false => value.parse(),
+            };
+            column.push(number.map_err(|_| {
+                unreadable(
+                    path,
+                    format!("line {} has \"{value}\", expected a number", row + 2),
+                )
+            })?);
+        }
+    }
+    Ok(TimeTable {
+        file: path.display().to_string(),
+        headings,
+        columns,
+    })
+}
+
+/// A heading such as `tip_z [mm]`.
+fn heading(text: &str) -> Heading {
+    let inner = text.trim().strip_suffix(']');
+    let (name, unit) = match inner.and_then(|text| text.split_once('[')) {
+        Some((name, unit)) => (name.trim(), unit.trim()),
+        None => (text.trim(), ""),
+    };
+    Heading {
+        name: name.to_owned(),
+        unit: match unit {
+            "-" => "1".to_owned(),
+            unit => unit.to_owned(),
+        },
+        words: String::new(),
+    }
+}
+
+fn read_netcdf(path: &Path) -> Result<TimeTable, RunFileProblem> {
+    // The words of the library are for those who know its inside.
+    std::fs::metadata(path).map_err(|error| cannot_read(path, &error))?;
+    let foreign = || unreadable(path, "it is no NetCDF-3 file of a run");
+    let mut reader = FileReader::open(path).map_err(|_| foreign())?;
+    let names = reader.data_set().get_var_names();
+    let attribute = |set: &netcdf3::DataSet, name: &str, attribute: &str| {
+        let found = set.get_var_attr_as_string(name, attribute);
+        found.unwrap_or_default()
+    };
+    let mut headings = Vec::new();
+    let mut columns = Vec::new();
+    for name in names {
+        let numbers = reader.read_var_f64(&name).map_err(|_| foreign())?;
+        let set = reader.data_set();
+        headings.push(Heading {
+            unit: attribute(set, &name, "units"),
+            words: attribute(set, &name, "long_name"),
+            name,
+        });
+        columns.push(numbers);
+    }
+    Ok(TimeTable {
+        file: path.display().to_string(),
+        headings,
+        columns,
+    })
+}

@@ -1,0 +1,114 @@
+//! One value of an input file, wherever it stands.
+
+use super::tree::{Kind, Value};
+use super::{Document, DocumentProblem, Table};
+use crate::error::Explain;
+use crate::expression::written;
+use crate::units::{Dimension, parse_quantity};
+
+/// A value of a [`Document`] under a key, or in a list under it. Each reading method
+/// notes its own problems.
+#[derive(Debug, Clone)]
+pub struct Item<'a> {
+    document: &'a Document,
+    key: String,
+    value: &'a Value,
+}
+
+impl<'a> Item<'a> {
+    pub(super) fn new(document: &'a Document, key: &str, value: &'a Value) -> Self {
+        Self {
+            document,
+            key: key.to_owned(),
+            value,
+        }
+    }
+
+    /// The file that holds the value.
+    pub fn document(&self) -> &'a Document {
+        self.document
+    }
+
+    /// The key under which it stands.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// The line on which it begins.
+    pub fn line(&self) -> usize {
+        self.value.line
+    }
+
+    /// Notes a problem at its line.
+    pub fn note(&self, problem: &impl Explain) {
+        self.document.note(self.value.line, problem);
+    }
+
+    /// Notes that it is not what was expected.
+    pub fn wrong<T>(&self, expected: &str) -> Option<T> {
+        self.note(&DocumentProblem::WrongValue {
+            key: self.key.clone(),
+            found: self.value.kind.describe(),
+            expected: expected.to_owned(),
+        });
+        None
+    }
+
+    /// The text, if it is one.
+    pub fn text(&self) -> Option<&'a str> {
+        match &self.value.kind {
+            Kind::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The table, if it is one, which messages call `title`.
+    pub fn table(&self, title: &str) -> Option<Table<'a>> {
+        match &self.value.kind {
+            Kind::Table(entries) => Some(Table::new(
+                self.document,
+                entries,
+                title.to_owned(),
+                self.value.line,
+            )),
+            _ => None,
+        }
+    }
+
+    /// The values of a list, if it is one.
+    pub fn list(&self) -> Option<Vec<Item<'a>>> {
+        match &self.value.kind {
+            Kind::Array(items) => {
+                let item = |value| Item::new(self.document, &self.key, value);
+                Some(items.iter().map(item).collect())
+            }
+            _ => None,
+        }
+    }
+
+    /// The quantity in SI units: a plain number and the value of an expression count in
+    /// the declared unit, a text such as `"0.063 in"` in its own.
+    pub fn quantity(&self, dimension: Dimension) -> Option<f64> {
+        let plain = |number: f64| number * self.document.factor(dimension);
+        let number = match &self.value.kind {
+            Kind::Integer(number) => plain(*number as f64),
+            Kind::Number(number) => plain(*number),
+            Kind::Text(text) if written(text).is_some() => {
+                plain(self.document.evaluate(&self.key, self.value.line, text)?)
+            }
+            Kind::Text(text) => match parse_quantity(text, dimension) {
+                Ok(number) => number,
+                Err(problem) => {
+                    let key = self.key.clone();
+                    self.note(&DocumentProblem::Unit { key, problem });
+                    return None;
+                }
+            },
+            _ => return self.wrong(&dimension.to_string()),
+        };
+        match number.is_finite() {
+            true => Some(number),
+            false => self.wrong(&format!("{dimension}, finite")),
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Two slender links on spherical joints, in `cases/dynamics/bipendulum`.
+//!
+//! Source: `tests/reference/dynamics/bipendulum.csv`.
+
+use beam_dynamics::integrator::{Scheme, Stepping};
+use nalgebra::Vector3;
+
+use crate::in_time::{Run, Table};
+use crate::record;
+
+const SOURCE: &str = "ordinary differential equations, 1e-11";
+/// The largest reaction of the first joint in five seconds.
+const PEAK: f64 = 86.9;
+
+fn run(to: f64, step: f64) -> Run {
+    let every = (0.025 / step).round() as usize;
+    Run::attempt(
+        "bipendulum",
+        "bipendulum.dynamics.toml",
+        every,
+        |question| {
+            question.to = to;
+            question.stepping = Stepping::Constant { step };
+        },
+    )
+}
+
+/// Largest errors of positions and of joint forces.
+fn errors(run: &Run, to: f64) -> [f64; 2] {
+    let table = Table::new("bipendulum.csv");
+    let mut errors = [0.0_f64; 2];
+    for row in table.rows.iter().filter(|row| row[0] < to + 1e-9) {
+        let expected = |first: &str| table.vector(row, first);
+        for (node, first) in [("link 1", "x1"), ("link 2", "x2")] {
+            let found = run.motion(node, row[0]).position;
+            errors[0] = errors[0].max((found - expected(first)).norm());
+        }
+        let of = |joint: &str, node: &str| run.reaction(joint, node, row[0])[0];
+        let forces = [of("joint 1", "link 1"), of("joint 2", "link 2")];
+        for (found, first) in forces.iter().zip(["F0x", "F1x"]) {
+            errors[1] = errors[1].max((found - expected(first)).norm());
+        }
+    }
+    errors
+}
+
+/// Over five seconds at half a millisecond.
+#[test]
+fn positions_and_reactions_follow() {
+    let run = run(5.0, 5e-4);
+    run.check_end();
+    let [place, force] = errors(&run, 5.0);
+    record::largest(
+        SOURCE,
+        "bipendulum",
+        "positions to 5 s, step 0.5 ms [m]",
+        place,
+        2e-4,
+    );
+    record::largest(
+        SOURCE,
+        "bipendulum",
+        "reactions to 5 s, step 0.5 ms, of their peak",
+        force / PEAK,
+        1e-2,
+    );
+    assert!(place < 2e-4 && force < 1e-2 * PEAK, "{place:e} {force:e}");
+}
+
+/// The first reactions are those of the motion: the whole line as one body for its
+/// direction, and each as the reference has it; nothing oscillates after them.
+#[test]
+fn the_first_reactions_are_those_of_the_motion() {
+    let run = Run::new("bipendulum", "bipendulum.dynamics.toml", 1, |question| {
+        question.to = 0.025;
+        question.stepping = Stepping::Constant { step: 1e-3 };
+    });
+    let start = run.reaction("joint 1", "link 1", 0.0)[0];
+    let expected = Vector3::new(0.0, 14.608, 3.739_630_072_75);
+    let error = (start - expected).norm();
+    record::largest(
+        SOURCE,
+        "bipendulum",
+        "first reaction of joint 1 [N]",
+        error,
+        1e-6,
+    );
+    assert!(error < 1e-6, "{start}");
+    let mut last = start;
+    for step in 1..=25 {
+        let now = run.reaction("joint 1", "link 1", 1e-3 * f64::from(step))[0];
+        // It changes by some 0.1 N a step; one that oscillates does so by Newtons.
+        assert!((now - last).norm() < 0.3, "{step}: {last} {now}");
+        last = now;
+    }
+}

@@ -1,0 +1,157 @@
+//! Bodies and beams that nothing holds, in `cases/dynamics/free_body` and
+//! `cases/dynamics/flying_beam`: what must not change does not.
+
+use beam_dynamics::integrator::{Scheme, Stepping};
+
+use crate::in_time::{Run, Table, momenta};
+use crate::record;
+
+const BALANCE: &str = "balance of momentum";
+
+/// Schemes that are asked to keep momenta.
+const SCHEMES: [(&str, Scheme); 4] = [
+    ("two steps, radius 0.6", Scheme::TwoStep { radius: 0.6 }),
+    ("Crank-Nicolson", Scheme::CrankNicolson),
+    ("Radau IIA", Scheme::Parabolic { zeta: -2.0 / 3.0 }),
+    ("cubic, radius 0.6", Scheme::Cubic { radius: 0.6 }),
+];
+
+fn body(scheme: Scheme, step: f64) -> Run {
+    Run::new("free_body", "free_body.dynamics.toml", 1, |question| {
+        question.scheme = scheme;
+        question.stepping = Stepping::Constant { step };
+    })
+}
+
+/// The momentum of a node is an unknown of its own and its rate is zero; the angular
+/// momentum about the origin is linear in the unknowns once that is constant: every
+/// formula keeps both to round-off, whatever the error of the motion.
+#[test]
+fn a_free_body_keeps_its_momenta() {
+    for (name, scheme) in SCHEMES {
+        let run = body(scheme, 0.02);
+        let start = momenta(&run.instants[0].1);
+        for (number, quantity) in ["momentum", "angular momentum"].iter().enumerate() {
+            let size = start[number].norm();
+            let changes = run
+                .instants
+                .iter()
+                .map(|(_, state)| (momenta(state)[number] - start[number]).norm() / size);
+            let change = changes.fold(0.0, f64::max);
+            let case = format!("free body, {name}");
+            record::largest(
+                BALANCE,
+                &case,
+                &format!("{quantity}, relative"),
+                change,
+                1e-10,
+            );
+            assert!(change < 1e-10, "{case}: {quantity} {change:e}");
+        }
+    }
+}
+
+/// Largest error of place and angular velocity, and the largest change of the energy.
+fn body_errors(step: f64) -> [f64; 3] {
+    let run = body(Scheme::default(), step);
+    let table = Table::new("free_body.csv");
+    let mut errors = [0.0_f64; 3];
+    for row in &table.rows {
+        let motion = run.motion("body", row[0]);
+        let place = (motion.position - table.vector(row, "x")).norm();
+        let turning = (motion.angular_velocity - table.vector(row, "omega_x")).norm();
+        errors[0] = errors[0].max(place);
+        errors[1] = errors[1].max(turning);
+    }
+    let energy = |number: usize| {
+        let (time, state) = &run.instants[number];
+        run.energy(state, *time).kinetic
+    };
+    let changes = (0..run.instants.len()).map(|n| (energy(n) / energy(0) - 1.0).abs());
+    errors[2] = changes.fold(0.0, f64::max);
+    errors
+}
+
+/// Place, angular velocity and energy at second order, against Euler's equations.
+#[test]
+fn a_free_body_tumbles_as_euler_says() {
+    let [coarse, fine] = [0.01, 0.005].map(body_errors);
+    for (number, quantity) in ["place", "angular velocity", "energy"].iter().enumerate() {
+        let order = (coarse[number] / fine[number]).log2();
+        record::order("Euler's equations", "free body", quantity, order, 1.9);
+        assert!(
+            order > 1.9,
+            "{quantity}: {:e} {:e}",
+            coarse[number],
+            fine[number]
+        );
+    }
+    // Four turns at 10 ms: an error of a thousandth of a turn.
+    let source = "Euler's equations";
+    record::largest(
+        source,
+        "free body",
+        "place to 10 s, step 5 ms [m]",
+        fine[0],
+        2e-3,
+    );
+    assert!(fine[0] < 2e-3, "{:e}", fine[0]);
+}
+
+/// The momentum after the push is its impulse, 8 N for 2.5 s along x: the push is a line
+/// between its corners, on which steps end, and a line is integrated without error.
+#[test]
+fn a_flying_beam_gets_the_impulse_of_its_push() {
+    let run = Run::new("flying_beam", "flying_beam.dynamics.toml", 10, |question| {
+        question.stepping = Stepping::Constant { step: 0.025 };
+    });
+    for (time, state) in run.instants.iter().filter(|(time, _)| *time > 5.0 - 1e-9) {
+        let [momentum, _] = momenta(state);
+        let error = (momentum - 20.0 * nalgebra::Vector3::x()).norm() / 20.0;
+        record::largest(
+            BALANCE,
+            "flying beam",
+            "momentum after the push",
+            error,
+            1e-10,
+        );
+        assert!(error < 1e-10, "{time} s: {momentum}");
+    }
+}
+
+/// Largest changes of energy and angular momentum between 5 and 8 s, relative.
+fn drift(step: f64) -> [f64; 2] {
+    let run = Run::new("flying_beam", "flying_beam.dynamics.toml", 1, |question| {
+        question.to = 8.0;
+        question.stepping = Stepping::Constant { step };
+    });
+    let measured = |time: f64| {
+        let state = run.at(time);
+        let energy = run.energy(state, time);
+        (energy.kinetic + energy.elastic, momenta(state)[1])
+    };
+    let (energy, turning) = measured(5.0);
+    let mut changes = [0.0_f64; 2];
+    for (time, _) in run.instants.iter().filter(|(time, _)| *time > 5.0) {
+        let now = measured(*time);
+        changes[0] = changes[0].max((now.0 / energy - 1.0).abs());
+        changes[1] = changes[1].max((now.1 - turning).norm() / turning.norm());
+    }
+    changes
+}
+
+/// In free flight both are kept at second order at least.
+#[test]
+fn a_flying_beam_keeps_energy_and_angular_momentum() {
+    let [coarse, fine] = [0.02, 0.01].map(drift);
+    for (number, quantity) in ["energy", "angular momentum"].iter().enumerate() {
+        let order = (coarse[number] / fine[number]).log2();
+        record::order("free flight", "flying beam", quantity, order, 1.8);
+        assert!(
+            order > 1.8,
+            "{quantity}: {:e} {:e}",
+            coarse[number],
+            fine[number]
+        );
+    }
+}

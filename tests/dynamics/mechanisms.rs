@@ -1,0 +1,208 @@
+//! Mechanisms with closed loops, in `cases/dynamics/squeezer`, `slider_crank` and
+//! `bennett`.
+//!
+//! Sources: `tests/reference/dynamics/squeezer.json`, `slider_crank.csv`, `bennett.csv`.
+
+use std::f64::consts::PI;
+
+use beam_dynamics::case::Redundant;
+use beam_dynamics::integrator::{Scheme, Stepping};
+use nalgebra::Vector3;
+
+use crate::in_time::{Run, Table, json, numbers};
+use crate::record;
+
+/// Attitude about z.
+fn angle(run: &Run, node: &str, time: f64) -> f64 {
+    let rotation = &run.motion(node, time).rotation;
+    rotation[(1, 0)].atan2(rotation[(0, 0)])
+}
+
+/// The smallest difference of two angles.
+fn apart(a: f64, b: f64) -> f64 {
+    let difference = (a - b).rem_euclid(2.0 * PI);
+    difference.min(2.0 * PI - difference)
+}
+
+/// The bars of the squeezer and what of beta, theta, gamma, phi, delta, omega, epsilon
+/// their attitudes are.
+const BARS: [(&str, [usize; 2], f64); 7] = [
+    ("crank", [0, 7], 0.0),
+    ("coupler", [0, 1], PI),
+    ("triangle", [2, 7], -PI / 2.0),
+    ("arm 4", [3, 4], -PI / 2.0),
+    ("arm 5", [4, 7], 0.0),
+    ("arm 6", [5, 6], 0.0),
+    ("arm 7", [6, 7], -PI / 2.0),
+];
+
+/// Largest errors of the angles and of the angular velocities at 30 ms, the latter of the
+/// largest, 1425 rad/s.
+fn squeezer(scheme: Scheme, step: f64) -> [f64; 2] {
+    let run = Run::new("squeezer", "squeezer.dynamics.toml", 1, |question| {
+        question.scheme = scheme;
+        question.stepping = Stepping::Constant { step };
+    });
+    let published = &json("squeezer.json")["published"];
+    let of = |key: &str| {
+        let mut list = numbers(&published[key]);
+        list.push(0.0);
+        list
+    };
+    let (angles, rates) = (of("angles"), of("rates"));
+    let mut errors = [0.0_f64; 2];
+    for (name, [a, b], shift) in BARS {
+        let expected = angles[a] + angles[b] + shift;
+        errors[0] = errors[0].max(apart(angle(&run, name, 0.03), expected));
+        let turning = run.motion(name, 0.03).angular_velocity.z;
+        errors[1] = errors[1].max((turning - rates[a] - rates[b]).abs() / 1425.0);
+    }
+    errors
+}
+
+/// The published state, by the step of the case and a third of it.
+#[test]
+fn the_squeezer_reaches_its_published_state() {
+    let source = "Test Set for Initial Value Problem Solvers, andrews";
+    let scheme = Scheme::default();
+    let [coarse, fine] = [2e-5, 1e-5].map(|step| squeezer(scheme, step));
+    for (number, quantity) in ["angles", "angular velocities"].iter().enumerate() {
+        let order = (coarse[number] / fine[number]).log2();
+        record::order(
+            source,
+            "squeezer",
+            &format!("order of {quantity}"),
+            order,
+            1.9,
+        );
+        assert!(
+            order > 1.9,
+            "{quantity}: {:e} {:e}",
+            coarse[number],
+            fine[number]
+        );
+    }
+    let error = fine[0];
+    record::largest(
+        source,
+        "squeezer",
+        "angles at 30 ms, step 10 us [rad]",
+        error,
+        1e-2,
+    );
+    assert!(error < 1e-2, "{error:e}");
+}
+
+/// The same by a formula of third order.
+#[test]
+fn the_squeezer_by_radau() {
+    let source = "Test Set for Initial Value Problem Solvers, andrews";
+    let [error, rate] = squeezer(Scheme::Parabolic { zeta: -2.0 / 3.0 }, 2e-5);
+    record::largest(
+        source,
+        "squeezer, Radau IIA",
+        "angles at 30 ms [rad]",
+        error,
+        1e-4,
+    );
+    assert!(error < 1e-4 && rate < 1e-4, "{error:e} {rate:e}");
+}
+
+/// The rod bends by up to 1.87 mm, 1 % of which is what four elements of the reference
+/// and eight differ by.
+#[test]
+fn the_rod_of_the_slider_crank_bends() {
+    let run = Run::new("slider_crank", "slider_crank.dynamics.toml", 25, |_| {});
+    let table = Table::new("slider_crank.csv");
+    let [slider, bend] = ["x_slider", "deflection"].map(|name| table.column(name));
+    let count = (0..)
+        .take_while(|k| {
+            run.model
+                .system
+                .nodes()
+                .iter()
+                .any(|node| node.label == format!("rod {k}"))
+        })
+        .count();
+    let [first, middle, last] =
+        [0, (count - 1) / 2, count - 1].map(|k| run.node(&format!("rod {k}")));
+    let (mut bends, mut slides) = (0.0_f64, 0.0_f64);
+    for row in &table.rows {
+        let state = run.at(row[0]);
+        let place = |node: usize| state.nodes[node].position;
+        let chord = (place(last) - place(first)).normalize();
+        let found = chord.cross(&(place(middle) - place(first))).z;
+        bends = bends.max((found - row[bend]).abs());
+        slides = slides.max((place(last).x - row[slider]).abs());
+    }
+    let source = "eight quadratic elements of a plane beam, independent script";
+    record::largest(
+        source,
+        "slider-crank",
+        "bending of the rod [m]",
+        bends,
+        2e-5,
+    );
+    record::largest(
+        source,
+        "slider-crank",
+        "place of the slider [m]",
+        slides,
+        3e-5,
+    );
+    assert!(bends < 2e-5 && slides < 3e-5, "{bends:e} {slides:e}");
+}
+
+/// The closed form of the angles at every step, and the moment of the drive by the growth
+/// of the kinetic energy at second order: 0.5 % of its largest at this step.
+#[test]
+fn bennetts_mechanism_moves() {
+    let run = Run::new("bennett", "bennett.dynamics.toml", 1, |question| {
+        question.stepping = Stepping::Constant { step: 1.0 / 512.0 };
+    });
+    let told = run.outcome.remarks.join("\n");
+    assert!(told.contains("hinge"), "{told}");
+    let table = Table::new("bennett.csv");
+    let moment = table.column("moment");
+    let (mut places, mut moments) = (0.0_f64, 0.0_f64);
+    for row in &table.rows {
+        for (node, first) in [("second", "x2"), ("third", "x3")] {
+            let found = run.motion(node, row[0]).position;
+            places = places.max((found - table.vector(row, first)).norm());
+        }
+        let [_, found] = run.reaction("drive", "first", row[0]);
+        moments = moments.max((found.dot(&Vector3::z()) - row[moment]).abs());
+    }
+    let source = "closed form, Bennett 1903";
+    record::largest(
+        source,
+        "Bennett mechanism",
+        "places of the hinges [m]",
+        places,
+        1e-7,
+    );
+    record::largest(
+        source,
+        "Bennett mechanism",
+        "moment of the drive [N m]",
+        moments,
+        0.02,
+    );
+    assert!(places < 1e-7 && moments < 0.02, "{places:e} {moments:e}");
+}
+
+/// Without leave the engine removes nothing, and names what says the same twice.
+#[test]
+fn redundant_constraints_are_named() {
+    let run = Run::attempt("bennett", "bennett.dynamics.toml", 1, |question| {
+        question.redundant = Redundant::Error;
+    });
+    let failure = run.outcome.failure.unwrap();
+    let told = failure.to_string();
+    assert!(told.contains("hinge"), "{told}");
+    assert!(
+        failure.remedy().contains("redundant"),
+        "{}",
+        failure.remedy()
+    );
+}
