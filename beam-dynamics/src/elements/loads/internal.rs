@@ -64,17 +64,17 @@ pub struct InternalForce {
 
 #[derive(Debug, Clone)]
 enum Acting {
-    Line {
-        line: Line,
-        tension: f64,
-    },
-    Axes {
-        nodes: [usize; 2],
-        offset: Vector3<f64>,
-        /// In the axes of the first node.
-        force: Vector3<f64>,
-        moment: Vector3<f64>,
-    },
+    Line { line: Line, tension: f64 },
+    Axes(Axes),
+}
+
+/// A force and a moment in the axes of the first node.
+#[derive(Debug, Clone)]
+struct Axes {
+    nodes: [usize; 2],
+    offset: Vector3<f64>,
+    force: Vector3<f64>,
+    moment: Vector3<f64>,
 }
 
 /// Force and moment of the axes of the first node at a state.
@@ -109,12 +109,12 @@ impl InternalForce {
                 moment,
             } => {
                 let into_first = nodes[a].rotation.transpose();
-                Acting::Axes {
+                Acting::Axes(Axes {
                     nodes: [a, b],
                     offset,
                     force: into_first * force,
                     moment: into_first * moment,
-                }
+                })
             }
         };
         Self {
@@ -140,7 +140,7 @@ impl InternalForce {
             Acting::Line { line, tension } => {
                 line.state(at.nodes).add_pull(size * tension, out);
             }
-            axes @ Acting::Axes { .. } => {
+            Acting::Axes(axes) => {
                 let pair = axes.pair(size, at.nodes);
                 for (node, sign) in SIGNS.into_iter().enumerate() {
                     out.add(node, Force, &(sign * pair.force));
@@ -161,29 +161,19 @@ impl InternalForce {
                 };
                 state.add_variation(size * tension, &by, out);
             }
-            axes @ Acting::Axes { .. } => axes.pair(size, at.nodes).add_variation(out),
+            Acting::Axes(axes) => axes.pair(size, at.nodes).add_variation(out),
         }
     }
 }
 
-impl Acting {
+impl Axes {
     fn pair(&self, size: f64, nodes: &[NodeMotion]) -> Pair {
         let (a, b) = (&nodes[0], &nodes[1]);
-        let zero = Vector3::zeros();
-        let [offset, force, moment] = match self {
-            Self::Line { .. } => [zero; 3],
-            Self::Axes {
-                offset,
-                force,
-                moment,
-                ..
-            } => [*offset, *force, *moment],
-        };
-        let f = b.rotation * offset;
+        let f = b.rotation * self.offset;
         Pair {
             arms: [b.position + f - a.position, f],
-            force: size * (a.rotation * force),
-            moment: size * (a.rotation * moment),
+            force: size * (a.rotation * self.force),
+            moment: size * (a.rotation * self.moment),
         }
     }
 }
@@ -212,7 +202,7 @@ impl Element for InternalForce {
     fn nodes(&self) -> &[usize] {
         match &self.acting {
             Acting::Line { line, .. } => line.nodes(),
-            Acting::Axes { nodes, .. } => nodes,
+            Acting::Axes(axes) => &axes.nodes,
         }
     }
 
