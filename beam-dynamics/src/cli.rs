@@ -18,8 +18,10 @@ mod arguments;
 mod blade_options;
 mod convert;
 mod describe;
+mod plot;
 mod statics;
 mod terminal;
+mod transient;
 
 use arguments::{Arguments, Command};
 use blade_options::BladeOptions;
@@ -124,6 +126,17 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         Command::Buckling { files, out } => {
             statics::buckling_of_files(&files, out.as_deref(), terminal)
         }
+        Command::Transient {
+            files,
+            out,
+            restart,
+        } => transient::transient_of_files(&files, out.as_deref(), restart.as_deref(), terminal),
+        Command::Plot {
+            results,
+            columns,
+            across,
+            out,
+        } => plot::plot_files(&results, &columns, &across, out.as_deref(), terminal),
         Command::Check { files } => check_files(&files, terminal),
         Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
         Command::Convert {

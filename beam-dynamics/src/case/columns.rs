@@ -57,7 +57,16 @@ pub enum Quantity {
         /// Axes of the components.
         axes: Axes,
     },
-    /// The value of a drive.
+    /// How the second end of a joint moves against its first.
+    Joint {
+        /// Name of the joint.
+        joint: String,
+        /// The motion, in the axes of the first end.
+        motion: JointMotion,
+        /// The part of it.
+        part: Part,
+    },
+    /// The value of a drive \[its unit\].
     Drive(Drive),
     /// Energy of the model \[J\].
     Energy(EnergyPart),
@@ -110,6 +119,21 @@ pub enum NodeVector {
     AngularMomentum,
 }
 
+/// A motion of the second end of a joint against the first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum JointMotion {
+    /// From the point of the first end to that of the second \[m\].
+    Displacement,
+    /// Rotation vector, at most half a turn \[rad\].
+    Rotation,
+    /// About the axis of the joint, between minus and plus half a turn \[rad\].
+    Angle,
+    /// Rate of the displacement \[m/s\].
+    Velocity,
+    /// Angular velocity \[rad/s\].
+    AngularVelocity,
+}
+
 /// A part of a vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
@@ -128,6 +152,8 @@ pub enum Axes {
     Fixed(Matrix3<f64>),
     /// Those of a node, as they are at the time.
     Node(usize),
+    /// Of reactions: those of the joint that turn with its first end (0) or its second.
+    End(usize),
 }
 
 /// A part of the energy of a model.

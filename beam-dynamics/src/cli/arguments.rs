@@ -99,6 +99,57 @@ const BUCKLING_EXAMPLE: &str = "\
 Example:
   beam-dynamics buckling frame.dynamics.toml";
 
+const TRANSIENT: &str = "\
+Follows the motion in time
+
+Reads the dynamics files and the files that they name, finds a start that fulfills all joints, \
+and integrates over the time that [transient] asks for. Tables grow while it runs, so that a \
+run that is stopped keeps what it has. Prints what the run took, and writes into the folder DIR:
+  NAME.transient.csv     a row for each time: the columns of [output]
+  NAME.transient.nc      the same as NetCDF, which Python reads with names and units
+  NAME.transient.txt     the text as printed: start, remarks, steps, iterations, time by phase
+  NAME.transient.png, .svg   all columns over time
+  NAME.transient.pvd     with vtu in [output]: the moving model for ParaView, with its folder
+  NAME.restart.json      the state from which --restart goes on
+where FILE is NAME.dynamics.toml.";
+
+const TRANSIENT_EXAMPLE: &str = "\
+Examples:
+  cat >> blade.dynamics.toml <<'END'
+  [gravity]
+  acceleration = [0, 0, -9.81]
+  [transient]
+  to = 2
+  step = \"1 ms\"
+  [output]
+  every = 5
+  restart_every = \"0.5 s\"
+  [[output.column]]
+  name = \"tip\"
+  quantity = \"displacement\"
+  of = \"blade/tip\"
+  unit = \"mm\"
+  END
+  beam-dynamics transient blade.dynamics.toml
+  beam-dynamics plot results/blade.transient.csv --columns tip_z
+
+A run that was stopped goes on where its restart file was written:
+  beam-dynamics transient blade.dynamics.toml --restart results/blade.restart.json";
+
+const PLOT: &str = "\
+Draws columns of runs in time
+
+Reads tables that `transient` wrote, NAME.transient.csv or NAME.transient.nc, and draws their \
+columns over time or over another column, with a panel for each unit. Several tables are drawn \
+over each other.";
+
+const PLOT_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics plot results/top.transient.csv
+  beam-dynamics plot results/top.transient.nc --columns tip_x,tip_y --out figures/tip
+  beam-dynamics plot results/top.transient.csv --x tip_x --columns tip_y --out path.svg
+  beam-dynamics plot coarse.transient.csv fine.transient.csv --columns 'energy*'";
+
 const CHECK: &str = "\
 Reads and checks dynamics files without analyzing them
 
@@ -187,6 +238,35 @@ pub(super) enum Command {
         files: Vec<PathBuf>,
         /// Folder for the results; the folder "results" beside each FILE if not given
         #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
+    #[command(about = first_line(TRANSIENT), long_about = TRANSIENT, after_help = TRANSIENT_EXAMPLE)]
+    Transient {
+        /// Dynamics files, NAME.dynamics.toml
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Folder for the results; the folder "results" beside each FILE if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Go on from this state, NAME.restart.json of an earlier part of the same run
+        #[arg(long, value_name = "SNAPSHOT")]
+        restart: Option<PathBuf>,
+    },
+    #[command(about = first_line(PLOT), long_about = PLOT, after_help = PLOT_EXAMPLE)]
+    Plot {
+        /// Tables of runs in time, NAME.transient.csv or NAME.transient.nc
+        #[arg(required = true, value_name = "RESULT")]
+        results: Vec<PathBuf>,
+        /// Columns to draw, joined by commas, all that begin so with * at the end; all
+        /// columns if not given
+        #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+        columns: Vec<String>,
+        /// Column over which the others are drawn
+        #[arg(long = "x", value_name = "NAME", id = "x", default_value = "time")]
+        across: String,
+        /// Figure to write: PNG and SVG, or one of them by its ending; NAME.plot beside the
+        /// first RESULT if not given
+        #[arg(long, value_name = "FIGURE")]
         out: Option<PathBuf>,
     },
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]

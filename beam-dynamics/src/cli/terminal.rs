@@ -28,6 +28,12 @@ impl<'a> Terminal<'a> {
         self.note(&result);
     }
 
+    /// Shows what was written so far, before a long work.
+    pub fn flush(&mut self) {
+        let result = self.out.flush();
+        self.note(&result);
+    }
+
     /// Writes a line to the error stream, below all that was shown before.
     pub fn tell_text(&mut self, text: &str) {
         let shown = self.out.flush();

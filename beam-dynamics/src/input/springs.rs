@@ -44,7 +44,11 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
         let words = format!("spring \"{label}\"");
         let name = table.require_text("node", "the name of a node");
         let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
-        let spring = spring(table);
+        let spring = spring(table).zip(draft.frames().of(table));
+        let spring = spring.map(|(spring, frame)| Spring {
+            axes: frame.axes(&spring.axes),
+            ..spring
+        });
         table.finish();
         match (node, spring) {
             (Some(node), Some(spring)) if is_new => add(&spring, (node, label), table, draft),

@@ -5,7 +5,8 @@ use shared_geom::rotation::vector;
 
 use super::Moment;
 use crate::case::{
-    Axes, Column, EnergyPart, Model, NodeQuantity, NodeVector, OutputQuestion, Part, Quantity,
+    Axes, Column, EnergyPart, JointMotion, Model, NodeQuantity, NodeVector, OutputQuestion, Part,
+    Quantity,
 };
 use crate::elements::{Energy, Observations, Reaction, SectionState};
 use crate::model::{NodeMotion, State};
@@ -45,7 +46,9 @@ impl<'a> ColumnValues<'a> {
         };
         for (index, column) in columns.iter().enumerate() {
             match &column.quantity {
-                Quantity::Section { beam: label, .. } | Quantity::Reaction { joint: label, .. } => {
+                Quantity::Section { beam: label, .. }
+                | Quantity::Reaction { joint: label, .. }
+                | Quantity::Joint { joint: label, .. } => {
                     values.ask(label, index);
                 }
                 Quantity::Energy(_) => values.energy.push(index),
@@ -92,6 +95,7 @@ impl<'a> ColumnValues<'a> {
         for asked in &self.asked {
             self.observed.sections.clear();
             self.observed.reactions.clear();
+            self.observed.joints.clear();
             let system = &self.model.system;
             system.observe_element(
                 asked.element,
@@ -130,7 +134,11 @@ impl<'a> ColumnValues<'a> {
             Quantity::Drive(drive) => drive.at(moment.time).value,
             Quantity::StepLength => moment.length,
             Quantity::Iterations => moment.iterations as f64,
-            Quantity::Section { .. } | Quantity::Reaction { .. } | Quantity::Energy(_) => f64::NAN,
+            // These are those of elements.
+            Quantity::Section { .. }
+            | Quantity::Reaction { .. }
+            | Quantity::Joint { .. }
+            | Quantity::Energy(_) => f64::NAN,
         }
     }
 
@@ -218,7 +226,22 @@ fn told(quantity: &Quantity, observed: &Observations, state: &State) -> Option<f
                 true => &reaction.moment,
                 false => &reaction.force,
             };
-            Some(of_vector(vector, *part, axes, state))
+            let axes = match axes {
+                Axes::End(end) => Axes::Fixed(*observed.joints.first()?.axes.get(*end)?),
+                axes => *axes,
+            };
+            Some(of_vector(vector, *part, &axes, state))
+        }
+        Quantity::Joint { motion, part, .. } => {
+            let joint = observed.joints.first()?;
+            let vector = match motion {
+                JointMotion::Angle => return joint.angle,
+                JointMotion::Displacement => &joint.displacement,
+                JointMotion::Rotation => &joint.rotation,
+                JointMotion::Velocity => &joint.velocity,
+                JointMotion::AngularVelocity => &joint.angular_velocity,
+            };
+            Some(of_vector(vector, *part, &Axes::Model, state))
         }
         _ => None,
     }
@@ -239,7 +262,7 @@ fn of_vector(vector: &Vector3<f64>, part: Part, axes: &Axes, state: &State) -> f
         return vector.norm();
     };
     match axes {
-        Axes::Model => vector[k],
+        Axes::Model | Axes::End(_) => vector[k],
         Axes::Fixed(axes) => axes.column(k).dot(vector),
         Axes::Node(node) => state.nodes[*node].rotation.column(k).dot(vector),
     }

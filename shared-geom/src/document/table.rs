@@ -151,9 +151,15 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// The path that `key` names as `written`: relative ones count from the folder of the
+    /// file that holds it.
+    pub fn path(&self, key: &str, written: &str) -> PathBuf {
+        self.document.path_from(self.line_of(key), written)
+    }
+
     /// The path of the file that `key` names as `written`; notes that there is none.
     pub fn existing(&self, key: &str, written: &str) -> Option<PathBuf> {
-        let path = self.document.path(written);
+        let path = self.path(key, written);
         if path.exists() {
             return Some(path);
         }

@@ -7,7 +7,7 @@ use shared_geom::rotation::{skew, vector};
 use super::{End, Measure, Rod, Spring, SpringLaw};
 use crate::elements::laws::{Cubic, Driven, Law, LawKind, Term};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
-use crate::elements::{Element, Local, LocalResidual, Observations};
+use crate::elements::{Element, Local, LocalResidual, Observations, Signal};
 use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame};
 
 fn nodes() -> Vec<Node> {
@@ -91,8 +91,13 @@ fn elements(nodes: &[Node]) -> Vec<Box<dyn Element>> {
         moment: Vector3::new(0.2, 0.4, -0.6),
     };
     let force = |between| {
-        let drive = Drive::Constant(1.0);
-        InternalForce::new("force", nodes, between, LoadFactor::Constant, drive)
+        InternalForce::new(
+            "force",
+            nodes,
+            between,
+            LoadFactor::Constant,
+            Signal::default(),
+        )
     };
     let coupled = Law::linear(Matrix6::from_fn(|i, j| if i == j { 3.0 } else { 0.4 }));
     let [along, about] = [SpringLaw::of_displacement, SpringLaw::of_rotation];
@@ -319,7 +324,7 @@ fn forces_between_nodes_follow_their_line_and_their_node() {
         force,
         moment,
     };
-    let drive = Drive::Constant(3.0);
+    let drive = Signal::Drive(Drive::Constant(3.0));
     let internal = InternalForce::new("f", &nodes, between, LoadFactor::Proportional, drive);
     let turn = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.8));
     let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();

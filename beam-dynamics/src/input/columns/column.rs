@@ -2,13 +2,14 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::{DocumentProblem, Table};
-use shared_geom::units::{Dimension, parse_as};
+use shared_geom::units::{Dimension, parse};
 use shared_geom::wrench::COMPONENTS;
 
-use super::kind::{CURVATURE, KINDS, Kind, Source};
+use super::kind::{CURVATURE, KINDS, Kind, Source, unit_factor};
 use super::problem::ColumnProblem;
-use crate::case::{Axes, Column, NodeQuantity, NodeVector, Part, Quantity};
+use crate::case::{Axes, Column, JointMotion, NodeQuantity, NodeVector, Part, Quantity};
 use crate::input::draft::Draft;
+use crate::input::drives;
 
 /// Words for the parts of a vector.
 const PARTS: [(&str, Part); 4] = [
@@ -17,6 +18,8 @@ const PARTS: [(&str, Part); 4] = [
     ("z", Part::Component(2)),
     ("magnitude", Part::Magnitude),
 ];
+/// Words for the ends of a joint.
+const ENDS: [&str; 2] = ["first", "second"];
 /// Words for angles about three axes.
 const TURNS: [&str; 3] = ["first", "second", "third"];
 
@@ -77,8 +80,8 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
             Some(unit) => (unit.clone(), factor(table, unit, part.dimension)?),
             None => {
                 // Every unit of the quantities is one of those that are known.
-                let known = parse_as(part.unit, part.dimension).ok()?;
-                (part.unit.to_owned(), known.factor)
+                let factor = unit_factor(part.unit, part.dimension).ok()?;
+                (part.unit.to_owned(), factor)
             }
         };
         Some(Column {
@@ -113,8 +116,8 @@ fn kind(table: &Table<'_>) -> Option<&'static Kind> {
 }
 
 fn factor(table: &Table<'_>, unit: &str, dimension: Dimension) -> Option<f64> {
-    match parse_as(unit, dimension) {
-        Ok(unit) => Some(unit.factor),
+    match unit_factor(unit, dimension) {
+        Ok(factor) => Some(factor),
         Err(problem) => {
             let key = "unit".to_owned();
             table.note("unit", &DocumentProblem::Unit { key, problem });
@@ -167,6 +170,8 @@ impl Reading<'_> {
             Source::Momentum { is_angular } => self.of_model(kind, is_angular),
             Source::Section { is_strain } => self.of_beam(kind, is_strain),
             Source::Reaction { is_moment } => self.of_joint(kind, is_moment),
+            Source::Joint(motion) => self.of_motion(kind, motion),
+            Source::Drive => self.of_drive(),
             Source::Energy(part) => one(Quantity::Energy(part)),
             Source::StepLength => one(Quantity::StepLength),
             Source::Iterations => one(Quantity::Iterations),
@@ -213,13 +218,17 @@ impl Reading<'_> {
         Some(places.into_iter().map(|place| PARTS[place]).collect())
     }
 
-    /// Axes under `in`: those of the model, or of a node.
-    fn axes(&self) -> Option<(Axes, String)> {
+    /// Axes under `in`: those of the model, of a node, or with `ends` of an end of a joint.
+    fn axes(&self, ends: bool) -> Option<(Axes, String)> {
         if !self.table.has("in") {
             return Some((Axes::Model, String::new()));
         }
         match self.table.text("in")?.as_str() {
             "model" => Some((Axes::Model, String::new())),
+            name if ends && ENDS.contains(&name) => {
+                let end = usize::from(name == ENDS[1]);
+                Some((Axes::End(end), format!(" in the axes of its {name} end")))
+            }
             name => {
                 let node = self.node("in", name)?;
                 Some((Axes::Node(node), format!(" in the axes of {name}")))
@@ -242,7 +251,7 @@ impl Reading<'_> {
         if let NodeVector::Euler(_) = vector {
             return self.turns(kind, (node?, against?));
         }
-        let (parts, axes) = (self.vector_parts(), self.axes());
+        let (parts, axes) = (self.vector_parts(), self.axes(false));
         let ((name, node), against, parts, (axes, frame)) = (node?, against?, parts?, axes?);
         let other = match &against {
             Some((_, other)) => format!(" against {other}"),
@@ -378,7 +387,7 @@ impl Reading<'_> {
             true => self.table.text("node").map(Some),
             false => Some(None),
         };
-        let (parts, axes) = (self.vector_parts(), self.axes());
+        let (parts, axes) = (self.vector_parts(), self.axes(true));
         let (joint, nodes) = joint?;
         let node = match on? {
             Some(name) => self.node_of_joint(&joint, &nodes, name)?,
@@ -400,6 +409,57 @@ impl Reading<'_> {
             unit: kind.3,
         });
         Some(found.collect())
+    }
+
+    fn of_motion(&self, kind: &Kind, motion: JointMotion) -> Option<Vec<Found>> {
+        let joint = self.of("the name of a joint", |name| {
+            self.draft.look_up_joint(name, self.table, "of", self.user)
+        });
+        let parts = match motion {
+            JointMotion::Angle => Some(vec![("", Part::Component(0))]),
+            _ => self.vector_parts(),
+        };
+        let ((joint, _), plain) = (joint?, kind.0.replace('_', " "));
+        let found = parts?.into_iter().map(|(word, part)| Found {
+            word,
+            words: format!("{plain} {word} of {joint}"),
+            quantity: Quantity::Joint {
+                joint: joint.clone(),
+                motion,
+                part,
+            },
+            dimension: kind.2,
+            unit: kind.3,
+        });
+        Some(found.collect())
+    }
+
+    /// A drive by its name, or written in place; its numbers are those of its unit.
+    fn of_drive(&self) -> Option<Vec<Found>> {
+        let name = self
+            .table
+            .require_text("of", "the name of a drive, or \"= ...\"")?;
+        let unit = match self.table.has("unit") {
+            true => self.table.text("unit")?,
+            false => "1".to_owned(),
+        };
+        let dimension = match parse(&unit) {
+            Ok(unit) => unit.dimension,
+            Err(problem) => {
+                let key = "unit".to_owned();
+                let problem = DocumentProblem::Unit { key, problem };
+                self.table.note("unit", &problem);
+                return None;
+            }
+        };
+        let drive = drives::read(self.table, "of", dimension, self.draft.drives())?;
+        Some(vec![Found {
+            word: "",
+            words: format!("drive {name}"),
+            quantity: Quantity::Drive(drive),
+            dimension,
+            unit: "1",
+        }])
     }
 
     fn node_of_joint(&self, joint: &str, nodes: &[usize], name: String) -> Option<usize> {

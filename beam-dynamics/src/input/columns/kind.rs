@@ -1,8 +1,8 @@
 //! The quantities that a column can have: their words, dimensions and units.
 
-use shared_geom::units::Dimension;
+use shared_geom::units::{Dimension, UnitProblem, parse_as};
 
-use crate::case::{EnergyPart, NodeVector};
+use crate::case::{EnergyPart, JointMotion, NodeVector};
 
 /// A word under `quantity`, where its numbers come from, what they measure (of beams
 /// their first three components), and their unit unless one is given.
@@ -28,6 +28,10 @@ pub(super) enum Source {
         /// The moment.
         is_moment: bool,
     },
+    /// Motion of a joint.
+    Joint(JointMotion),
+    /// Value of a drive; what it measures is that of its unit.
+    Drive,
     /// Energy of the model.
     Energy(EnergyPart),
     /// Length of the step.
@@ -52,8 +56,20 @@ const MOMENTUM: Dimension = dimension(1, 1, -1);
 /// Curvature and twist, in 1/m.
 pub(super) const CURVATURE: Dimension = dimension(-1, 0, 0);
 
+/// Words for energy, which the units of inputs do not have: there they would be moments.
+const JOULES: [(&str, f64); 3] = [("J", 1.0), ("kJ", 1e3), ("MJ", 1e6)];
+
+/// SI units in one `unit` of a quantity of `dimension` [SI unit of it].
+pub(super) fn unit_factor(unit: &str, dimension: Dimension) -> Result<f64, UnitProblem> {
+    let joules = JOULES.iter().find(|joules| joules.0 == unit);
+    match joules.filter(|_| dimension == Dimension::MOMENT) {
+        Some(joules) => Ok(joules.1),
+        None => parse_as(unit, dimension).map(|unit| unit.factor),
+    }
+}
+
 /// All quantities.
-pub(super) const KINDS: [Kind; 21] = [
+pub(super) const KINDS: [Kind; 27] = [
     (
         "position",
         Source::Node(NodeVector::Position),
@@ -145,28 +161,59 @@ pub(super) const KINDS: [Kind; 21] = [
         "N*m",
     ),
     (
+        "joint_displacement",
+        Source::Joint(JointMotion::Displacement),
+        Dimension::LENGTH,
+        "m",
+    ),
+    (
+        "joint_rotation",
+        Source::Joint(JointMotion::Rotation),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "joint_angle",
+        Source::Joint(JointMotion::Angle),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "joint_velocity",
+        Source::Joint(JointMotion::Velocity),
+        VELOCITY,
+        "m/s",
+    ),
+    (
+        "joint_angular_velocity",
+        Source::Joint(JointMotion::AngularVelocity),
+        Dimension::ROTATION_SPEED,
+        "rad/s",
+    ),
+    ("drive", Source::Drive, Dimension::NUMBER, "1"),
+    (
         "kinetic_energy",
         Source::Energy(EnergyPart::Kinetic),
         Dimension::MOMENT,
-        "N*m",
+        "J",
     ),
     (
         "elastic_energy",
         Source::Energy(EnergyPart::Elastic),
         Dimension::MOMENT,
-        "N*m",
+        "J",
     ),
     (
         "gravity_energy",
         Source::Energy(EnergyPart::Gravity),
         Dimension::MOMENT,
-        "N*m",
+        "J",
     ),
     (
         "energy",
         Source::Energy(EnergyPart::Total),
         Dimension::MOMENT,
-        "N*m",
+        "J",
     ),
     ("step_length", Source::StepLength, Dimension::TIME, "s"),
     ("iterations", Source::Iterations, Dimension::NUMBER, "1"),

@@ -40,7 +40,7 @@ pub(super) fn columns(draft: &Draft) -> Vec<Column> {
     ] {
         columns.push(Column {
             name: name.to_owned(),
-            unit: "N*m".to_owned(),
+            unit: "J".to_owned(),
             factor: 1.0,
             words: name.replace('_', " "),
             quantity: Quantity::Energy(part),

@@ -19,7 +19,7 @@ const LINE: f64 = 3.5;
 const HEAD: f64 = 90.0;
 const FRAME: f64 = 340.0;
 const GAP: f64 = 70.0;
-const FOOT: f64 = 100.0;
+const FOOT: f64 = 120.0;
 const LEGEND_ROW: f64 = 1.4 * SMALL;
 
 /// Curves over time or over another column, ready to be saved.

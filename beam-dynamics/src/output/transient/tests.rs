@@ -1,1 +1,323 @@
+//! Files of made-up runs: written, read back, killed and gone on with.
 
+use std::path::Path;
+
+use nalgebra::Vector3;
+
+use super::*;
+use crate::assembly::System;
+use crate::case::{
+    Axes, Column, Every, Model, NodeQuantity, NodeVector, OutputQuestion, Part, Quantity,
+};
+use crate::elements::Element;
+use crate::elements::bodies::{RigidBody, RigidInertia};
+use crate::integrator::Counters;
+use crate::model::{Conditions, State};
+use crate::output::samples::{names, nodes_at};
+use crate::result::{Moment, Recorder, Snapshot};
+
+/// A body that is moved as [`run`] says.
+fn model() -> Model {
+    let nodes = nodes_at(&[[0.0; 3]]);
+    let body: Box<dyn Element> = Box::new(RigidBody::new("body", 0, RigidInertia::zero()));
+    Model::new("a body", System::new(nodes, vec![body]))
+}
+
+fn column(name: &str, unit: (&str, f64), vector: NodeVector, part: Part) -> Column {
+    Column {
+        name: name.to_owned(),
+        unit: unit.0.to_owned(),
+        factor: unit.1,
+        words: format!("{name} of the body"),
+        quantity: Quantity::Node(NodeQuantity {
+            node: 0,
+            vector,
+            part,
+            against: None,
+            axes: Axes::Model,
+        }),
+    }
+}
+
+/// Position along x and y in mm, speed, length of the step.
+fn question() -> OutputQuestion {
+    let mm = ("mm", 1e-3);
+    OutputQuestion {
+        columns: vec![
+            column("a_x", mm, NodeVector::Position, Part::Component(0)),
+            column("a_y", mm, NodeVector::Position, Part::Component(1)),
+            column("speed", ("m/s", 1.0), NodeVector::Velocity, Part::Magnitude),
+            Column {
+                name: "step".to_owned(),
+                unit: "s".to_owned(),
+                factor: 1.0,
+                words: "length of the step".to_owned(),
+                quantity: Quantity::StepLength,
+            },
+        ],
+        ..OutputQuestion::default()
+    }
+}
+
+const STEP: f64 = 0.1;
+
+/// The state after a number of steps: a circle of 1 m.
+fn state(model: &Model, step: usize) -> State {
+    let mut state = model.system.rest();
+    let angle = STEP * step as f64;
+    state.nodes[0].position = Vector3::new(angle.cos(), angle.sin(), 0.0);
+    state.nodes[0].velocity = Vector3::new(-angle.sin(), angle.cos(), 0.0);
+    state
+}
+
+/// Tells the steps of `range` to `files`, with what it wants to keep.
+fn run(model: &Model, files: &mut RunFiles<'_>, range: std::ops::RangeInclusive<usize>) -> bool {
+    let conditions = Conditions::at_rest();
+    for step in range {
+        let state = state(model, step);
+        let moment = Moment {
+            step,
+            time: STEP * step as f64,
+            length: STEP,
+            iterations: 2,
+            state: &state,
+            conditions: &conditions,
+        };
+        if !files.record(&moment) {
+            return false;
+        }
+        if files.wants_snapshot(&moment) && !files.keep(&snapshot(step)) {
+            return false;
+        }
+    }
+    true
+}
+
+fn snapshot(step: usize) -> Snapshot {
+    let progress = serde_json::json!({
+        "time": STEP * step as f64,
+        "counters": Counters::default(),
+        "length": STEP,
+        "known": 2,
+        "corner": null,
+        "lengths": { "from": 0.0, "points": step, "wish": STEP },
+    });
+    Snapshot {
+        nodes: vec!["n0".to_owned()],
+        multipliers: 0,
+        step,
+        progress: serde_json::from_value(progress).unwrap(),
+        states: vec![vec![0.1, 1e-300, -1.0 / 3.0]],
+    }
+}
+
+/// Runs to the end at once.
+fn complete(folder: &Path, question: &OutputQuestion, steps: usize) -> Vec<String> {
+    let model = model();
+    let mut files = RunFiles::new(&model, question, (folder, "x"), None).unwrap();
+    assert!(run(&model, &mut files, 0..=steps));
+    names(&files.finish("a body", "text\n").unwrap())
+}
+
+#[test]
+fn tables_are_read_back_to_the_last_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    let written = complete(folder.path(), &question(), 20);
+    let expected = [
+        "x.transient.csv",
+        "x.transient.nc",
+        "x.transient.txt",
+        "x.transient.png",
+        "x.transient.svg",
+    ];
+    assert_eq!(written, expected);
+    let text = std::fs::read_to_string(folder.path().join("x.transient.csv")).unwrap();
+    assert!(
+        text.starts_with(
+            "time [s],a_x [mm],a_y [mm],speed [m/s],step [s]\n0.0,1000.0,0.0,1.0,0.1\n"
+        ),
+        "{text}"
+    );
+    let csv = TimeTable::read(&folder.path().join("x.transient.csv")).unwrap();
+    let netcdf = TimeTable::read(&folder.path().join("x.transient.nc")).unwrap();
+    assert_eq!(csv.rows(), 21);
+    assert_eq!(csv.columns, netcdf.columns);
+    for (step, x) in csv.columns[1].iter().enumerate() {
+        assert_eq!(*x, (STEP * step as f64).cos() / 1e-3);
+    }
+    assert_eq!(netcdf.headings[2].unit, "mm");
+    assert_eq!(netcdf.headings[2].words, "a_y of the body");
+    let units = |table: &TimeTable| -> Vec<String> {
+        table.headings.iter().map(|h| h.unit.clone()).collect()
+    };
+    assert_eq!(units(&csv), units(&netcdf));
+}
+
+// A run that is dropped in the middle is one that was killed: nothing is written at its end.
+#[test]
+fn a_killed_run_keeps_its_rows_and_goes_on_without_doubling_them() {
+    let [whole, parts] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let question = OutputQuestion {
+        every: Every::Time(0.2),
+        restart: Some(Every::Steps(10)),
+        vtu: Some(2),
+        ..question()
+    };
+    let listed = complete(whole.path(), &question, 40);
+    assert!(
+        listed.iter().any(|name| name == "x.restart.json"),
+        "{listed:?}"
+    );
+
+    let model = model();
+    let place = (parts.path(), "x");
+    let mut files = RunFiles::new(&model, &question, place, None).unwrap();
+    assert!(run(&model, &mut files, 0..=27));
+    drop(files);
+    let csv = parts.path().join("x.transient.csv");
+    assert_eq!(TimeTable::read(&csv).unwrap().rows(), 14);
+    // The line that was just being written.
+    let mut torn = std::fs::read(&csv).unwrap();
+    torn.extend(b"2.8,1.0,");
+    std::fs::write(&csv, torn).unwrap();
+    assert_eq!(TimeTable::read(&csv).unwrap().rows(), 14);
+
+    let kept = read_snapshot(&parts.path().join("x.restart.json")).unwrap();
+    assert_eq!(kept, snapshot(20));
+    let mut files = RunFiles::new(&model, &question, place, Some(&kept)).unwrap();
+    // Whether or not the step at which it goes on is told again.
+    assert!(run(&model, &mut files, 20..=40));
+    files.finish("a body", "text\n").unwrap();
+    for file in [
+        "x.transient.csv",
+        "x.transient.nc",
+        "x.transient.pvd",
+        "x.restart.json",
+        "x.transient/step_0000040.vtu",
+    ] {
+        let [once, twice] = [&whole, &parts].map(|folder| std::fs::read(folder.path().join(file)));
+        assert!(once.unwrap() == twice.unwrap(), "{file}");
+    }
+    let count = |folder: &Path| folder.join("x.transient").read_dir().unwrap().count();
+    assert_eq!(count(whole.path()), 11);
+    assert_eq!(count(parts.path()), 11);
+}
+
+#[test]
+fn a_run_does_not_go_on_in_a_table_of_others() {
+    let folder = tempfile::tempdir().unwrap();
+    complete(folder.path(), &question(), 20);
+    let model = model();
+    let mut other = question();
+    other.columns[0].name = "b_x".to_owned();
+    for (csv, netcdf, file) in [(true, false, "csv"), (false, true, "nc")] {
+        (other.csv, other.netcdf) = (csv, netcdf);
+        let place = (folder.path(), "x");
+        let problem = RunFiles::new(&model, &other, place, Some(&snapshot(10))).unwrap_err();
+        let told = problem.to_string();
+        assert!(
+            told.contains(&format!("x.transient.{file}\" has other columns")),
+            "{told}"
+        );
+    }
+}
+
+#[test]
+fn files_that_are_no_tables_are_told() {
+    use shared_geom::error::Explain;
+
+    let folder = tempfile::tempdir().unwrap();
+    let told = |name: &str, content: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, content).unwrap();
+        TimeTable::read(&path).unwrap_err().to_string()
+    };
+    for (name, content, expected) in [
+        ("a.txt", "", "its ending is neither .csv nor .nc"),
+        ("a.nc", "no", "it is no NetCDF-3 file of a run"),
+        ("a.csv", "time [s],b [m]\n1,2\n3\n", "line 3 has 1 values"),
+        (
+            "a.csv",
+            "time [s],b [m]\n1,x\n",
+            "line 2 has \"x\", expected a number",
+        ),
+    ] {
+        let told = told(name, content);
+        assert!(told.contains(expected), "{told}");
+    }
+    let absent = TimeTable::read(&folder.path().join("b.csv")).unwrap_err();
+    assert!(
+        absent.to_string().ends_with("there is no such file"),
+        "{absent}"
+    );
+    let told = read_snapshot(&folder.path().join("a.csv")).unwrap_err();
+    assert!(told.to_string().contains("it is no restart file"), "{told}");
+    assert!(told.help().unwrap().contains("NAME.restart.json"));
+}
+
+fn table(file: &str, rows: usize) -> TimeTable {
+    let heading = |name: &str, unit: &str| Heading {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        words: String::new(),
+    };
+    let time: Vec<_> = (0..rows).map(|k| 0.01 * k as f64).collect();
+    let of = |f: &dyn Fn(f64) -> f64| time.iter().map(|t| f(*t)).collect::<Vec<_>>();
+    TimeTable {
+        file: file.to_owned(),
+        headings: vec![
+            heading("time", "s"),
+            heading("tip_x", "mm"),
+            heading("tip_y", "mm"),
+            heading("count", "1"),
+        ],
+        columns: vec![
+            of(&|t| t),
+            of(&f64::sin),
+            of(&f64::cos),
+            of(&|t| if t > 1.0 { f64::NAN } else { t }),
+        ],
+    }
+}
+
+#[test]
+fn plots_have_a_panel_for_each_unit_and_all_names() {
+    use shared_geom::error::Explain;
+
+    let folder = tempfile::tempdir().unwrap();
+    let svg = |plot: &TimePlot| {
+        let path = folder.path().join("a.svg");
+        plot.save(&path).unwrap();
+        std::fs::read_to_string(path).unwrap()
+    };
+    let one = table("results/a.transient.csv", 400);
+    let text = svg(&TimePlot::new("a title", &[one.clone()], "time", &[]).unwrap());
+    for expected in [
+        "a title", "tip_x", "tip_y", "count", "[mm]", "[-]", "time [s]",
+    ] {
+        assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+    }
+    let other = table("results/b.transient.csv", 100);
+    let wanted = ["tip_*".to_owned()];
+    let both = [one.clone(), other];
+    let text = svg(&TimePlot::new("two", &both, "time", &wanted).unwrap());
+    for expected in ["tip_x (a)", "tip_x (b)", "tip_y (b)"] {
+        assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+    }
+    assert!(!text.contains("\n[-]\n"));
+    let text = svg(&TimePlot::new("path", &[one.clone()], "tip_x", &["tip_y".to_owned()]).unwrap());
+    assert!(text.contains("\ntip_x [mm]\n"));
+
+    let wrong = TimePlot::new("", &[one], "time", &["tip_z".to_owned()]).unwrap_err();
+    assert_eq!(
+        wrong.to_string(),
+        "unknown column \"tip_z\" of \"results/a.transient.csv\""
+    );
+    assert!(wrong.help().unwrap().starts_with("did you mean \"tip_"));
+    let wrong = TimePlot::new("", &[table("a.csv", 1)], "time", &[]).unwrap_err();
+    assert!(
+        wrong
+            .to_string()
+            .contains("has 1 rows, expected at least two")
+    );
+}

@@ -1,0 +1,340 @@
+//! `transient`: runs each model in time, writes while it runs, and tells what it took.
+
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use shared_geom::error::Explain;
+
+use super::blade_options::BladeOptions;
+use super::terminal::Terminal;
+use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
+use crate::analysis::transient::{TransientOutcome, transient};
+use crate::case::{OutputQuestion, TransientQuestion};
+use crate::input::{Input, is_blade_file, short_number};
+use crate::integrator::{Scheme, Stepping};
+use crate::output::{RunFileProblem, RunFiles, effort_text, read_snapshot};
+use crate::result::{Moment, Recorder, Snapshot};
+
+/// The table that asks for a run in time.
+const TABLE: &str = "transient";
+/// Changes at the start that are told one by one.
+const MOST_CHANGES: usize = 60;
+/// Parts of the progress bar.
+const PARTS: u64 = 10_000;
+
+/// A restart file that does not fit.
+#[derive(Debug, thiserror::Error)]
+enum RestartProblem {
+    /// One state for several models.
+    #[error("--restart goes on with one file, but {files} are given")]
+    ManyFiles { files: usize },
+    /// A state of other nodes or joints.
+    #[error("\"{file}\" is the state of another model: {difference}")]
+    OtherModel { file: String, difference: String },
+    /// Nothing is left to be done.
+    #[error("\"{file}\" is at {at} s, and the run ends at {to} s")]
+    AtEnd { file: String, at: f64, to: f64 },
+}
+
+impl Explain for RestartProblem {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::ManyFiles { .. } => "run them one by one",
+            Self::OtherModel { .. } => {
+                "nodes and joints must be those of the run that wrote it, in the same order"
+            }
+            Self::AtEnd { .. } => "give [transient] a later \"to\" to go on",
+        };
+        Some(text.to_owned())
+    }
+}
+
+/// `transient FILE...`
+pub(super) fn transient_of_files(
+    files: &[PathBuf],
+    out: Option<&Path>,
+    restart: Option<&Path>,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    if restart.is_some() && files.len() > 1 {
+        let files = files.len();
+        terminal.tell(&RestartProblem::ManyFiles { files });
+        return WRONG_INPUT;
+    }
+    let Some((inputs, places)) = read_with_places(files, out, &BladeOptions::default(), terminal)
+    else {
+        return WRONG_INPUT;
+    };
+    for (path, input) in files.iter().zip(&inputs) {
+        if input.transient.is_none() {
+            tell_not_asked(path, terminal);
+        }
+    }
+    let asked: Vec<_> = inputs
+        .iter()
+        .zip(&places)
+        .filter_map(|(input, place)| Some((input, input.transient.as_ref()?, place)))
+        .collect();
+    if asked.len() < inputs.len() {
+        return WRONG_INPUT;
+    }
+    let mut code = DONE;
+    for (number, (input, question, place)) in asked.into_iter().enumerate() {
+        if number > 0 {
+            terminal.show("\n\n");
+        }
+        let resumed = match restart.map(|path| resumed(path, input, question, terminal)) {
+            Some(None) => return WRONG_INPUT,
+            Some(Some(snapshot)) => Some(snapshot),
+            None => None,
+        };
+        code = code.max(run((input, question), resumed.as_ref(), place, terminal));
+    }
+    code
+}
+
+fn tell_not_asked(path: &Path, terminal: &mut Terminal<'_>) {
+    let (file, table) = (path.display().to_string(), TABLE);
+    match is_blade_file(path) {
+        true => terminal.tell(&BladeAlone { file, table }),
+        false => terminal.tell(&NotAsked {
+            file,
+            table,
+            example: "to = 1 and step = \"1 ms\"",
+        }),
+    }
+}
+
+/// The state at `path` from which the run goes on; tells why it does not fit.
+fn resumed(
+    path: &Path,
+    input: &Input,
+    question: &TransientQuestion,
+    terminal: &mut Terminal<'_>,
+) -> Option<Snapshot> {
+    let snapshot = match read_snapshot(path) {
+        Ok(snapshot) => snapshot,
+        Err(problem) => {
+            terminal.tell(&problem);
+            return None;
+        }
+    };
+    let file = path.display().to_string();
+    let problem = match difference(&snapshot, input) {
+        Some(difference) => RestartProblem::OtherModel { file, difference },
+        None if snapshot.progress.time >= question.to => RestartProblem::AtEnd {
+            file,
+            at: snapshot.progress.time,
+            to: question.to,
+        },
+        None => return Some(snapshot),
+    };
+    terminal.tell(&problem);
+    None
+}
+
+/// In what a state is not one of the model.
+fn difference(snapshot: &Snapshot, input: &Input) -> Option<String> {
+    let system = &input.model.system;
+    let nodes = system.nodes();
+    if snapshot.nodes.len() != nodes.len() {
+        return Some(format!(
+            "it has {} nodes, the model {}",
+            snapshot.nodes.len(),
+            nodes.len()
+        ));
+    }
+    let mut pairs = snapshot.nodes.iter().zip(nodes);
+    if let Some((found, node)) = pairs.find(|(found, node)| **found != node.label) {
+        return Some(format!(
+            "it has node \"{found}\", the model \"{}\"",
+            node.label
+        ));
+    }
+    let multipliers = system.numbering().multipliers();
+    (snapshot.multipliers != multipliers).then(|| {
+        format!(
+            "its joints have {} constraints, those of the model {multipliers}",
+            snapshot.multipliers
+        )
+    })
+}
+
+/// Runs one model, writes its results and tells them.
+fn run(
+    (input, question): (&Input, &TransientQuestion),
+    resumed: Option<&Snapshot>,
+    (folder, name): &ResultPlace,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let output: &OutputQuestion = &input.output;
+    let files = match RunFiles::new(&input.model, output, (folder, name), resumed) {
+        Ok(files) => files,
+        Err(problem) => {
+            terminal.tell(&problem);
+            return match problem {
+                RunFileProblem::Output(_) => NOT_REACHED,
+                _ => WRONG_INPUT,
+            };
+        }
+    };
+    let head = heading(input, question, resumed);
+    terminal.show(&head);
+    terminal.flush();
+    let mut watched = Watched {
+        files,
+        bar: progress(),
+        from: question.from,
+        to: question.to,
+    };
+    let start = Instant::now();
+    let clock = || start.elapsed().as_secs_f64();
+    let outcome = transient(&input.model, question, resumed, &mut watched, &clock);
+    watched.bar.finish_and_clear();
+    let text = outcome_text(input, question, &outcome);
+    terminal.show(&text);
+    let mut code = DONE;
+    if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {
+        terminal.tell_text(&format!(
+            "error: {name}: {failure}\n  help: {}; all up to {} s is written",
+            failure.remedy(),
+            short_number(outcome.time, 9)
+        ));
+        code = NOT_REACHED;
+    }
+    let title = format!("{}: run in time", input.model.name);
+    match watched.files.finish(&title, &(head + &text)) {
+        Ok(written) => {
+            terminal.show("\nWritten\n");
+            for file in &written.files {
+                terminal.show(&format!("  {}\n", file.display()));
+            }
+        }
+        Err(problem) => {
+            terminal.tell(&problem);
+            code = NOT_REACHED;
+        }
+    }
+    code
+}
+
+/// What is run, told before it is.
+fn heading(input: &Input, question: &TransientQuestion, resumed: Option<&Snapshot>) -> String {
+    let system = &input.model.system;
+    let seconds = |time: f64| format!("{} s", short_number(time, 9));
+    let start = match resumed {
+        Some(snapshot) => format!(
+            "goes on at {} (step {})",
+            seconds(snapshot.progress.time),
+            snapshot.step
+        ),
+        None => format!("from {}", seconds(question.from)),
+    };
+    let steps = match question.stepping {
+        Stepping::Constant { step } => format!("steps of {}", seconds(step)),
+        Stepping::Variable(control) => format!(
+            "steps of {} to {}, tolerance {}",
+            seconds(control.least),
+            seconds(control.most),
+            short_number(control.tolerance, 4)
+        ),
+    };
+    format!(
+        "{}: {start} to {}\n{}; {steps}\n{} nodes, {} unknowns, {} of them multipliers\n",
+        input.model.name,
+        seconds(question.to),
+        scheme_words(question.scheme),
+        system.nodes().len(),
+        system.numbering().unknowns(),
+        system.numbering().multipliers()
+    )
+}
+
+fn scheme_words(scheme: Scheme) -> String {
+    match scheme {
+        Scheme::ImplicitEuler => "implicit Euler".to_owned(),
+        Scheme::CrankNicolson => "Crank-Nicolson".to_owned(),
+        Scheme::Bdf2 => "backward differences of second order".to_owned(),
+        Scheme::TwoStep { radius } => {
+            format!("two steps, asymptotic radius {}", short_number(radius, 4))
+        }
+        Scheme::Cubic { radius } => format!(
+            "two stages, cubic, asymptotic radius {}",
+            short_number(radius, 4)
+        ),
+        Scheme::CubicGauss => "two stages, cubic, Gauss points".to_owned(),
+        Scheme::Parabolic { zeta } => {
+            format!("two stages, parabolic, zeta {}", short_number(zeta, 6))
+        }
+    }
+}
+
+/// Remarks, how far the run came, and what it took.
+fn outcome_text(input: &Input, question: &TransientQuestion, outcome: &TransientOutcome) -> String {
+    let mut text = String::new();
+    for remark in input.remarks.iter().chain(&outcome.remarks) {
+        text.push_str(&format!("  note: {remark}\n"));
+    }
+    if !outcome.changes.is_empty() {
+        text.push_str("\nChanged at the start, for the joints to be fulfilled\n");
+    }
+    for change in outcome.changes.iter().take(MOST_CHANGES) {
+        text.push_str(&format!("  {change}\n"));
+    }
+    if outcome.changes.len() > MOST_CHANGES {
+        let more = outcome.changes.len() - MOST_CHANGES;
+        text.push_str(&format!("  and {more} more\n"));
+    }
+    if let Some(failure) = &outcome.failure {
+        text.push_str(&format!("  stopped early: {failure}\n"));
+    }
+    let reached = short_number(outcome.time, 9);
+    let to = short_number(question.to, 9);
+    text + &format!(
+        "\nreached {reached} s of {to} s\n\n{}",
+        effort_text(&outcome.effort)
+    )
+}
+
+/// Files of a run with its progress on the terminal.
+struct Watched<'a> {
+    files: RunFiles<'a>,
+    bar: ProgressBar,
+    from: f64,
+    to: f64,
+}
+
+impl Recorder for Watched<'_> {
+    fn record(&mut self, moment: &Moment<'_>) -> bool {
+        let part = (moment.time - self.from) / (self.to - self.from);
+        // A part of a run is between zero and one.
+        self.bar.set_position((part * PARTS as f64) as u64);
+        if !self.bar.is_hidden() {
+            self.bar.set_message(short_number(moment.time, 6));
+        }
+        self.files.record(moment)
+    }
+
+    fn wants_snapshot(&self, moment: &Moment<'_>) -> bool {
+        self.files.wants_snapshot(moment)
+    }
+
+    fn keep(&mut self, snapshot: &Snapshot) -> bool {
+        self.files.keep(snapshot)
+    }
+}
+
+/// A bar with the time left, on a terminal alone.
+fn progress() -> ProgressBar {
+    let target = match std::io::stderr().is_terminal() {
+        true => ProgressDrawTarget::stderr(),
+        false => ProgressDrawTarget::hidden(),
+    };
+    let bar = ProgressBar::with_draw_target(Some(PARTS), target);
+    match ProgressStyle::with_template("{bar:40} {percent:>3} %  at {msg} s  {eta} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

@@ -1,0 +1,235 @@
+//! `transient` and `plot`, with runs that are stopped and gone on with.
+
+use super::Folder;
+
+/// A beam of two elements that falls from its straight place.
+const BEAM: &str = "\
+units = \"SI\"
+[properties.strip]
+ea = 7e4
+gay = 2e4
+gaz = 1e4
+gj = 30
+eiy = 40
+eiz = 900
+m = 2
+iy = 0.01
+iz = 0.04
+[[blade]]
+name = \"blade\"
+root = [0, 0, 0]
+properties = \"strip\"
+[[blade.piece]]
+length = 2
+elements = 2
+[gravity]
+acceleration = [0, 0, -9.81]
+";
+
+const OUTPUT: &str = "\
+[output]
+every = 2
+vtu = 5
+restart_every = 10
+[[output.column]]
+name = \"tip\"
+quantity = \"displacement\"
+of = \"blade/tip\"
+unit = \"mm\"
+[[output.column]]
+name = \"held\"
+quantity = \"reaction_moment\"
+of = \"clamp of blade/root\"
+component = \"y\"
+[[output.column]]
+name = \"bending\"
+quantity = \"internal_force\"
+of = \"blade/beam 1\"
+component = \"bending_y\"
+[[output.column]]
+name = \"pull\"
+quantity = \"drive\"
+of = \"= 2*t\"
+unit = \"kN\"
+[[output.column]]
+name = \"energy\"
+quantity = \"energy\"
+";
+
+fn beam(to: f64) -> String {
+    format!("{BEAM}[transient]\nto = {to}\nstep = \"2 ms\"\n{OUTPUT}")
+}
+
+/// Numbers of a row, time first.
+fn row(table: &str, number: usize) -> Vec<f64> {
+    let line = table.lines().nth(number + 1).unwrap();
+    line.split(',').map(|cell| cell.parse().unwrap()).collect()
+}
+
+#[test]
+fn a_run_writes_its_tables_figures_and_effort() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", &beam(0.1));
+    let run = folder.run(&["transient", "a.dynamics.toml"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    for expected in [
+        "a: from 0 s to 0.1 s\ntwo steps, asymptotic radius 0.6; steps of 0.002 s\n",
+        "reached 0.1 s of 0.1 s",
+        "steps             50  of 0.002 s",
+        "factorization",
+        "whole run",
+        "  results/a.transient.csv\n  results/a.transient.nc\n  results/a.transient.txt\n",
+        "  results/a.restart.json\n",
+    ] {
+        assert!(run.out.contains(expected), "{expected}\n{}", run.out);
+    }
+    // No terminal, no progress.
+    assert_eq!(run.err, "");
+    let table = folder.read("results/a.transient.csv");
+    assert_eq!(
+        table.lines().next().unwrap(),
+        "time [s],tip_x [mm],tip_y [mm],tip_z [mm],held [N*m],bending [N*m],pull [kN],energy [J]"
+    );
+    assert_eq!(table.lines().count(), 27);
+    let last = row(&table, 25);
+    assert!((last[0] - 0.1).abs() < 1e-12);
+    // It falls, no faster than it would without the clamp: g t^2 / 2 = 49 mm.
+    assert!(last[3] < -10.0 && last[3] > -49.0, "{last:?}");
+    assert!((last[6] - 2e-3 * last[0]).abs() < 1e-15);
+    let figure = folder.read("results/a.transient.svg");
+    for expected in ["tip_z", "[mm]", "[kN]", "[J]", "time [s]"] {
+        assert!(figure.contains(&format!("\n{expected}\n")), "{expected}");
+    }
+    let series = folder.read("results/a.transient.pvd");
+    assert_eq!(series.matches("DataSet").count(), 6);
+}
+
+// A part that ends earlier and leaves more rows than its last state covers stands for a
+// run that was killed: rows after the state are written again.
+#[test]
+fn a_stopped_run_goes_on_to_the_last_bit() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", &beam(0.1));
+    let whole = folder.run(&["transient", "a.dynamics.toml", "--out", "whole"]);
+    assert_eq!(whole.code, 0, "{}", whole.err);
+    folder.write("a.dynamics.toml", &beam(0.056));
+    let part = folder.run(&["transient", "a.dynamics.toml", "--out", "parts"]);
+    assert_eq!(part.code, 0, "{}", part.err);
+    folder.write("a.dynamics.toml", &beam(0.1));
+    let restart = ["--restart", "parts/a.restart.json"];
+    let arguments = ["transient", "a.dynamics.toml", "--out", "parts"];
+    let rest = folder.run(&[&arguments[..], &restart[..]].concat());
+    assert_eq!(rest.code, 0, "{}", rest.err);
+    assert!(
+        rest.out.contains("a: goes on at 0.04 s (step 20) to 0.1 s"),
+        "{}",
+        rest.out
+    );
+    for file in ["a.transient.csv", "a.transient.nc", "a.transient.pvd"] {
+        let [once, twice] = ["whole", "parts"]
+            .map(|place| std::fs::read(folder.path(&format!("{place}/{file}"))).unwrap());
+        assert!(once == twice, "{file}");
+    }
+
+    let again = folder.run(&[&arguments[..], &restart[..]].concat());
+    assert_eq!(again.code, 2);
+    assert_eq!(
+        again.err,
+        "error: \"parts/a.restart.json\" is at 0.1 s, and the run ends at 0.1 s\n  \
+         help: give [transient] a later \"to\" to go on\n"
+    );
+    folder.write(
+        "a.dynamics.toml",
+        &beam(0.2).replace("elements = 2", "elements = 3"),
+    );
+    let other = folder.run(&[&arguments[..], &restart[..]].concat());
+    assert_eq!(other.code, 2);
+    assert!(
+        other
+            .err
+            .contains("is the state of another model: it has 5 nodes, the model 7"),
+        "{}",
+        other.err
+    );
+}
+
+#[test]
+fn columns_are_drawn_and_wrong_names_are_told() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", &beam(0.02));
+    folder.run(&["transient", "a.dynamics.toml"]);
+    let csv = "results/a.transient.csv";
+    let run = folder.run(&["plot", csv, "--columns", "tip_*,held"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert_eq!(
+        run.out,
+        "Written\n  results/a.plot.png\n  results/a.plot.svg\n"
+    );
+    let figure = folder.read("results/a.plot.svg");
+    assert!(figure.contains("\ntip_x\n") && !figure.contains("\nenergy\n"));
+    let netcdf = "results/a.transient.nc";
+    let run = folder.run(&[
+        "plot",
+        csv,
+        netcdf,
+        "--x",
+        "tip_x",
+        "--columns",
+        "tip_z",
+        "--out",
+        "b/path.svg",
+    ]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let figure = folder.read("b/path.svg");
+    assert!(
+        figure.contains("\ntip_z (results/a.transient.nc)\n") && figure.contains("\ntip_x [mm]\n")
+    );
+
+    let run = folder.run(&["plot", csv, "--columns", "tip_w,hold"]);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    assert!(
+        run.err.contains("unknown column \"tip_w\" of"),
+        "{}",
+        run.err
+    );
+    assert!(
+        run.err.contains("unknown column \"hold\" of"),
+        "{}",
+        run.err
+    );
+    assert!(run.err.contains("did you mean \"held\"?"), "{}", run.err);
+    let run = folder.run(&["plot", "a.dynamics.toml"]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err.contains("its ending is neither .csv nor .nc"),
+        "{}",
+        run.err
+    );
+}
+
+#[test]
+fn a_file_without_a_run_is_told() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", BEAM);
+    let run = folder.run(&["transient", "a.dynamics.toml"]);
+    assert_eq!(run.code, 2);
+    assert_eq!(
+        run.err,
+        "error: a.dynamics.toml: has no [transient], which says what is asked\n  \
+         help: add [transient] with to = 1 and step = \"1 ms\"\n"
+    );
+    let run = folder.run(&[
+        "transient",
+        "a.dynamics.toml",
+        "b.dynamics.toml",
+        "--restart",
+        "c",
+    ]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err
+            .contains("--restart goes on with one file, but 2 are given"),
+        "{}",
+        run.err
+    );
+}
