@@ -510,7 +510,7 @@ fn beams_of_any_law_with_offsets_and_turned_sections() {
 #[test]
 fn forces_between_nodes() {
     let mut random = Random(14);
-    let nodes = nodes(&mut random, 2);
+    let nodes = nodes(&mut random, 3);
     let offset = random.vector(0.3);
     let line = Between::Line {
         ends: [0, 1].map(|node| End::Node { node, offset }),
@@ -524,8 +524,10 @@ fn forces_between_nodes() {
     };
     for between in [line, axes] {
         for factor in [LoadFactor::Constant, LoadFactor::Proportional] {
-            let drive = Drive::Constant(0.7);
-            let force = InternalForce::new("force", &nodes, between.clone(), factor, drive);
+            let between = between.clone();
+            let signal = sensing(&nodes);
+            let force = InternalForce::new("force", &nodes, between, factor, signal);
+            assert_eq!(force.nodes(), [0, 1, 2]);
             check(&force, &nodes, &mut random);
         }
     }

@@ -7,9 +7,8 @@ use shared_geom::units::Dimension;
 use super::draft::Draft;
 use super::frames::Frame;
 use super::laws::LawProblem;
-use super::{drives, ends};
+use super::{ends, sensors};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
-use crate::model::Drive;
 
 /// Adds every `[[internal_force]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
@@ -28,10 +27,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalForce> {
     let words = format!("internal force \"{label}\"");
     let nodes = ends::nodes(table, draft, &words, false);
-    let drive = match table.has("drive") {
-        true => drives::read(table, "drive", Dimension::NUMBER, draft.drives()),
-        false => Some(Drive::Constant(1.0)),
-    };
+    let signal = sensors::signal(table, "drive", draft);
     let factor = match table.has("constant") {
         true => table.boolean("constant"),
         false => Some(false),
@@ -50,7 +46,7 @@ fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalFo
         draft.nodes(),
         between?,
         factor,
-        drive?,
+        signal?,
     ))
 }
 
