@@ -171,7 +171,7 @@ fn run(
 ) -> u8 {
     let output: &OutputQuestion = &input.output;
     let files = match RunFiles::new(&input.model, output, (folder, name), resumed) {
-        Ok(files) => files,
+        Ok(files) => files.until(question.to),
         Err(problem) => {
             terminal.tell(&problem);
             return match problem {

@@ -1,7 +1,13 @@
 use std::fs;
 
+use approx::assert_relative_eq;
+use nalgebra::Vector3;
+use shared_geom::rotation::vector;
+
 use crate::case::{Axes, Column, Every, NodeQuantity, NodeVector, Part, Quantity};
 use crate::input::{Input, read};
+use crate::model::Conditions;
+use crate::result::{ColumnValues, Moment};
 
 const MODEL: &str = "
 units = \"SI\"
@@ -222,7 +228,7 @@ quantity = \"energy\"
         "colour",
         "unknown beam \"mest\" in column \"c\"\n  help: did you mean \"mast\"?",
         "\"point\" is 3, expected 1 or 2",
-        "unknown joint \"clamp of rood\" in column \"d\"\n  help: did you mean \"clamp of root\"?",
+        "unknown joint or spring \"clamp of rood\" in column \"d\"\n  help: did you mean \"clamp of root\"?",
         "\"clamp of root\" does not act on node \"mid\"",
         "\"sequence\" is \"xxz\"",
         "column \"g\" is already defined on line ",
@@ -230,4 +236,64 @@ quantity = \"energy\"
     ] {
         assert!(told.contains(expected), "{expected}\n---\n{told}");
     }
+}
+
+// The arm is turned by 0.5 rad about the pin and moved by 3 mm, which the pin sees.
+#[test]
+fn joints_and_drives_are_found_at_a_state() {
+    let column = |name: &str, quantity: &str, of: &str, rest: &str| {
+        format!(
+            "[[output.column]]\nname = \"{name}\"\nquantity = \"{quantity}\"\nof = \"{of}\"\n{rest}\n"
+        )
+    };
+    let cards = [
+        "[[node]]\nname = \"arm\"\nposition = [2, 0, 0]\n".to_owned(),
+        "[[body]]\nnode = \"arm\"\nmass = 1\ninertia = [1, 1, 1]\n".to_owned(),
+        "[[hinge]]\nname = \"pin\"\nnodes = [\"the tip\", \"arm\"]\naxis = [0, 0, 1]\n".to_owned(),
+        column("angle", "joint_angle", "pin", "unit = \"rad\""),
+        column("turned", "joint_rotation", "pin", "component = \"z\""),
+        column(
+            "slip",
+            "joint_displacement",
+            "pin",
+            "unit = \"mm\"\ncomponent = \"y\"",
+        ),
+        column(
+            "force",
+            "reaction_force",
+            "pin",
+            "in = \"second\"\ncomponent = \"x\"",
+        ),
+        column("plain", "reaction_force", "pin", "component = \"x\""),
+        column("side", "reaction_force", "pin", "component = \"y\""),
+        column("push", "drive", "= 2*t", "unit = \"kN\""),
+    ];
+    let input = input(&cards.concat()).unwrap();
+    let mut state = input.model.system.rest();
+    state.nodes[3].rotation = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.5));
+    state.nodes[3].position.y += 3e-3;
+    for (k, multiplier) in state.multipliers.iter_mut().enumerate() {
+        *multiplier = 1.0 + k as f64;
+    }
+    let conditions = Conditions::at_rest();
+    let moment = Moment {
+        step: 1,
+        time: 7.0,
+        length: 1.0,
+        iterations: 1,
+        state: &state,
+        conditions: &conditions,
+    };
+    let mut out = [0.0; 7];
+    ColumnValues::new(&input.model, &input.output).evaluate(&moment, &mut out);
+    let [angle, turned, slip, force, plain, side, push] = out;
+    assert_relative_eq!(angle, 0.5, epsilon = 1e-14);
+    assert_relative_eq!(turned, 0.5_f64.to_degrees(), epsilon = 1e-12);
+    assert_relative_eq!(slip, 3.0, epsilon = 1e-12);
+    // The axes of the second end are turned by the angle.
+    let (sine, cosine) = 0.5_f64.sin_cos();
+    assert!(plain.abs() > 0.5, "{plain}");
+    assert_relative_eq!(force, cosine * plain + sine * side, epsilon = 1e-12);
+    // A drive of plain numbers counts in the units of the file: 14 N.
+    assert_relative_eq!(push, 14e-3, epsilon = 1e-15);
 }

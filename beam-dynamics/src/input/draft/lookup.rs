@@ -62,11 +62,11 @@ impl Draft {
                 None
             }
         });
-        let is_broken = ["joint", "spring", "imposed"]
+        let is_broken = ["joint", "spring", "rod", "imposed"]
             .iter()
             .any(|kind| self.is_taken(kind, name));
         if found.is_none() && !is_broken {
-            note_unknown("joint", name, user, known, (table, key));
+            note_unknown("joint or spring", name, user, known, (table, key));
         }
         found
     }
