@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::assembly::System;
-use crate::model::{Conditions, Loading, NamingAxes, TurningFrame};
+use crate::model::{Conditions, Drive, Loading, NamingAxes, TurningFrame};
 
 mod columns;
 mod transient;
@@ -58,6 +58,8 @@ pub struct Model {
     pub spin: Spin,
     /// Acceleration of gravity, in the model's frame [m/s^2].
     pub gravity: Vector3<f64>,
+    /// What gravity is multiplied by [-].
+    pub gravity_drive: Drive,
     /// Nodes of each beam, for drawing.
     pub beams: Vec<[usize; 3]>,
     /// Blades, in the order of the input.
@@ -77,6 +79,7 @@ impl Model {
             system,
             spin: Spin::default(),
             gravity: Vector3::zeros(),
+            gravity_drive: Drive::Constant(1.0),
             beams: Vec::new(),
             blades: Vec::new(),
         }
@@ -91,7 +94,7 @@ impl Model {
                 center: self.spin.center,
             },
             loading: Loading {
-                gravity: constant * self.gravity,
+                gravity: constant * self.gravity_at(0.0),
                 constant,
                 proportional,
                 time: 0.0,

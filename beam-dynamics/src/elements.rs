@@ -18,6 +18,7 @@ mod local;
 mod motion;
 mod observation;
 mod reduced;
+mod signal;
 
 #[cfg(test)]
 mod jacobian_tests;
@@ -31,6 +32,7 @@ pub use observation::{
     JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
 };
 pub use reduced::ReducedElement;
+pub use signal::{Post, Sensed, Sensor, Signal};
 
 /// What an element sees: the motion of its nodes, its multipliers, and the frame.
 #[derive(Debug, Clone, Copy)]

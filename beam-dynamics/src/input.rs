@@ -6,7 +6,7 @@
 
 use std::path::Path;
 
-use shared_geom::document::{Document, read_text};
+use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 
@@ -27,10 +27,14 @@ mod columns;
 mod damping;
 mod draft;
 mod drives;
+mod ends;
+mod frames;
 mod hub;
 mod hub_support;
 mod in_place;
+mod internal_forces;
 mod joints;
+mod laws;
 mod loads;
 mod measured;
 mod modal_damping;
@@ -40,6 +44,8 @@ mod number;
 mod problem;
 mod properties;
 mod questions;
+mod rods;
+mod sensors;
 mod shapes;
 mod speeds;
 mod springs;
@@ -55,6 +61,9 @@ pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
 pub use drives::DriveProblem;
+pub use frames::FrameProblem;
+pub use joints::JointProblem;
+pub use laws::LawProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
@@ -84,7 +93,7 @@ pub struct Input {
     pub transient: Option<TransientQuestion>,
     /// Measurements to set beside the result; empty when there are none.
     pub measured: Measured,
-    /// Names of the hinges that nothing but motion and loads holds.
+    /// Names of the joints that nothing but motion and loads holds.
     pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
@@ -105,7 +114,9 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
 
 /// The input in the text of a file, whose results are called `name`.
 fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
-    let document = Document::parse(text, file)?;
+    let mut document = Document::parse_with_includes(text, file)?;
+    declare(&document, &document.root());
+    frames::repeat(&mut document);
     let input = cards(&document, name);
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
@@ -130,7 +141,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     problems.into_result(input)
 }
 
-/// What the reader must know of hinges without a spring.
+/// What the reader must know of joints that move without a spring.
 fn free_hinges(names: &[String]) -> Option<String> {
     let [first, others @ ..] = names else {
         return None;
@@ -140,7 +151,7 @@ fn free_hinges(names: &[String]) -> Option<String> {
         count => format!(" and {count} more"),
     };
     Some(format!(
-        "hinge \"{first}\"{others} can turn freely: at rest this is a motion of frequency zero"
+        "joint \"{first}\"{others} can move freely: at rest this is a motion of frequency zero"
     ))
 }
 
@@ -152,17 +163,24 @@ pub fn name_of(path: &Path) -> String {
     }
 }
 
+/// Declares what numbers count and what may stand for them.
+fn declare(document: &Document, root: &Table<'_>) {
+    document.declare_units(root);
+    document.declare_parameters(root);
+}
+
 /// Reads every card, in an order in which each finds the names that it uses.
 fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let root = document.root();
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
-    document.declare_units(&root);
-    document.declare_parameters(&root);
+    // They have been declared.
+    let _ = (root.has("units"), root.has("parameters"));
     let properties = properties::read(&root);
     let hub = hub::read(&root);
 
     let mut draft = Draft::new(properties, hub);
     draft.set_drives(drives::read_named(&root));
+    draft.set_frames(frames::read(&root));
     hub_support::add(&root, &mut draft);
     nodes::read(&root, &mut draft);
     blades::read(&root, &mut draft);
@@ -171,9 +189,14 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     bodies::read(&root, &mut draft);
     joints::read_hinges(&root, &mut draft);
     joints::read_rigid(&root, &mut draft);
+    joints::read_joints(&root, &mut draft);
+    rods::read(&root, &mut draft);
     springs::read(&root, &mut draft);
+    let sensors = sensors::read(&root, &mut draft);
+    draft.set_sensors(sensors);
     loads::read(&root, &mut draft);
-    let gravity = loads::gravity(&root);
+    internal_forces::read(&root, &mut draft);
+    let gravity = loads::gravity(&root, &draft);
     let questions = questions::read(&root);
     let measured = measured::read(&root);
     let output = columns::read(&root, &draft);
@@ -181,10 +204,14 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
 
     draft.check(&root);
     draft.check_initial(&root);
-    let (gravity, questions) = (gravity?, questions?);
+    if let Some(run) = questions.as_ref().and_then(|all| all.transient.as_ref()) {
+        draft.drives().check(document, [run.from, run.to]);
+    }
+    let ((gravity, gravity_drive), questions) = (gravity?, questions?);
     questions.check(&root, &gravity, &draft.hub()?.spin());
     let mut input = finish(name, draft, questions, measured?)?;
     input.model.gravity = gravity;
+    input.model.gravity_drive = gravity_drive;
     input.output = output?;
     Some(input)
 }

@@ -1,9 +1,10 @@
 //! Solution of systems of equations; knows nothing of nodes and elements.
 
 mod linear;
+mod lu;
 mod newton;
 mod step;
 
 pub use linear::{ComplexFactorization, Factorization, LinearSolver};
 pub use newton::{Equations, Iteration, Newton, NewtonReport, NewtonStatus, Worst, solve};
-pub use step::StepSolver;
+pub use step::{LinearCounts, StepSolver};

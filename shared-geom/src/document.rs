@@ -15,9 +15,11 @@ use crate::error::{Diagnostics, Explain, Place};
 use crate::files::read_bytes;
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
+mod include;
 mod item;
 mod parameters;
 mod problem;
+mod repeat;
 mod table;
 mod tree;
 
@@ -35,7 +37,8 @@ const SYNTAX_SHOWN: usize = 8;
 /// A TOML file, its name, the units that it declares, and its problems.
 #[derive(Debug)]
 pub struct Document {
-    file: String,
+    /// The file itself, then those that it includes.
+    files: Vec<String>,
     root: Vec<Entry>,
     problems: RefCell<Diagnostics>,
     units: RefCell<Units>,
@@ -61,13 +64,18 @@ impl Document {
         let lines = Lines::of(text);
         let (root, errors) = DeTable::parse_recoverable(text);
         let problems = syntax_problems(&errors, &lines, text, file);
-        problems.into_result(Self {
-            file: file.to_owned(),
-            root: tree::entries(root.get_ref(), &lines),
+        let entries = tree::entries(root.get_ref(), &lines);
+        problems.into_result(Self::of(entries, vec![file.to_owned()]))
+    }
+
+    fn of(root: Vec<Entry>, files: Vec<String>) -> Self {
+        Self {
+            files,
+            root,
             problems: RefCell::default(),
             units: RefCell::new(Units::si()),
             parameters: RefCell::default(),
-        })
+        }
     }
 
     /// The top table of the file.
@@ -77,18 +85,38 @@ impl Document {
 
     /// The file name, as shown in messages.
     pub fn file(&self) -> &str {
-        &self.file
+        &self.files[0]
+    }
+
+    /// The place of a line as tables tell it, which may be one of an included file.
+    pub fn place(&self, line: usize) -> Place {
+        let (file, line) = include::split(line);
+        Place::line(&self.files[file.min(self.files.len() - 1)], line)
+    }
+
+    /// A line as tables tell it, in words: `line 7`, or `line 7 of "blade.toml"`.
+    pub fn line_words(&self, line: usize) -> String {
+        match include::split(line) {
+            (0, line) => format!("line {line}"),
+            (_, in_file) => format!("line {in_file} of \"{}\"", self.place(line).file),
+        }
     }
 
     /// A path written in this file: relative paths count from the file's folder.
     pub fn path(&self, written: &str) -> PathBuf {
-        let folder = Path::new(&self.file).parent().unwrap_or(Path::new(""));
+        self.path_from(1, written)
+    }
+
+    /// A path written on `line`: relative paths count from the folder of its file.
+    pub fn path_from(&self, line: usize, written: &str) -> PathBuf {
+        let place = self.place(line);
+        let folder = Path::new(&place.file).parent().unwrap_or(Path::new(""));
         folder.join(written)
     }
 
     /// Notes a problem at `line`.
     pub fn note(&self, line: usize, problem: &impl Explain) {
-        let place = Place::line(&self.file, line);
+        let place = self.place(line);
         self.problems.borrow_mut().push(place, problem);
     }
 
@@ -108,7 +136,7 @@ impl Document {
             Some(value) => problems.into_result(value),
             None => {
                 if problems.is_empty() {
-                    problems.push(Place::file(&self.file), &DocumentProblem::Incomplete);
+                    problems.push(Place::file(&self.files[0]), &DocumentProblem::Incomplete);
                 }
                 Err(problems)
             }

@@ -81,7 +81,8 @@ impl Dimension {
     }
 
     /// Product with `other` raised to `power`; exponents saturate.
-    fn times(self, other: Self, power: i8) -> Self {
+    #[must_use]
+    pub fn times(self, other: Self, power: i8) -> Self {
         let add = |a: i8, b: i8| a.saturating_add(b.saturating_mul(power));
         Self {
             length: add(self.length, other.length),

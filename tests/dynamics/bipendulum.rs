@@ -2,7 +2,7 @@
 //!
 //! Source: `tests/reference/dynamics/bipendulum.csv`.
 
-use beam_dynamics::integrator::{Scheme, Stepping};
+use beam_dynamics::integrator::Stepping;
 use nalgebra::Vector3;
 
 use crate::in_time::{Run, Table};

@@ -15,6 +15,7 @@ mod equal_blades;
 mod formats;
 mod free_flight;
 mod in_time;
+mod integrators;
 mod joints;
 mod leverage;
 mod loads;
@@ -22,6 +23,7 @@ mod mbdyn_model;
 mod mechanisms;
 mod pendulum;
 mod postbuckling;
+mod probe;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;

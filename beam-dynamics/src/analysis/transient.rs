@@ -230,6 +230,7 @@ fn effort(counters: &Counters, output_time: f64) -> Effort {
         rejected: counters.rejected,
         iterations: counters.iterations,
         jacobians: counters.jacobians,
+        pivotings: counters.pivotings,
         least_step: counters.least_step,
         most_step: counters.most_step,
         residual_time: counters.residual_time,

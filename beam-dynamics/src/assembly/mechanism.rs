@@ -61,7 +61,7 @@ impl Explain for Mechanism {
 pub struct Mobility {
     /// Motions that nothing resists and no hinge allows; none in a sound model.
     pub mechanisms: Vec<Mechanism>,
-    /// Names of the hinges that can turn.
+    /// Names of the hinges and other joints that can move.
     pub free_hinges: Vec<String>,
 }
 
@@ -96,7 +96,8 @@ pub fn find(system: &System) -> Mobility {
     }
     let turns = |row: &RowDVector<f64>| (row * &unlocked).amax() > VISIBLE;
     let free_hinges = free.iter().filter(|(_, row)| turns(row));
-    let free_hinges = free_hinges.map(|(label, _)| (*label).to_owned()).collect();
+    let mut free_hinges: Vec<_> = free_hinges.map(|(label, _)| (*label).to_owned()).collect();
+    free_hinges.dedup();
     rows.extend(free.into_iter().map(|(_, row)| row));
     let forgotten = null_space(&rows, 6 * parts.len());
     let mechanisms = parts.iter().enumerate().filter_map(|(i, part)| {

@@ -119,7 +119,7 @@ impl Model {
                 center: self.spin.center,
             },
             loading: Loading {
-                gravity: self.gravity,
+                gravity: self.gravity_at(time),
                 constant: 1.0,
                 proportional: 1.0,
                 time,
@@ -130,6 +130,11 @@ impl Model {
     /// The first time after `time` at which something that acts has a corner \[s\].
     pub fn next_corner(&self, time: f64) -> f64 {
         let corners = self.system.elements().map(|one| one.next_corner(time));
-        corners.fold(f64::INFINITY, f64::min)
+        corners.fold(self.gravity_drive.next_corner(time), f64::min)
+    }
+
+    /// Acceleration of gravity at a time \[s\], in the model's frame \[m/s^2\].
+    pub fn gravity_at(&self, time: f64) -> Vector3<f64> {
+        self.gravity_drive.at(time).value * self.gravity
     }
 }

@@ -5,6 +5,7 @@
 //! largest entry; 2e-8 leaves a factor for the third derivatives.
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
+use shared_geom::expression::{Expression, Names};
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::wrench;
 
@@ -12,13 +13,13 @@ use super::beams::{
     BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam, LawBeam, ViscousBeam,
 };
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
-use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
+use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
 use super::laws::{Cubic, Law, LawKind};
 use super::loads::{
     Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
-use super::{Element, Local, LocalJacobian, LocalResidual};
+use super::{Element, Local, LocalJacobian, LocalResidual, Post, Sensed, Sensor, Signal};
 use crate::model::{
     Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable,
 };
@@ -410,6 +411,82 @@ fn loads_along_beams_with_offsets_and_turned_sections() {
     }
 }
 
+/// A signal of everything that can be sensed, of three nodes against each other.
+fn sensing(nodes: &[Node]) -> Signal {
+    let kinds = [
+        Sensed::Position,
+        Sensed::Displacement,
+        Sensed::Velocity,
+        Sensed::AngularVelocity,
+    ];
+    let post = |node, against, axes| Post {
+        node,
+        against,
+        axes,
+    };
+    let anywhere = [
+        post(0, None, None),
+        post(1, Some(0), None),
+        post(1, Some(0), Some(2)),
+        post(2, None, Some(1)),
+        post(2, Some(1), Some(1)),
+    ];
+    let turning = [
+        post(1, None, None),
+        post(1, None, Some(1)),
+        post(0, Some(2), Some(2)),
+    ];
+    let mut posts: Vec<_> = anywhere
+        .into_iter()
+        .flat_map(|post| kinds.map(|kind| (kind, post)))
+        .collect();
+    posts.extend(turning.map(|post| (Sensed::Rotation, post)));
+    let sensor = |(i, (kind, post)): (usize, (Sensed, Post))| {
+        Sensor::new(kind, post, i % 3, 0.5 + 0.1 * i as f64, nodes)
+    };
+    let sensors: Vec<_> = posts.into_iter().enumerate().map(sensor).collect();
+    let names: Vec<_> = (0..sensors.len()).map(|i| format!("q{i}")).collect();
+    let text: Vec<_> = names
+        .iter()
+        .enumerate()
+        .map(|(i, name)| format!("sin({name}*{})/(2 + t^2)", 0.2 + 0.03 * i as f64))
+        .collect();
+    let variables: Vec<_> = ["t"]
+        .into_iter()
+        .chain(names.iter().map(String::as_str))
+        .collect();
+    let names = Names {
+        variables: &variables,
+        constants: &[],
+    };
+    let expression = Expression::parse(&text.join(" + "), &names).unwrap();
+    Signal::sensing(expression, sensors, [0.3, 0.7])
+}
+
+#[test]
+fn loads_that_sense_nodes() {
+    let mut random = Random(21);
+    for (turning, factor) in kinds() {
+        let nodes = nodes(&mut random, 3);
+        let load = NodalForce {
+            force: random.vector(1.0),
+            moment: random.vector(1.0),
+            offset: random.vector(0.5),
+            turning,
+            factor,
+        };
+        let load = NodalLoad::new("load", 0, &nodes[0], load).driven(sensing(&nodes));
+        assert_eq!(load.nodes(), [0, 1, 2]);
+        check(&load, &nodes, &mut random);
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let (geometry, [a, b]) = (geometry(&mut random), [(); 2].map(|()| random.vector(1.0)));
+        let kind = (turning, factor);
+        let along = |_: f64| [a, b];
+        let load = DistributedLoad::new("load", [0, 1, 2], geometry, undeformed, kind, &[], along);
+        check(&load.driven(sensing(&nodes)), &nodes, &mut random);
+    }
+}
+
 #[test]
 fn imposed_motions_of_any_components() {
     let mut random = Random(8);
@@ -527,4 +604,31 @@ fn forces_between_nodes() {
             check(&force, &nodes, &mut random);
         }
     }
+}
+
+#[test]
+fn joints_of_every_kind() {
+    let mut random = Random(12);
+    let nodes = nodes(&mut random, 2);
+    for setting in &samples::settings(&nodes, || random.vector(1.0)) {
+        let count = 1 + usize::from(setting.ends.a.is_some());
+        for joint in samples::all(setting) {
+            check(&joint, &nodes[..count], &mut Random(13));
+        }
+    }
+}
+
+#[test]
+fn imposed_motions_times_a_drive() {
+    let mut random = Random(14);
+    let nodes = nodes(&mut random, 1);
+    let motion = ImposedMotion {
+        displacement: [Some(0.3), None, Some(-0.2)],
+        rotation: [Some(0.5), Some(-0.4), None],
+        axes: random.rotation(1.0),
+        factor: LoadFactor::Proportional,
+    };
+    let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
+    let imposed = imposed.driven_by(samples::drive(0.8));
+    check(&imposed, &nodes, &mut random);
 }

@@ -19,4 +19,8 @@ pub use rigid::RigidConnection;
 pub(super) use delegate::is_a_joint;
 
 #[cfg(test)]
+mod kinds_tests;
+#[cfg(test)]
+pub(super) mod samples;
+#[cfg(test)]
 mod tests;

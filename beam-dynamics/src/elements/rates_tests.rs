@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::jacobian_tests::{Random, nodes};
-use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
+use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
 use super::loads::{Imposed, ImposedMotion, LoadFactor};
 use super::{ConstraintRates, Element, Level, Local, LocalJacobian, LocalResidual};
 use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion, Variable};
@@ -212,6 +212,23 @@ fn imposed_motions() {
             factor: LoadFactor::Proportional,
         };
         let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
+        check(
+            &imposed.clone().driven_by(samples::drive(0.8)),
+            &nodes,
+            &mut random,
+        );
         check(&imposed, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn joints_of_every_kind() {
+    let mut random = Random::new(4);
+    let nodes = nodes(&mut random, 2);
+    for setting in &samples::settings(&nodes, || random.vector(1.0)) {
+        let count = 1 + usize::from(setting.ends.a.is_some());
+        for joint in samples::all(setting) {
+            check(&joint, &nodes[..count], &mut Random::new(5));
+        }
     }
 }

@@ -4,6 +4,7 @@ use nalgebra::Matrix6;
 
 use super::properties::Properties;
 use crate::elements::beams::MassAlong;
+use crate::elements::laws::Law;
 
 /// Stiffness and mass per length along one beam, by xi from -1 to 1.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,6 +13,8 @@ pub(super) struct Along {
     pub stiffness: [Matrix6<f64>; 2],
     /// 6x6 viscosity there; `None` without internal damping \[N s, N m s, N m^2 s\].
     pub damping: Option<[Matrix6<f64>; 2]>,
+    /// Law in place of stiffness and viscosity; `None` for these.
+    pub law: Option<Law<6>>,
     /// xi and 6x6 mass per length \[kg/m, kg, kg m\], in the order of xi; linear between
     /// them, and one alone holds everywhere.
     mass: Vec<(f64, Matrix6<f64>)>,
@@ -28,6 +31,7 @@ impl Along {
         Self {
             stiffness: [properties.stiffness; 2],
             damping: properties.damping.map(|damping| [damping; 2]),
+            law: None,
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
             length: None,
@@ -45,6 +49,7 @@ impl Along {
         Self {
             stiffness,
             damping: None,
+            law: None,
             breaks: inside.filter(|xi| xi.abs() < 1.0).collect(),
             mass,
             length: Some(length),
@@ -54,6 +59,20 @@ impl Along {
     /// The same with internal damping at the evaluation points.
     pub fn damped(self, damping: Option<[Matrix6<f64>; 2]>) -> Self {
         Self { damping, ..self }
+    }
+
+    /// A law, and the mass of the properties; none without them.
+    pub fn of_law(law: Law<6>, properties: Option<&Properties>) -> Self {
+        let zero = Matrix6::zeros();
+        let of_mass = properties.copied().unwrap_or(Properties {
+            stiffness: zero,
+            mass: zero,
+            damping: None,
+        });
+        Self {
+            law: Some(law),
+            ..Self::constant(&of_mass)
+        }
     }
 
     /// Calls `user` with the mass along the beam.

@@ -3,13 +3,21 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 use shared_geom::rotation::vector;
+use shared_geom::section::least_eigenvalue;
 use shared_geom::units::Dimension;
 
 use super::along::Along;
 use super::beam_check::BeamCheck;
 use super::draft::{Beam, Draft, Inertia};
+use super::laws::{self, Components, LawProblem};
 use super::problem::InputProblem;
+use super::properties::Properties;
 use crate::elements::beams::{BeamGeometry, BeamNode};
+use crate::elements::laws::Law;
+
+/// Least eigenvalue of the stiffness of a law, scaled to a unit diagonal, that counts as
+/// positive: more than its round-off.
+const SOFT: f64 = 1e-12;
 
 /// Adds every `[[beam]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
@@ -34,22 +42,54 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 fn beam(table: &Table<'_>, draft: &mut Draft, label: String) -> Option<Beam> {
     let words = format!("beam \"{label}\"");
     let nodes = nodes(table, draft, &words);
-    let properties = match table.has("properties") {
-        true => draft.find_properties(table, &words),
-        false => {
-            let _ = table.require_text("properties", "the name of properties");
-            None
-        }
-    };
+    let along = along(table, draft, &words);
     let inertia = Inertia::read(table);
     let geometry = geometry(table);
     Some(Beam {
         label,
         nodes: nodes?,
         geometry: geometry?,
-        along: Along::constant(&properties?),
+        along: along?,
         inertia: inertia?,
     })
+}
+
+/// The properties of a beam, and its law if it has one.
+fn along(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Along> {
+    let properties = match table.has("properties") {
+        true => Some(draft.find_properties(table, words)),
+        false => None,
+    };
+    if table.has("law") {
+        let known = properties.flatten();
+        let law = law(table, draft, words, known.as_ref())?;
+        return (properties.is_none() || known.is_some())
+            .then(|| Along::of_law(law, known.as_ref()));
+    }
+    if properties.is_none() {
+        let _ = table.require_text("properties", "the name of properties");
+    }
+    Some(Along::constant(&properties??))
+}
+
+/// The law of a beam, which must hold it together: no rest of the program knows what a
+/// beam is that can come apart.
+fn law(
+    table: &Table<'_>,
+    draft: &Draft,
+    words: &str,
+    properties: Option<&Properties>,
+) -> Option<Law<6>> {
+    let of = Components::section(properties.map(|found| found.stiffness));
+    let law = laws::read(table, "law", &of, draft)?;
+    let stiffness = law.stiffness_at_rest();
+    let least = least_eigenvalue(&stiffness);
+    if least.is_nan() || least <= SOFT {
+        let beam = words.to_owned();
+        table.note("law", &LawProblem::SoftBeam { beam, least });
+        return None;
+    }
+    Some(law)
 }
 
 fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 3]> {

@@ -10,17 +10,21 @@ use shared_geom::document::Table;
 
 use super::along::Along;
 use super::drives;
+use super::frames::Frames;
 use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
+use super::sensors::Sensors;
 use super::transient::TransientProblem;
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
-use crate::elements::beams::{BeamGeometry, BeamInertia, ElasticBeam, ViscousBeam, lumped_bodies};
+use crate::elements::beams::{
+    BeamGeometry, BeamInertia, ElasticBeam, LawBeam, ViscousBeam, lumped_bodies,
+};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
-use crate::model::Node;
+use crate::model::{Drive, Node};
 
 mod lookup;
 
@@ -68,6 +72,8 @@ struct Named {
 pub(super) struct Draft {
     properties: Catalog,
     drives: drives::Catalog,
+    frames: Frames,
+    sensors: Sensors,
     hub: Option<Hub>,
     nodes: Vec<Node>,
     initial: Vec<InitialMotion>,
@@ -99,6 +105,8 @@ impl Draft {
         Self {
             properties,
             drives: drives::Catalog::default(),
+            frames: Frames::default(),
+            sensors: Sensors::new(),
             hub,
             nodes: Vec::new(),
             initial: Vec::new(),
@@ -133,6 +141,26 @@ impl Draft {
     /// Says which drives have a name.
     pub fn set_drives(&mut self, drives: drives::Catalog) {
         self.drives = drives;
+    }
+
+    /// The frames in which cards may be written.
+    pub fn frames(&self) -> &Frames {
+        &self.frames
+    }
+
+    /// Says which frames there are.
+    pub fn set_frames(&mut self, frames: Frames) {
+        self.frames = frames;
+    }
+
+    /// What loads may sense.
+    pub fn sensors(&self) -> &Sensors {
+        &self.sensors
+    }
+
+    /// Says what loads may sense.
+    pub fn set_sensors(&mut self, sensors: Sensors) {
+        self.sensors = sensors;
     }
 
     /// Nodes so far.
@@ -186,7 +214,8 @@ impl Draft {
     pub fn name_node(&mut self, name: &str, index: Option<usize>, table: &Table<'_>) -> bool {
         self.broken |= index.is_none();
         if let Some(first) = self.names.get(name) {
-            let (kind, name, line) = ("node", name.to_owned(), first.line);
+            let (kind, name) = ("node", name.to_owned());
+            let line = table.document().line_words(first.line);
             table.note("name", &InputProblem::DoubledName { kind, name, line });
             self.broken = true;
             return false;
@@ -271,6 +300,7 @@ impl Draft {
     pub fn take_label(&mut self, kind: &'static str, name: &str, table: &Table<'_>) -> bool {
         let key = (kind, name.to_owned());
         if let Some(&line) = self.labels.get(&key) {
+            let line = table.document().line_words(line);
             let name = name.to_owned();
             table.note("name", &InputProblem::DoubledName { kind, name, line });
             self.broken = true;
@@ -349,6 +379,7 @@ impl Draft {
     /// Clamps a node; a node that is clamped already is noted under `key`.
     pub fn add_clamp(&mut self, node: usize, table: &Table<'_>, key: &str) {
         if let Some(&line) = self.clamps.get(&node) {
+            let line = table.document().line_words(line);
             let (kind, name) = ("clamp of node", self.nodes[node].label.clone());
             table.note(key, &InputProblem::DoubledName { kind, name, line });
             self.broken = true;
@@ -359,7 +390,7 @@ impl Draft {
 
     /// Notes what is wrong with the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
-        const CARDS: [&str; 5] = ["blade", "beam", "hinge", "rigid", "spring"];
+        const CARDS: [&str; 7] = ["blade", "beam", "hinge", "rigid", "joint", "spring", "rod"];
         let flies = root.has("transient") && (root.has("body") || root.has("joint"));
         let bodies = !flies || self.bodies.is_empty();
         let nothing = self.beams.is_empty() && self.joints.is_empty() && bodies && !self.broken;
@@ -476,6 +507,7 @@ impl Draft {
             naming,
             spin,
             gravity: Vector3::zeros(),
+            gravity_drive: Drive::Constant(1.0),
         })
     }
 
@@ -487,17 +519,22 @@ impl Draft {
             along,
             inertia,
         } = beam;
-        let stiffness = along.stiffness;
-        let elastic = ElasticBeam::new(label, *nodes, *geometry, self.ends(beam), stiffness);
-        let mut elements = vec![boxed(elastic)];
-        if let Some(damping) = along.damping {
-            let ends = self.ends(beam);
-            let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
-            elements.push(boxed(viscous));
+        let mut elements = Vec::new();
+        let ends = self.ends(beam);
+        if let Some(law) = &along.law {
+            let laws = [law.clone(), law.clone()];
+            elements.push(boxed(LawBeam::new(label, *nodes, *geometry, ends, laws)));
+        } else {
+            let stiffness = along.stiffness;
+            let elastic = ElasticBeam::new(label, *nodes, *geometry, ends, stiffness);
+            elements.push(boxed(elastic));
+            if let Some(damping) = along.damping {
+                let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
+                elements.push(boxed(viscous));
+            }
         }
         match inertia {
             Inertia::Consistent => {
-                let ends = self.ends(beam);
                 let inertia = along
                     .with_mass(|mass| BeamInertia::along(label, *nodes, *geometry, ends, mass));
                 elements.push(boxed(inertia));

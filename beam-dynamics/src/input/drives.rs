@@ -38,6 +38,8 @@ pub(super) struct Catalog {
     /// Where a drive that does not have a value at all times is used: its line, its key
     /// and the times between which it has one.
     bounded: RefCell<Vec<(usize, String, [f64; 2])>>,
+    /// Names of what may be sensed, but not by a drive.
+    sensors: Vec<String>,
 }
 
 /// Reads the drive under `key` of a card, in SI units of `dimension`: a number or a
@@ -55,6 +57,11 @@ pub(super) fn read(
 /// As [`read`], of a value wherever it stands.
 pub(super) fn read_item(item: &Item<'_>, dimension: Dimension, catalog: &Catalog) -> Option<Drive> {
     let find = |name: &str| catalog.find(name, item);
+    if let Some(name) = catalog.sensed(item) {
+        let key = item.key().to_owned();
+        item.note(&DriveProblem::Senses { key, name });
+        return None;
+    }
     let drive = drive(item, Measure::Declared(dimension), &find)?;
     let domain = drive.domain();
     if domain.iter().any(|end| end.is_finite()) {
@@ -138,6 +145,7 @@ pub(super) fn read_named(root: &Table<'_>) -> Catalog {
     Catalog {
         named: reader.done.into_inner(),
         bounded: RefCell::default(),
+        sensors: super::sensors::names(root),
     }
 }
 
@@ -206,6 +214,14 @@ impl Catalog {
             item.note(&unknown(name, &user, self.named.keys().cloned().collect()));
         }
         found?.clone()
+    }
+
+    /// The first sensor that stands in an expression.
+    fn sensed(&self, item: &Item<'_>) -> Option<String> {
+        let text = item.text().and_then(written)?;
+        let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let mut sensed = words.filter(|word| self.sensors.iter().any(|own| own == word));
+        sensed.next().map(str::to_owned)
     }
 
     /// Notes every drive that a card uses and that has no value at some time of a run.

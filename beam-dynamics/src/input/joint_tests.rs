@@ -73,7 +73,7 @@ fn a_hinge_joins_two_nodes_and_a_free_one_is_remarked() {
          nodes = [\"mast\", \"root\"]\naxis = [0, 2, 0]\noffset = [-0.5, 0, 0]\n"
     );
     let free = input(&cards).unwrap();
-    let remark = "hinge \"flap\" can turn freely: at rest this is a motion of frequency zero";
+    let remark = "joint \"flap\" can move freely: at rest this is a motion of frequency zero";
     // The strip has the density of no light metal, which is told first.
     let [density, hinge] = &free.remarks[..] else {
         panic!("{:?}", free.remarks);

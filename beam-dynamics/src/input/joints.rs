@@ -1,4 +1,4 @@
-//! Hinges and rigid connections between two nodes.
+//! Joints: hinges and rigid connections between two nodes, and joints of every kind.
 
 use nalgebra::Vector3;
 use shared_geom::document::Table;
@@ -9,6 +9,15 @@ use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::elements::joints::HingeSpring;
 
+mod kinds;
+mod problem;
+
+#[cfg(test)]
+mod tests;
+
+pub(super) use kinds::read as read_joints;
+pub use problem::JointProblem;
+
 /// Adds every `[[hinge]]` to the model.
 pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("hinge").iter().enumerate() {
@@ -16,6 +25,7 @@ pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
         let is_new = draft.take_label("joint", &label, table);
         let nodes = nodes(table, draft, &format!("hinge \"{label}\""));
         let axis = axis(table);
+        let frame = draft.frames().of(table);
         let offset = match table.has("offset") {
             true => table.vector("offset", Dimension::LENGTH),
             false => Some(Vector3::zeros()),
@@ -26,12 +36,14 @@ pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
             false => Some(0),
         };
         table.finish();
-        match (nodes, axis, offset, spring, in_node) {
-            (Some(nodes), Some(axis), Some(offset), Some(spring), Some(in_node)) if is_new => {
+        match (nodes, axis.zip(frame), offset, spring, in_node) {
+            (Some(nodes), Some((axis, frame)), Some(offset), Some(spring), Some(in_node))
+                if is_new =>
+            {
                 let outer = &draft.nodes()[nodes[1]];
                 let position = outer.position + outer.rotation * offset;
                 let axis = match in_node {
-                    0 => axis,
+                    0 => frame.direction(&axis),
                     _ => outer.rotation * axis,
                 };
                 draft.add_hinge(&label, nodes, (position, axis), spring);
@@ -62,6 +74,16 @@ fn name(table: &Table<'_>, kind: &str, number: usize) -> String {
 
 /// The two nodes of a joint.
 fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 2]> {
+    node_pair(table, draft, words, "two")
+}
+
+/// The two nodes of a joint, of which it must list `expected`.
+fn node_pair(
+    table: &Table<'_>,
+    draft: &mut Draft,
+    words: &str,
+    expected: &'static str,
+) -> Option<[usize; 2]> {
     if !table.has("nodes") {
         let _ = table.require_text("nodes", "the names of two nodes");
     }
@@ -74,7 +96,7 @@ fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 2]
         .map(|name| draft.find_node(name, table, "nodes", words))
         .collect();
     let [first, second] = found[..] else {
-        let (key, found, expected) = ("nodes", names.len(), "two");
+        let (key, found) = ("nodes", names.len());
         let problem = InputProblem::Count {
             key,
             found,

@@ -8,17 +8,19 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
+use super::{drives, sensors};
 use crate::elements::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
+use crate::model::Drive;
 
 mod along_beams;
 mod problem;
 
 pub use problem::LoadProblem;
 
-/// Reads `[gravity]`: zero without.
-pub(super) fn gravity(root: &Table<'_>) -> Option<Vector3<f64>> {
+/// Reads `[gravity]`: zero without; and what it is multiplied by.
+pub(super) fn gravity(root: &Table<'_>, draft: &Draft) -> Option<(Vector3<f64>, Drive)> {
     if !root.has("gravity") {
-        return Some(Vector3::zeros());
+        return Some((Vector3::zeros(), Drive::Constant(1.0)));
     }
     let table = root.table("gravity")?;
     let _ = table.has("acceleration");
@@ -28,8 +30,12 @@ pub(super) fn gravity(root: &Table<'_>) -> Option<Vector3<f64>> {
             .require_quantity("acceleration", Dimension::ACCELERATION)
             .map(|_| Vector3::zeros()),
     };
+    let drive = match table.has("drive") {
+        true => drives::read(&table, "drive", Dimension::NUMBER, draft.drives()),
+        false => Some(Drive::Constant(1.0)),
+    };
     table.finish();
-    found
+    found.zip(drive)
 }
 
 /// Adds every `[[load]]`, `[[distributed_load]]` and `[[imposed]]` to the model.
@@ -39,15 +45,19 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
         let is_new = draft.take_label("load", &label, table);
         let node = node(table, draft, &label);
         let load = nodal(table);
+        let frame = draft.frames().of(table);
+        let signal = sensors::signal(table, "drive", draft);
         table.finish();
-        match (node, load) {
-            (Some(node), Some((mut load, in_node))) if is_new => {
+        match (node, load, frame, signal) {
+            (Some(node), Some((mut load, in_node)), Some(frame), Some(signal)) if is_new => {
                 let on = &draft.nodes()[node];
-                if in_node {
-                    load.force = on.rotation * load.force;
-                    load.moment = on.rotation * load.moment;
-                }
-                let load = NodalLoad::new(label, node, on, load);
+                let turn = |vector: Vector3<f64>| match in_node {
+                    true => on.rotation * vector,
+                    false => frame.direction(&vector),
+                };
+                load.force = turn(load.force);
+                load.moment = turn(load.moment);
+                let load = NodalLoad::new(label, node, on, load).driven(signal);
                 draft.add_load(Box::new(load));
             }
             _ => draft.note_broken(),
@@ -138,8 +148,15 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
         let is_new = draft.take_label("imposed", &label, table);
         let node = node(table, draft, &label);
         let motion = imposed(table);
+        let frame = draft.frames().of(table);
+        let drive = match table.has("drive") {
+            true => drives::read(table, "drive", Dimension::NUMBER, draft.drives()).map(Some),
+            false => Some(None),
+        };
         table.finish();
-        let (Some(node), Some(motion), true) = (node, motion, is_new) else {
+        let (Some(node), Some(mut motion), Some(frame), Some(drive), true) =
+            (node, motion, frame, drive, is_new)
+        else {
             draft.note_broken();
             continue;
         };
@@ -150,12 +167,18 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
             continue;
         }
         if let Some(line) = held.insert(node, table.line()) {
+            let line = table.document().line_words(line);
             let node = draft.nodes()[node].label.clone();
             table.note("node", &LoadProblem::ImposedTwice { node, line });
             draft.note_broken();
             continue;
         }
+        motion.axes = frame.axes(&motion.axes);
         let imposed = Imposed::new(label, node, &draft.nodes()[node], motion);
+        let imposed = match drive {
+            Some(drive) => imposed.driven_by(drive),
+            None => imposed,
+        };
         draft.add_load(Box::new(imposed));
     }
 }

@@ -22,14 +22,14 @@ pub enum InputProblem {
         known: Vec<String>,
     },
     /// A name that two things of a kind have.
-    #[error("{kind} \"{name}\" is already defined on line {line}, expected one of this name")]
+    #[error("{kind} \"{name}\" is already defined on {line}, expected one of this name")]
     DoubledName {
         /// `node`, `beam` or the like.
         kind: &'static str,
         /// The name.
         name: String,
-        /// Line of the first.
-        line: usize,
+        /// Line of the first, in words.
+        line: String,
     },
     /// No beam and no body at all.
     #[error("the model is empty, expected [[blade]], or [[node]] and [[beam]]")]

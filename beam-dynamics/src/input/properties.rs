@@ -86,7 +86,7 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
         return None;
     }
     let written = table.text("file")?;
-    let path = table.document().path(&written);
+    let path = table.path("file", &written);
     if !path.is_file() {
         let problem = InputProblem::NoPropertyFile {
             name: name.to_owned(),

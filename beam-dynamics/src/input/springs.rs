@@ -1,4 +1,4 @@
-//! Springs and dampers between a node and the frame, or the world.
+//! Springs and dampers between two nodes, or between a node and the frame or the world.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
@@ -8,6 +8,8 @@ use shared_geom::units::Dimension;
 use super::draft::Draft;
 use super::problem::InputProblem;
 use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
+
+mod between;
 
 /// Part of the largest entry below which a matrix, and part of the largest coordinate
 /// below which a distance from the axis, counts as zero: digits lost in the input.
@@ -30,10 +32,23 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
             .text("name")
             .unwrap_or_else(|| format!("spring {}", number + 1));
         let is_new = draft.take_label("spring", &label, table);
+        if between::is_one(table) {
+            let spring = between::read(table, draft, &label);
+            table.finish();
+            match spring {
+                Some(spring) if is_new => draft.add_joint(Box::new(spring)),
+                _ => draft.note_broken(),
+            }
+            continue;
+        }
         let words = format!("spring \"{label}\"");
         let name = table.require_text("node", "the name of a node");
         let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
-        let spring = spring(table);
+        let spring = spring(table).zip(draft.frames().of(table));
+        let spring = spring.map(|(spring, frame)| Spring {
+            axes: frame.axes(&spring.axes),
+            ..spring
+        });
         table.finish();
         match (node, spring) {
             (Some(node), Some(spring)) if is_new => add(&spring, (node, label), table, draft),

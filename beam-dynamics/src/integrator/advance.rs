@@ -117,7 +117,7 @@ impl Integrator {
             iterations: 0,
             rejected: 0,
         };
-        if !(until > self.progress.time) {
+        if until <= self.progress.time || until.is_nan() {
             return Ok(stepped);
         }
         self.renew(dae);
@@ -128,7 +128,7 @@ impl Integrator {
             let found = self.attempt(dae, &formula, &plan, clock);
             let error = found.ok().and_then(|_| self.error(dae, &formula, &plan));
             let reason = match (found, error) {
-                (Ok(_), Some(error)) if !(error <= 1.0) => Reason::LocalError,
+                (Ok(_), Some(error)) if error > 1.0 || error.is_nan() => Reason::LocalError,
                 (Ok(iterations), _) => {
                     let accepted = Accepted {
                         plan,
@@ -200,7 +200,9 @@ impl Integrator {
     fn predict(&mut self, dae: &mut dyn Dae, formula: &Formula, plan: &Plan) {
         let (past, length) = (&mut self.past, plan.length);
         dae.past(0, &mut past.before, &mut past.latest_rates);
-        dae.past(1, &mut past.before, &mut past.rates_before);
+        if self.progress.known > 1 {
+            dae.past(1, &mut past.before, &mut past.rates_before);
+        }
         let ratio = length / self.progress.length;
         let has_cubic = self.progress.known > 1 && ratio <= REACH;
         for (rates, place) in self.rates.iter_mut().zip(formula.places) {

@@ -42,6 +42,10 @@ const STAGNATION: f64 = 0.5;
 /// A kept Jacobian is computed anew when the corrections shrink by less.
 const SLOW: f64 = 0.3;
 
+/// A kept Jacobian is computed anew after so many corrections in a step: as many as one
+/// costs.
+const USES: usize = 5;
+
 /// A kept Jacobian is computed anew when the weights of the formula times the step have
 /// changed by more: the corrections would shrink by no more than this.
 const CHANGED: f64 = 0.1;
@@ -59,6 +63,8 @@ struct Kept {
     weights: [[f64; STAGES]; STAGES],
     /// Whether it was computed in the step under way.
     is_of_this_step: bool,
+    /// Corrections found with it in this step.
+    uses: usize,
 }
 
 /// Moves the stages of a step from their prediction until the system holds.
@@ -179,6 +185,7 @@ impl Corrector {
         }
         if let Some(kept) = &mut self.kept {
             kept.is_of_this_step = false;
+            kept.uses = 0;
         }
     }
 
@@ -251,7 +258,7 @@ impl Corrector {
         let most = all().fold(0.0_f64, |most, (kept, _)| most.max(kept.abs()));
         let has_changed = all().any(|(kept, now)| (kept - now).abs() > CHANGED * most);
         let is_slow = self.shrinking().is_some_and(|theta| theta > SLOW);
-        limits.jacobians == Jacobians::Full || has_changed || is_slow
+        limits.jacobians == Jacobians::Full || has_changed || is_slow || kept.uses >= USES
     }
 
     fn find_jacobian(
@@ -263,7 +270,9 @@ impl Corrector {
         let start = (meter.clock)();
         self.matrix.combine(dae, weights);
         let combined = (meter.clock)();
+        let pivotings = self.solver.counts().pivotings;
         let factorized = self.solver.factorize(self.matrix.matrix());
+        meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
         let end = (meter.clock)();
         meter.counters.jacobians += 1;
         meter.counters.jacobian_time += combined - start;
@@ -273,6 +282,7 @@ impl Corrector {
         self.kept = Some(Kept {
             weights: *weights,
             is_of_this_step: true,
+            uses: 0,
         });
         Ok(())
     }
@@ -291,10 +301,15 @@ impl Corrector {
                 self.solution[stages * i + stage] = -value;
             }
         }
+        let pivotings = self.solver.counts().pivotings;
         let solved = self.solver.solve(&mut self.solution);
+        meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
         meter.counters.solution_time += (meter.clock)() - start;
         meter.counters.iterations += 1;
         solved.ok_or(Reason::Singular)?;
+        if let Some(kept) = &mut self.kept {
+            kept.uses += 1;
+        }
         for (stage, last) in self.last.iter_mut().enumerate() {
             for (i, value) in last.iter_mut().enumerate() {
                 *value = self.solution[stages * i + stage];

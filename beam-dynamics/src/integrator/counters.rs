@@ -13,6 +13,8 @@ pub struct Counters {
     pub iterations: usize,
     /// Jacobians that were assembled and factorized.
     pub jacobians: usize,
+    /// Factorizations that chose new pivots.
+    pub pivotings: usize,
     /// Shortest accepted step; zero before the first [s].
     pub least_step: f64,
     /// Longest accepted step [s].

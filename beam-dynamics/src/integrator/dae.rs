@@ -25,7 +25,7 @@ pub trait Dae {
     fn algebraic(&self) -> &[bool];
 
     /// The accepted state `back` (0 or 1) steps before the latest: its change from the
-    /// latest, and its rates. For 0 the changes are zero.
+    /// latest, and its rates. For 0 the changes are zero; 1 is asked for after a step.
     fn past(&self, back: usize, y: &mut [f64], rates: &mut [f64]);
 
     /// Makes the latest accepted state agree with what acts just after `time` \[s\], when

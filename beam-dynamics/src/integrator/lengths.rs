@@ -135,7 +135,7 @@ impl Lengths {
     /// Towards a goal in steps of the wish; the last two are equal, so that none is tiny.
     fn towards(&self, time: f64, goal: &Plan) -> Plan {
         let steps = (goal.length / self.wish - SAME_POINT).ceil();
-        if !(steps > 1.0) {
+        if steps <= 1.0 || steps.is_nan() {
             return *goal;
         }
         let length = if steps == 2.0 {

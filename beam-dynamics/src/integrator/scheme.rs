@@ -65,8 +65,11 @@ impl Scheme {
              constraints oscillate from step to step";
         let off_center = "at this radius the multipliers do not converge when steps shrink: \
              reactions of constraints stay wrong";
+        let diverges = "this scheme is for systems without constraints: their multipliers grow \
+             from step to step";
         let warning = match *self {
-            Self::CrankNicolson | Self::CubicGauss => does_not_damp,
+            Self::CubicGauss => diverges,
+            Self::CrankNicolson => does_not_damp,
             Self::TwoStep { radius } if radius >= 1.0 => does_not_damp,
             Self::Cubic { radius } if radius >= 1.0 => off_center,
             Self::TwoStep { radius } | Self::Cubic { radius } if radius > HARDLY_DAMPED => {

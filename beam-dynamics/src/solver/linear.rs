@@ -71,7 +71,7 @@ fn symbolic(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, usize> {
 
 /// Scales of rows and columns from the magnitudes of the entries; `None` when a row
 /// or column is zero.
-fn scales(pattern: &Pattern, magnitudes: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+pub(super) fn scales(pattern: &Pattern, magnitudes: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
     let n = pattern.size();
     let mut rows = vec![0.0_f64; n];
     for (&i, magnitude) in pattern.rows().iter().zip(magnitudes) {

@@ -2,40 +2,207 @@
 
 use std::sync::Arc;
 
+use super::lu::KeptLu;
 use super::{Factorization, LinearSolver};
 use crate::assembly::{Pattern, Sparse};
 
+/// Residual of a solution, relative to the terms of each equation, above which it is
+/// refined: Newton's method does not need less [-].
+const REFINED_ABOVE: f64 = 1e-9;
+/// Residual above which a solution is not taken [-].
+const WRONG_ABOVE: f64 = 1e-6;
+/// Terms of an equation that are smaller than this part of the largest ones are
+/// rounding [-].
+const SMALL: f64 = 1e-12;
+
+/// How often a solver did what.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LinearCounts {
+    /// Factorizations on pivots of an earlier matrix.
+    pub refactorizations: usize,
+    /// Choices of pivots.
+    pub pivotings: usize,
+    /// Factorizations of the other kind, where no chosen pivots serve.
+    pub fallbacks: usize,
+    /// Refinements of solutions.
+    pub refinements: usize,
+}
+
 /// Factorizes matrices on one pattern, one after the other, and solves with the last.
+///
+/// Pivots are kept from matrix to matrix while the factors do not grow and solutions
+/// fulfill their equations. Where that fails new ones are chosen, and where these fail
+/// too, the factorization of [`LinearSolver`] takes over. Nothing is allocated while
+/// pivots are kept.
 #[derive(Debug)]
 pub struct StepSolver {
-    solver: LinearSolver,
-    last: Option<Factorization>,
+    matrix: Sparse,
+    factors: Factors,
+    right_side: Vec<f64>,
+    residual: Vec<f64>,
+    /// Sum of the absolute values of the terms of each equation.
+    sizes: Vec<f64>,
+    counts: LinearCounts,
+    fallback: LinearSolver,
+}
+
+#[derive(Debug)]
+enum Factors {
+    None,
+    /// On pivots of an earlier matrix.
+    Kept(Box<KeptLu>),
+    /// On pivots of this matrix.
+    Chosen(Box<KeptLu>),
+    Fallback(Box<Factorization>),
 }
 
 impl StepSolver {
-    /// Orders the unknowns of a pattern; `None` when it is structurally singular.
+    /// Prepares for matrices on a pattern; `None` when it is structurally singular.
     pub fn new(pattern: &Arc<Pattern>) -> Option<Self> {
+        let zeros = vec![0.0; pattern.size()];
         Some(Self {
-            solver: LinearSolver::new(pattern)?,
-            last: None,
+            matrix: Sparse::zero(Arc::clone(pattern)),
+            factors: Factors::None,
+            right_side: zeros.clone(),
+            residual: zeros.clone(),
+            sizes: zeros,
+            counts: LinearCounts::default(),
+            fallback: LinearSolver::new(pattern)?,
         })
+    }
+
+    /// How often what was done so far.
+    pub fn counts(&self) -> LinearCounts {
+        self.counts
+    }
+
+    /// Numbers that the factors on chosen pivots hold, zeros in their blocks included.
+    pub fn stored(&self) -> usize {
+        match &self.factors {
+            Factors::Kept(lu) | Factors::Chosen(lu) => lu.stored(),
+            Factors::None | Factors::Fallback(_) => 0,
+        }
     }
 
     /// Factorizes `matrix`; `None` when it is singular or not finite.
     pub fn factorize(&mut self, matrix: &Sparse) -> Option<()> {
-        self.last = Some(self.solver.factorize(matrix.clone())?);
-        Some(())
+        let last = std::mem::replace(&mut self.factors, Factors::None);
+        if matrix.values().iter().any(|value| !value.is_finite()) {
+            return None;
+        }
+        self.matrix.values_mut().copy_from_slice(matrix.values());
+        if let Factors::Kept(mut lu) | Factors::Chosen(mut lu) = last
+            && lu.factorize(&self.matrix).is_some()
+        {
+            self.counts.refactorizations += 1;
+            self.factors = Factors::Kept(lu);
+            return Some(());
+        }
+        self.choose_pivots()
     }
 
     /// Forgets the last matrix and all that was kept of it, such as the order of its
     /// pivots: the next one is factorized as the first.
     pub fn forget(&mut self) {
-        self.last = None;
+        self.factors = Factors::None;
     }
 
     /// Solves `A x = b` with the last matrix, `b` being replaced by x; `None` when there
     /// is no matrix, or x is not finite.
     pub fn solve(&mut self, b: &mut [f64]) -> Option<()> {
-        self.last.as_ref()?.solve(b)
+        if b.iter().any(|value| !value.is_finite()) {
+            return None;
+        }
+        self.right_side.copy_from_slice(b);
+        if self.attempt(b)? {
+            return Some(());
+        }
+        if matches!(self.factors, Factors::Kept(_)) {
+            self.choose_pivots()?;
+            b.copy_from_slice(&self.right_side);
+            if self.attempt(b)? {
+                return Some(());
+            }
+        }
+        self.fall_back()?;
+        b.copy_from_slice(&self.right_side);
+        self.attempt(b)?.then_some(())
+    }
+
+    fn choose_pivots(&mut self) -> Option<()> {
+        self.counts.pivotings += 1;
+        match KeptLu::new(&self.matrix) {
+            Some(lu) => self.factors = Factors::Chosen(Box::new(lu)),
+            None => self.fall_back()?,
+        }
+        Some(())
+    }
+
+    /// The other factorization; `None` when it does not solve `A x = A 1`.
+    fn fall_back(&mut self) -> Option<()> {
+        self.counts.fallbacks += 1;
+        self.factors = Factors::None;
+        let factors = self.fallback.factorize(self.matrix.clone())?;
+        let mut b = vec![0.0; self.right_side.len()];
+        self.matrix.multiply_add(&vec![1.0; b.len()], &mut b);
+        factors.solve(&mut b)?;
+        self.factors = Factors::Fallback(Box::new(factors));
+        Some(())
+    }
+
+    /// Solves with the factors at hand; whether x fulfills the equations.
+    fn attempt(&mut self, b: &mut [f64]) -> Option<bool> {
+        let lu = match &mut self.factors {
+            Factors::None => return None,
+            Factors::Fallback(factors) => return factors.solve(b).map(|()| true),
+            Factors::Kept(lu) | Factors::Chosen(lu) => lu,
+        };
+        lu.solve(b);
+        let finite = |x: &[f64]| x.iter().all(|value| value.is_finite());
+        if lu.is_trusted() {
+            return Some(finite(b));
+        }
+        let mut error = self.error(b);
+        if error > REFINED_ABOVE {
+            self.refine(b);
+            error = self.error(b);
+        }
+        Some(finite(b) && error < WRONG_ABOVE)
+    }
+
+    /// Corrects x by the solution for its residual.
+    fn refine(&mut self, x: &mut [f64]) {
+        self.counts.refinements += 1;
+        if let Factors::Kept(lu) | Factors::Chosen(lu) = &mut self.factors {
+            lu.solve(&mut self.residual);
+        }
+        let corrections = x.iter_mut().zip(&self.residual);
+        corrections.for_each(|(x, correction)| *x += correction);
+    }
+
+    /// Largest residual `b - A x` relative to the terms of its equation,
+    /// `|r_i| / (|A| |x| + |b|)_i`.
+    fn error(&mut self, x: &[f64]) -> f64 {
+        self.residual.copy_from_slice(&self.right_side);
+        let sizes = self.sizes.iter_mut().zip(&self.right_side);
+        sizes.for_each(|(size, b)| *size = b.abs());
+        for (row, column, value) in self.matrix.triplets() {
+            let term = value * x[column];
+            self.residual[row] -= term;
+            self.sizes[row] += term.abs();
+        }
+        let (Factors::Kept(lu) | Factors::Chosen(lu)) = &self.factors else {
+            return 0.0;
+        };
+        let scaled = self.sizes.iter().zip(lu.row_scales());
+        let largest = scaled.fold(0.0_f64, |a, (size, scale)| a.max(scale * size));
+        let floor = (SMALL * largest).max(f64::MIN_POSITIVE);
+        let rows = self.residual.iter().zip(&self.sizes).zip(lu.row_scales());
+        rows.fold(0.0, |worst: f64, ((r, size), scale)| {
+            worst.max(scale * r.abs() / (scale * size).max(floor))
+        })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -167,6 +167,18 @@ impl Document {
         (!is_told).then_some(number)
     }
 
+    /// The value of an expression of parameters; `None` where it has none.
+    pub(super) fn quietly(&self, text: &str) -> Option<f64> {
+        let constants = self.parameters.borrow();
+        let names = Names {
+            variables: &[],
+            constants: &constants,
+        };
+        let found = Expression::parse(written(text)?, &names).ok()?;
+        let number = found.at(|_| Jet::default()).value;
+        number.is_finite().then_some(number)
+    }
+
     /// The expression `text` under `key`, on `line`; notes what is wrong with it.
     pub fn expression(
         &self,

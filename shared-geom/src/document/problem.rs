@@ -112,6 +112,37 @@ pub enum DocumentProblem {
         /// The way from it back to it.
         chain: Vec<String>,
     },
+    /// A file that includes itself, at once or by others.
+    #[error("\"include\": the file \"{name}\" includes itself")]
+    IncludesItself {
+        /// Its name as written.
+        name: String,
+    },
+    /// A file that is included twice.
+    #[error("\"include\": the file \"{name}\" is included already")]
+    IncludedTwice {
+        /// Its name as written.
+        name: String,
+    },
+    /// Units of an included file.
+    #[error("an included file has \"units\", expected none")]
+    UnitsOfIncluded,
+    /// A key that two files have.
+    #[error("\"{key}\" is given in {place} already, expected it once")]
+    DoubledKey {
+        /// The key.
+        key: String,
+        /// Place of the first.
+        place: String,
+    },
+    /// More copies than anyone means.
+    #[error("the copies of \"{name}\" come to more than {limit} cards")]
+    ManyCopies {
+        /// Name of the repeat.
+        name: String,
+        /// The largest number accepted.
+        limit: usize,
+    },
     /// Something was wrong without a note of its own (a defect of the reader).
     #[error("the file is incomplete")]
     Incomplete,
@@ -139,6 +170,9 @@ impl Explain for DocumentProblem {
             Self::Unit { problem, .. } => problem.help(),
             Self::Expression { problem, .. } => problem.help(),
             Self::NoFile { name, known, .. } => Some(nearest_file(name, known)),
+            Self::UnitsOfIncluded => {
+                Some("its numbers count in the units of the file that includes it".to_owned())
+            }
             Self::OtherFormat { .. } => {
                 Some("name the file ending in .toml that leads to it".to_owned())
             }

@@ -151,9 +151,15 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// The path that `key` names as `written`: relative ones count from the folder of the
+    /// file that holds it.
+    pub fn path(&self, key: &str, written: &str) -> PathBuf {
+        self.document.path_from(self.line_of(key), written)
+    }
+
     /// The path of the file that `key` names as `written`; notes that there is none.
     pub fn existing(&self, key: &str, written: &str) -> Option<PathBuf> {
-        let path = self.document.path(written);
+        let path = self.path(key, written);
         if path.exists() {
             return Some(path);
         }
@@ -314,6 +320,14 @@ impl<'a> Table<'a> {
         };
         let rows: Vec<_> = items.iter().map(row).collect();
         rows.into_iter().collect()
+    }
+
+    /// Length of the list under `key`.
+    pub fn row_count(&self, key: &str) -> Option<usize> {
+        match self.ask(key).map(|value| &value.kind) {
+            Some(Kind::Array(items)) => Some(items.len()),
+            _ => None,
+        }
     }
 
     /// Rows of plain numbers under `key`, each of `columns`; no unit is applied.

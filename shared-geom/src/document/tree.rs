@@ -66,19 +66,31 @@ fn shown(text: &str) -> String {
     shown
 }
 
-/// Byte offsets of the line beginnings.
+/// Byte offsets of the line beginnings, and the number that lines count from.
 #[derive(Debug)]
-pub(super) struct Lines(Vec<usize>);
+pub(super) struct Lines {
+    starts: Vec<usize>,
+    base: usize,
+}
 
 impl Lines {
     pub fn of(text: &str) -> Self {
         let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
-        Self(std::iter::once(0).chain(ends.map(|(i, _)| i + 1)).collect())
+        Self {
+            starts: std::iter::once(0).chain(ends.map(|(i, _)| i + 1)).collect(),
+            base: 0,
+        }
+    }
+
+    /// The same lines, counted from `base`.
+    pub fn from(self, base: usize) -> Self {
+        Self { base, ..self }
     }
 
     /// Line, from one, of a byte offset.
     pub fn at(&self, offset: usize) -> usize {
-        self.0.partition_point(|start| *start <= offset).max(1)
+        let line = self.starts.partition_point(|start| *start <= offset);
+        self.base + line.max(1)
     }
 }
 

@@ -32,6 +32,10 @@ use crate::solver::Worst;
 
 use super::rates::consistent_rates;
 
+mod own_axes;
+
+use own_axes::OwnAxes;
+
 /// Accepted states that are kept.
 const KEPT: usize = 2;
 /// Trial states.
@@ -57,6 +61,8 @@ pub(super) struct Multibody<'a> {
     states: [State; KEPT],
     trials: Vec<Trial>,
     variations: Vec<Variation>,
+    /// Nodes whose angular momentum is integrated in axes that follow their long axis.
+    own_axes: Vec<Option<OwnAxes>>,
     work: Workspace,
     algebraic: Vec<bool>,
     is_simplified: bool,
@@ -85,10 +91,12 @@ impl<'a> Multibody<'a> {
             turn: Matrix3::identity(),
             spin: Matrix3::zeros(),
         };
+        let tangent = system.tangent(&states[0], &model.conditions_at(0.0));
         Self {
             model,
             trials: (0..STAGES).map(|_| trial()).collect(),
             variations: vec![variation; nodes],
+            own_axes: own_axes::find(system, &states[0].nodes, &tangent),
             work: system.workspace(),
             algebraic: (0..numbering.unknowns())
                 .map(|place| place >= NODE_UNKNOWNS * nodes)
@@ -148,20 +156,37 @@ fn orthogonal(r: &Matrix3<f64>) -> Matrix3<f64> {
     r * (1.5 * Matrix3::identity() - 0.5 * r.transpose() * r)
 }
 
-fn write(node: &NodeMotion, origin: &NodeMotion, (y, rates): (&mut [f64], &mut [f64])) {
+/// Where an angular momentum is integrated: in space, or in axes that follow a node from
+/// its latest accepted attitude.
+type Axes<'a> = Option<(&'a OwnAxes, &'a Matrix3<f64>)>;
+
+/// Angular momentum and its rate as they are integrated.
+fn integrated(node: &NodeMotion, axes: Axes<'_>) -> [Vector3<f64>; 2] {
+    let (gamma, rate) = (node.angular_momentum, node.angular_momentum_rate);
+    let Some((own, origin)) = axes else {
+        return [gamma, rate];
+    };
+    let follows = own.at(origin, &node.rotation, &node.angular_velocity);
+    let back = follows.axes.transpose();
+    [back * gamma, back * (rate - follows.spin.cross(&gamma))]
+}
+
+fn write(
+    node: &NodeMotion,
+    origin: &NodeMotion,
+    own: Option<&OwnAxes>,
+    (y, rates): (&mut [f64], &mut [f64]),
+) {
     let turn = gibbs::relative(&attitude(node), &origin.rotation);
+    let axes = own.map(|own| (own, &origin.rotation));
+    let [gamma, gamma_rate] = integrated(node, axes);
     let changes = [
         node.position - origin.position,
         turn.parameters,
         node.momentum - origin.momentum,
-        node.angular_momentum - origin.angular_momentum,
+        gamma - integrated(origin, axes)[0],
     ];
-    let slopes = [
-        node.velocity,
-        turn.rate,
-        node.momentum_rate,
-        node.angular_momentum_rate,
-    ];
+    let slopes = [node.velocity, turn.rate, node.momentum_rate, gamma_rate];
     for i in 0..4 {
         y[3 * i..3 * i + 3].copy_from_slice(changes[i].as_slice());
         rates[3 * i..3 * i + 3].copy_from_slice(slopes[i].as_slice());
@@ -171,20 +196,31 @@ fn write(node: &NodeMotion, origin: &NodeMotion, (y, rates): (&mut [f64], &mut [
 /// A node moved from `base` by changes of its unknowns and of their rates; `turned` is
 /// its attitude after it. The rates of `base` count as far as `kept`.
 fn moved(
-    base: &NodeMotion,
+    (base, kept): (&NodeMotion, f64),
     turned: &Attitude,
+    axes: Axes<'_>,
     (y, rates): (&[f64], &[f64]),
-    kept: f64,
 ) -> NodeMotion {
+    let [gamma, gamma_rate] = integrated(base, axes);
+    let (gamma, gamma_rate) = (gamma + part(y, 3), kept * gamma_rate + part(rates, 3));
+    let [gamma, gamma_rate] = match axes {
+        None => [gamma, gamma_rate],
+        Some((own, origin)) => {
+            let follows = own.at(origin, &turned.rotation, &turned.angular_velocity);
+            let in_space = follows.axes * gamma;
+            let turning = follows.spin.cross(&in_space);
+            [in_space, follows.axes * gamma_rate + turning]
+        }
+    };
     NodeMotion {
         position: base.position + part(y, 0),
         rotation: turned.rotation,
         momentum: base.momentum + part(y, 2),
-        angular_momentum: base.angular_momentum + part(y, 3),
+        angular_momentum: gamma,
         velocity: kept * base.velocity + part(rates, 0),
         angular_velocity: turned.angular_velocity,
         momentum_rate: kept * base.momentum_rate + part(rates, 2),
-        angular_momentum_rate: kept * base.angular_momentum_rate + part(rates, 3),
+        angular_momentum_rate: gamma_rate,
     }
 }
 
@@ -206,8 +242,9 @@ impl Dae for Multibody<'_> {
         let numbers = ends
             .chunks_mut(NODE_UNKNOWNS)
             .zip(slopes.chunks_mut(NODE_UNKNOWNS));
-        for ((node, origin), out) in then.nodes.iter().zip(&latest.nodes).zip(numbers) {
-            write(node, origin, out);
+        let pairs = then.nodes.iter().zip(&latest.nodes).zip(&self.own_axes);
+        for (((node, origin), own), out) in pairs.zip(numbers) {
+            write(node, origin, own.as_ref(), out);
         }
         let multipliers = then.multipliers.iter().zip(&latest.multipliers);
         let first = NODE_UNKNOWNS * nodes;
@@ -237,7 +274,8 @@ impl Dae for Multibody<'_> {
             split(rates, latest.nodes.len()),
         );
         let numbers = y.zip(rates);
-        for ((base, node), numbers) in trial.base.nodes.iter_mut().zip(&latest.nodes).zip(numbers) {
+        let bases = trial.base.nodes.iter_mut().zip(&self.own_axes);
+        for (((base, own), node), numbers) in bases.zip(&latest.nodes).zip(numbers) {
             let turn = Increment {
                 parameters: part(numbers.0, 1),
                 rate: part(numbers.1, 1),
@@ -246,7 +284,9 @@ impl Dae for Multibody<'_> {
                 rotation: node.rotation,
                 angular_velocity: Vector3::zeros(),
             };
-            *base = moved(node, &gibbs::corrected(&turn, &still), numbers, 0.0);
+            let turned = gibbs::corrected(&turn, &still);
+            let axes = own.as_ref().map(|own| (own, &node.rotation));
+            *base = moved((node, 0.0), &turned, axes, numbers);
         }
         let old = latest.multipliers.iter().zip(multipliers);
         for (base, (latest, change)) in trial.base.multipliers.iter_mut().zip(old) {
@@ -263,13 +303,15 @@ impl Dae for Multibody<'_> {
         let trial = &mut self.trials[stage];
         let nodes = trial.base.nodes.len();
         let ((y, multipliers), (rates, _)) = (split(y, nodes), split(rates, nodes));
-        let bases = trial.base.nodes.iter().zip(y.zip(rates));
+        let origins = self.own_axes.iter().zip(&self.states[0].nodes);
+        let bases = trial.base.nodes.iter().zip(origins).zip(y.zip(rates));
         let states = trial.state.nodes.iter_mut().zip(&mut trial.turns);
-        for ((state, turn), (base, numbers)) in states.zip(bases) {
+        for ((state, turn), ((base, (own, origin)), numbers)) in states.zip(bases) {
             turn.parameters = part(numbers.0, 1);
             turn.rate = part(numbers.1, 1);
             let turned = gibbs::corrected(turn, &attitude(base));
-            *state = moved(base, &turned, numbers, 1.0);
+            let axes = own.as_ref().map(|own| (own, &origin.rotation));
+            *state = moved((base, 1.0), &turned, axes, numbers);
         }
         let bases = trial.base.multipliers.iter().zip(multipliers);
         for (state, (base, change)) in trial.state.multipliers.iter_mut().zip(bases) {
@@ -306,6 +348,14 @@ impl Dae for Multibody<'_> {
             out,
             &mut self.work,
         );
+        let nodes = trial.state.nodes.iter().zip(&self.variations);
+        let origins = self.own_axes.iter().zip(&self.states[0].nodes);
+        for ((node, variation), (own, origin)) in nodes.zip(origins) {
+            let Some(own) = own else { continue };
+            for sum in out.iter_mut() {
+                own.rewrite(node, &origin.rotation, variation, sum);
+            }
+        }
     }
 
     fn accept(&mut self, stage: usize) {

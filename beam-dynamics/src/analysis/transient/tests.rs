@@ -1,1 +1,9 @@
+//! Motion in time of small models.
 
+#![allow(clippy::unwrap_used, reason = "tests end when a model cannot be run")]
+
+mod bipendulum;
+mod flexible;
+mod jacobian;
+mod models;
+mod rigid;

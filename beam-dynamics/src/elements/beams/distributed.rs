@@ -16,6 +16,8 @@
 //! d[(p - x_k) x q] = [p - x_k]x d q - [q]x (d p - d x_k)
 //! ```
 //!
+//! A signal, a number that depends on time and on what is sensed, multiplies all of it.
+//!
 //! References: [Masarati], the three-node finite-volume beam: external loads.
 
 use nalgebra::{Matrix3, Vector3};
@@ -26,7 +28,7 @@ use super::elastic::ElasticBeam;
 use super::geometry::BeamGeometry;
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::elements::loads::{LoadFactor, Turning};
-use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual};
+use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, Variable};
 
@@ -42,10 +44,12 @@ pub type LineLoad = [Vector3<f64>; 2];
 #[derive(Debug, Clone)]
 pub struct DistributedLoad {
     label: String,
-    nodes: [usize; 3],
+    /// The nodes of the beam, then those that are sensed.
+    nodes: Vec<usize>,
     geometry: BeamGeometry,
     turning: Turning,
     factor: LoadFactor,
+    signal: Signal,
     points: Vec<LoadPoint>,
 }
 
@@ -108,12 +112,20 @@ impl DistributedLoad {
         }
         Self {
             label: label.into(),
-            nodes,
+            nodes: nodes.to_vec(),
             geometry,
             turning,
             factor,
+            signal: Signal::default(),
             points,
         }
+    }
+
+    /// The load times a signal.
+    #[must_use]
+    pub fn driven(mut self, signal: Signal) -> Self {
+        self.signal = signal.seated(&mut self.nodes);
+        self
     }
 
     fn acting(&self, piece: &LoadPoint, nodal: &NodalKinematics) -> Acting {
@@ -131,6 +143,7 @@ impl DistributedLoad {
 
     fn add(&self, at: &Local<'_>, factor: f64, out: &mut LocalResidual) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let factor = factor * self.signal.value(at);
         for piece in &self.points {
             let node = piece.portion;
             let acting = self.acting(piece, &nodal);
@@ -141,8 +154,9 @@ impl DistributedLoad {
         }
     }
 
-    fn add_stiffness(&self, at: &Local<'_>, factor: f64, out: &mut LocalJacobian) {
+    fn add_stiffness(&self, at: &Local<'_>, load_factor: f64, out: &mut LocalJacobian) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let factor = load_factor * self.signal.value(at);
         let relative = nodal.relative_variation();
         let offset = nodal.offset_skew();
         for piece in &self.points {
@@ -167,6 +181,32 @@ impl DistributedLoad {
                 out.add(row, (j, Variable::Rotation), &(factor * moment));
             }
         }
+        self.add_signal(at, load_factor, &nodal, out);
+    }
+
+    /// Adds what the change of the signal does.
+    fn add_signal(
+        &self,
+        at: &Local<'_>,
+        load_factor: f64,
+        nodal: &NodalKinematics,
+        out: &mut LocalJacobian,
+    ) {
+        let mut sums = [[Vector3::zeros(); 2]; 3];
+        for piece in &self.points {
+            let acting = self.acting(piece, nodal);
+            let arm = acting.point.p - nodal.x[piece.portion];
+            let [force, moment] = &mut sums[piece.portion];
+            *force += acting.force;
+            *moment += acting.moment + arm.cross(&acting.force);
+        }
+        self.signal.gradient(at, |place, variable, row| {
+            let row = load_factor * row.transpose();
+            for (node, [force, moment]) in sums.iter().enumerate() {
+                out.add((node, Force), (place, variable), &(force * row));
+                out.add((node, Moment), (place, variable), &(moment * row));
+            }
+        });
     }
 }
 
@@ -177,6 +217,10 @@ impl Element for DistributedLoad {
 
     fn nodes(&self) -> &[usize] {
         &self.nodes
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        self.signal.next_corner(time)
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

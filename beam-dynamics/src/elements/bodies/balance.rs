@@ -76,6 +76,10 @@ impl Element for NodeBalance {
         out.add((0, Force), (0, Variable::Momentum), &-turning);
         out.add((0, Moment), (0, Variable::AngularMomentumRate), &-identity);
         out.add((0, Moment), (0, Variable::AngularMomentum), &-turning);
+        // An integration may write gamma in the axes of the node.
+        let zero = Matrix3::zeros();
+        out.add((0, AngularMomentum), (0, Variable::Rotation), &zero);
+        out.add((0, Moment), (0, Variable::Rotation), &zero);
         out.add((0, Moment), (0, Variable::Momentum), &-v);
         out.add((0, Moment), (0, Variable::Velocity), &beta);
         out.add((0, Moment), (0, Variable::Position), &(beta * turning));

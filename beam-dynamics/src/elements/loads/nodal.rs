@@ -1,7 +1,7 @@
 //! Force and moment on a node.
 //!
 //! A force F at the offset `f = R f~` from the node, and a moment M, times the load's
-//! factor:
+//! factor and its signal s, a number that depends on time and on what is sensed:
 //!
 //! ```text
 //! force balance    F                   dead:      F = const,   M = const
@@ -13,6 +13,7 @@
 //! ```text
 //! dead:       d (f x F) = [F]x [f]x theta
 //! follower:   d F = -[F]x theta,   d (M + f x F) = -[M + f x F]x theta
+//! signal:     d (s F) = F ds
 //! ```
 //!
 //! References: [Masarati], forces and moments on nodes.
@@ -21,7 +22,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
 use super::factor::{LoadFactor, Turning};
-use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual};
+use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
 
@@ -44,8 +45,10 @@ pub struct NodalForce {
 #[derive(Debug, Clone)]
 pub struct NodalLoad {
     label: String,
-    nodes: [usize; 1],
+    /// The node, then those that are sensed.
+    nodes: Vec<usize>,
     load: NodalForce,
+    signal: Signal,
     /// Undeformed attitude of the node.
     rotation: Matrix3<f64>,
 }
@@ -63,10 +66,18 @@ impl NodalLoad {
     pub fn new(label: impl Into<String>, index: usize, node: &Node, load: NodalForce) -> Self {
         Self {
             label: label.into(),
-            nodes: [index],
+            nodes: vec![index],
             load,
+            signal: Signal::default(),
             rotation: node.rotation,
         }
+    }
+
+    /// The load times a signal.
+    #[must_use]
+    pub fn driven(mut self, signal: Signal) -> Self {
+        self.signal = signal.seated(&mut self.nodes);
+        self
     }
 
     fn acting(&self, node: &NodeMotion) -> Acting {
@@ -83,14 +94,16 @@ impl NodalLoad {
         }
     }
 
-    fn add(&self, node: &NodeMotion, factor: f64, out: &mut LocalResidual) {
-        let acting = self.acting(node);
+    fn add(&self, at: &Local<'_>, factor: f64, out: &mut LocalResidual) {
+        let acting = self.acting(&at.nodes[0]);
+        let factor = factor * self.signal.value(at);
         out.add(0, Force, &(factor * acting.force));
         out.add(0, Moment, &(factor * acting.moment));
     }
 
-    fn add_stiffness(&self, node: &NodeMotion, factor: f64, out: &mut LocalJacobian) {
-        let Acting { force, arm, moment } = self.acting(node);
+    fn add_stiffness(&self, at: &Local<'_>, load_factor: f64, out: &mut LocalJacobian) {
+        let Acting { force, arm, moment } = self.acting(&at.nodes[0]);
+        let factor = load_factor * self.signal.value(at);
         let column = (0, Variable::Rotation);
         match self.load.turning {
             Turning::Dead => {
@@ -102,6 +115,11 @@ impl NodalLoad {
                 out.add((0, Moment), column, &(-factor * skew(&moment)));
             }
         }
+        self.signal.gradient(at, |place, variable, row| {
+            let row = load_factor * row.transpose();
+            out.add((0, Force), (place, variable), &(force * row));
+            out.add((0, Moment), (place, variable), &(moment * row));
+        });
     }
 }
 
@@ -114,19 +132,23 @@ impl Element for NodalLoad {
         &self.nodes
     }
 
+    fn next_corner(&self, time: f64) -> f64 {
+        self.signal.next_corner(time)
+    }
+
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(&at.nodes[0], self.load.factor.value(at.loading), out);
+        self.add(at, self.load.factor.value(at.loading), out);
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        self.add_stiffness(&at.nodes[0], self.load.factor.value(at.loading), out);
+        self.add_stiffness(at, self.load.factor.value(at.loading), out);
     }
 
     fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(&at.nodes[0], self.load.factor.derivative(), out);
+        self.add(at, self.load.factor.derivative(), out);
     }
 
     fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
-        self.add_stiffness(&at.nodes[0], self.load.factor.derivative(), out);
+        self.add_stiffness(at, self.load.factor.derivative(), out);
     }
 }

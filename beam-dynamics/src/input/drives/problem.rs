@@ -67,6 +67,26 @@ pub enum DriveProblem {
         /// The key.
         key: &'static str,
     },
+    /// Something that is sensed where only time counts.
+    #[error("\"{key}\" senses \"{name}\", expected a function of time alone")]
+    Senses {
+        /// The key.
+        key: String,
+        /// The sensor.
+        name: String,
+    },
+    /// A name that no sensor can have.
+    #[error(
+        "\"{name}\" is no name of a sensor, expected letters, digits and \"_\", and no name \
+         that expressions know already"
+    )]
+    SensorName {
+        /// The name.
+        name: String,
+    },
+    /// A rotation in axes of a third node.
+    #[error("a rotation is sensed in the axes of the node against which it is, or of the model")]
+    AxesOfRotation,
     /// Fewer than two rows.
     #[error("the table has {found} rows, expected at least two")]
     FewRows {
@@ -119,6 +139,10 @@ impl Explain for DriveProblem {
             }
             Self::Measures { .. } => {
                 "give the drive another \"unit\", or none: it then counts in the unit of each key"
+            }
+            Self::Senses { .. } => {
+                "only the \"drive\" of a load may sense: what moves in a given way, gravity and \
+                 laws need derivatives by time"
             }
             Self::UnitInPlace => {
                 "give it a name, [drives.NAME], or write the values with their unit"

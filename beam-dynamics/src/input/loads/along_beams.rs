@@ -5,9 +5,12 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::{LoadProblem, axes, kind, label};
+use crate::elements::Signal;
 use crate::elements::beams::{BeamGeometry, DistributedLoad, LineLoad};
 use crate::elements::loads::{LoadFactor, Turning};
 use crate::input::draft::{Beam, Draft};
+use crate::input::frames::Frame;
+use crate::input::sensors;
 use crate::model::Node;
 
 /// Coefficients of a polynomial: the fifth degree is integrated exactly.
@@ -32,6 +35,8 @@ struct Card {
     moment: Course,
     kind: (Turning, LoadFactor),
     in_section: bool,
+    frame: Frame,
+    signal: Signal,
 }
 
 /// Adds every `[[distributed_load]]` to the model.
@@ -56,6 +61,8 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
     let beams = beams(table, draft, label);
     let in_section = axes(table, "section");
     let kind = kind(table);
+    let frame = draft.frames().of(table);
+    let signal = sensors::signal(table, "drive", draft);
     let places = places(table);
     let force = course(table, "force", Dimension::FORCE_PER_LENGTH, &places);
     let moment = course(table, "moment", Dimension::FORCE, &places);
@@ -69,6 +76,8 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
         moment: moment?,
         kind: kind?,
         in_section: in_section?,
+        frame: frame?,
+        signal: signal?,
     };
     let length = length(&card.beams, draft);
     let beyond = places.flatten().unwrap_or_default();
@@ -226,19 +235,13 @@ fn elements(label: &str, card: &Card, draft: &Draft) -> Vec<DistributedLoad> {
             };
             [&card.force, &card.moment].map(|course| {
                 let value = course.at(s, whole);
-                turn.map_or(value, |axes| axes * value)
+                turn.map_or(card.frame.direction(&value), |axes| axes * value)
             })
         };
         let name = format!("{label} on {}", beam.label);
-        loads.push(DistributedLoad::new(
-            name,
-            beam.nodes,
-            beam.geometry,
-            ends,
-            card.kind,
-            &kinks,
-            load,
-        ));
+        let (nodes, geometry) = (beam.nodes, beam.geometry);
+        let load = DistributedLoad::new(name, nodes, geometry, ends, card.kind, &kinks, load);
+        loads.push(load.driven(card.signal.clone()));
         start += beam.geometry.length(&ends);
     }
     loads

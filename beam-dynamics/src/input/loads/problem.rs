@@ -20,14 +20,12 @@ pub enum LoadProblem {
         node: String,
     },
     /// A node that is moved by two cards.
-    #[error(
-        "node \"{node}\" has an imposed motion on line {line} already, expected one card a node"
-    )]
+    #[error("node \"{node}\" has an imposed motion on {line} already, expected one card a node")]
     ImposedTwice {
         /// Name of the node.
         node: String,
-        /// Line of the first.
-        line: usize,
+        /// Line of the first, in words.
+        line: String,
     },
     /// A load along nothing.
     #[error("the load has neither \"blade\" nor \"beams\", expected one of them")]

@@ -1,0 +1,274 @@
+//! Models of the tests, and what records their motion.
+
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+
+use crate::analysis::transient::{TransientOutcome, transient};
+use crate::assembly::System;
+use crate::case::{InitialMotion, Model, TransientQuestion};
+use crate::elements::Element;
+use crate::elements::beams::{
+    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, MassAlong, lumped_bodies,
+};
+use crate::elements::bodies::{RigidBody, RigidInertia};
+use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing, Turning, axes_along};
+use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad};
+use crate::model::{Drive, Node, State};
+use crate::result::{Moment, Recorder, Snapshot};
+
+/// Keeps every state.
+#[derive(Debug, Default)]
+pub struct Kept {
+    pub times: Vec<f64>,
+    pub states: Vec<State>,
+    /// Step at which a snapshot is wanted, and the snapshot.
+    pub wanted: Option<usize>,
+    pub snapshot: Option<Snapshot>,
+    /// Steps after which the run is ended.
+    pub most: Option<usize>,
+}
+
+impl Recorder for Kept {
+    fn record(&mut self, moment: &Moment<'_>) -> bool {
+        self.times.push(moment.time);
+        self.states.push(moment.state.clone());
+        self.most != Some(moment.step)
+    }
+
+    fn wants_snapshot(&self, moment: &Moment<'_>) -> bool {
+        self.wanted == Some(moment.step)
+    }
+
+    fn keep(&mut self, snapshot: &Snapshot) -> bool {
+        self.snapshot = Some(snapshot.clone());
+        true
+    }
+}
+
+/// Runs a model; all its states, and the outcome.
+pub fn run(model: &Model, question: &TransientQuestion) -> (Kept, TransientOutcome) {
+    let mut kept = Kept::default();
+    let outcome = transient(model, question, None, &mut kept, &|| 0.0);
+    (kept, outcome)
+}
+
+/// As [`run`], of a run that reaches its end.
+pub fn states(model: &Model, question: &TransientQuestion) -> Vec<State> {
+    let (kept, outcome) = run(model, question);
+    if let Some(failure) = outcome.failure {
+        panic!("{failure}");
+    }
+    kept.states
+}
+
+pub fn node(label: &str, position: Vector3<f64>, rotation: Matrix3<f64>) -> Node {
+    Node {
+        label: label.to_owned(),
+        position,
+        rotation,
+    }
+}
+
+pub fn body(node: usize, mass: f64, offset: Vector3<f64>, moments: [f64; 3]) -> Box<dyn Element> {
+    let central = Matrix3::from_diagonal(&moments.into());
+    let inertia = RigidInertia::about_node(mass, &offset, &central);
+    Box::new(RigidBody::new("body", node, inertia))
+}
+
+/// A spherical joint at `point` of node number `node` with another one, or the frame.
+pub fn spherical(
+    nodes: &[Node],
+    a: Option<usize>,
+    b: usize,
+    point: Vector3<f64>,
+) -> Box<dyn Element> {
+    let ends = JointEnds {
+        a: a.map(|a| (a, &nodes[a])),
+        b: (b, &nodes[b]),
+    };
+    let placing = Placing::at(&point, &Matrix3::identity());
+    Box::new(ConstraintJoint::spherical(
+        format!("joint {b}"),
+        &ends,
+        &placing,
+    ))
+}
+
+/// A joint about z at the origin of the frame with node number `node`.
+pub fn revolute_about_z(nodes: &[Node], node: usize) -> Box<dyn Element> {
+    let ends = JointEnds {
+        a: None,
+        b: (node, &nodes[node]),
+    };
+    let placing = Placing::at(&Vector3::zeros(), &axes_along(&Vector3::z()));
+    Box::new(ConstraintJoint::revolute("pivot", &ends, &placing, None))
+}
+
+pub fn moving(velocity: Vector3<f64>, angular_velocity: Vector3<f64>) -> InitialMotion {
+    InitialMotion {
+        velocity: Some(velocity),
+        angular_velocity: Some(angular_velocity),
+        ..InitialMotion::default()
+    }
+}
+
+/// A mass of one at (1, 0) that swings about the origin, gravity one along -y and the
+/// velocity one along -y.
+pub fn pendulum() -> Model {
+    let nodes = vec![node("bob", Vector3::x(), Matrix3::identity())];
+    let elements = vec![
+        body(0, 1.0, Vector3::zeros(), [0.0; 3]),
+        revolute_about_z(&nodes, 0),
+    ];
+    let mut model = Model::new("pendulum", System::new(nodes, elements));
+    model.gravity = -Vector3::y();
+    model.initial[0] = moving(-Vector3::y(), -Vector3::z());
+    model
+}
+
+/// Two links of length one on spherical joints, along -y, turning about z as one line;
+/// nodes at the middle of each.
+pub fn bipendulum() -> Model {
+    let middle = |i: usize| Vector3::new(0.0, -0.5 - i as f64, 0.0);
+    let nodes: Vec<_> = (0..2)
+        .map(|i| node(&format!("link {i}"), middle(i), Matrix3::identity()))
+        .collect();
+    let link = |i: usize| body(i, 0.4565, Vector3::zeros(), [0.0308, 1e-4, 0.0308]);
+    let elements = vec![
+        link(0),
+        link(1),
+        spherical(&nodes, None, 0, Vector3::zeros()),
+        spherical(&nodes, Some(0), 1, -Vector3::y()),
+    ];
+    let mut model = Model::new("bipendulum", System::new(nodes, elements));
+    model.gravity = Vector3::new(0.0, 0.0, -32.175);
+    let spin: Vector3<f64> = 4.0 * Vector3::z();
+    for i in 0..2 {
+        model.initial[i] = moving(spin.cross(&middle(i)), spin);
+    }
+    model
+}
+
+/// A body of mass one that spins on a fixed point (models.md, B): its center 0.2 above the
+/// point, tilted by 10 degrees about x; `spin` in its own axes.
+pub fn top(spin: Vector3<f64>) -> Model {
+    let tilt = shared_geom::rotation::vector::to_rotation(&(10_f64.to_radians() * Vector3::x()));
+    let nodes = vec![node("point", Vector3::zeros(), tilt)];
+    let elements = vec![
+        body(0, 1.0, 0.2 * Vector3::z(), [0.75, 0.75, 0.40]),
+        spherical(&nodes, None, 0, Vector3::zeros()),
+    ];
+    let mut model = Model::new("top", System::new(nodes, elements));
+    model.gravity = -3.0 * Vector3::z();
+    model.initial[0] = moving(Vector3::zeros(), tilt * spin);
+    model
+}
+
+/// A body that nothing holds, its center off the node.
+pub fn free_body() -> Model {
+    let nodes = vec![node("body", Vector3::zeros(), Matrix3::identity())];
+    let elements = vec![body(0, 2.0, Vector3::new(0.3, -0.2, 0.5), [1.0, 1.4, 0.7])];
+    let mut model = Model::new("free body", System::new(nodes, elements));
+    let (velocity, spin) = (Vector3::new(0.7, 1.2, -0.4), Vector3::new(1.0, 2.0, 0.2));
+    model.initial[0] = moving(velocity, spin);
+    model
+}
+
+/// Properties of a uniform beam of length one along x.
+pub struct Strip {
+    pub elements: usize,
+    pub stiffness: [f64; 6],
+    /// Mass per length, and the inertia of the section about its axes.
+    pub mass: [f64; 4],
+    pub lumped: bool,
+}
+
+impl Strip {
+    /// Model M: the swinging cantilever.
+    pub fn swinging(elements: usize) -> Self {
+        Self {
+            elements,
+            stiffness: [1e5, 4e4, 4e4, 1.2, 1.0, 3.0],
+            mass: [0.6, 2.4e-5, 6e-6, 1.8e-5],
+            lumped: true,
+        }
+    }
+
+    /// Model K: unit length, mass and bending stiffness.
+    pub fn rotating(elements: usize) -> Self {
+        Self {
+            elements,
+            stiffness: [1e7, 1e7, 1e7, 1.0, 1.0, 1.0],
+            mass: [1.0, 2e-7, 1e-7, 1e-7],
+            lumped: false,
+        }
+    }
+
+    /// Nodes along x, and the beams with their mass.
+    pub fn parts(&self) -> (Vec<Node>, Vec<Box<dyn Element>>) {
+        let count = 2 * self.elements;
+        let place = |i: usize| i as f64 / count as f64 * Vector3::x();
+        let nodes: Vec<_> = (0..=count)
+            .map(|i| node(&format!("{i}"), place(i), Matrix3::identity()))
+            .collect();
+        let [m, jx, jy, jz] = self.mass;
+        let section = Matrix6::from_diagonal(&Vector6::new(m, m, m, jx, jy, jz));
+        let stiffness = [Matrix6::from_diagonal(&self.stiffness.into()); 2];
+        let geometry = BeamGeometry {
+            nodes: [BeamNode::aligned(); 3],
+        };
+        let mut elements: Vec<Box<dyn Element>> = Vec::new();
+        for e in 0..self.elements {
+            let on = [2 * e, 2 * e + 1, 2 * e + 2];
+            let ends = on.map(|i| &nodes[i]);
+            let beam = ElasticBeam::new("beam", on, geometry, ends, stiffness);
+            elements.push(Box::new(beam));
+            let mass = MassAlong {
+                at: &|_| section,
+                breaks: &[],
+                length: None,
+            };
+            if self.lumped {
+                for (node, inertia) in on.into_iter().zip(lumped_bodies(&geometry, ends, &mass)) {
+                    elements.push(Box::new(RigidBody::new("part", node, inertia)));
+                }
+            } else {
+                elements.push(Box::new(BeamInertia::along(
+                    "mass", on, geometry, ends, &mass,
+                )));
+            }
+        }
+        (nodes, elements)
+    }
+}
+
+/// Clamped at the origin; a dead force of 4 N along y at the tip and gravity along -z.
+pub fn swinging_cantilever(elements: usize) -> Model {
+    let (nodes, mut parts) = Strip::swinging(elements).parts();
+    parts.push(Box::new(Clamp::new("root", 0, &nodes[0])));
+    let tip = nodes.len() - 1;
+    let load = NodalForce {
+        force: 4.0 * Vector3::y(),
+        moment: Vector3::zeros(),
+        offset: Vector3::zeros(),
+        turning: crate::elements::loads::Turning::Dead,
+        factor: LoadFactor::Constant,
+    };
+    parts.push(Box::new(NodalLoad::new("load", tip, &nodes[tip], load)));
+    let mut model = Model::new("swinging cantilever", System::new(nodes, parts));
+    model.gravity = -9.81 * Vector3::z();
+    model
+}
+
+/// Its root turns about z by an angle that a drive tells.
+pub fn driven_beam(angle: Drive) -> Model {
+    let (nodes, mut parts) = Strip::rotating(4).parts();
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let placing = Placing::at(&Vector3::zeros(), &axes_along(&Vector3::z()));
+    let turning = Some(Turning::Angle(angle));
+    let hub = ConstraintJoint::revolute("hub", &ends, &placing, turning);
+    parts.push(Box::new(hub));
+    Model::new("rotating beam", System::new(nodes, parts))
+}

@@ -1,0 +1,94 @@
+//! Ends of rods and springs: two nodes, or one node and a place in the frame.
+
+use nalgebra::Vector3;
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::draft::Draft;
+use super::laws::LawProblem;
+use super::problem::InputProblem;
+use crate::elements::springs::End;
+
+/// The name of the card `number` of a kind.
+pub(super) fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
+    let own = table.text("name");
+    own.unwrap_or_else(|| format!("{kind} {}", number + 1))
+}
+
+/// The nodes under `nodes` of a card that is `words`: two of them, or one where the frame
+/// may be the other end.
+pub(super) fn nodes(
+    table: &Table<'_>,
+    draft: &mut Draft,
+    words: &str,
+    may_be_frame: bool,
+) -> Option<Vec<usize>> {
+    if !table.has("nodes") {
+        let _ = table.require_text("nodes", "the names of two nodes");
+    }
+    let Some(names) = table.texts("nodes") else {
+        draft.note_loose_end();
+        return None;
+    };
+    let mut find = |name: &String| draft.find_node(name, table, "nodes", words);
+    let found: Vec<_> = names.iter().map(&mut find).collect();
+    match (found.len(), may_be_frame) {
+        (2, _) | (1, true) => {}
+        (found, true) => {
+            table.note("nodes", &LawProblem::Ends { found });
+            draft.note_loose_end();
+            return None;
+        }
+        (found, false) => {
+            let (key, expected) = ("nodes", "two");
+            let problem = InputProblem::Count {
+                key,
+                found,
+                expected,
+            };
+            table.note(key, &problem);
+            draft.note_loose_end();
+            return None;
+        }
+    }
+    let nodes: Option<Vec<_>> = found.into_iter().collect();
+    let nodes = nodes?;
+    if nodes.len() == 2 && nodes[0] == nodes[1] {
+        let node = draft.nodes()[nodes[0]].label.clone();
+        let joint = words.to_owned();
+        table.note("nodes", &InputProblem::JoinedToItself { joint, node });
+        return None;
+    }
+    Some(nodes)
+}
+
+/// Points on two nodes at `offsets` from them, in their axes.
+pub(super) fn points(table: &Table<'_>, nodes: [usize; 2]) -> Option<[End; 2]> {
+    let [first, second] = offsets::<2>(table)?;
+    let ends = [(nodes[0], first), (nodes[1], second)];
+    Some(ends.map(|(node, offset)| End::Node { node, offset }))
+}
+
+/// A point of the frame, `at`, and one on a node.
+pub(super) fn frame_and_point(table: &Table<'_>, node: usize, words: &str) -> Option<[End; 2]> {
+    let offsets = offsets::<1>(table);
+    if !table.has("at") {
+        let rod = words.to_owned();
+        table.note("nodes", &LawProblem::NoAnchor { rod });
+        return None;
+    }
+    let position = table.vector("at", Dimension::LENGTH)?;
+    let [offset] = offsets?;
+    Some([End::Frame { position }, End::Node { node, offset }])
+}
+
+/// One vector a node; zeros when absent.
+fn offsets<const N: usize>(table: &Table<'_>) -> Option<[Vector3<f64>; N]> {
+    if !table.has("offsets") {
+        return Some([Vector3::zeros(); N]);
+    }
+    let found = table.vectors("offsets", Dimension::LENGTH)?;
+    let expected = format!("one offset for each of the nodes, {N}");
+    let found = <[Vector3<f64>; N]>::try_from(found);
+    found.map_err(|_| table.wrong("offsets", &expected)).ok()
+}

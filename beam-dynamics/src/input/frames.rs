@@ -1,0 +1,267 @@
+//! Reference frames in which cards are written: `[[frame]]`, and the frames of the copies
+//! of `[[repeat]]`.
+//!
+//! A point p of a frame at x with the axes A lies at `x + A p`, a direction d points
+//! along `A d`; frames may lie in frames.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::{Document, Table};
+use shared_geom::error::{Explain, nearest_name};
+use shared_geom::rotation::vector;
+use shared_geom::units::Dimension;
+
+use super::problem::InputProblem;
+
+/// Cards that may be written in a frame.
+pub(super) const FRAMED: [&str; 8] = [
+    "node",
+    "load",
+    "distributed_load",
+    "imposed",
+    "hinge",
+    "spring",
+    "frame",
+    "repeat",
+];
+
+/// A frame in the model's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Frame {
+    position: Vector3<f64>,
+    rotation: Matrix3<f64>,
+}
+
+impl Default for Frame {
+    fn default() -> Self {
+        Self {
+            position: Vector3::zeros(),
+            rotation: Matrix3::identity(),
+        }
+    }
+}
+
+impl Frame {
+    /// A point of the frame.
+    pub fn point(&self, point: &Vector3<f64>) -> Vector3<f64> {
+        self.position + self.rotation * point
+    }
+
+    /// A direction of the frame.
+    pub fn direction(&self, direction: &Vector3<f64>) -> Vector3<f64> {
+        self.rotation * direction
+    }
+
+    /// Axes that are written in the frame.
+    pub fn axes(&self, axes: &Matrix3<f64>) -> Matrix3<f64> {
+        self.rotation * axes
+    }
+
+    fn inner(&self, inner: &Self) -> Self {
+        Self {
+            position: self.point(&inner.position),
+            rotation: self.axes(&inner.rotation),
+        }
+    }
+}
+
+/// A problem of a frame.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum FrameProblem {
+    /// A frame that does not exist.
+    #[error("unknown frame \"{name}\"")]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The frames of the input.
+        known: Vec<String>,
+    },
+    /// Frames that lie in each other.
+    #[error("the frame \"{}\" lies in itself: {}", .chain[0], .chain.join(" in "))]
+    Cycle {
+        /// The frames, from one back to it.
+        chain: Vec<String>,
+    },
+    /// An orientation that is given twice.
+    #[error("the frame has \"orientation\" and \"turn\", expected one of them")]
+    TwoTurns,
+}
+
+impl Explain for FrameProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Unknown { name, known } => {
+                let near = nearest_name(name, known.iter().map(String::as_str));
+                Some(match near {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None if known.is_empty() => "add it: [[frame]]".to_owned(),
+                    None => format!("frames: {}", known.join(", ")),
+                })
+            }
+            Self::Cycle { .. } | Self::TwoTurns => None,
+        }
+    }
+}
+
+/// The frames of an input by name; those that are wrong are `None`.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Frames(BTreeMap<String, Option<Frame>>);
+
+impl Frames {
+    /// The frame of a card: that under `in`, else the model's. `None` when it is wrong.
+    pub fn of(&self, table: &Table<'_>) -> Option<Frame> {
+        if !table.has("in") {
+            return Some(Frame::default());
+        }
+        let name = table.text("in")?;
+        let Some(found) = self.0.get(&name) else {
+            let known = self.0.keys().cloned().collect();
+            table.note("in", &FrameProblem::Unknown { name, known });
+            return None;
+        };
+        *found
+    }
+}
+
+/// Makes the copies of `[[repeat]]`.
+pub(super) fn repeat(document: &mut Document) {
+    document.repeat(&FRAMED);
+}
+
+/// Reads every `[[frame]]`, and what is left of each `[[repeat]]`.
+pub(super) fn read(root: &Table<'_>) -> Frames {
+    for table in root.tables("repeat") {
+        let _ = table.has("in");
+        let _ = table.text("name");
+        let _ = table.require_count("count");
+        let _ = axis(&table);
+        let _ = point(&table, "center");
+        table.finish();
+    }
+    let tables = root.tables("frame");
+    let reader = Reader {
+        tables: named(&tables),
+        done: RefCell::default(),
+        open: RefCell::default(),
+    };
+    for name in reader.tables.keys() {
+        reader.find(name);
+    }
+    Frames(reader.done.into_inner())
+}
+
+/// The tables by their names; notes names that two have.
+fn named<'a, 'd>(tables: &'a [Table<'d>]) -> BTreeMap<String, &'a Table<'d>> {
+    let mut named: BTreeMap<String, &Table<'_>> = BTreeMap::new();
+    for table in tables {
+        let Some(name) = table.require_text("name", "the name of the frame") else {
+            continue;
+        };
+        if let Some(first) = named.get(&name) {
+            let kind = "frame";
+            let line = table.document().line_words(first.line_of("name"));
+            table.note("name", &InputProblem::DoubledName { kind, name, line });
+            continue;
+        }
+        named.insert(name, table);
+    }
+    named
+}
+
+/// Frames while they are read.
+struct Reader<'a, 'd> {
+    tables: BTreeMap<String, &'a Table<'d>>,
+    done: RefCell<BTreeMap<String, Option<Frame>>>,
+    /// Names that are being read, each in the next.
+    open: RefCell<Vec<String>>,
+}
+
+impl Reader<'_, '_> {
+    fn find(&self, name: &str) -> Option<Frame> {
+        if let Some(found) = self.done.borrow().get(name) {
+            return *found;
+        }
+        let table = self.tables.get(name)?;
+        self.open.borrow_mut().push(name.to_owned());
+        let own = frame(table);
+        let outer = self.outer(table);
+        table.finish();
+        let frame = own.zip(outer).map(|(own, outer)| outer.inner(&own));
+        self.open.borrow_mut().pop();
+        self.done.borrow_mut().insert(name.to_owned(), frame);
+        frame
+    }
+
+    /// The frame in which a frame lies.
+    fn outer(&self, table: &Table<'_>) -> Option<Frame> {
+        if !table.has("in") {
+            return Some(Frame::default());
+        }
+        let name = table.text("in")?;
+        let open = self.open.borrow().clone();
+        if let Some(first) = open.iter().position(|own| *own == name) {
+            let chain = open[first..].iter().cloned().chain([name]).collect();
+            table.note("in", &FrameProblem::Cycle { chain });
+            return None;
+        }
+        if !self.tables.contains_key(&name) {
+            let known = self.tables.keys().cloned().collect();
+            table.note("in", &FrameProblem::Unknown { name, known });
+            return None;
+        }
+        self.find(&name)
+    }
+}
+
+/// The frame of a card, in the frame in which it lies: at `position` with `orientation`,
+/// or turned by `turn` about an `axis` through a `center`.
+fn frame(table: &Table<'_>) -> Option<Frame> {
+    let position = point(table, "position");
+    let orientation = point_of(table, "orientation", Dimension::ANGLE);
+    if !table.has("turn") {
+        return Some(Frame {
+            position: position?,
+            rotation: vector::to_rotation(&orientation?),
+        });
+    }
+    if table.has("orientation") {
+        table.note("turn", &FrameProblem::TwoTurns);
+        return None;
+    }
+    let turn = table.quantity("turn", Dimension::ANGLE);
+    let (axis, center) = (axis(table), point(table, "center"));
+    let (turn, center) = (turn?, center?);
+    let rotation = match turn == 0.0 {
+        true => Matrix3::identity(),
+        false => vector::to_rotation(&(turn * axis?)),
+    };
+    // p -> c + A (p - c), then moved.
+    let position = position? + center - rotation * center;
+    Some(Frame { position, rotation })
+}
+
+/// The axis about which is turned, of unit length: z unless it is given.
+fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
+    if !table.has("axis") {
+        return Some(Vector3::z());
+    }
+    let axis = table.vector("axis", Dimension::NUMBER)?;
+    let unit = axis.try_normalize(0.0);
+    if unit.is_none() {
+        table.note("axis", &InputProblem::NoAxis);
+    }
+    unit
+}
+
+fn point(table: &Table<'_>, key: &str) -> Option<Vector3<f64>> {
+    point_of(table, key, Dimension::LENGTH)
+}
+
+fn point_of(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
+    match table.has(key) {
+        true => table.vector(key, dimension),
+        false => Some(Vector3::zeros()),
+    }
+}

@@ -1,0 +1,99 @@
+//! Forces between two nodes: `[[internal_force]]`.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::draft::Draft;
+use super::laws::LawProblem;
+use super::{drives, ends};
+use crate::elements::loads::{Between, InternalForce, LoadFactor};
+use crate::model::Drive;
+
+/// Adds every `[[internal_force]]` to the model.
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("internal_force").iter().enumerate() {
+        let label = ends::label(table, "internal force", number);
+        let is_new = draft.take_label("load", &label, table);
+        let force = force(table, draft, &label);
+        table.finish();
+        match force {
+            Some(force) if is_new => draft.add_load(Box::new(force)),
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalForce> {
+    let words = format!("internal force \"{label}\"");
+    let nodes = ends::nodes(table, draft, &words, false);
+    let drive = match table.has("drive") {
+        true => drives::read(table, "drive", Dimension::NUMBER, draft.drives()),
+        false => Some(Drive::Constant(1.0)),
+    };
+    let factor = match table.has("constant") {
+        true => table.boolean("constant"),
+        false => Some(false),
+    };
+    let between = match table.has("tension") {
+        true => along_line(table, nodes.as_deref()),
+        false => in_axes(table, nodes.as_deref(), draft),
+    };
+    let factor = match factor? {
+        true => LoadFactor::Constant,
+        false => LoadFactor::Proportional,
+    };
+    Some(InternalForce::new(
+        label,
+        draft.nodes(),
+        between?,
+        factor,
+        drive?,
+    ))
+}
+
+fn along_line(table: &Table<'_>, nodes: Option<&[usize]>) -> Option<Between> {
+    let tension = table.require_quantity("tension", Dimension::FORCE);
+    if let Some(second) = ["force", "moment"].into_iter().find(|key| table.has(key)) {
+        let first = "tension";
+        table.note(second, &LawProblem::Twice { first, second });
+        return None;
+    }
+    let Some(&[a, b]) = nodes else {
+        let _ = table.has("offsets");
+        return None;
+    };
+    Some(Between::Line {
+        ends: ends::points(table, [a, b])?,
+        tension: tension?,
+    })
+}
+
+fn in_axes(table: &Table<'_>, nodes: Option<&[usize]>, draft: &Draft) -> Option<Between> {
+    let vector = |key: &str, dimension: Dimension| match table.has(key) {
+        true => table.vector(key, dimension),
+        false => Some(Vector3::zeros()),
+    };
+    let force = vector("force", Dimension::FORCE);
+    let moment = vector("moment", Dimension::MOMENT);
+    let offset = vector("offset", Dimension::LENGTH);
+    let in_node = match table.has("axes") {
+        true => table.word("axes", &["model", "node"]),
+        false => Some(0),
+    };
+    if !table.has("force") && !table.has("moment") {
+        table.note("", &LawProblem::NoForce);
+        return None;
+    }
+    let &[a, b] = nodes? else { return None };
+    let axes = match in_node? {
+        0 => Matrix3::identity(),
+        _ => draft.nodes()[a].rotation,
+    };
+    Some(Between::Axes {
+        nodes: [a, b],
+        offset: offset?,
+        force: axes * force?,
+        moment: axes * moment?,
+    })
+}

@@ -1,0 +1,449 @@
+//! `[[joint]]`: joints of every kind between two nodes, or between the frame and a node.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
+use shared_geom::rotation::vector;
+use shared_geom::units::Dimension;
+
+use super::problem::JointProblem;
+use super::{name, node_pair};
+use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
+use crate::input::draft::Draft;
+use crate::input::drives;
+use crate::input::problem::InputProblem;
+use crate::model::{Drive, Node};
+
+const KINDS: [&str; 15] = [
+    "clamp",
+    "spherical",
+    "revolute",
+    "cylindrical",
+    "universal",
+    "prismatic",
+    "in-line",
+    "in-plane",
+    "plane-rotation",
+    "distance",
+    "position",
+    "rotation",
+    "velocity",
+    "spin",
+    "total",
+];
+const FREEDOMS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
+/// Sine below which axes count as parallel, and part of the size of the model below which
+/// points coincide: digits lost in the input.
+const ROUNDING: f64 = 1e-9;
+
+/// What a joint holds, as its card says.
+enum Holds {
+    Clamp,
+    Spherical,
+    Revolute(Option<Turning>),
+    Cylindrical(Freedom, Option<Turning>),
+    Universal,
+    Prismatic(Freedom),
+    InLine,
+    InPlane(Option<Drive>),
+    PlaneRotation(Option<Turning>),
+    Distance(Option<Drive>),
+    Velocity([Option<Drive>; 6]),
+    Spin(Turning),
+    Total([Freedom; 6]),
+}
+
+/// Points of a card; `None` where it gives none.
+struct Points {
+    /// On the second end, and on the first unless that has its own.
+    at: Option<Vector3<f64>>,
+    /// On the first.
+    from: Option<Vector3<f64>>,
+}
+
+/// Axes of a card.
+struct Axes {
+    of_ends: [Matrix3<f64>; 2],
+    in_node: bool,
+}
+
+/// Adds every `[[joint]]` to the model.
+pub(in crate::input) fn read(root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("joint").iter().enumerate() {
+        let label = name(table, "joint", number);
+        let is_new = draft.take_label("joint", &label, table);
+        let nodes = nodes(table, draft, &format!("joint \"{label}\""));
+        let kind = match table.has("kind") {
+            true => table.word("kind", &KINDS),
+            false => {
+                let _ = table.require_text("kind", &format!("one of {}", KINDS.join(", ")));
+                None
+            }
+        };
+        // Of an unknown kind no key is unknown.
+        let Some(kind) = kind.map(|kind| KINDS[kind]) else {
+            draft.note_broken();
+            continue;
+        };
+        let holds = holds(kind, table, draft);
+        let points = points(kind, table);
+        let axes = axes(kind, table);
+        table.finish();
+        let joint = match (nodes, holds, points, axes) {
+            (Some(nodes), Some(holds), Some(points), Some(axes)) if is_new => joint(
+                &label,
+                &nodes,
+                draft.nodes(),
+                (holds, &points, &axes),
+                table,
+            ),
+            _ => None,
+        };
+        match joint {
+            Some(joint) => draft.add_joint(Box::new(joint)),
+            None => draft.note_broken(),
+        }
+    }
+}
+
+/// One node, which is joined to the frame, or two.
+fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<usize>> {
+    let one = table.texts("nodes").filter(|names| names.len() == 1);
+    match one {
+        Some(names) => Some(vec![draft.find_node(&names[0], table, "nodes", words)?]),
+        None => node_pair(table, draft, words, "one or two").map(|pair| pair.to_vec()),
+    }
+}
+
+/// What a joint of a kind holds.
+fn holds(kind: &str, table: &Table<'_>, draft: &Draft) -> Option<Holds> {
+    let slide = || {
+        let drive = drive(table, "displacement", Dimension::LENGTH, draft)?;
+        Some(drive.map_or(Freedom::Free, Freedom::Driven))
+    };
+    Some(match kind {
+        "clamp" => Holds::Clamp,
+        "spherical" => Holds::Spherical,
+        "revolute" => Holds::Revolute(turning(table, draft)?),
+        "cylindrical" => {
+            let (slide, turning) = (slide(), turning(table, draft));
+            Holds::Cylindrical(slide?, turning?)
+        }
+        "universal" => Holds::Universal,
+        "prismatic" => Holds::Prismatic(slide()?),
+        "in-line" => Holds::InLine,
+        "in-plane" => Holds::InPlane(drive(table, "displacement", Dimension::LENGTH, draft)?),
+        "plane-rotation" => Holds::PlaneRotation(turning(table, draft)?),
+        "distance" => Holds::Distance(length(table, draft)?),
+        "velocity" => Holds::Velocity(velocities(table, draft)?),
+        "spin" => match turning(table, draft)? {
+            Some(turning) => Holds::Spin(turning),
+            None => {
+                table.note("", &JointProblem::NoSpin);
+                return None;
+            }
+        },
+        _ => Holds::Total(freedoms(kind, table, draft)?),
+    })
+}
+
+/// The drive under a key; `Some(None)` when there is none.
+fn drive(
+    table: &Table<'_>,
+    key: &str,
+    dimension: Dimension,
+    draft: &Draft,
+) -> Option<Option<Drive>> {
+    match table.has(key) {
+        true => drives::read(table, key, dimension, draft.drives()).map(Some),
+        false => Some(None),
+    }
+}
+
+/// How the rotation about the axis is driven: `angle` or `speed`.
+fn turning(table: &Table<'_>, draft: &Draft) -> Option<Option<Turning>> {
+    let angle = drive(table, "angle", Dimension::ANGLE, draft);
+    let speed = drive(table, "speed", Dimension::ROTATION_SPEED, draft);
+    match (angle?, speed?) {
+        (None, None) => Some(None),
+        (Some(angle), None) => Some(Some(Turning::Angle(angle))),
+        (None, Some(speed)) => Some(Some(Turning::Speed(speed))),
+        _ => {
+            table.note("speed", &JointProblem::AngleAndSpeed);
+            None
+        }
+    }
+}
+
+/// The length of a distance joint.
+fn length(table: &Table<'_>, draft: &Draft) -> Option<Option<Drive>> {
+    let length = drive(table, "length", Dimension::LENGTH, draft)?;
+    let start = length.as_ref().map(|length| length.at(0.0).value);
+    if start.is_some_and(|start| start <= 0.0) {
+        table.wrong("length", "a length greater than zero at all times");
+        return None;
+    }
+    Some(length)
+}
+
+/// Driven components: `{ x = 0, z = "= sin(t)" }`, or three numbers.
+fn components(
+    table: &Table<'_>,
+    key: &str,
+    dimension: Dimension,
+    draft: &Draft,
+) -> Option<[Option<Drive>; 3]> {
+    if !table.has(key) {
+        return Some([None, None, None]);
+    }
+    if !table.is_table(key) {
+        let numbers = table.vector(key, dimension)?;
+        return Some([0, 1, 2].map(|i| Some(Drive::Constant(numbers[i]))));
+    }
+    let inner = table.table(key)?;
+    let found = ["x", "y", "z"].map(|axis| drive(&inner, axis, dimension, draft));
+    inner.finish();
+    let [x, y, z] = found;
+    Some([x?, y?, z?])
+}
+
+fn velocities(table: &Table<'_>, draft: &Draft) -> Option<[Option<Drive>; 6]> {
+    let along = components(table, "velocity", Dimension::VELOCITY, draft);
+    let about = components(table, "angular_velocity", Dimension::ROTATION_SPEED, draft);
+    let ([a, b, c], [d, e, f]) = (along?, about?);
+    let all = [a, b, c, d, e, f];
+    if all.iter().all(Option::is_none) {
+        let keys = "\"velocity\", \"angular_velocity\"";
+        table.note("", &JointProblem::NothingHeld { keys });
+        return None;
+    }
+    Some(all)
+}
+
+/// The freedoms of a position, a rotation or a total joint.
+fn freedoms(kind: &str, table: &Table<'_>, draft: &Draft) -> Option<[Freedom; 6]> {
+    let driven = |of: &str, key: &str, dimension| match kind == of || kind == "total" {
+        true => components(table, key, dimension, draft),
+        false => Some([None, None, None]),
+    };
+    let along = driven("position", "displacement", Dimension::LENGTH);
+    let about = driven("rotation", "rotation", Dimension::ANGLE);
+    let locked = match kind == "total" {
+        true => locked(table),
+        false => Some([false; 6]),
+    };
+    let ([a, b, c], [d, e, f], locked) = (along?, about?, locked?);
+    let all = [a, b, c, d, e, f];
+    if let Some(i) = (0..6).find(|&i| all[i].is_some() && locked[i]) {
+        let freedom = FREEDOMS[i];
+        table.note("locked", &JointProblem::LockedAndDriven { freedom });
+        return None;
+    }
+    if all.iter().all(Option::is_none) && locked == [false; 6] {
+        let keys = match kind {
+            "position" => "\"displacement\"",
+            "rotation" => "\"rotation\"",
+            _ => "\"locked\", \"displacement\", \"rotation\"",
+        };
+        table.note("", &JointProblem::NothingHeld { keys });
+        return None;
+    }
+    let mut locked = locked.into_iter();
+    Some(all.map(|drive| match (drive, locked.next()) {
+        (Some(drive), _) => Freedom::Driven(drive),
+        (None, Some(true)) => Freedom::Locked,
+        (None, _) => Freedom::Free,
+    }))
+}
+
+/// The freedoms listed in `locked`.
+fn locked(table: &Table<'_>) -> Option<[bool; 6]> {
+    let mut found = [false; 6];
+    if !table.has("locked") {
+        return Some(found);
+    }
+    let mut is_known = true;
+    for word in table.texts("locked")? {
+        match FREEDOMS.iter().position(|freedom| *freedom == word) {
+            Some(i) => found[i] = true,
+            None => {
+                let known = FREEDOMS.map(str::to_owned).to_vec();
+                let problem = JointProblem::UnknownFreedom { word, known };
+                table.note("locked", &problem);
+                is_known = false;
+            }
+        }
+    }
+    is_known.then_some(found)
+}
+
+fn points(kind: &str, table: &Table<'_>) -> Option<Points> {
+    let point = |key: &str| match table.has(key) {
+        true => table.vector(key, Dimension::LENGTH).map(Some),
+        false => Some(None),
+    };
+    let same = [
+        "clamp",
+        "spherical",
+        "revolute",
+        "universal",
+        "rotation",
+        "spin",
+        "plane-rotation",
+    ];
+    let at = point("at");
+    let from = match same.contains(&kind) {
+        true => Some(None),
+        false => point("from"),
+    };
+    Some(Points {
+        at: at?,
+        from: from?,
+    })
+}
+
+fn axes(kind: &str, table: &Table<'_>) -> Option<Axes> {
+    let in_node = || match table.has("axis_in") {
+        true => table
+            .word("axis_in", &["model", "node"])
+            .map(|word| word == 1),
+        false => Some(false),
+    };
+    match kind {
+        "clamp" | "spherical" | "distance" => Some(Axes {
+            of_ends: [Matrix3::identity(); 2],
+            in_node: false,
+        }),
+        "universal" => {
+            let (of_ends, in_node) = (two_axes(table), in_node());
+            Some(Axes {
+                of_ends: of_ends?,
+                in_node: in_node?,
+            })
+        }
+        "position" | "rotation" | "velocity" | "total" => {
+            let turned = match table.has("orientation") {
+                true => table.vector("orientation", Dimension::ANGLE)?,
+                false => Vector3::zeros(),
+            };
+            Some(Axes {
+                of_ends: [vector::to_rotation(&turned); 2],
+                in_node: false,
+            })
+        }
+        _ => {
+            let (axis, in_node) = (super::axis(table), in_node());
+            Some(Axes {
+                of_ends: [axes_along(&axis?); 2],
+                in_node: in_node?,
+            })
+        }
+    }
+}
+
+/// The axes of a universal joint: one on each end.
+fn two_axes(table: &Table<'_>) -> Option<[Matrix3<f64>; 2]> {
+    if !table.has("axes") {
+        let _ = table.require_text("axes", "the axis on the first end and that on the second");
+        return None;
+    }
+    let found = table.vectors("axes", Dimension::NUMBER)?;
+    let [first, second] = found[..] else {
+        let (key, found, expected) = ("axes", found.len(), "two");
+        let problem = InputProblem::Count {
+            key,
+            found,
+            expected,
+        };
+        table.note("axes", &problem);
+        return None;
+    };
+    if first.amax() == 0.0 || second.amax() == 0.0 {
+        table.note("axes", &JointProblem::NoDirection);
+        return None;
+    }
+    let [first, second] = [first, second].map(|axis| axis / axis.amax());
+    if first.cross(&second).norm() <= ROUNDING * first.norm() * second.norm() {
+        table.note("axes", &JointProblem::ParallelAxes);
+        return None;
+    }
+    Some([axes_along(&first), axes_along(&second)])
+}
+
+/// The joint between known nodes.
+fn joint(
+    label: &str,
+    numbers: &[usize],
+    nodes: &[Node],
+    (holds, points, axes): (Holds, &Points, &Axes),
+    table: &Table<'_>,
+) -> Option<ConstraintJoint> {
+    let (b, a) = match numbers {
+        [a, b] => (*b, Some((*a, &nodes[*a]))),
+        _ => (*numbers.first()?, None),
+    };
+    let b_node = (b, &nodes[b]);
+    let ends = JointEnds { a, b: b_node };
+    let turn = match axes.in_node {
+        true => nodes[b].rotation,
+        false => Matrix3::identity(),
+    };
+    let on_b = nodes[b].position;
+    let [from, at] = match (&holds, a) {
+        (Holds::Distance(_), Some((_, a))) => {
+            [points.from.unwrap_or(a.position), points.at.unwrap_or(on_b)]
+        }
+        (Holds::Distance(_), None) => from_the_frame(points, &on_b, table)?,
+        _ => {
+            let at = points.at.unwrap_or(on_b);
+            [points.from.unwrap_or(at), at]
+        }
+    };
+    let placing = Placing {
+        points: [from, at],
+        axes: axes.of_ends.map(|axes| turn * axes),
+    };
+    let (ends, at) = (&ends, &placing);
+    Some(match holds {
+        Holds::Clamp => ConstraintJoint::clamp(label, ends, at),
+        Holds::Spherical => ConstraintJoint::spherical(label, ends, at),
+        Holds::Revolute(turning) => ConstraintJoint::revolute(label, ends, at, turning),
+        Holds::Cylindrical(slide, turning) => {
+            ConstraintJoint::cylindrical(label, ends, at, slide, turning)
+        }
+        Holds::Universal => ConstraintJoint::universal(label, ends, at),
+        Holds::Prismatic(slide) => ConstraintJoint::prismatic(label, ends, at, slide),
+        Holds::InLine => ConstraintJoint::in_line(label, ends, at),
+        Holds::InPlane(height) => ConstraintJoint::in_plane(label, ends, at, height),
+        Holds::PlaneRotation(turning) => ConstraintJoint::plane_rotation(label, ends, at, turning),
+        Holds::Distance(length) => {
+            let [first, second] = at.points;
+            let (now, size) = ((second - first).norm(), first.amax().max(second.amax()));
+            if now <= ROUNDING * size {
+                let joint = label.to_owned();
+                table.note("nodes", &JointProblem::NoDistance { joint });
+                return None;
+            }
+            let length = length.unwrap_or(Drive::Constant(now));
+            ConstraintJoint::distance(label, ends, at, length)
+        }
+        Holds::Velocity(rates) => ConstraintJoint::velocity(label, ends, at, rates),
+        Holds::Spin(turning) => ConstraintJoint::spin(label, ends, at, turning),
+        Holds::Total(freedoms) => ConstraintJoint::total(label, ends, at, freedoms),
+    })
+}
+
+/// The points of a distance from the frame: one alone is that of the frame.
+fn from_the_frame(
+    points: &Points,
+    node: &Vector3<f64>,
+    table: &Table<'_>,
+) -> Option<[Vector3<f64>; 2]> {
+    match (points.from, points.at) {
+        (Some(from), at) => Some([from, at.unwrap_or(*node)]),
+        (None, Some(at)) => Some([at, *node]),
+        (None, None) => {
+            let _ = table.require_text("at", "the point of the frame from which it is measured");
+            None
+        }
+    }
+}

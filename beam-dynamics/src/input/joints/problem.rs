@@ -1,0 +1,69 @@
+//! What can be wrong with a joint.
+
+use shared_geom::error::{Explain, nearest_name};
+
+/// A problem of a `[[joint]]`.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum JointProblem {
+    /// Rotation driven twice.
+    #[error("the joint has \"angle\" and \"speed\", expected one of them")]
+    AngleAndSpeed,
+    /// A driven spin that nothing drives.
+    #[error("the joint has neither \"angle\" nor \"speed\", expected one of them")]
+    NoSpin,
+    /// A joint that holds nothing.
+    #[error("the joint holds nothing, expected at least one component of {keys}")]
+    NothingHeld {
+        /// Keys that say what is held.
+        keys: &'static str,
+    },
+    /// A freedom that is locked and driven.
+    #[error("\"{freedom}\" is locked and driven, expected one of them")]
+    LockedAndDriven {
+        /// The freedom.
+        freedom: &'static str,
+    },
+    /// A word that is no freedom.
+    #[error("\"locked\" has \"{word}\", expected {}", known.join(", "))]
+    UnknownFreedom {
+        /// The word found.
+        word: String,
+        /// The words of freedoms.
+        known: Vec<String>,
+    },
+    /// Axes without direction.
+    #[error("an axis in \"axes\" has no direction: its length is zero")]
+    NoDirection,
+    /// Axes of a universal joint that are one.
+    #[error("the two axes of the universal joint are parallel, expected axes at an angle")]
+    ParallelAxes,
+    /// A distance of nothing.
+    #[error("the points of joint \"{joint}\" coincide, expected a distance between them")]
+    NoDistance {
+        /// Name of the joint.
+        joint: String,
+    },
+}
+
+impl Explain for JointProblem {
+    fn help(&self) -> Option<String> {
+        let fixed = match self {
+            Self::UnknownFreedom { word, known } => {
+                let near = nearest_name(word, known.iter().map(String::as_str))?;
+                return Some(format!("did you mean \"{near}\"?"));
+            }
+            Self::NoSpin => "give the angular velocity, for example speed = \"30 rad/s\"",
+            Self::NothingHeld { .. } => {
+                "name the held components, for example { x = 0, z = \"= 0.1 * sin(t)\" }"
+            }
+            Self::ParallelAxes => {
+                "axes = [[1, 0, 0], [0, 1, 0]]: the first on the first end, the second on the second"
+            }
+            Self::NoDistance { .. } => {
+                "a \"spherical\" joint holds points together; or give other points: \"at\", \"from\""
+            }
+            _ => return None,
+        };
+        Some(fixed.to_owned())
+    }
+}

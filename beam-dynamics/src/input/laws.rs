@@ -1,0 +1,163 @@
+//! Constitutive laws in cards: `law = { kind = "linear", ... }`, or a list of such tables
+//! whose forces add up.
+
+use nalgebra::{SMatrix, SVector};
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::draft::Draft;
+use super::drives;
+use crate::elements::laws::{Driven, Law, Term};
+use crate::model::Drive;
+
+mod kinds;
+mod numbers;
+mod problem;
+
+#[cfg(test)]
+mod tests;
+
+pub use problem::LawProblem;
+
+/// What the components of a law are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Components<const N: usize> {
+    /// Their names in tables and expressions.
+    pub names: [&'static str; N],
+    /// What the strains are.
+    pub strain: [Dimension; N],
+    /// What the forces are.
+    pub force: [Dimension; N],
+    /// Stiffness of the section, for the kind `"section"` [N, N m, N m^2].
+    pub section: Option<SMatrix<f64, N, N>>,
+}
+
+/// Curvature.
+const PER_LENGTH: Dimension = Dimension {
+    length: -1,
+    ..Dimension::NUMBER
+};
+
+impl Components<1> {
+    /// Of a rod, by its strain.
+    pub const STRAIN: Self = Self {
+        names: ["e"],
+        strain: [Dimension::NUMBER],
+        force: [Dimension::FORCE],
+        section: None,
+    };
+    /// Of a rod, by its elongation.
+    pub const ELONGATION: Self = Self {
+        strain: [Dimension::LENGTH],
+        ..Self::STRAIN
+    };
+}
+
+impl Components<3> {
+    /// Of a displacement.
+    pub const DISPLACEMENT: Self = Self {
+        names: ["x", "y", "z"],
+        strain: [Dimension::LENGTH; 3],
+        force: [Dimension::FORCE; 3],
+        section: None,
+    };
+    /// Of a rotation.
+    pub const ROTATION: Self = Self {
+        strain: [Dimension::ANGLE; 3],
+        force: [Dimension::MOMENT; 3],
+        ..Self::DISPLACEMENT
+    };
+}
+
+/// Three of one kind and three of another.
+const fn three_and_three(first: Dimension, last: Dimension) -> [Dimension; 6] {
+    [first, first, first, last, last, last]
+}
+
+impl Components<6> {
+    /// Of displacement and rotation together.
+    pub const BOTH: Self = Self {
+        names: ["x", "y", "z", "turn_x", "turn_y", "turn_z"],
+        strain: three_and_three(Dimension::LENGTH, Dimension::ANGLE),
+        force: three_and_three(Dimension::FORCE, Dimension::MOMENT),
+        section: None,
+    };
+
+    /// Of a beam section, whose stiffness is known or not.
+    pub fn section(stiffness: Option<SMatrix<f64, 6, 6>>) -> Self {
+        Self {
+            names: [
+                "axial",
+                "shear_y",
+                "shear_z",
+                "torsion",
+                "bending_y",
+                "bending_z",
+            ],
+            strain: three_and_three(Dimension::NUMBER, PER_LENGTH),
+            force: three_and_three(Dimension::FORCE, Dimension::MOMENT),
+            section: stiffness,
+        }
+    }
+}
+
+/// The law under `key` of a card; `None` when it is absent or wrong, and what is wrong has
+/// been noted.
+pub(super) fn read<const N: usize>(
+    table: &Table<'_>,
+    key: &str,
+    of: &Components<N>,
+    draft: &Draft,
+) -> Option<Law<N>> {
+    let tables = match table.is_list(key) {
+        true => table.tables(key),
+        false => vec![table.require_table(key, "the table of a law, or a list of them")?],
+    };
+    if tables.is_empty() {
+        table.note(key, &LawProblem::Empty);
+        return None;
+    }
+    // Every term is read, so that each wrong one is told.
+    let terms: Vec<_> = tables.iter().map(|table| term(table, of, draft)).collect();
+    let terms: Option<Vec<_>> = terms.into_iter().collect();
+    Some(Law::sum(terms?))
+}
+
+fn term<const N: usize>(table: &Table<'_>, of: &Components<N>, draft: &Draft) -> Option<Term<N>> {
+    let kind = kinds::read(table, of);
+    let prestrain = driven(table, ["prestrain", "prestrain_drive"], &of.strain, draft);
+    let prestress = driven(table, ["prestress", "prestress_drive"], &of.force, draft);
+    table.finish();
+    Some(Term {
+        kind: kind?,
+        prestrain: prestrain?,
+        prestress: prestress?,
+    })
+}
+
+/// A vector times a drive, when the first of the keys is there; the drive is one without
+/// the second.
+fn driven<const N: usize>(
+    table: &Table<'_>,
+    [key, drive_key]: [&'static str; 2],
+    dimensions: &[Dimension; N],
+    draft: &Draft,
+) -> Option<Option<Driven<N>>> {
+    if !table.has(key) {
+        if table.has(drive_key) {
+            table.note(drive_key, &LawProblem::NothingDriven { key, drive_key });
+            return None;
+        }
+        return Some(None);
+    }
+    let vector = numbers::vector(table, key, dimensions);
+    let drive = match table.has(drive_key) {
+        true => drives::read(table, drive_key, Dimension::NUMBER, draft.drives()),
+        false => Some(Drive::Constant(1.0)),
+    };
+    let vector: SVector<f64, N> = vector?;
+    Some(Some(Driven {
+        vector,
+        drive: drive?,
+    }))
+}

@@ -1,0 +1,225 @@
+//! The kinds of laws, each with its keys.
+
+use std::sync::Arc;
+
+use shared_geom::document::Table;
+use shared_geom::expression::{Names, written};
+use shared_geom::units::Dimension;
+
+use super::Components;
+use super::numbers::{each, each_positive, matrix, slope};
+use super::problem::LawProblem;
+use crate::elements::laws::{Between, Bilinear, Cubic, Curve, ExpressionLaw, LawKind, Outside};
+use crate::input::number::not_negative;
+
+/// The kinds of laws by name.
+const KINDS: [&str; 8] = [
+    "linear",
+    "viscous",
+    "viscoelastic",
+    "cubic",
+    "bilinear",
+    "table",
+    "expression",
+    "section",
+];
+
+/// The function of a term.
+pub(super) fn read<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
+    if !table.has("kind") {
+        let _ = table.require_text("kind", &format!("one of {}", KINDS.join(", ")));
+        return None;
+    }
+    match KINDS[table.word("kind", &KINDS)?] {
+        "linear" => Some(LawKind::Linear {
+            stiffness: matrix(table, "stiffness", of, 0)?,
+        }),
+        "viscous" => Some(LawKind::Viscous {
+            viscosity: matrix(table, "viscosity", of, 1)?,
+        }),
+        "viscoelastic" => viscoelastic(table, of),
+        "cubic" => cubic(table, of),
+        "bilinear" => bilinear(table, of),
+        "table" => curves(table, of),
+        "expression" => expressions(table, of),
+        _ => section(table, of),
+    }
+}
+
+fn viscoelastic<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
+    let stiffness = matrix(table, "stiffness", of, 0);
+    let viscosity = match [table.has("viscosity"), table.has("time")] {
+        [true, false] => matrix(table, "viscosity", of, 1),
+        [false, true] => {
+            let time = not_negative(table, "time", Dimension::TIME);
+            time.and_then(|time| Some(time * stiffness?))
+        }
+        _ => {
+            table.note("kind", &LawProblem::OneViscosity);
+            None
+        }
+    };
+    Some(LawKind::Viscoelastic {
+        stiffness: stiffness?,
+        viscosity: viscosity?,
+    })
+}
+
+/// `force / strain^power` of each component.
+fn slopes<const N: usize>(of: &Components<N>, power: i8) -> [Dimension; N] {
+    std::array::from_fn(|i| slope(of.force[i], of.strain[i], power, 0))
+}
+
+fn cubic<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
+    let first = each(table, "stiffness", &slopes(of, 1));
+    let second = each(table, "quadratic", &slopes(of, 2));
+    let third = each(table, "cubic", &slopes(of, 3));
+    if !["stiffness", "quadratic", "cubic"]
+        .iter()
+        .any(|key| table.has(key))
+    {
+        table.note("kind", &LawProblem::NoCoefficient);
+        return None;
+    }
+    let (first, second, third) = (first?, second?, third?);
+    Some(LawKind::Cubic(std::array::from_fn(|i| Cubic {
+        first: first[i],
+        second: second[i],
+        third: third[i],
+    })))
+}
+
+fn bilinear<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
+    const KEYS: [&str; 3] = ["stiffness", "second_stiffness", "limit"];
+    let first = each(table, KEYS[0], &slopes(of, 1));
+    let second = each(table, KEYS[1], &slopes(of, 1));
+    let limit = each_positive(table, KEYS[2], &of.strain);
+    let missing = KEYS.into_iter().filter(|key| !table.has(key));
+    let mut is_whole = true;
+    for key in missing {
+        is_whole = false;
+        let _ = table.require_text(key, "a number, or one for each component");
+    }
+    let (first, second, limit) = (first?, second?, limit?);
+    let of_component = |i: usize| Bilinear {
+        first: first[i],
+        second: second[i],
+        limit: limit[i],
+    };
+    is_whole.then(|| LawKind::Bilinear(std::array::from_fn(of_component)))
+}
+
+/// Calls `user` with the table and key of each component under `key`: the key itself for
+/// one component, and for several a table of them by name. `None` for those left out.
+fn by_component<const N: usize, T>(
+    table: &Table<'_>,
+    key: &'static str,
+    of: &Components<N>,
+    user: impl Fn(&Table<'_>, &'static str, usize) -> Option<T>,
+) -> Option<[Option<T>; N]> {
+    if N == 1 {
+        let only = user(table, key, 0)?;
+        let mut only = Some(only);
+        return Some(std::array::from_fn(|_| only.take()));
+    }
+    let inner = table.require_table(key, &format!("a table of {}", of.names.join(", ")))?;
+    let mut is_sound = true;
+    let found = std::array::from_fn(|i| {
+        if !inner.has(of.names[i]) {
+            return None;
+        }
+        let found = user(&inner, of.names[i], i);
+        is_sound &= found.is_some();
+        found
+    });
+    inner.finish();
+    if found.iter().all(Option::is_none) && is_sound {
+        let names = of.names.join(", ");
+        table.note(key, &LawProblem::NoComponent { key, names });
+        return None;
+    }
+    is_sound.then_some(found)
+}
+
+fn curves<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
+    let between = match table.has("interpolation") {
+        true => table.word("interpolation", &["linear", "spline"]),
+        false => Some(0),
+    };
+    let outside = match table.has("outside") {
+        true => table.word("outside", &["extend", "hold"]),
+        false => Some(0),
+    };
+    let points = by_component(table, "points", of, |table, key, i| {
+        points(table, key, [of.strain[i], of.force[i]])
+    });
+    let between = [Between::Linear, Between::Spline][between?];
+    let outside = [Outside::Extend, Outside::Hold][outside?];
+    let curve = |[strain, force]: [Vec<f64>; 2]| Curve::new(&strain, &force, between, outside);
+    Some(LawKind::Table(points?.map(|points| points.map(curve))))
+}
+
+/// Rows of a strain and a force, by growing strain, in declared units.
+fn points(
+    table: &Table<'_>,
+    key: &'static str,
+    dimensions: [Dimension; 2],
+) -> Option<[Vec<f64>; 2]> {
+    let expected = "rows [strain, force], at least two";
+    if !table.has(key) {
+        let _ = table.require_text(key, expected);
+        return None;
+    }
+    let count = match table.row_count(key) {
+        Some(count) if count >= 2 => count,
+        _ => {
+            table.wrong(key, expected);
+            return None;
+        }
+    };
+    let rows = table.rows(key, count, 2)?;
+    if let Some(i) = (1..count).find(|&i| rows[i][0] <= rows[i - 1][0]) {
+        let (before, found) = (rows[i - 1][0], rows[i][0]);
+        table.note(key, &LawProblem::NotAscending { before, found });
+        return None;
+    }
+    let factors = dimensions.map(|dimension| table.document().factor(dimension));
+    let column = |k: usize| rows.iter().map(|row| row[k] * factors[k]).collect();
+    Some([column(0), column(1)])
+}
+
+fn expressions<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
+    let rates = of.names.map(|name| format!("{name}_rate"));
+    let variables = of.names.iter().copied();
+    let variables = variables
+        .chain(rates.iter().map(String::as_str))
+        .chain(["t"]);
+    let variables: Vec<_> = variables.collect();
+    let document = table.document();
+    let constants = document.parameters();
+    let names = Names {
+        variables: &variables,
+        constants: &constants,
+    };
+    let components = by_component(table, "force", of, |table, key, _| {
+        let text = table.require_text(key, "an expression, in quotes")?;
+        let text = written(&text).unwrap_or(&text);
+        let found = document.expression(key, table.line_of(key), text, &names);
+        found.map(Arc::new)
+    });
+    let unit = |dimension: Dimension| document.factor(dimension);
+    Some(LawKind::Expression(ExpressionLaw {
+        components: components?,
+        strain_units: of.strain.map(unit).into(),
+        force_units: of.force.map(unit).into(),
+        time_unit: unit(Dimension::TIME),
+    }))
+}
+
+fn section<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
+    let Some(stiffness) = of.section else {
+        table.note("kind", &LawProblem::NoSection);
+        return None;
+    };
+    Some(LawKind::Linear { stiffness })
+}

@@ -1,0 +1,294 @@
+//! Tests of laws in cards, and of the cards that carry them.
+
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use std::fs;
+
+use nalgebra::Vector3;
+
+use crate::elements::{Element, Local};
+use crate::input::{Input, read};
+use crate::model::{Conditions, NodeMotion};
+
+/// Two nodes at a distance of 2 along x, the first of them clamped, the second a body.
+const NODES: &str = "
+[[node]]
+name = \"root\"
+position = [0, 0, 0]
+[[node]]
+name = \"tip\"
+position = [2, 0, 0]
+[[clamp]]
+node = \"root\"
+[[body]]
+node = \"tip\"
+mass = 1
+inertia = [1, 1, 1]
+";
+
+/// Holds the second node in all directions.
+const HOLD: &str = "
+[[spring]]
+name = \"hold\"
+node = \"tip\"
+stiffness = [1, 1, 1]
+rotational_stiffness = [1, 1, 1]
+";
+
+fn input_in(units: &str, cards: &str) -> Result<Input, String> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dynamics.toml");
+    fs::write(&path, format!("{units}\n{NODES}{cards}")).unwrap();
+    let prefix = format!("{}/", folder.path().display());
+    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+}
+
+fn input(cards: &str) -> Result<Input, String> {
+    input_in("units = \"SI\"", cards)
+}
+
+/// Force and moment on the tip by the element called `label`, when the tip is moved.
+fn on_tip(input: &Input, label: &str, moved: impl Fn(&mut NodeMotion)) -> [Vector3<f64>; 2] {
+    let system = &input.model.system;
+    let mut state = system.rest();
+    moved(&mut state.nodes[1]);
+    let element = system.elements().find(|e| e.label() == label).unwrap();
+    let nodes: Vec<_> = element.nodes().iter().map(|&n| state.nodes[n]).collect();
+    let conditions = Conditions::at_rest();
+    let at = Local {
+        nodes: &nodes,
+        multipliers: &[],
+        frame: &conditions.frame,
+        loading: &conditions.loading,
+    };
+    let mut out = crate::elements::LocalResidual::new(nodes.len(), 0);
+    element.residual(&at, &mut out);
+    let tip = 12 * element.nodes().iter().position(|&n| n == 1).unwrap();
+    [6, 9].map(|row| Vector3::from_column_slice(&out.values()[tip + row..tip + row + 3]))
+}
+
+fn refused(cards: &str) -> String {
+    input(cards).unwrap_err()
+}
+
+fn expect(cards: &str, expected: &str) {
+    let shown = refused(cards);
+    assert!(shown.contains(expected), "{expected} is not in\n{shown}");
+}
+
+#[test]
+fn rods_pull_along_their_line_in_declared_units() {
+    let units = "[units]\nlength = \"mm\"\nforce = \"kN\"\nmass = \"kg\"\n";
+    let cards = "[[rod]]\nname = \"rod\"\nnodes = [\"root\", \"tip\"]\n\
+        law = { kind = \"linear\", stiffness = 8 }\n";
+    let kilo = input_in(units, &format!("{cards}{HOLD}")).unwrap();
+    let found = on_tip(&kilo, "rod", |tip| tip.position.x *= 1.25);
+    assert!((found[0] + Vector3::new(2000.0, 0.0, 0.0)).norm() < 1e-11);
+    let si = input(&format!(
+        "{cards}length = 1.6\nmeasure = \"elongation\"\n{HOLD}"
+    ))
+    .unwrap();
+    let found = on_tip(&si, "rod", |tip| tip.position.x = 2.1);
+    assert!((found[0].x + 8.0 * 0.5).abs() < 1e-14, "{found:?}");
+}
+
+#[test]
+fn laws_add_up_and_carry_prestress() {
+    let cards = "[[rod]]\nname = \"rod\"\nnodes = [\"root\", \"tip\"]\nlaw = [\n\
+        { kind = \"cubic\", stiffness = 2, cubic = 4 },\n\
+        { kind = \"viscous\", viscosity = 3, prestress = 10, prestress_drive = \"= 1 + t\" },\n\
+        { kind = \"expression\", force = \"= 5*e*e_rate\" },\n\
+        { kind = \"table\", points = [[0, 0], [1, 6]], outside = \"hold\" },\n]\n";
+    let input = input(&format!("{cards}{HOLD}")).unwrap();
+    let found = on_tip(&input, "rod", |tip| {
+        tip.position.x = 3.0;
+        tip.velocity.x = 0.4;
+    });
+    let (e, rate) = (0.5, 0.2);
+    let expected = 2.0 * e + 4.0 * e * e * e + 3.0 * rate + 10.0 + 5.0 * e * rate + 3.0;
+    assert!(
+        (found[0].x + expected).abs() < 1e-14,
+        "{found:?} {expected}"
+    );
+}
+
+#[test]
+fn springs_act_in_the_axes_of_the_first_node_at_their_place() {
+    let cards = "[[spring]]\nname = \"s\"\nnodes = [\"root\", \"tip\"]\nat = [1.5, 0, 0]\n\
+        law = { kind = \"linear\", stiffness = [[3, 1, 0], [1, 2, 0], [0, 0, 4]] }\n\
+        rotational_law = { kind = \"bilinear\", stiffness = 8, second_stiffness = 1, limit = \"3 deg\" }\n";
+    let input = input(cards).unwrap();
+    let [force, moment] = on_tip(&input, "s", |tip| {
+        tip.position += Vector3::new(0.1, 0.2, 0.3)
+    });
+    let expected = -Vector3::new(0.5, 0.5, 1.2);
+    assert!((force - expected).norm() < 1e-14, "{force}");
+    assert!((moment - Vector3::new(-0.5, 0.0, 0.0).cross(&expected)).norm() < 1e-14);
+    let about = "[[spring]]\nname = \"s\"\nnode = \"tip\"\n\
+        law = { kind = \"linear\", stiffness = 1 }\n\
+        rotational_law = { kind = \"viscoelastic\", stiffness = [1, 2, 3], time = 0.5 }\n";
+    let input = self::input(about).unwrap();
+    let [_, moment] = on_tip(&input, "s", |tip| tip.angular_velocity.z = 2.0);
+    assert!((moment + Vector3::new(0.0, 0.0, 3.0)).norm() < 1e-14);
+}
+
+#[test]
+fn beams_of_a_law_are_those_of_its_stiffness() {
+    let cards = "[properties.p]\nea = 7\ngay = 2\ngaz = 1\ngj = 3\neiy = 4\neiz = 9\nm = 2\niy = 1\niz = 1\n\
+        [[node]]\nname = \"mid\"\nposition = [1, 0, 0]\n\
+        [[beam]]\nname = \"beam\"\nnodes = [\"root\", \"mid\", \"tip\"]\nproperties = \"p\"\n";
+    let linear = input(cards).unwrap();
+    let moved = |tip: &mut NodeMotion| tip.position += Vector3::new(0.1, 0.2, 0.3);
+    let [force, moment] = on_tip(&linear, "beam", moved);
+    for law in [
+        "{ kind = \"section\" }",
+        "{ kind = \"linear\", stiffness = [7, 2, 1, 3, 4, 9] }",
+        "[{ kind = \"section\" }, { kind = \"viscous\", viscosity = [1, 1, 1, 1, 1, 1] }]",
+    ] {
+        let input = input(&format!("{cards}law = {law}\n")).unwrap();
+        let found = on_tip(&input, "beam", moved);
+        assert!((found[0] - force).norm() < 1e-14 && (found[1] - moment).norm() < 1e-14);
+        assert!(input.summary.mass > 4.9, "the properties give the mass");
+    }
+    let soft = "law = { kind = \"linear\", stiffness = [7, 0, 1, 3, 4, 9] }\n";
+    expect(
+        &format!("{cards}{soft}"),
+        "beam \"beam\": the law has no positive definite stiffness",
+    );
+    let none = cards.replace("properties = \"p\"", "law = { kind = \"section\" }");
+    expect(
+        &none,
+        "the law \"section\" is that of the properties of a beam",
+    );
+}
+
+#[test]
+fn forces_between_nodes_pull_and_turn() {
+    let cards = "[[internal_force]]\nname = \"f\"\nnodes = [\"root\", \"tip\"]\n";
+    let with = |keys: &str| input(&format!("{cards}{keys}\n{HOLD}")).unwrap();
+    let pull = with("tension = 3\nconstant = true");
+    let still = |_: &mut NodeMotion| {};
+    // The constant factor is zero at rest without loads.
+    assert_eq!(on_tip(&pull, "f", still)[0], Vector3::zeros());
+    expect(&format!("{cards}{HOLD}"), "nothing acts between the nodes");
+    expect(
+        &format!("{cards}tension = 1\nforce = [1, 0, 0]\n{HOLD}"),
+        "\"tension\" and \"force\" say the same",
+    );
+}
+
+#[test]
+fn springs_between_nodes_hold_them_together_in_their_directions() {
+    let spring = |keys: &str| {
+        format!("[[spring]]\nname = \"s\"\nnodes = [\"root\", \"tip\"]\n{keys}\n[static]\n")
+    };
+    let held = "stiffness = [1, 1, 1]\nrotational_stiffness = [1, 2, 3]";
+    assert!(input(&spring(held)).is_ok());
+    let free = "stiffness = [1, 0, 1]\nrotational_stiffness = [1, 2, 3]";
+    expect(
+        &spring(free),
+        "node \"tip\" can move without resistance: translation along y",
+    );
+    let rod = "[[rod]]\nnodes = [\"root\", \"tip\"]\nlaw = { kind = \"linear\", stiffness = 1 }\n[static]\n";
+    let shown = refused(rod);
+    assert!(!shown.contains("translation along x") && shown.contains("translation along y"));
+}
+
+#[test]
+fn wrong_laws_are_told_with_their_remedy() {
+    let rod =
+        |law: &str| format!("[[rod]]\nname = \"r\"\nnodes = [\"root\", \"tip\"]\nlaw = {law}\n");
+    for (law, expected) in [
+        (
+            "{ kind = \"liner\", stiffness = 1 }",
+            "did you mean \"linear\"?",
+        ),
+        ("{ kind = \"linear\" }", "has no \"stiffness\""),
+        (
+            "{ kind = \"linear\", stifness = 1 }",
+            "unknown key \"stifness\"",
+        ),
+        (
+            "{ kind = \"linear\", stiffness = -1 }",
+            "expected numbers of zero or more",
+        ),
+        ("{ kind = \"linear\", stiffness = [1, 2] }", "\"stiffness\""),
+        (
+            "{ kind = \"viscoelastic\", stiffness = 1 }",
+            "needs a \"viscosity\" or a \"time\"",
+        ),
+        (
+            "{ kind = \"cubic\" }",
+            "has no \"stiffness\", \"quadratic\" or \"cubic\"",
+        ),
+        (
+            "{ kind = \"bilinear\", stiffness = 1, limit = 1 }",
+            "has no \"second_stiffness\"",
+        ),
+        (
+            "{ kind = \"table\", points = [[0, 0], [0, 1]] }",
+            "expected growing strains",
+        ),
+        ("{ kind = \"table\", points = [[0, 0]] }", "at least two"),
+        (
+            "{ kind = \"expression\", force = \"2*ee\" }",
+            "did you mean \"e\"?",
+        ),
+        ("{ kind = \"section\" }", "that of the properties of a beam"),
+        (
+            "{ kind = \"linear\", stiffness = 1, prestress_drive = 2 }",
+            "which is not given",
+        ),
+        ("[]", "the list of laws is empty"),
+    ] {
+        expect(&rod(law), expected);
+    }
+    let spring = |law: &str| format!("[[spring]]\nnodes = [\"root\", \"tip\"]\nlaw = {law}\n");
+    for (law, expected) in [
+        (
+            "{ kind = \"linear\", stiffness = [[1, 2, 0], [1, 3, 0], [0, 0, 1]] }",
+            "is not symmetric: 1 in row 2 and column 1, 2 across the diagonal",
+        ),
+        (
+            "{ kind = \"linear\", stiffness = [[1, 2, 0], [2, 1, 0], [0, 0, 1]] }",
+            "has a negative eigenvalue (-1 of the matrix",
+        ),
+        (
+            "{ kind = \"linear\", stiffness = [[1, 0], [0, 1]] }",
+            "expected a row of 3 numbers",
+        ),
+        (
+            "{ kind = \"linear\", stiffness = [1, 2] }",
+            "expected an array of 3",
+        ),
+        (
+            "{ kind = \"table\", points = {} }",
+            "names no component, expected at least one of x, y, z",
+        ),
+        (
+            "{ kind = \"expression\", force = { w = \"x\" } }",
+            "unknown key \"w\"",
+        ),
+    ] {
+        expect(&spring(law), expected);
+    }
+    expect(
+        "[[spring]]\nnodes = [\"root\", \"tip\"]\n",
+        "has no law and no stiffness",
+    );
+    expect(
+        "[[spring]]\nnodes = [\"root\", \"tp\"]\n",
+        "did you mean \"tip\"?",
+    );
+    let twice = "[[spring]]\nnode = \"tip\"\nstiffness = [1, 1, 1]\nlaw = { kind = \"linear\", stiffness = 1 }\n";
+    expect(twice, "\"law\" and \"stiffness\" say the same");
+    let linear = "law = { kind = \"linear\", stiffness = 1 }\n";
+    expect(
+        &format!("[[rod]]\nnodes = [\"tip\"]\n{linear}"),
+        "has one node and no \"at\"",
+    );
+    let none = format!(
+        "[[rod]]\nname = \"r\"\nnodes = [\"root\", \"tip\"]\noffsets = [[2, 0, 0], [0, 0, 0]]\n{linear}"
+    );
+    expect(&none, "rod \"r\" has no length");
+}

@@ -1,0 +1,77 @@
+//! Rods: `[[rod]]`.
+
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::draft::Draft;
+use super::ends;
+use super::laws::{self, Components, LawProblem};
+use crate::elements::Element;
+use crate::elements::springs::{End, Measure, Rod};
+use crate::model::NodeMotion;
+
+/// Part of the largest coordinate below which a length counts as none: digits lost in the
+/// input.
+const NO_LENGTH: f64 = 1e-9;
+
+/// Adds every `[[rod]]` to the model.
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+    for (number, table) in root.tables("rod").iter().enumerate() {
+        let label = ends::label(table, "rod", number);
+        let is_new = draft.take_label("spring", &label, table);
+        let rod = rod(table, draft, &label);
+        table.finish();
+        match rod {
+            Some(rod) if is_new => draft.add_joint(Box::new(rod)),
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
+    let words = format!("rod \"{label}\"");
+    let nodes = ends::nodes(table, draft, &words, true);
+    let ends = match nodes.as_deref() {
+        Some(&[a, b]) => ends::points(table, [a, b]),
+        Some(&[node]) => ends::frame_and_point(table, node, &words),
+        _ => {
+            // Their shape is not known without the nodes.
+            let _ = (table.has("offsets"), table.has("at"));
+            None
+        }
+    };
+    let measure = match table.has("measure") {
+        true => table.word("measure", &["strain", "elongation"]),
+        false => Some(0),
+    };
+    let relaxed = match table.has("length") {
+        true => table
+            .require_positive("length", Dimension::LENGTH)
+            .map(Some),
+        false => Some(None),
+    };
+    let of = match measure {
+        Some(1) => Components::ELONGATION,
+        _ => Components::STRAIN,
+    };
+    let law = laws::read(table, "law", &of, draft);
+    let measure = [Measure::Strain, Measure::Elongation][measure?];
+    let (ends, relaxed, law) = (ends?, relaxed?, law?);
+    let rod = Rod::new(label, ends, draft.nodes(), relaxed, (measure, law));
+    let rest: Vec<_> = draft.nodes().iter().map(NodeMotion::at_rest).collect();
+    let of_rod: Vec<_> = rod.nodes().iter().map(|&node| rest[node]).collect();
+    if rod.length(&of_rod) <= NO_LENGTH * size(&ends, draft) {
+        table.note("nodes", &LawProblem::NoLength { rod: words });
+        return None;
+    }
+    Some(rod)
+}
+
+/// The largest coordinate of the ends \[m\].
+fn size(ends: &[End; 2], draft: &Draft) -> f64 {
+    let of_end = |end: &End| match end {
+        End::Node { node, offset } => draft.nodes()[*node].position.amax().max(offset.amax()),
+        End::Frame { position } => position.amax(),
+    };
+    ends.iter().map(of_end).fold(0.0, f64::max)
+}

@@ -1,0 +1,131 @@
+//! Springs with laws, between two nodes or between the frame and a node.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
+use shared_geom::rotation::vector;
+use shared_geom::units::Dimension;
+
+use super::six;
+use crate::elements::laws::{Law, LawKind};
+use crate::elements::springs::{Spring, SpringLaw};
+use crate::input::draft::Draft;
+use crate::input::ends;
+use crate::input::laws::{self, Components, LawProblem};
+
+/// Keys of laws: of the displacement, of the rotation, and of both.
+const LAWS: [&str; 3] = ["law", "rotational_law", "coupled_law"];
+
+/// Whether a `[[spring]]` has two nodes or a law.
+pub(super) fn is_one(table: &Table<'_>) -> bool {
+    table.has("nodes") || LAWS.iter().any(|key| table.has(key))
+}
+
+/// The spring of a card.
+pub(super) fn read(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Spring> {
+    let words = format!("spring \"{label}\"");
+    let nodes = nodes(table, draft, &words);
+    if table.has("stands_in") {
+        table.note("stands_in", &LawProblem::Stand);
+    }
+    let turn = match table.has("orientation") {
+        true => table.vector("orientation", Dimension::ANGLE),
+        false => Some(Vector3::zeros()),
+    };
+    let place = match table.has("at") {
+        true => table.vector("at", Dimension::LENGTH).map(Some),
+        false => Some(None),
+    };
+    let law = spring_law(table, draft, &words);
+    let (nodes, axes) = (nodes?, vector::to_rotation(&turn?));
+    let all = draft.nodes();
+    let last = nodes.last().map(|&node| all[node].position)?;
+    let place = place?.unwrap_or(last);
+    Some(Spring::new(label, (&nodes, all), &place, &axes, law?))
+}
+
+/// The nodes under `nodes`, or the one under `node`.
+fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<usize>> {
+    if !table.has("node") {
+        return ends::nodes(table, draft, words, true);
+    }
+    if table.has("nodes") {
+        let (first, second) = ("node", "nodes");
+        table.note(second, &LawProblem::Twice { first, second });
+    }
+    let Some(name) = table.text("node") else {
+        draft.note_loose_end();
+        return None;
+    };
+    let node = draft.find_node(&name, table, "node", words);
+    Some(vec![node?])
+}
+
+/// The laws of a card: each as a law, or as `stiffness` and `damping` along the axes.
+fn spring_law(table: &Table<'_>, draft: &Draft, words: &str) -> Option<SpringLaw> {
+    const SHORT: [[&str; 2]; 2] = [
+        ["stiffness", "damping"],
+        ["rotational_stiffness", "rotational_damping"],
+    ];
+    if table.has(LAWS[2]) {
+        let law = laws::read(table, LAWS[2], &Components::BOTH, draft);
+        let others = [LAWS[0], LAWS[1]]
+            .into_iter()
+            .chain(SHORT.into_iter().flatten());
+        for second in others.filter(|key| table.has(key)) {
+            let first = LAWS[2];
+            table.note(second, &LawProblem::Twice { first, second });
+        }
+        return law.map(SpringLaw::Together);
+    }
+    for (first, short) in LAWS.into_iter().zip(SHORT) {
+        let doubled = short.into_iter().filter(|key| table.has(key));
+        for second in doubled.filter(|_| table.has(first)) {
+            table.note(second, &LawProblem::Twice { first, second });
+        }
+    }
+    let [stiffness, damping] = [
+        (
+            ["stiffness", "rotational_stiffness"],
+            [Dimension::SPRING_STIFFNESS, Dimension::MOMENT],
+        ),
+        (
+            ["damping", "rotational_damping"],
+            [Dimension::DAMPER, Dimension::TURNING_DAMPER],
+        ),
+    ]
+    .map(|(keys, dimensions)| six(table, keys, dimensions));
+    let (stiffness, damping) = (stiffness?, damping?);
+    let of = |i: usize, components: &Components<3>| -> Option<Option<Law<3>>> {
+        if table.has(LAWS[i]) {
+            return laws::read(table, LAWS[i], components, draft).map(Some);
+        }
+        let is_there = SHORT[i].iter().any(|key| table.has(key));
+        let part = |six: &[f64; 6]| Vector3::new(six[3 * i], six[3 * i + 1], six[3 * i + 2]);
+        Some(is_there.then(|| diagonal(&part(&stiffness), &part(&damping))))
+    };
+    let displacement = of(0, &Components::DISPLACEMENT);
+    let rotation = of(1, &Components::ROTATION);
+    let (displacement, rotation) = (displacement?, rotation?);
+    if displacement.is_none() && rotation.is_none() {
+        let spring = words.to_owned();
+        table.note("", &LawProblem::NoLaw { spring });
+        return None;
+    }
+    Some(SpringLaw::Apart {
+        displacement,
+        rotation,
+    })
+}
+
+/// Springs and dampers along the axes.
+fn diagonal(stiffness: &Vector3<f64>, damping: &Vector3<f64>) -> Law<3> {
+    let [stiffness, viscosity] = [stiffness, damping].map(Matrix3::from_diagonal);
+    match viscosity == Matrix3::zeros() {
+        true => Law::linear(stiffness),
+        false => LawKind::Viscoelastic {
+            stiffness,
+            viscosity,
+        }
+        .into(),
+    }
+}

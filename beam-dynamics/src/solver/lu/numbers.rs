@@ -1,0 +1,258 @@
+//! The numbers of the factors: `A = L U` on a known pattern, without pivoting.
+//!
+//! Strip after strip of columns, with x the columns of the strip, first those of A:
+//!
+//! ```text
+//! above:     u_p = x_p - sum_{j < p} l_pj u_j           rows p of the segments
+//!            x_r <- x_r - sum_j l_rj u_j                rows r below them
+//! diagonal:  u_dd = x_d,  l_rd = x_r / u_dd             in the panel of the strip
+//! ```
+//!
+//! The numbers of a row of x lie side by side, so that each is one instruction or two;
+//! the rows of L are read as they are stored.
+
+use pulp::{Arch, Simd, WithSimd};
+
+use super::structure::{LANES, Panel, Strip, Structure};
+
+/// The numbers of one row in a strip.
+pub(super) type Lanes = [f64; LANES];
+
+/// Numbers of the factors, and what tells how large they grow.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Numbers {
+    /// Values of the panels, row by row.
+    pub lower: Vec<f64>,
+    /// Values of the segments.
+    pub upper: Vec<Lanes>,
+    /// `1/u_dd`.
+    pub inverse_pivots: Vec<f64>,
+    /// x, zero between strips.
+    columns: Vec<Lanes>,
+    growth: Growth,
+}
+
+/// Largest numbers of a factorization.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Growth {
+    /// Of the matrix.
+    pub matrix: f64,
+    /// Of L.
+    pub lower: f64,
+    /// Of U.
+    pub upper: f64,
+}
+
+impl Growth {
+    /// By how much the rounding of the factors exceeds that of the matrix [-]:
+    /// `max|L| max|U| / max|A|`.
+    pub fn factor(&self) -> f64 {
+        self.lower.max(1.0) * self.upper / self.matrix
+    }
+}
+
+/// A matrix that is to be factorized: values, and the scale of each.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scaled<'a> {
+    pub values: &'a [f64],
+    pub scales: &'a [f64],
+}
+
+impl Numbers {
+    pub fn new(structure: &Structure) -> Self {
+        let n = structure.panels.last().map_or(0, |panel| panel.columns.1);
+        Self {
+            lower: vec![0.0; structure.panel_values],
+            upper: vec![[0.0; LANES]; structure.segment_values],
+            inverse_pivots: vec![0.0; n],
+            columns: vec![[0.0; LANES]; n],
+            growth: Growth::default(),
+        }
+    }
+
+    /// Computes the factors; `None` when a pivot is zero or not finite.
+    pub fn factorize(&mut self, structure: &Structure, matrix: Scaled<'_>) -> Option<Growth> {
+        self.growth = Growth::default();
+        let regular = Arch::new().dispatch(Elimination {
+            numbers: self,
+            structure,
+            matrix,
+        });
+        if !regular {
+            self.columns.fill([0.0; LANES]);
+        }
+        regular.then_some(self.growth)
+    }
+}
+
+/// All strips in turn, compiled for each width of registers.
+struct Elimination<'a> {
+    numbers: &'a mut Numbers,
+    structure: &'a Structure,
+    matrix: Scaled<'a>,
+}
+
+impl WithSimd for Elimination<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        // Registers of four numbers and more come with fused products, and so does ARM.
+        match size_of::<S::f64s>() >= 32 || cfg!(target_arch = "aarch64") {
+            true => self.run::<Fused>(),
+            false => self.run::<Plain>(),
+        }
+    }
+}
+
+/// A product that is taken from a sum.
+trait Product {
+    /// `c - a b`.
+    fn take(c: f64, a: f64, b: f64) -> f64;
+}
+
+/// With one rounding.
+struct Fused;
+
+/// With two roundings.
+struct Plain;
+
+impl Product for Fused {
+    #[inline(always)]
+    fn take(c: f64, a: f64, b: f64) -> f64 {
+        (-a).mul_add(b, c)
+    }
+}
+
+impl Product for Plain {
+    #[inline(always)]
+    fn take(c: f64, a: f64, b: f64) -> f64 {
+        c - a * b
+    }
+}
+
+/// `sum - factor row`.
+#[inline(always)]
+fn take<P: Product>(sum: &mut Lanes, factor: f64, row: &Lanes) {
+    for lane in 0..LANES {
+        sum[lane] = P::take(sum[lane], factor, row[lane]);
+    }
+}
+
+#[inline(always)]
+fn enlarge(largest: &mut Lanes, row: &Lanes) {
+    for lane in 0..LANES {
+        largest[lane] = largest[lane].max(row[lane].abs());
+    }
+}
+
+fn largest(of: &Lanes) -> f64 {
+    of.iter().fold(0.0, |a, b| a.max(*b))
+}
+
+impl Elimination<'_> {
+    #[inline(always)]
+    fn run<P: Product>(self) -> bool {
+        let mut sizes = [[0.0; LANES]; 2];
+        for strip in &self.structure.strips {
+            self.numbers.load(strip, self.matrix);
+            self.numbers
+                .above::<P>(self.structure, strip, &mut sizes[0]);
+            let panel = &self.structure.panels[strip.panel];
+            if !self.numbers.diagonal::<P>(panel, strip, &mut sizes) {
+                return false;
+            }
+        }
+        self.numbers.growth.upper = largest(&sizes[0]);
+        self.numbers.growth.lower = largest(&sizes[1]);
+        true
+    }
+}
+
+impl Numbers {
+    /// The columns of the matrix.
+    #[inline(always)]
+    fn load(&mut self, strip: &Strip, matrix: Scaled<'_>) {
+        let mut largest = self.growth.matrix;
+        for entry in &strip.entries {
+            let place = entry.place as usize;
+            let value = matrix.values[place] * matrix.scales[place];
+            largest = largest.max(value.abs());
+            self.columns[entry.row as usize][entry.lane as usize] = value;
+        }
+        self.growth.matrix = largest;
+    }
+
+    /// Rows of U above the strip, and what they take from the rows below.
+    #[inline(always)]
+    fn above<P: Product>(&mut self, structure: &Structure, strip: &Strip, size: &mut Lanes) {
+        for segment in &strip.segments {
+            let panel = &structure.panels[segment.panel];
+            let (first, end) = panel.columns;
+            let width = end - first;
+            let (from, to) = (segment.rows.0 - first, segment.rows.1 - first);
+            let lower = &self.lower[panel.values..panel.values + panel.rows.len() * width];
+            let upper = &mut self.upper[segment.values..segment.values + to - from];
+            let own = &mut self.columns[segment.rows.0..segment.rows.1];
+            for (p, x) in own.iter_mut().enumerate() {
+                let mut sum = std::mem::replace(x, [0.0; LANES]);
+                let at = (from + p) * width + from;
+                for (l, u) in lower[at..at + p].iter().zip(upper.iter()) {
+                    take::<P>(&mut sum, *l, u);
+                }
+                enlarge(size, &sum);
+                upper[p] = sum;
+            }
+            let rows = lower[to * width..].chunks_exact(width);
+            for (row, values) in panel.rows[to..].iter().zip(rows) {
+                let x = &mut self.columns[*row as usize];
+                let mut sum = *x;
+                for (l, u) in values[from..to].iter().zip(upper.iter()) {
+                    take::<P>(&mut sum, *l, u);
+                }
+                *x = sum;
+            }
+        }
+    }
+
+    /// The diagonal block of the strip and the rows below; `false` where a pivot is zero
+    /// or not finite.
+    #[inline(always)]
+    fn diagonal<P: Product>(
+        &mut self,
+        panel: &Panel,
+        strip: &Strip,
+        [upper_size, lower_size]: &mut [Lanes; 2],
+    ) -> bool {
+        let (first, end) = panel.columns;
+        let width = end - first;
+        let (from, count) = (strip.columns.0 - first, strip.columns.1 - strip.columns.0);
+        let lower = &mut self.lower[panel.values..panel.values + panel.rows.len() * width];
+        // Rows of U right of the diagonal, and inverse pivots; zero where there are none.
+        let (mut upper, mut inverse) = ([[0.0; LANES]; LANES], [0.0; LANES]);
+        let rows = lower[from * width..].chunks_exact_mut(width);
+        for (d, (row, values)) in panel.rows[from..].iter().zip(rows).enumerate() {
+            let mut x = std::mem::replace(&mut self.columns[*row as usize], [0.0; LANES]);
+            for j in 0..d.min(count) {
+                x[j] *= inverse[j];
+                lower_size[j] = lower_size[j].max(x[j].abs());
+                let factor = x[j];
+                take::<P>(&mut x, factor, &upper[j]);
+            }
+            values[from..from + count].copy_from_slice(&x[..count]);
+            if d < count {
+                if x[d] == 0.0 || !x[d].is_finite() {
+                    return false;
+                }
+                inverse[d] = 1.0 / x[d];
+                self.inverse_pivots[strip.columns.0 + d] = inverse[d];
+                for lane in d..count {
+                    upper_size[d] = upper_size[d].max(x[lane].abs());
+                    upper[d][lane] = x[lane];
+                }
+                upper[d][d] = 0.0;
+            }
+        }
+        true
+    }
+}

@@ -1,0 +1,156 @@
+//! Files that take in the cards of others: `include = ["blade.toml"]`.
+//!
+//! Lists of tables are joined, those of the including file first, and so are the keys of
+//! tables. A line keeps its file: lines of included files count from a multiple of
+//! [`LINES`] on.
+
+use std::path::{Path, PathBuf};
+
+use super::tree::{self, Entry, Kind, Lines, Value};
+use super::{Document, DocumentProblem, read_text, syntax_problems};
+use crate::error::{Diagnostics, Place};
+use crate::files::names_beside;
+use toml::de::DeTable;
+
+/// Lines that a file may have.
+const LINES: usize = 1 << 24;
+/// The key of the files to include.
+const KEY: &str = "include";
+
+/// Number of the file and line in it, both as they are counted inside.
+pub(super) fn split(line: usize) -> (usize, usize) {
+    (line / LINES, line % LINES)
+}
+
+/// What has been read so far.
+#[derive(Default)]
+struct Reader {
+    files: Vec<String>,
+    /// Files that are being read, each included by the one before.
+    open: Vec<PathBuf>,
+    /// Files that were read.
+    read: Vec<PathBuf>,
+    problems: Diagnostics,
+}
+
+impl Document {
+    /// As [`Document::parse`], with the cards of the files that the text includes.
+    ///
+    /// # Errors
+    /// Every error of syntax in any of the files, files that cannot be read, and files
+    /// that include themselves.
+    pub fn parse_with_includes(text: &str, file: &str) -> Result<Self, Diagnostics> {
+        let mut reader = Reader::default();
+        reader.open.push(known_as(Path::new(file)));
+        let root = reader.entries(text, file);
+        let (files, problems) = (reader.files, reader.problems);
+        problems.into_result(Self::of(root, files))
+    }
+}
+
+/// The path by which a file is known again.
+fn known_as(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| path.to_owned())
+}
+
+impl Reader {
+    /// The entries of a text and of what it includes.
+    fn entries(&mut self, text: &str, file: &str) -> Vec<Entry> {
+        let base = LINES * self.files.len();
+        self.files.push(file.to_owned());
+        let lines = Lines::of(text);
+        let (root, errors) = DeTable::parse_recoverable(text);
+        self.problems
+            .append(syntax_problems(&errors, &lines, text, file));
+        let mut entries = tree::entries(root.get_ref(), &lines.from(base));
+        let Some(place) = entries.iter().position(|entry| entry.key == KEY) else {
+            return entries;
+        };
+        let include = entries.remove(place).value;
+        let items = match &include.kind {
+            Kind::Array(items) => items.as_slice(),
+            _ => std::slice::from_ref(&include),
+        };
+        for item in items {
+            self.include(item, file, &mut entries);
+        }
+        entries
+    }
+
+    fn note(&mut self, line: usize, problem: &DocumentProblem) {
+        let (file, line) = split(line);
+        let place = Place::line(&self.files[file], line);
+        self.problems.push(place, problem);
+    }
+
+    fn include(&mut self, item: &Value, file: &str, entries: &mut Vec<Entry>) {
+        let Kind::Text(written) = &item.kind else {
+            let problem = DocumentProblem::WrongValue {
+                key: KEY.to_owned(),
+                found: item.kind.describe(),
+                expected: "the name of a file, or a list of names".to_owned(),
+            };
+            return self.note(item.line, &problem);
+        };
+        let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+        let path = folder.join(written);
+        if !path.is_file() {
+            let problem = DocumentProblem::NoFile {
+                key: KEY.to_owned(),
+                name: written.clone(),
+                known: names_beside(&path),
+            };
+            return self.note(item.line, &problem);
+        }
+        let known = known_as(&path);
+        let name = written.clone();
+        if self.open.contains(&known) {
+            return self.note(item.line, &DocumentProblem::IncludesItself { name });
+        }
+        if self.read.contains(&known) {
+            return self.note(item.line, &DocumentProblem::IncludedTwice { name });
+        }
+        match read_text(&path) {
+            Err(problems) => self.problems.append(problems),
+            Ok(text) => {
+                self.open.push(known);
+                let own = self.entries(&text, &path.display().to_string());
+                self.read.extend(self.open.pop());
+                self.join(entries, own, true);
+            }
+        }
+    }
+
+    /// Joins the entries of an included file to those of the file that includes it.
+    fn join(&mut self, entries: &mut Vec<Entry>, own: Vec<Entry>, at_top: bool) {
+        for entry in own {
+            if at_top && entry.key == "units" {
+                self.note(entry.line, &DocumentProblem::UnitsOfIncluded);
+                continue;
+            }
+            let Some(first) = entries.iter_mut().find(|other| other.key == entry.key) else {
+                entries.push(entry);
+                continue;
+            };
+            match (&mut first.value.kind, entry.value.kind) {
+                (Kind::Array(items), Kind::Array(more)) if at_top => items.extend(more),
+                (Kind::Table(items), Kind::Table(more)) if at_top => {
+                    let mut joined = std::mem::take(items);
+                    self.join(&mut joined, more, false);
+                    let again = entries.iter_mut().find(|other| other.key == entry.key);
+                    if let Some(again) = again {
+                        again.value.kind = Kind::Table(joined);
+                    }
+                }
+                _ => {
+                    let (file, line) = split(first.line);
+                    let problem = DocumentProblem::DoubledKey {
+                        key: entry.key,
+                        place: Place::line(&self.files[file], line).to_string(),
+                    };
+                    self.note(entry.line, &problem);
+                }
+            }
+        }
+    }
+}
