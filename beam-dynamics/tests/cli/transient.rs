@@ -97,8 +97,10 @@ fn a_run_writes_its_tables_figures_and_effort() {
     assert_eq!(table.lines().count(), 27);
     let last = row(&table, 25);
     assert!((last[0] - 0.1).abs() < 1e-12);
-    // It falls, no faster than it would without the clamp: g t^2 / 2 = 49 mm.
-    assert!(last[3] < -10.0 && last[3] > -49.0, "{last:?}");
+    // The tip falls nearly as freely as g t^2 / 2 = 49 mm; the energy, zero at the start, is
+    // dissipated a little by the formula, beside some 2 J that have changed their kind.
+    assert!(last[3] < -40.0 && last[3] > -60.0, "{last:?}");
+    assert!(last[7] < 1e-9 && last[7] > -0.02, "{last:?}");
     assert!((last[6] - 2e-3 * last[0]).abs() < 1e-15);
     let figure = folder.read("results/a.transient.svg");
     for expected in ["tip_z", "[mm]", "[kN]", "[J]", "time [s]"] {
