@@ -38,42 +38,8 @@ properties = \"strip\"
 node = \"root\"
 ";
 
-fn input(cards: &str) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.dynamics.toml");
-    fs::write(&path, format!("{MODEL}{cards}")).unwrap();
-    let prefix = format!("{}/", folder.path().display());
-    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
-}
-
-fn names(columns: &[Column]) -> Vec<&str> {
-    columns.iter().map(|column| column.name.as_str()).collect()
-}
-
-#[test]
-fn without_columns_nodes_that_move_and_energies_are_written() {
-    let output = input("").unwrap().output;
-    let expected = [
-        "mid_x",
-        "mid_y",
-        "mid_z",
-        "the_tip_x",
-        "the_tip_y",
-        "the_tip_z",
-        "kinetic_energy",
-        "elastic_energy",
-        "gravity_energy",
-        "energy",
-    ];
-    assert_eq!(names(&output.columns), expected);
-    assert_eq!(output.every, Every::Steps(1));
-    assert!(output.csv && output.netcdf && output.vtu.is_none());
-}
-
-#[test]
-fn columns_have_names_units_and_parts() {
-    let output = input(
-        "[output]
+/// Columns of every kind of source.
+const CHOSEN: &str = "[output]
         every = \"2 ms\"
         restart_every = 100
         vtu = 5
@@ -112,10 +78,90 @@ fn columns_have_names_units_and_parts() {
         quantity = \"angular_velocity\"
         of = \"mid\"
         component = \"x\"
-        unit = \"rpm\"\n",
-    )
-    .unwrap()
-    .output;
+        unit = \"rpm\"\n";
+
+/// A slip in every card.
+const WRONG: &str = "[output]
+every = 0
+[[output.column]]
+name = \"1st\"
+quantity = \"posizion\"
+[[output.column]]
+name = \"a\"
+quantity = \"position\"
+of = \"the tib\"
+component = \"w\"
+[[output.column]]
+name = \"b\"
+quantity = \"velocity\"
+of = \"mid\"
+unit = \"mm\"
+colour = 1
+[[output.column]]
+name = \"c\"
+quantity = \"strain\"
+of = \"mest\"
+point = 3
+[[output.column]]
+name = \"d\"
+quantity = \"reaction_force\"
+of = \"clamp of rood\"
+[[output.column]]
+name = \"e\"
+quantity = \"reaction_force\"
+of = \"clamp of root\"
+node = \"mid\"
+[[output.column]]
+name = \"f\"
+quantity = \"euler_angles\"
+of = \"mid\"
+sequence = \"xxz\"
+[[output.column]]
+name = \"g\"
+quantity = \"energy\"
+[[output.column]]
+name = \"g\"
+quantity = \"energy\"
+[[output.column]]
+name = \"time\"
+quantity = \"energy\"
+";
+
+fn input(cards: &str) -> Result<Input, String> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dynamics.toml");
+    fs::write(&path, format!("{MODEL}{cards}")).unwrap();
+    let prefix = format!("{}/", folder.path().display());
+    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+}
+
+fn names(columns: &[Column]) -> Vec<&str> {
+    columns.iter().map(|column| column.name.as_str()).collect()
+}
+
+#[test]
+fn without_columns_nodes_that_move_and_energies_are_written() {
+    let output = input("").unwrap().output;
+    let expected = [
+        "mid_x",
+        "mid_y",
+        "mid_z",
+        "the_tip_x",
+        "the_tip_y",
+        "the_tip_z",
+        "kinetic_energy",
+        "elastic_energy",
+        "gravity_energy",
+        "energy",
+    ];
+    assert_eq!(names(&output.columns), expected);
+    assert_eq!(output.every, Every::Steps(1));
+    assert!(output.csv && output.netcdf && output.vtu.is_none());
+}
+
+#[test]
+fn columns_have_names_units_and_parts() {
+    let output = input(CHOSEN).unwrap().output;
     assert_eq!(output.every, Every::Time(2e-3));
     assert_eq!(output.restart, Some(Every::Steps(100)));
     assert_eq!(
@@ -170,54 +216,7 @@ fn columns_have_names_units_and_parts() {
 
 #[test]
 fn all_that_is_wrong_is_told_with_the_nearest_name() {
-    let told = input(
-        "[output]
-every = 0
-[[output.column]]
-name = \"1st\"
-quantity = \"posizion\"
-[[output.column]]
-name = \"a\"
-quantity = \"position\"
-of = \"the tib\"
-component = \"w\"
-[[output.column]]
-name = \"b\"
-quantity = \"velocity\"
-of = \"mid\"
-unit = \"mm\"
-colour = 1
-[[output.column]]
-name = \"c\"
-quantity = \"strain\"
-of = \"mest\"
-point = 3
-[[output.column]]
-name = \"d\"
-quantity = \"reaction_force\"
-of = \"clamp of rood\"
-[[output.column]]
-name = \"e\"
-quantity = \"reaction_force\"
-of = \"clamp of root\"
-node = \"mid\"
-[[output.column]]
-name = \"f\"
-quantity = \"euler_angles\"
-of = \"mid\"
-sequence = \"xxz\"
-[[output.column]]
-name = \"g\"
-quantity = \"energy\"
-[[output.column]]
-name = \"g\"
-quantity = \"energy\"
-[[output.column]]
-name = \"time\"
-quantity = \"energy\"
-",
-    )
-    .unwrap_err();
+    let told = input(WRONG).unwrap_err();
     for expected in [
         "a.dynamics.toml:29: \"every\" is 0, expected a whole number of at least 1",
         "a.dynamics.toml:31: \"1st\" is no name of a column, expected letters",
