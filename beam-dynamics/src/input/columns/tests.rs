@@ -285,14 +285,14 @@ fn joints_and_drives_are_found_at_a_state() {
     };
     let mut out = [0.0; 7];
     ColumnValues::new(&input.model, &input.output).evaluate(&moment, &mut out);
-    let [angle, turned, slip, force, plain, side, push] = out;
+    let [angle, turned, slip, side, up, force, push] = out;
     assert_relative_eq!(angle, 0.5, epsilon = 1e-14);
     assert_relative_eq!(turned, 0.5_f64.to_degrees(), epsilon = 1e-12);
     assert_relative_eq!(slip, 3.0, epsilon = 1e-12);
-    // The axes of the second end are turned by the angle.
+    // The axes of the second end are turned by the angle about x, the axis of the pin.
     let (sine, cosine) = 0.5_f64.sin_cos();
-    assert!(plain.abs() > 0.5, "{plain}");
-    assert_relative_eq!(force, cosine * plain + sine * side, epsilon = 1e-12);
+    assert!(side.hypot(up) > 0.5, "{side} {up}");
+    assert_relative_eq!(force, cosine * side + sine * up, epsilon = 1e-12);
     // A drive of plain numbers counts in the units of the file: 14 N.
     assert_relative_eq!(push, 14e-3, epsilon = 1e-15);
 }
