@@ -10,7 +10,7 @@ mod transient;
 
 pub use columns::{
     Axes, Column, EnergyPart, Every, JointMotion, NodeQuantity, NodeVector, OutputQuestion, Part,
-    Quantity,
+    Quantity, SpringVector,
 };
 pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 
