@@ -16,6 +16,7 @@ mod failure;
 mod multibody;
 mod placing;
 mod rates;
+mod redundant;
 mod saddle;
 mod snapshot;
 mod start;
@@ -73,6 +74,21 @@ pub fn transient(
         changes: Vec::new(),
         remarks: doubts(model, question),
         failure: None,
+    };
+    let reduced = match redundant::independent(model, question) {
+        Ok(reduced) => reduced,
+        Err(failure) => {
+            outcome.failure = Some(failure);
+            outcome.effort.total_time = clock() - began;
+            return outcome;
+        }
+    };
+    let model = match &reduced {
+        None => model,
+        Some((reduced, remarks)) => {
+            outcome.remarks.extend_from_slice(remarks);
+            reduced
+        }
     };
     let run = match resumed {
         None => begin(model, question, &mut outcome),

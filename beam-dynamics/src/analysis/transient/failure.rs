@@ -11,6 +11,7 @@ use crate::model::State;
 use crate::solver::Iteration;
 use shared_geom::error::Explain;
 
+use super::redundant::in_words;
 use super::start::StartChange;
 
 /// Rotation of a node in a step above which a formula is out of its depth \[rad\].
@@ -27,6 +28,9 @@ pub enum TransientFailure {
     /// A node can move, although nothing says how.
     #[error(transparent)]
     Massless(#[from] MasslessNode),
+    /// Constraints that follow from others.
+    #[error("redundant constraints: {}", in_words(.0))]
+    Redundant(Vec<Redundant>),
     /// No equilibrium to start from.
     #[error("start: {0}")]
     Equilibrium(#[from] Box<NoEquilibrium>),
@@ -86,6 +90,9 @@ impl TransientFailure {
             Self::Step(trouble) => return trouble.remedy(),
             Self::Dummy(failure) => return failure.reason.remedies().join("; "),
             Self::Massless(node) => return node.help().unwrap_or_default(),
+            Self::Redundant(found) => {
+                return found.first().and_then(Explain::help).unwrap_or_default();
+            }
             Self::Structure | Self::Equilibrium(_) => {
                 "hold what is free, or take away the load that nothing can carry"
             }
