@@ -61,7 +61,7 @@ pub enum TransientFailure {
         change: StartChange,
     },
     /// Constraints that follow from others.
-    #[error("start: {} constraints follow from others: {}", .0.len(), listed(.0))]
+    #[error("start: {}", listed(.0))]
     Redundant(Vec<Redundant>),
     /// A dummy step could not be made.
     #[error("start: dummy steps: {0}")]
@@ -121,7 +121,11 @@ impl TransientFailure {
 
 fn listed(constraints: &[Redundant]) -> String {
     let texts: Vec<_> = constraints.iter().map(ToString::to_string).collect();
-    texts.join("; ")
+    let count = match texts.len() {
+        1 => "1 constraint follows".to_owned(),
+        count => format!("{count} constraints follow"),
+    };
+    format!("{count} from others: {}", texts.join("; "))
 }
 
 /// A step that could not be made, and what it may come from.
