@@ -525,7 +525,7 @@ fn forces_between_nodes() {
     for between in [line, axes] {
         for factor in [LoadFactor::Constant, LoadFactor::Proportional] {
             let between = between.clone();
-            let signal = sensing(&nodes);
+            let signal = sensing::sensing(&nodes);
             let force = InternalForce::new("force", &nodes, between, factor, signal);
             assert_eq!(force.nodes(), [0, 1, 2]);
             check(&force, &nodes, &mut random);
