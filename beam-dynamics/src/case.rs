@@ -10,7 +10,7 @@ mod transient;
 
 pub use columns::{
     Axes, Column, EnergyPart, Every, JointMotion, NodeQuantity, NodeVector, OutputQuestion, Part,
-    Quantity,
+    Quantity, SpringVector,
 };
 pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 
@@ -46,7 +46,7 @@ pub struct BladeNodes {
 }
 
 /// A checked model.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Model {
     /// Name, for tables and plots.
     pub name: String,

@@ -21,6 +21,8 @@ mod reduced;
 mod signal;
 
 #[cfg(test)]
+mod energy_tests;
+#[cfg(test)]
 mod jacobian_tests;
 #[cfg(test)]
 mod rates_tests;

@@ -53,6 +53,8 @@ mod summary;
 mod transient;
 
 #[cfg(test)]
+mod frame_tests;
+#[cfg(test)]
 mod joint_tests;
 #[cfg(test)]
 mod tests;
@@ -203,9 +205,9 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     root.finish();
 
     draft.check(&root);
-    draft.check_initial(&root);
-    if let Some(run) = questions.as_ref().and_then(|all| all.transient.as_ref()) {
-        draft.drives().check(document, [run.from, run.to]);
+    transient::check(&root, &draft);
+    if let Some(times) = questions.as_ref().and_then(Questions::times) {
+        draft.drives().check(document, times);
     }
     let ((gravity, gravity_drive), questions) = (gravity?, questions?);
     questions.check(&root, &gravity, &draft.hub()?.spin());

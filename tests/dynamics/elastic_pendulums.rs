@@ -86,7 +86,9 @@ fn the_rod_stretches_as_it_should() {
 fn the_ringing_by_two_steps() {
     let source = "the same formula in another program";
     let file = "unstretched.dynamics.toml";
-    let run = Run::new("deformable_pendulum", file, 80, |question| question.to = 1.0);
+    let run = Run::new("deformable_pendulum", file, 80, |question| {
+        question.to = 1.0
+    });
     for (time, expected) in [(0.5, -4.417_865_386e-4), (1.0, -3.318_373_583e-4)] {
         let found = elongation(&run, time);
         let error = (found - expected).abs();

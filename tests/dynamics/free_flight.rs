@@ -108,7 +108,13 @@ fn a_flying_beam_gets_the_impulse_of_its_push() {
     for (time, state) in run.instants.iter().filter(|(time, _)| *time > 5.0 - 1e-9) {
         let [momentum, _] = momenta(state);
         let error = (momentum - nalgebra::Vector3::new(20.0, 0.0, 0.0)).norm() / 20.0;
-        record::largest(BALANCE, "flying beam", "momentum after the push", error, 1e-10);
+        record::largest(
+            BALANCE,
+            "flying beam",
+            "momentum after the push",
+            error,
+            1e-10,
+        );
         assert!(error < 1e-10, "{time} s: {momentum}");
     }
 }

@@ -16,6 +16,7 @@ mod failure;
 mod multibody;
 mod placing;
 mod rates;
+mod redundant;
 mod saddle;
 mod snapshot;
 mod start;
@@ -74,6 +75,21 @@ pub fn transient(
         remarks: doubts(model, question),
         failure: None,
     };
+    let reduced = match redundant::independent(model, question) {
+        Ok(reduced) => reduced,
+        Err(failure) => {
+            outcome.failure = Some(failure);
+            outcome.effort.total_time = clock() - began;
+            return outcome;
+        }
+    };
+    let model = match &reduced {
+        None => model,
+        Some((reduced, remarks)) => {
+            outcome.remarks.extend_from_slice(remarks);
+            reduced
+        }
+    };
     let run = match resumed {
         None => begin(model, question, &mut outcome),
         Some(snapshot) => resume(model, question, snapshot),
@@ -113,20 +129,21 @@ fn begin<'a>(
         state,
         changes,
         remarks,
-        is_consistent: _,
+        left_out,
     } = start(model, question)?;
     outcome.changes = changes;
     outcome.remarks.extend(remarks);
-    run(model, question, [state.clone(), state])
+    run(model, question, left_out, [state.clone(), state])
 }
 
 /// A run with its accepted states, the latest first, at the first instant.
 fn run<'a>(
     model: &'a Model,
     question: &'a TransientQuestion,
+    left_out: Vec<usize>,
     states: [State; 2],
 ) -> Result<Run<'a>, TransientFailure> {
-    let dae = Multibody::new(model, states, question.simplified_jacobian);
+    let dae = Multibody::new(model, left_out, states, question.simplified_jacobian);
     let TransientQuestion {
         scheme,
         stepping,
@@ -153,7 +170,7 @@ fn resume<'a>(
     snapshot: &Snapshot,
 ) -> Result<Run<'a>, TransientFailure> {
     let states = snapshot::states(model, snapshot)?;
-    let mut run = run(model, question, states)?;
+    let mut run = run(model, question, snapshot.left_out.clone(), states)?;
     run.integrator.restore(&snapshot.progress);
     run.step = snapshot.step;
     Ok(run)
@@ -202,7 +219,12 @@ impl Run<'_> {
         let mut goes_on = recorder.record(&moment);
         if goes_on && recorder.wants_snapshot(&moment) {
             let progress = self.integrator.snapshot();
-            let snapshot = snapshot::take(self.model, self.dae.states(), self.step, progress);
+            let snapshot = snapshot::take(
+                self.model,
+                (self.dae.states(), self.dae.left_out().to_vec()),
+                self.step,
+                progress,
+            );
             goes_on = recorder.keep(&snapshot);
         }
         self.output_time += clock() - began;
@@ -217,9 +239,8 @@ impl Run<'_> {
             Stepping::Constant { step } => step,
             Stepping::Variable(_) => failure.length,
         };
-        let conditions = self.model.conditions_at(failure.time);
-        let at = (self.dae.state(), &conditions);
-        TransientFailure::Step(Box::new(trouble(failure, &self.model.system, at, wanted)))
+        let (system, state) = (&self.model.system, self.dae.state());
+        TransientFailure::Step(Box::new(trouble(failure, system, state, wanted)))
     }
 }
 

@@ -18,7 +18,7 @@ mod step;
 mod told;
 
 /// A model as a system of equations `F(y, y') = 0`.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct System {
     nodes: Vec<Node>,
     elements: Vec<Arc<dyn Element>>,

@@ -66,6 +66,15 @@ pub enum Quantity {
         /// The part of it.
         part: Part,
     },
+    /// What a rod or a spring between two ends tells.
+    Spring {
+        /// Name of the rod or spring.
+        spring: String,
+        /// What of it, in its own axes.
+        vector: SpringVector,
+        /// The part of it.
+        part: Part,
+    },
     /// The value of a drive \[its unit\].
     Drive(Drive),
     /// Energy of the model \[J\].
@@ -132,6 +141,19 @@ pub enum JointMotion {
     Velocity,
     /// Angular velocity \[rad/s\].
     AngularVelocity,
+}
+
+/// What a rod or a spring tells, in the axes of its first node, or of a rod in its line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpringVector {
+    /// Of the second end against the first; of a rod its elongation along x \[m\].
+    Displacement,
+    /// Rotation vector of the second end against the first \[rad\].
+    Rotation,
+    /// With which it resists the displacement; of a rod its tension along x \[N\].
+    Force,
+    /// With which it resists the rotation \[N m\].
+    Moment,
 }
 
 /// A part of a vector.

@@ -171,7 +171,7 @@ fn run(
 ) -> u8 {
     let output: &OutputQuestion = &input.output;
     let files = match RunFiles::new(&input.model, output, (folder, name), resumed) {
-        Ok(files) => files,
+        Ok(files) => files.until(question.to),
         Err(problem) => {
             terminal.tell(&problem);
             return match problem {
@@ -189,6 +189,10 @@ fn run(
         from: question.from,
         to: question.to,
     };
+    if let Some(snapshot) = resumed {
+        watched.show(snapshot.progress.time);
+        watched.bar.reset_eta();
+    }
     let start = Instant::now();
     let clock = || start.elapsed().as_secs_f64();
     let outcome = transient(&input.model, question, resumed, &mut watched, &clock);
@@ -306,14 +310,21 @@ struct Watched<'a> {
     to: f64,
 }
 
-impl Recorder for Watched<'_> {
-    fn record(&mut self, moment: &Moment<'_>) -> bool {
-        let part = (moment.time - self.from) / (self.to - self.from);
+impl Watched<'_> {
+    fn show(&self, time: f64) {
+        if self.bar.is_hidden() {
+            return;
+        }
+        let part = (time - self.from) / (self.to - self.from);
         // A part of a run is between zero and one.
         self.bar.set_position((part * PARTS as f64) as u64);
-        if !self.bar.is_hidden() {
-            self.bar.set_message(short_number(moment.time, 6));
-        }
+        self.bar.set_message(short_number(time, 6));
+    }
+}
+
+impl Recorder for Watched<'_> {
+    fn record(&mut self, moment: &Moment<'_>) -> bool {
+        self.show(moment.time);
         self.files.record(moment)
     }
 

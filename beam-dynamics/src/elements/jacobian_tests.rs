@@ -5,7 +5,6 @@
 //! largest entry; 2e-8 leaves a factor for the third derivatives.
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
-use shared_geom::expression::{Expression, Names};
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::wrench;
 
@@ -19,10 +18,12 @@ use super::loads::{
     Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
-use super::{Element, Local, LocalJacobian, LocalResidual, Post, Sensed, Sensor, Signal};
+use super::{Element, Local, LocalJacobian, LocalResidual};
 use crate::model::{
     Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable,
 };
+
+mod sensing;
 
 const STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 2e-8;
@@ -411,82 +412,6 @@ fn loads_along_beams_with_offsets_and_turned_sections() {
     }
 }
 
-/// A signal of everything that can be sensed, of three nodes against each other.
-fn sensing(nodes: &[Node]) -> Signal {
-    let kinds = [
-        Sensed::Position,
-        Sensed::Displacement,
-        Sensed::Velocity,
-        Sensed::AngularVelocity,
-    ];
-    let post = |node, against, axes| Post {
-        node,
-        against,
-        axes,
-    };
-    let anywhere = [
-        post(0, None, None),
-        post(1, Some(0), None),
-        post(1, Some(0), Some(2)),
-        post(2, None, Some(1)),
-        post(2, Some(1), Some(1)),
-    ];
-    let turning = [
-        post(1, None, None),
-        post(1, None, Some(1)),
-        post(0, Some(2), Some(2)),
-    ];
-    let mut posts: Vec<_> = anywhere
-        .into_iter()
-        .flat_map(|post| kinds.map(|kind| (kind, post)))
-        .collect();
-    posts.extend(turning.map(|post| (Sensed::Rotation, post)));
-    let sensor = |(i, (kind, post)): (usize, (Sensed, Post))| {
-        Sensor::new(kind, post, i % 3, 0.5 + 0.1 * i as f64, nodes)
-    };
-    let sensors: Vec<_> = posts.into_iter().enumerate().map(sensor).collect();
-    let names: Vec<_> = (0..sensors.len()).map(|i| format!("q{i}")).collect();
-    let text: Vec<_> = names
-        .iter()
-        .enumerate()
-        .map(|(i, name)| format!("sin({name}*{})/(2 + t^2)", 0.2 + 0.03 * i as f64))
-        .collect();
-    let variables: Vec<_> = ["t"]
-        .into_iter()
-        .chain(names.iter().map(String::as_str))
-        .collect();
-    let names = Names {
-        variables: &variables,
-        constants: &[],
-    };
-    let expression = Expression::parse(&text.join(" + "), &names).unwrap();
-    Signal::sensing(expression, sensors, [0.3, 0.7])
-}
-
-#[test]
-fn loads_that_sense_nodes() {
-    let mut random = Random(21);
-    for (turning, factor) in kinds() {
-        let nodes = nodes(&mut random, 3);
-        let load = NodalForce {
-            force: random.vector(1.0),
-            moment: random.vector(1.0),
-            offset: random.vector(0.5),
-            turning,
-            factor,
-        };
-        let load = NodalLoad::new("load", 0, &nodes[0], load).driven(sensing(&nodes));
-        assert_eq!(load.nodes(), [0, 1, 2]);
-        check(&load, &nodes, &mut random);
-        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
-        let (geometry, [a, b]) = (geometry(&mut random), [(); 2].map(|()| random.vector(1.0)));
-        let kind = (turning, factor);
-        let along = |_: f64| [a, b];
-        let load = DistributedLoad::new("load", [0, 1, 2], geometry, undeformed, kind, &[], along);
-        check(&load.driven(sensing(&nodes)), &nodes, &mut random);
-    }
-}
-
 #[test]
 fn imposed_motions_of_any_components() {
     let mut random = Random(8);
@@ -585,7 +510,7 @@ fn beams_of_any_law_with_offsets_and_turned_sections() {
 #[test]
 fn forces_between_nodes() {
     let mut random = Random(14);
-    let nodes = nodes(&mut random, 2);
+    let nodes = nodes(&mut random, 3);
     let offset = random.vector(0.3);
     let line = Between::Line {
         ends: [0, 1].map(|node| End::Node { node, offset }),
@@ -599,8 +524,10 @@ fn forces_between_nodes() {
     };
     for between in [line, axes] {
         for factor in [LoadFactor::Constant, LoadFactor::Proportional] {
-            let drive = Drive::Constant(0.7);
-            let force = InternalForce::new("force", &nodes, between.clone(), factor, drive);
+            let between = between.clone();
+            let signal = sensing(&nodes);
+            let force = InternalForce::new("force", &nodes, between, factor, signal);
+            assert_eq!(force.nodes(), [0, 1, 2]);
             check(&force, &nodes, &mut random);
         }
     }

@@ -6,6 +6,9 @@ mod spring;
 mod spring_law;
 mod support;
 
+#[cfg(test)]
+mod tests;
+
 pub use line::End;
 pub use rod::{Measure, Rod};
 pub use spring::Spring;

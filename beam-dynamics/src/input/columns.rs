@@ -10,6 +10,7 @@ mod column;
 mod kind;
 mod preset;
 mod problem;
+mod reading;
 
 #[cfg(test)]
 mod tests;

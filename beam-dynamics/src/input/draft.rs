@@ -15,7 +15,6 @@ use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
 use super::sensors::Sensors;
-use super::transient::TransientProblem;
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
@@ -26,6 +25,8 @@ use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
 use crate::model::{Drive, Node};
 
+mod blades;
+mod given;
 mod lookup;
 
 /// How the mass of a beam moves.
@@ -133,36 +134,6 @@ impl Draft {
         self.hub.as_ref()
     }
 
-    /// The drives by name.
-    pub fn drives(&self) -> &drives::Catalog {
-        &self.drives
-    }
-
-    /// Says which drives have a name.
-    pub fn set_drives(&mut self, drives: drives::Catalog) {
-        self.drives = drives;
-    }
-
-    /// The frames in which cards may be written.
-    pub fn frames(&self) -> &Frames {
-        &self.frames
-    }
-
-    /// Says which frames there are.
-    pub fn set_frames(&mut self, frames: Frames) {
-        self.frames = frames;
-    }
-
-    /// What loads may sense.
-    pub fn sensors(&self) -> &Sensors {
-        &self.sensors
-    }
-
-    /// Says what loads may sense.
-    pub fn set_sensors(&mut self, sensors: Sensors) {
-        self.sensors = sensors;
-    }
-
     /// Nodes so far.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
@@ -229,16 +200,6 @@ impl Draft {
     /// Adds a load or an imposed motion.
     pub fn add_load(&mut self, load: Box<dyn Element>) {
         self.loads.push(load);
-    }
-
-    /// Blades so far.
-    pub fn blades(&self) -> &[BladeNodes] {
-        &self.blades
-    }
-
-    /// Whether a blade of this name could not be read.
-    pub fn is_broken_blade(&self, blade: &str) -> bool {
-        self.broken_blades.contains(blade)
     }
 
     /// Notes that a card could not be read.
@@ -352,30 +313,6 @@ impl Draft {
         self.joints.iter().map(AsRef::as_ref)
     }
 
-    /// The node of the hub when the hub moves; `None` when the frame holds it, so that
-    /// roots are clamped.
-    pub fn hub_node(&self) -> Option<usize> {
-        self.hub_node
-    }
-
-    /// Says which node is that of a hub that moves.
-    pub fn set_hub_node(&mut self, node: usize) {
-        self.used.insert(node);
-        self.hub_node = Some(node);
-    }
-
-    /// Holds the root of a blade by the hub: by the frame, or by the node of a hub that
-    /// moves. What holds the node already is noted under `key`.
-    pub fn hold_root(&mut self, node: usize, table: &Table<'_>, key: &str) {
-        match self.hub_node() {
-            None => self.add_clamp(node, table, key),
-            Some(hub) => {
-                let label = format!("hub to {}", self.nodes[node].label);
-                self.add_rigid(&label, [hub, node]);
-            }
-        }
-    }
-
     /// Clamps a node; a node that is clamped already is noted under `key`.
     pub fn add_clamp(&mut self, node: usize, table: &Table<'_>, key: &str) {
         if let Some(&line) = self.clamps.get(&node) {
@@ -416,23 +353,13 @@ impl Draft {
         }
     }
 
-    /// Notes initial velocities of nodes of which nothing is asked in time.
-    pub fn check_initial(&self, root: &Table<'_>) {
-        if root.has("transient") {
-            return;
-        }
-        for (node, initial) in self.nodes.iter().zip(&self.initial) {
-            let keys = [
-                ("velocity", initial.velocity),
-                ("angular_velocity", initial.angular_velocity),
-            ];
+    /// How each node moves at the start, with its name and the line of its card.
+    pub fn initial(&self) -> impl Iterator<Item = (&InitialMotion, &str, usize)> {
+        let nodes = self.initial.iter().zip(&self.nodes);
+        nodes.map(move |(initial, node)| {
             let line = self.names.get(&node.label).map_or(1, |named| named.line);
-            for (key, _) in keys.into_iter().filter(|(_, value)| value.is_some()) {
-                let node = node.label.clone();
-                let problem = TransientProblem::IdleVelocity { node, key };
-                root.document().note(line, &problem);
-            }
-        }
+            (initial, node.label.as_str(), line)
+        })
     }
 
     /// Mass that is not held by clamps \[kg\].
@@ -465,11 +392,6 @@ impl Draft {
         let ends = self.ends(beam);
         beam.along
             .with_mass(|mass| lumped_bodies(&beam.geometry, ends, mass))
-    }
-
-    /// Notes that the given nodes, from the root to the tip, are those of a blade.
-    pub fn add_blade(&mut self, blade: BladeNodes) {
-        self.blades.push(blade);
     }
 
     /// Adds what the reader must know of a file that was read.

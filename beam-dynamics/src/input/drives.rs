@@ -237,10 +237,4 @@ impl Catalog {
             }
         }
     }
-
-    /// The drives with names, those in plain numbers as they are; for output.
-    pub fn drives(&self) -> impl Iterator<Item = (&str, &Drive)> {
-        let sound = self.named.iter();
-        sound.filter_map(|(name, named)| Some((name.as_str(), &named.as_ref()?.drive)))
-    }
 }

@@ -16,12 +16,14 @@ use shared_geom::units::Dimension;
 use super::problem::InputProblem;
 
 /// Cards that may be written in a frame.
-pub(super) const FRAMED: [&str; 8] = [
+pub(super) const FRAMED: [&str; 10] = [
     "node",
     "load",
     "distributed_load",
     "imposed",
+    "internal_force",
     "hinge",
+    "joint",
     "spring",
     "frame",
     "repeat",

@@ -5,10 +5,10 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
+use super::frames::Frame;
 use super::laws::LawProblem;
-use super::{drives, ends};
+use super::{ends, sensors};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
-use crate::model::Drive;
 
 /// Adds every `[[internal_force]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
@@ -27,17 +27,15 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalForce> {
     let words = format!("internal force \"{label}\"");
     let nodes = ends::nodes(table, draft, &words, false);
-    let drive = match table.has("drive") {
-        true => drives::read(table, "drive", Dimension::NUMBER, draft.drives()),
-        false => Some(Drive::Constant(1.0)),
-    };
+    let signal = sensors::signal(table, "drive", draft);
     let factor = match table.has("constant") {
         true => table.boolean("constant"),
         false => Some(false),
     };
+    let frame = draft.frames().of(table);
     let between = match table.has("tension") {
         true => along_line(table, nodes.as_deref()),
-        false => in_axes(table, nodes.as_deref(), draft),
+        false => in_axes(table, nodes.as_deref(), (draft, frame)),
     };
     let factor = match factor? {
         true => LoadFactor::Constant,
@@ -48,7 +46,7 @@ fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalFo
         draft.nodes(),
         between?,
         factor,
-        drive?,
+        signal?,
     ))
 }
 
@@ -69,7 +67,12 @@ fn along_line(table: &Table<'_>, nodes: Option<&[usize]>) -> Option<Between> {
     })
 }
 
-fn in_axes(table: &Table<'_>, nodes: Option<&[usize]>, draft: &Draft) -> Option<Between> {
+/// A force along the axes of the model, or of the frame of its card, or of a node.
+fn in_axes(
+    table: &Table<'_>,
+    nodes: Option<&[usize]>,
+    (draft, frame): (&Draft, Option<Frame>),
+) -> Option<Between> {
     let vector = |key: &str, dimension: Dimension| match table.has(key) {
         true => table.vector(key, dimension),
         false => Some(Vector3::zeros()),
@@ -87,7 +90,7 @@ fn in_axes(table: &Table<'_>, nodes: Option<&[usize]>, draft: &Draft) -> Option<
     }
     let &[a, b] = nodes? else { return None };
     let axes = match in_node? {
-        0 => Matrix3::identity(),
+        0 => frame?.axes(&Matrix3::identity()),
         _ => draft.nodes()[a].rotation,
     };
     Some(Between::Axes {

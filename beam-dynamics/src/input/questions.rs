@@ -121,6 +121,18 @@ pub(super) fn at_most(table: &Table<'_>, key: &'static str, limit: usize) -> Opt
 }
 
 impl Questions {
+    /// The first and the last time for which drives are asked \[s\]: equilibria and modes
+    /// are at the time zero.
+    pub fn times(&self) -> Option<[f64; 2]> {
+        let at_rest = self.modes.is_some() || self.statics.is_some() || self.buckling.is_some();
+        let run = self.transient.as_ref().map(|run| [run.from, run.to]);
+        match (at_rest, run) {
+            (true, Some([from, to])) => Some([from.min(0.0), to.max(0.0)]),
+            (true, None) => Some([0.0; 2]),
+            (false, run) => run,
+        }
+    }
+
     /// Notes gravity across the axis of a model that turns: it has no steady equilibrium.
     pub fn check(&self, root: &Table<'_>, gravity: &Vector3<f64>, spin: &Spin) {
         let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());

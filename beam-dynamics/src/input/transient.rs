@@ -10,8 +10,10 @@ use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
 use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
 mod node;
+#[cfg(test)]
+mod tests;
 
-pub(super) use node::initial_motion;
+pub(super) use node::{check, initial_motion};
 
 /// Iterations of a step at most that may be asked for.
 const MOST_ITERATIONS: usize = 1000;

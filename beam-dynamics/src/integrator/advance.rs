@@ -63,6 +63,11 @@ const LEAST_CONSTANT: f64 = 1.0 / 720.0;
 /// The cubic through two states does not reach farther than this, in steps before.
 const REACH: f64 = 4.0;
 
+/// A jump of the rates that is a smaller part of their change in the step before, which is
+/// of the order of h, costs a two-step formula an error of the order of h^2, once: what it
+/// makes in a whole run.
+const SMALL_JUMP: f64 = 0.5;
+
 impl Integrator {
     /// An integrator of `dae`, whose latest accepted state is that at time `from` \[s\],
     /// rates included; states before it do not count. `None` when the pattern is
@@ -154,11 +159,27 @@ impl Integrator {
         }
     }
 
-    /// After a corner, lets the system find what jumps there.
+    /// After a corner, lets the system find what jumps there. Where next to nothing does,
+    /// as at a kink of a force, the states before it still serve the formula.
     fn renew(&mut self, dae: &mut dyn Dae) {
-        if let Some(corner) = self.progress.corner.take() {
-            self.progress.known = usize::from(dae.renew(corner));
+        let Some(corner) = self.progress.corner.take() else {
+            return;
+        };
+        let [now, before, after] = &mut self.rates;
+        dae.past(0, &mut self.predicted, now);
+        let renewed = dae.renew(corner);
+        dae.past(0, &mut self.predicted, after);
+        if renewed && self.progress.known > 1 {
+            dae.past(1, &mut self.predicted, before);
+            let pairs = |a: &[f64], b: &[f64]| -> f64 {
+                a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum()
+            };
+            if pairs(after, now) < SMALL_JUMP * SMALL_JUMP * pairs(now, before) {
+                return;
+            }
         }
+        self.progress.known = usize::from(renewed);
+        self.progress.lengths.restart(&self.stepping);
     }
 
     /// The formula of a step of `length`, by what lies behind it.

@@ -56,6 +56,9 @@ const BEYOND_REASON: f64 = 10.0;
 /// Corrections that grow so much, twice, do not come back.
 const GROWTH: f64 = 2.0;
 
+/// Room for the history of an iteration is made for so many at first.
+const MOST_ROOM: usize = 100;
+
 /// What a Jacobian was computed for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Kept {
@@ -112,7 +115,7 @@ impl Corrector {
             last: (0..stages).map(|_| zero()).collect(),
             moved: zero(),
             rates: zero(),
-            history: Vec::with_capacity(limits.iterations),
+            history: Vec::with_capacity(limits.iterations.min(MOST_ROOM)),
             first: 0,
             worst: Worst::default(),
         })

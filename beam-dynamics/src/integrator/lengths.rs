@@ -61,7 +61,7 @@ impl Lengths {
     pub fn new(stepping: &Stepping, from: f64) -> Self {
         let wish = match stepping {
             Stepping::Constant { step } => *step,
-            Stepping::Variable(control) => control.first.clamp(control.least, control.most),
+            Stepping::Variable(control) => control.first.max(control.least).min(control.most),
         };
         Self {
             from,
@@ -82,10 +82,7 @@ impl Lengths {
     /// The next time to land on.
     fn stop(&self, dae: &dyn Dae, time: f64, until: f64) -> Plan {
         let same = SAME_TIME * self.wish;
-        let mut corner = dae.next_corner(time);
-        while corner > time && corner - time < same {
-            corner = dae.next_corner(corner);
-        }
+        let corner = dae.next_corner(time + same);
         let mut stop = Plan {
             length: until - time,
             end: until,
@@ -100,13 +97,9 @@ impl Lengths {
             };
             stop.length = stop.end - time;
             // Corners that follow at once are passed with it.
-            let mut last = corner;
-            let mut next = dae.next_corner(corner);
-            while next > last && next - corner < same {
-                last = next;
-                next = dae.next_corner(last);
-            }
-            stop.corner = Some(last.max(stop.end));
+            let follows = dae.next_corner(corner) < corner + same;
+            let after = if follows { corner + same } else { corner };
+            stop.corner = Some(after.max(stop.end));
         }
         stop
     }
@@ -170,6 +163,13 @@ impl Lengths {
         true
     }
 
+    /// Wishes after a jump.
+    pub fn restart(&mut self, stepping: &Stepping) {
+        if let Stepping::Variable(control) = stepping {
+            self.wish = self.wish.min(control.first).max(control.least);
+        }
+    }
+
     /// Wishes after an accepted step; `error` is its local error by the tolerance.
     pub fn follow(
         &mut self,
@@ -193,10 +193,6 @@ impl Lengths {
     }
 
     fn adapt(&mut self, accepted: &Accepted, effort: f64, control: &StepControl, scheme: &Scheme) {
-        if accepted.plan.corner.is_some() {
-            self.wish = self.wish.min(control.first);
-            return;
-        }
         let growth = if effort > TOO_MANY {
             TIRED
         } else if effort > MANY || accepted.was_cut {
@@ -208,12 +204,12 @@ impl Lengths {
             Some(error) => accepted.plan.length * factor(error, accepted.order),
             None => self.wish,
         };
-        let wish = allowed.clamp(LARGEST_CUT * self.wish, growth * self.wish);
+        let wish = allowed.min(growth * self.wish).max(LARGEST_CUT * self.wish);
         let is_worth_it = wish < self.wish || wish >= NOT_WORTH * self.wish;
         if is_worth_it || growth < NOT_WORTH {
             self.wish = wish;
         }
-        self.wish = self.wish.clamp(control.least, control.most);
+        self.wish = self.wish.max(control.least).min(control.most);
     }
 }
 

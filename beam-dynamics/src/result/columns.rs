@@ -6,7 +6,7 @@ use shared_geom::rotation::vector;
 use super::Moment;
 use crate::case::{
     Axes, Column, EnergyPart, JointMotion, Model, NodeQuantity, NodeVector, OutputQuestion, Part,
-    Quantity,
+    Quantity, SpringVector,
 };
 use crate::elements::{Energy, Observations, Reaction, SectionState};
 use crate::model::{NodeMotion, State};
@@ -48,7 +48,8 @@ impl<'a> ColumnValues<'a> {
             match &column.quantity {
                 Quantity::Section { beam: label, .. }
                 | Quantity::Reaction { joint: label, .. }
-                | Quantity::Joint { joint: label, .. } => {
+                | Quantity::Joint { joint: label, .. }
+                | Quantity::Spring { spring: label, .. } => {
                     values.ask(label, index);
                 }
                 Quantity::Energy(_) => values.energy.push(index),
@@ -96,6 +97,7 @@ impl<'a> ColumnValues<'a> {
             self.observed.sections.clear();
             self.observed.reactions.clear();
             self.observed.joints.clear();
+            self.observed.springs.clear();
             let system = &self.model.system;
             system.observe_element(
                 asked.element,
@@ -138,6 +140,7 @@ impl<'a> ColumnValues<'a> {
             Quantity::Section { .. }
             | Quantity::Reaction { .. }
             | Quantity::Joint { .. }
+            | Quantity::Spring { .. }
             | Quantity::Energy(_) => f64::NAN,
         }
     }
@@ -240,6 +243,16 @@ fn told(quantity: &Quantity, observed: &Observations, state: &State) -> Option<f
                 JointMotion::Rotation => &joint.rotation,
                 JointMotion::Velocity => &joint.velocity,
                 JointMotion::AngularVelocity => &joint.angular_velocity,
+            };
+            Some(of_vector(vector, *part, &Axes::Model, state))
+        }
+        Quantity::Spring { vector, part, .. } => {
+            let spring = observed.springs.first()?;
+            let vector = match vector {
+                SpringVector::Displacement => &spring.displacement,
+                SpringVector::Rotation => &spring.rotation,
+                SpringVector::Force => &spring.force,
+                SpringVector::Moment => &spring.moment,
             };
             Some(of_vector(vector, *part, &Axes::Model, state))
         }

@@ -29,6 +29,9 @@ use crate::assembly::{Pattern, Sparse};
 const TRUSTED_GROWTH: f64 = 1e6;
 /// Growth of the factors above which other pivots are chosen.
 const LARGEST_GROWTH: f64 = 1e10;
+/// Part of the least pivot, when pivots were chosen, below which a pivot is round-off:
+/// the matrix has become singular, or needs others.
+const SHRUNK: f64 = 0.1;
 
 /// Factors of a matrix, on pivots that were chosen for an earlier one.
 #[derive(Debug)]
@@ -43,6 +46,8 @@ pub(super) struct KeptLu {
     /// Unknowns in the order of elimination.
     ordered: Vec<f64>,
     growth: f64,
+    /// Relative size below which a pivot is none.
+    least_pivot: f64,
 }
 
 impl KeptLu {
@@ -67,25 +72,33 @@ impl KeptLu {
             numbers: Numbers::new(&structure),
             ordered: vec![0.0; pattern.size()],
             growth: f64::INFINITY,
+            least_pivot: 0.0,
             pivots,
             row_scale,
             column_scale,
             scales,
             structure,
         };
-        lu.factorize(matrix)?;
+        let least = lu.compute(matrix)?;
+        lu.least_pivot = (least * SHRUNK).min(f64::EPSILON);
         Some(lu)
     }
 
     /// Factorizes another matrix on the same pattern; `None` when other pivots are needed.
     pub fn factorize(&mut self, matrix: &Sparse) -> Option<()> {
+        let least = self.compute(matrix)?;
+        (least >= self.least_pivot).then_some(())
+    }
+
+    /// Computes the factors; the least pivot, relative to the matrix.
+    fn compute(&mut self, matrix: &Sparse) -> Option<f64> {
         let matrix = Scaled {
             values: matrix.values(),
             scales: &self.scales,
         };
         let growth = self.numbers.factorize(&self.structure, matrix)?;
         self.growth = growth.factor();
-        (self.growth < LARGEST_GROWTH).then_some(())
+        (self.growth < LARGEST_GROWTH).then(|| growth.least())
     }
 
     /// Whether the factors are as good as the matrix but for a few digits.

@@ -34,6 +34,8 @@ pub struct LinearCounts {
 /// fulfill their equations. Where that fails new ones are chosen, and where these fail
 /// too, the factorization of [`LinearSolver`] takes over. Nothing is allocated while
 /// pivots are kept.
+///
+/// References: [Arioli1989], the error of a solution.
 #[derive(Debug)]
 pub struct StepSolver {
     matrix: Sparse,
@@ -181,7 +183,7 @@ impl StepSolver {
     }
 
     /// Largest residual `b - A x` relative to the terms of its equation,
-    /// `|r_i| / (|A| |x| + |b|)_i`.
+    /// `|r_i| / (|A| |x| + |b|)_i` (D-135).
     fn error(&mut self, x: &[f64]) -> f64 {
         self.residual.copy_from_slice(&self.right_side);
         let sizes = self.sizes.iter_mut().zip(&self.right_side);

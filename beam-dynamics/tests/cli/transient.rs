@@ -1,5 +1,9 @@
 //! `transient` and `plot`, with runs that are stopped and gone on with.
 
+use std::fs;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
 use super::Folder;
 
 /// A beam of two elements that falls from its straight place.
@@ -93,8 +97,10 @@ fn a_run_writes_its_tables_figures_and_effort() {
     assert_eq!(table.lines().count(), 27);
     let last = row(&table, 25);
     assert!((last[0] - 0.1).abs() < 1e-12);
-    // It falls, no faster than it would without the clamp: g t^2 / 2 = 49 mm.
-    assert!(last[3] < -10.0 && last[3] > -49.0, "{last:?}");
+    // The tip falls nearly as freely as g t^2 / 2 = 49 mm; the energy, zero at the start, is
+    // dissipated a little by the formula, beside some 2 J that have changed their kind.
+    assert!(last[3] < -40.0 && last[3] > -60.0, "{last:?}");
+    assert!(last[7] < 1e-9 && last[7] > -0.02, "{last:?}");
     assert!((last[6] - 2e-3 * last[0]).abs() < 1e-15);
     let figure = folder.read("results/a.transient.svg");
     for expected in ["tip_z", "[mm]", "[kN]", "[J]", "time [s]"] {
@@ -104,33 +110,53 @@ fn a_run_writes_its_tables_figures_and_effort() {
     assert_eq!(series.matches("DataSet").count(), 6);
 }
 
-// A part that ends earlier and leaves more rows than its last state covers stands for a
-// run that was killed: rows after the state are written again.
 #[test]
-fn a_stopped_run_goes_on_to_the_last_bit() {
+fn a_killed_run_goes_on_to_the_last_bit() {
     let folder = Folder::new();
-    folder.write("a.dynamics.toml", &beam(0.1));
+    folder.write("a.dynamics.toml", &beam(1000.0));
+    let arguments = ["transient", "a.dynamics.toml", "--out", "parts"];
+    let mut endless = folder.command(&arguments);
+    let mut endless = endless.stdout(Stdio::null()).spawn().unwrap();
+    let state = folder.path("parts/a.restart.json");
+    let table = folder.path("parts/a.transient.csv");
+    // More rows than the first state covers.
+    let rows = || fs::read_to_string(&table).map_or(0, |text| text.lines().count());
+    let patience = Instant::now();
+    while !(state.exists() && rows() > 20) && patience.elapsed() < Duration::from_secs(300) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    endless.kill().unwrap();
+    endless.wait().unwrap();
+    let kept = fs::read_to_string(&state).unwrap();
+    let step = kept.split("\"step\":").nth(1).unwrap();
+    let step = step.split(',').next().unwrap();
+    let end = 0.002 * (step.parse::<f64>().unwrap() + 30.0);
+
+    folder.write("a.dynamics.toml", &beam(end));
     let whole = folder.run(&["transient", "a.dynamics.toml", "--out", "whole"]);
     assert_eq!(whole.code, 0, "{}", whole.err);
-    folder.write("a.dynamics.toml", &beam(0.056));
-    let part = folder.run(&["transient", "a.dynamics.toml", "--out", "parts"]);
-    assert_eq!(part.code, 0, "{}", part.err);
-    folder.write("a.dynamics.toml", &beam(0.1));
     let restart = ["--restart", "parts/a.restart.json"];
-    let arguments = ["transient", "a.dynamics.toml", "--out", "parts"];
     let rest = folder.run(&[&arguments[..], &restart[..]].concat());
     assert_eq!(rest.code, 0, "{}", rest.err);
     assert!(
-        rest.out.contains("a: goes on at 0.04 s (step 20) to 0.1 s"),
+        rest.out.contains(&format!("(step {step}) to")),
         "{}",
         rest.out
     );
     for file in ["a.transient.csv", "a.transient.nc", "a.transient.pvd"] {
         let [once, twice] = ["whole", "parts"]
-            .map(|place| std::fs::read(folder.path(&format!("{place}/{file}"))).unwrap());
+            .map(|place| fs::read(folder.path(&format!("{place}/{file}"))).unwrap());
         assert!(once == twice, "{file}");
     }
+}
 
+#[test]
+fn a_state_that_does_not_fit_is_refused() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", &beam(0.1));
+    let arguments = ["transient", "a.dynamics.toml", "--out", "parts"];
+    let restart = ["--restart", "parts/a.restart.json"];
+    assert_eq!(folder.run(&arguments).code, 0);
     let again = folder.run(&[&arguments[..], &restart[..]].concat());
     assert_eq!(again.code, 2);
     assert_eq!(

@@ -13,7 +13,7 @@ use crate::expression::written;
 /// Cards that copies may come to, at most.
 const MOST: usize = 200_000;
 /// Keys whose texts are words and no names.
-const WORDS: [&str; 12] = [
+const WORDS: [&str; 15] = [
     "kind",
     "axes",
     "axis_in",
@@ -26,6 +26,9 @@ const WORDS: [&str; 12] = [
     "unit",
     "quantity",
     "component",
+    "axis",
+    "free",
+    "scheme",
 ];
 
 impl Document {

@@ -2,22 +2,20 @@
 
 use std::fmt::Write;
 
-use nalgebra::Vector3;
-
 use crate::analysis::steady::NoEquilibrium;
 use crate::assembly::System;
 use crate::assembly::massless::MasslessNode;
+use crate::assembly::redundancy::Redundant;
 use crate::integrator::{Reason, StepFailure};
-use crate::model::{Conditions, NODE_UNKNOWNS, State};
+use crate::model::State;
 use crate::solver::Iteration;
 use shared_geom::error::Explain;
 
+use super::redundant::in_words;
 use super::start::StartChange;
 
 /// Rotation of a node in a step above which a formula is out of its depth \[rad\].
 const LARGE_TURN: f64 = 0.5;
-/// Ratio of moments of inertia above which a body is slender.
-const SLENDER: f64 = 30.0;
 /// Iterations of the history that are told.
 const TOLD: usize = 8;
 
@@ -30,6 +28,9 @@ pub enum TransientFailure {
     /// A node can move, although nothing says how.
     #[error(transparent)]
     Massless(#[from] MasslessNode),
+    /// Constraints that follow from others.
+    #[error("redundant constraints: {}", in_words(.0))]
+    Redundant(Vec<Redundant>),
     /// No equilibrium to start from.
     #[error("start: {0}")]
     Equilibrium(#[from] Box<NoEquilibrium>),
@@ -59,6 +60,9 @@ pub enum TransientFailure {
         /// The largest change that the constraints ask for.
         change: StartChange,
     },
+    /// Constraints that follow from others.
+    #[error("start: {} constraints follow from others: {}", .0.len(), listed(.0))]
+    Redundant(Vec<Redundant>),
     /// A dummy step could not be made.
     #[error("start: dummy steps: {0}")]
     Dummy(Box<StepFailure>),
@@ -86,6 +90,9 @@ impl TransientFailure {
             Self::Step(trouble) => return trouble.remedy(),
             Self::Dummy(failure) => return failure.reason.remedies().join("; "),
             Self::Massless(node) => return node.help().unwrap_or_default(),
+            Self::Redundant(found) => {
+                return found.first().and_then(Explain::help).unwrap_or_default();
+            }
             Self::Structure | Self::Equilibrium(_) => {
                 "hold what is free, or take away the load that nothing can carry"
             }
@@ -97,6 +104,10 @@ impl TransientFailure {
                 "look for joints that say the same twice and for a position at which the \
                  mechanism is locked"
             }
+            Self::Redundant(_) => {
+                "set redundant = \"remove\" in [transient] to leave them out, or take joints that \
+                 hold less"
+            }
             Self::Held { .. } => {
                 "drive what holds the model at the speed of the start, for instance by a joint \
                  whose angle is a ramp"
@@ -106,6 +117,11 @@ impl TransientFailure {
         };
         fixed.to_owned()
     }
+}
+
+fn listed(constraints: &[Redundant]) -> String {
+    let texts: Vec<_> = constraints.iter().map(ToString::to_string).collect();
+    texts.join("; ")
 }
 
 /// A step that could not be made, and what it may come from.
@@ -156,28 +172,16 @@ fn history(iterations: &[Iteration]) -> String {
 pub(super) fn trouble(
     failure: StepFailure,
     system: &System,
-    (state, conditions): (&State, &Conditions),
+    state: &State,
     step: f64,
 ) -> StepTrouble {
-    let cause = cause(&failure, system, (state, conditions), step);
+    let cause = cause(&failure, system, state, step);
     StepTrouble { failure, cause }
 }
 
-fn cause(
-    failure: &StepFailure,
-    system: &System,
-    (state, conditions): (&State, &Conditions),
-    step: f64,
-) -> String {
+fn cause(failure: &StepFailure, system: &System, state: &State, step: f64) -> String {
     if failure.reason == Reason::NotFinite {
-        return "a law, a drive or a load has no value there".to_owned();
-    }
-    if let Some(node) = spinning_slender(system, state, conditions, step) {
-        return format!(
-            "likely cause: the body of node \"{node}\" is slender and its spin about its long \
-             axis is not damped by a formula of this radius at this step: take shorter steps, \
-             radius = 0.3 or less, or a larger inertia about that axis"
-        );
+        return "likely cause: a law, a drive or a load has no value there".to_owned();
     }
     let (fastest, turn) = fastest(system, state, step);
     if turn > LARGE_TURN {
@@ -206,33 +210,4 @@ fn fastest(system: &System, state: &State, step: f64) -> (String, f64) {
     let turns = turns.map(|(motion, node)| (&node.label, step * motion.angular_velocity.norm()));
     let most = turns.max_by(|a, b| a.1.total_cmp(&b.1));
     most.map_or_else(|| (String::new(), 0.0), |(node, turn)| (node.clone(), turn))
-}
-
-/// A node whose body is slender and turns about its long axis faster than across it.
-fn spinning_slender(
-    system: &System,
-    state: &State,
-    conditions: &Conditions,
-    step: f64,
-) -> Option<String> {
-    let tangent = system.tangent(state, conditions);
-    for (i, (motion, node)) in state.nodes.iter().zip(system.nodes()).enumerate() {
-        let first = NODE_UNKNOWNS * i + 3;
-        let entry =
-            |row: usize, column: usize| -tangent.by_rates.entry(first + row, first + column);
-        let inertia = nalgebra::Matrix3::from_fn(|i, j| 0.5 * (entry(i, j) + entry(j, i)));
-        let parts = inertia.symmetric_eigen();
-        let least = parts.eigenvalues.imin();
-        let (low, high) = (parts.eigenvalues[least], parts.eigenvalues.max());
-        if low <= 0.0 || high < SLENDER * low {
-            continue;
-        }
-        let axis: Vector3<f64> = parts.eigenvectors.column(least).into();
-        let spin = axis.dot(&motion.angular_velocity).abs();
-        let across = (motion.angular_velocity - axis * axis.dot(&motion.angular_velocity)).norm();
-        if spin * step > 0.1 && spin > across {
-            return Some(node.label.clone());
-        }
-    }
-    None
 }

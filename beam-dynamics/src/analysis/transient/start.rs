@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use crate::analysis::steady::equilibrium;
-use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
+use crate::assembly::redundancy;
+use crate::case::{InitialMotion, Model, Redundant, Start, StartAccelerations, TransientQuestion};
 use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
 use crate::solver::LinearSolver;
 
@@ -86,8 +87,8 @@ pub(super) struct Started {
     pub changes: Vec<StartChange>,
     /// What the reader must know.
     pub remarks: Vec<String>,
-    /// Whether the rates and the multipliers agree with the motion.
-    pub is_consistent: bool,
+    /// Constraints that are left out since they follow from others.
+    pub left_out: Vec<usize>,
 }
 
 /// The first state of a run.
@@ -118,8 +119,9 @@ pub(super) fn start(
         state,
         changes,
         remarks: Vec::new(),
-        is_consistent: false,
+        left_out: Vec::new(),
     };
+    leave_out(model, question, &conditions, &mut started)?;
     find_rates(model, question, &conditions, &mut started)?;
     Ok(started)
 }
@@ -176,6 +178,24 @@ fn find_momenta(model: &Model, state: &mut State, conditions: &Conditions) {
     }
 }
 
+/// Leaves out the constraints that follow from others, or refuses them.
+fn leave_out(
+    model: &Model,
+    question: &TransientQuestion,
+    conditions: &Conditions,
+    started: &mut Started,
+) -> Result<(), TransientFailure> {
+    let redundant = redundancy::find(&model.system, &started.state, conditions);
+    if !redundant.is_empty() && question.redundant == Redundant::Error {
+        return Err(TransientFailure::Redundant(redundant));
+    }
+    for constraint in &redundant {
+        started.remarks.push(format!("left out: {constraint}"));
+        started.left_out.push(constraint.constraint);
+    }
+    Ok(())
+}
+
 fn find_rates(
     model: &Model,
     question: &TransientQuestion,
@@ -193,9 +213,10 @@ fn find_rates(
             return Ok(());
         }
         StartAccelerations::Consistent => {
-            if let Some(consistent) = consistent_rates(&model.system, state, conditions) {
+            if let Some(consistent) =
+                consistent_rates(&model.system, state, conditions, &started.left_out)
+            {
                 *state = consistent;
-                started.is_consistent = true;
                 return Ok(());
             }
             let remark = "the second derivative of some constraint is not known: the first \
@@ -204,8 +225,7 @@ fn find_rates(
         }
         StartAccelerations::Dummy => {}
     }
-    *state = dummy_rates(model, question, state)?;
-    started.is_consistent = true;
+    *state = dummy_rates(model, question, state, &started.left_out)?;
     Ok(())
 }
 

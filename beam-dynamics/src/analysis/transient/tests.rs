@@ -7,3 +7,4 @@ mod flexible;
 mod jacobian;
 mod models;
 mod rigid;
+mod starting;

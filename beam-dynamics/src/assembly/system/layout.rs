@@ -10,7 +10,7 @@ use crate::elements::{Element, LocalJacobian, LocalResidual};
 use crate::model::{NODE_UNKNOWNS, NodeMotion, Numbering};
 
 /// Places of one element in the vectors and matrices of the system.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Layout {
     /// Place in the system of each local row.
     pub places: Vec<usize>,

@@ -41,7 +41,7 @@ impl System {
     /// [`Variation`],
     ///
     /// ```text
-    /// dF = F_theta theta + F_omega d omega = (F_theta G + F_omega W) du + F_omega G du'
+    /// F_theta theta + F_omega d omega = (F_theta G + F_omega W) du + F_omega G du'   (D-130)
     /// ```
     pub fn combine(
         &self,

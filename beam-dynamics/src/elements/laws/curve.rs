@@ -69,7 +69,7 @@ impl Curve {
             outside,
         };
         Self {
-            points: points(unset.from_first(0.0)),
+            points: points(unset.sum_to(0.0)),
             outside,
         }
     }
@@ -88,7 +88,7 @@ impl Curve {
 
     /// Integral of the force from the strain zero.
     pub fn integral(&self, e: f64) -> f64 {
-        self.from_first(e) - self.points.to_zero
+        self.sum_to(e) - self.points.to_zero
     }
 
     /// Interval, and the nearest strain in it.
@@ -104,7 +104,7 @@ impl Curve {
     }
 
     /// Integral from the first point.
-    fn from_first(&self, e: f64) -> f64 {
+    fn sum_to(&self, e: f64) -> f64 {
         let (i, inside) = self.place(e);
         let within = self.points.sums[i] + self.points.line.integral(i, inside);
         let beyond = e - inside;

@@ -26,18 +26,18 @@ use shared_geom::rotation::skew;
 use super::factor::LoadFactor;
 use crate::elements::springs::End;
 use crate::elements::springs::line::{Line, PullVariation};
-use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual};
+use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::Equation::{Force, Moment};
-use crate::model::{Drive, Node, NodeMotion, Variable};
+use crate::model::{Node, NodeMotion, Variable};
 
 /// What acts between two nodes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Between {
-    /// A force along the line between two points, positive where it pulls them together.
+    /// A force along the line between two points on nodes, positive where it pulls them together.
     Line {
         /// The points.
         ends: [End; 2],
-        /// The force for the factor and the drive one [N].
+        /// The force for the factor and the signal one [N].
         tension: f64,
     },
     /// A force and a moment on the second node that turn with the first.
@@ -57,24 +57,25 @@ pub enum Between {
 #[derive(Debug, Clone)]
 pub struct InternalForce {
     label: String,
+    /// The two nodes, then those that are sensed.
+    nodes: Vec<usize>,
     acting: Acting,
     factor: LoadFactor,
-    drive: Drive,
+    signal: Signal,
 }
 
 #[derive(Debug, Clone)]
 enum Acting {
-    Line {
-        line: Line,
-        tension: f64,
-    },
-    Axes {
-        nodes: [usize; 2],
-        offset: Vector3<f64>,
-        /// In the axes of the first node.
-        force: Vector3<f64>,
-        moment: Vector3<f64>,
-    },
+    Line { line: Line, tension: f64 },
+    Axes(Axes),
+}
+
+/// A force and a moment in the axes of the first node.
+#[derive(Debug, Clone)]
+struct Axes {
+    offset: Vector3<f64>,
+    force: Vector3<f64>,
+    moment: Vector3<f64>,
 }
 
 /// Force and moment of the axes of the first node at a state.
@@ -95,13 +96,13 @@ impl InternalForce {
         nodes: &[Node],
         between: Between,
         factor: LoadFactor,
-        drive: Drive,
+        signal: Signal,
     ) -> Self {
-        let acting = match between {
-            Between::Line { ends, tension } => Acting::Line {
-                line: Line::new(ends),
-                tension,
-            },
+        let (mut on, acting) = match between {
+            Between::Line { ends, tension } => {
+                let line = Line::new(ends);
+                (line.nodes().to_vec(), Acting::Line { line, tension })
+            }
             Between::Axes {
                 nodes: [a, b],
                 offset,
@@ -109,49 +110,48 @@ impl InternalForce {
                 moment,
             } => {
                 let into_first = nodes[a].rotation.transpose();
-                Acting::Axes {
-                    nodes: [a, b],
+                let axes = Axes {
                     offset,
                     force: into_first * force,
                     moment: into_first * moment,
-                }
+                };
+                (vec![a, b], Acting::Axes(axes))
             }
         };
         Self {
             label: label.into(),
+            signal: signal.seated(&mut on),
+            nodes: on,
             acting,
             factor,
-            drive,
         }
     }
 
-    /// Factor of the forces.
-    fn size(&self, at: &Local<'_>) -> f64 {
-        self.factor.value(at.loading) * self.drive.at(at.loading.time).value
-    }
-
-    /// Its derivative by the factor of the proportional loads.
-    fn growth(&self, at: &Local<'_>) -> f64 {
-        self.factor.derivative() * self.drive.at(at.loading.time).value
-    }
-
-    fn add(&self, size: f64, at: &Local<'_>, out: &mut LocalResidual) {
+    /// Force and moment on each of the two nodes, for the factor and the signal one.
+    fn wrenches(&self, nodes: &[NodeMotion]) -> Vec<(usize, [Vector3<f64>; 2])> {
         match &self.acting {
-            Acting::Line { line, tension } => {
-                line.state(at.nodes).add_pull(size * tension, out);
-            }
-            axes @ Acting::Axes { .. } => {
-                let pair = axes.pair(size, at.nodes);
-                for (node, sign) in SIGNS.into_iter().enumerate() {
-                    out.add(node, Force, &(sign * pair.force));
-                    out.add(node, Moment, &(sign * pair.moment));
-                    out.add(node, Moment, &(sign * pair.arms[node].cross(&pair.force)));
-                }
+            Acting::Line { line, tension } => line.state(nodes).pulls(*tension).collect(),
+            Acting::Axes(axes) => {
+                let pair = axes.pair(1.0, nodes);
+                let on = |(node, sign): (usize, f64)| {
+                    let moment = pair.moment + pair.arms[node].cross(&pair.force);
+                    (node, [sign * pair.force, sign * moment])
+                };
+                SIGNS.into_iter().enumerate().map(on).collect()
             }
         }
     }
 
-    fn add_variation(&self, size: f64, at: &Local<'_>, out: &mut LocalJacobian) {
+    fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
+        let size = factor * self.signal.value(at);
+        for (node, [force, moment]) in self.wrenches(at.nodes) {
+            out.add(node, Force, &(size * force));
+            out.add(node, Moment, &(size * moment));
+        }
+    }
+
+    fn add_variation(&self, factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
+        let size = factor * self.signal.value(at);
         match &self.acting {
             Acting::Line { line, tension } => {
                 let state = line.state(at.nodes);
@@ -161,29 +161,27 @@ impl InternalForce {
                 };
                 state.add_variation(size * tension, &by, out);
             }
-            axes @ Acting::Axes { .. } => axes.pair(size, at.nodes).add_variation(out),
+            Acting::Axes(axes) => axes.pair(size, at.nodes).add_variation(out),
         }
+        let wrenches = self.wrenches(at.nodes);
+        self.signal.gradient(at, |place, variable, row| {
+            let row = factor * row.transpose();
+            for (node, [force, moment]) in &wrenches {
+                out.add((*node, Force), (place, variable), &(force * row));
+                out.add((*node, Moment), (place, variable), &(moment * row));
+            }
+        });
     }
 }
 
-impl Acting {
+impl Axes {
     fn pair(&self, size: f64, nodes: &[NodeMotion]) -> Pair {
         let (a, b) = (&nodes[0], &nodes[1]);
-        let zero = Vector3::zeros();
-        let [offset, force, moment] = match self {
-            Self::Line { .. } => [zero; 3],
-            Self::Axes {
-                offset,
-                force,
-                moment,
-                ..
-            } => [*offset, *force, *moment],
-        };
-        let f = b.rotation * offset;
+        let f = b.rotation * self.offset;
         Pair {
             arms: [b.position + f - a.position, f],
-            force: size * (a.rotation * force),
-            moment: size * (a.rotation * moment),
+            force: size * (a.rotation * self.force),
+            moment: size * (a.rotation * self.moment),
         }
     }
 }
@@ -210,29 +208,26 @@ impl Element for InternalForce {
     }
 
     fn nodes(&self) -> &[usize] {
-        match &self.acting {
-            Acting::Line { line, .. } => line.nodes(),
-            Acting::Axes { nodes, .. } => nodes,
-        }
+        &self.nodes
     }
 
     fn next_corner(&self, time: f64) -> f64 {
-        self.drive.next_corner(time)
+        self.signal.next_corner(time)
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(self.size(at), at, out);
+        self.add(self.factor.value(at.loading), at, out);
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        self.add_variation(self.size(at), at, out);
+        self.add_variation(self.factor.value(at.loading), at, out);
     }
 
     fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(self.growth(at), at, out);
+        self.add(self.factor.derivative(), at, out);
     }
 
     fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
-        self.add_variation(self.growth(at), at, out);
+        self.add_variation(self.factor.derivative(), at, out);
     }
 }

@@ -171,14 +171,21 @@ impl LineState {
         self.ends.iter().zip(SIGNS).map(of_end).sum()
     }
 
+    /// Force and moment of a tension on the node of each end, by its place; none for an end
+    /// in the frame.
+    pub fn pulls(&self, tension: f64) -> impl Iterator<Item = (usize, [Vector3<f64>; 2])> {
+        let of_end = move |(end, sign): (&Place, f64)| {
+            let force = -sign * tension * self.n;
+            end.local.map(|local| (local, [force, end.f.cross(&force)]))
+        };
+        self.ends.iter().zip(SIGNS).filter_map(of_end)
+    }
+
     /// Adds the forces and moments of a tension.
     pub fn add_pull(&self, tension: f64, out: &mut LocalResidual) {
-        for (end, sign) in self.ends.iter().zip(SIGNS) {
-            if let Some(local) = end.local {
-                let force = -sign * tension * self.n;
-                out.add(local, Force, &force);
-                out.add(local, Moment, &end.f.cross(&force));
-            }
+        for (local, [force, moment]) in self.pulls(tension) {
+            out.add(local, Force, &force);
+            out.add(local, Moment, &moment);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use shared_geom::units::{Dimension, UnitProblem, parse_as};
 
-use crate::case::{EnergyPart, JointMotion, NodeVector};
+use crate::case::{EnergyPart, JointMotion, NodeVector, SpringVector};
 
 /// A word under `quantity`, where its numbers come from, what they measure (of beams
 /// their first three components), and their unit unless one is given.
@@ -30,6 +30,8 @@ pub(super) enum Source {
     },
     /// Motion of a joint.
     Joint(JointMotion),
+    /// What a rod or a spring tells.
+    Spring(SpringVector),
     /// Value of a drive; what it measures is that of its unit.
     Drive,
     /// Energy of the model.
@@ -69,7 +71,7 @@ pub(super) fn unit_factor(unit: &str, dimension: Dimension) -> Result<f64, UnitP
 }
 
 /// All quantities.
-pub(super) const KINDS: [Kind; 27] = [
+pub(super) const KINDS: [Kind; 31] = [
     (
         "position",
         Source::Node(NodeVector::Position),
@@ -189,6 +191,30 @@ pub(super) const KINDS: [Kind; 27] = [
         Source::Joint(JointMotion::AngularVelocity),
         Dimension::ROTATION_SPEED,
         "rad/s",
+    ),
+    (
+        "spring_displacement",
+        Source::Spring(SpringVector::Displacement),
+        Dimension::LENGTH,
+        "m",
+    ),
+    (
+        "spring_rotation",
+        Source::Spring(SpringVector::Rotation),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "spring_force",
+        Source::Spring(SpringVector::Force),
+        Dimension::FORCE,
+        "N",
+    ),
+    (
+        "spring_moment",
+        Source::Spring(SpringVector::Moment),
+        Dimension::MOMENT,
+        "N*m",
     ),
     ("drive", Source::Drive, Dimension::NUMBER, "1"),
     (

@@ -1,7 +1,13 @@
 use std::fs;
 
+use approx::assert_relative_eq;
+use nalgebra::Vector3;
+use shared_geom::rotation::vector;
+
 use crate::case::{Axes, Column, Every, NodeQuantity, NodeVector, Part, Quantity};
 use crate::input::{Input, read};
+use crate::model::Conditions;
+use crate::result::{ColumnValues, Moment};
 
 const MODEL: &str = "
 units = \"SI\"
@@ -32,42 +38,8 @@ properties = \"strip\"
 node = \"root\"
 ";
 
-fn input(cards: &str) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.dynamics.toml");
-    fs::write(&path, format!("{MODEL}{cards}")).unwrap();
-    let prefix = format!("{}/", folder.path().display());
-    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
-}
-
-fn names(columns: &[Column]) -> Vec<&str> {
-    columns.iter().map(|column| column.name.as_str()).collect()
-}
-
-#[test]
-fn without_columns_nodes_that_move_and_energies_are_written() {
-    let output = input("").unwrap().output;
-    let expected = [
-        "mid_x",
-        "mid_y",
-        "mid_z",
-        "the_tip_x",
-        "the_tip_y",
-        "the_tip_z",
-        "kinetic_energy",
-        "elastic_energy",
-        "gravity_energy",
-        "energy",
-    ];
-    assert_eq!(names(&output.columns), expected);
-    assert_eq!(output.every, Every::Steps(1));
-    assert!(output.csv && output.netcdf && output.vtu.is_none());
-}
-
-#[test]
-fn columns_have_names_units_and_parts() {
-    let output = input(
-        "[output]
+/// Columns of every kind of source.
+const CHOSEN: &str = "[output]
         every = \"2 ms\"
         restart_every = 100
         vtu = 5
@@ -106,10 +78,90 @@ fn columns_have_names_units_and_parts() {
         quantity = \"angular_velocity\"
         of = \"mid\"
         component = \"x\"
-        unit = \"rpm\"\n",
-    )
-    .unwrap()
-    .output;
+        unit = \"rpm\"\n";
+
+/// A slip in every card.
+const WRONG: &str = "[output]
+every = 0
+[[output.column]]
+name = \"1st\"
+quantity = \"posizion\"
+[[output.column]]
+name = \"a\"
+quantity = \"position\"
+of = \"the tib\"
+component = \"w\"
+[[output.column]]
+name = \"b\"
+quantity = \"velocity\"
+of = \"mid\"
+unit = \"mm\"
+colour = 1
+[[output.column]]
+name = \"c\"
+quantity = \"strain\"
+of = \"mest\"
+point = 3
+[[output.column]]
+name = \"d\"
+quantity = \"reaction_force\"
+of = \"clamp of rood\"
+[[output.column]]
+name = \"e\"
+quantity = \"reaction_force\"
+of = \"clamp of root\"
+node = \"mid\"
+[[output.column]]
+name = \"f\"
+quantity = \"euler_angles\"
+of = \"mid\"
+sequence = \"xxz\"
+[[output.column]]
+name = \"g\"
+quantity = \"energy\"
+[[output.column]]
+name = \"g\"
+quantity = \"energy\"
+[[output.column]]
+name = \"time\"
+quantity = \"energy\"
+";
+
+fn input(cards: &str) -> Result<Input, String> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dynamics.toml");
+    fs::write(&path, format!("{MODEL}{cards}")).unwrap();
+    let prefix = format!("{}/", folder.path().display());
+    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+}
+
+fn names(columns: &[Column]) -> Vec<&str> {
+    columns.iter().map(|column| column.name.as_str()).collect()
+}
+
+#[test]
+fn without_columns_nodes_that_move_and_energies_are_written() {
+    let output = input("").unwrap().output;
+    let expected = [
+        "mid_x",
+        "mid_y",
+        "mid_z",
+        "the_tip_x",
+        "the_tip_y",
+        "the_tip_z",
+        "kinetic_energy",
+        "elastic_energy",
+        "gravity_energy",
+        "energy",
+    ];
+    assert_eq!(names(&output.columns), expected);
+    assert_eq!(output.every, Every::Steps(1));
+    assert!(output.csv && output.netcdf && output.vtu.is_none());
+}
+
+#[test]
+fn columns_have_names_units_and_parts() {
+    let output = input(CHOSEN).unwrap().output;
     assert_eq!(output.every, Every::Time(2e-3));
     assert_eq!(output.restart, Some(Every::Steps(100)));
     assert_eq!(
@@ -164,54 +216,7 @@ fn columns_have_names_units_and_parts() {
 
 #[test]
 fn all_that_is_wrong_is_told_with_the_nearest_name() {
-    let told = input(
-        "[output]
-every = 0
-[[output.column]]
-name = \"1st\"
-quantity = \"posizion\"
-[[output.column]]
-name = \"a\"
-quantity = \"position\"
-of = \"the tib\"
-component = \"w\"
-[[output.column]]
-name = \"b\"
-quantity = \"velocity\"
-of = \"mid\"
-unit = \"mm\"
-colour = 1
-[[output.column]]
-name = \"c\"
-quantity = \"strain\"
-of = \"mest\"
-point = 3
-[[output.column]]
-name = \"d\"
-quantity = \"reaction_force\"
-of = \"clamp of rood\"
-[[output.column]]
-name = \"e\"
-quantity = \"reaction_force\"
-of = \"clamp of root\"
-node = \"mid\"
-[[output.column]]
-name = \"f\"
-quantity = \"euler_angles\"
-of = \"mid\"
-sequence = \"xxz\"
-[[output.column]]
-name = \"g\"
-quantity = \"energy\"
-[[output.column]]
-name = \"g\"
-quantity = \"energy\"
-[[output.column]]
-name = \"time\"
-quantity = \"energy\"
-",
-    )
-    .unwrap_err();
+    let told = input(WRONG).unwrap_err();
     for expected in [
         "a.dynamics.toml:29: \"every\" is 0, expected a whole number of at least 1",
         "a.dynamics.toml:31: \"1st\" is no name of a column, expected letters",
@@ -222,7 +227,7 @@ quantity = \"energy\"
         "colour",
         "unknown beam \"mest\" in column \"c\"\n  help: did you mean \"mast\"?",
         "\"point\" is 3, expected 1 or 2",
-        "unknown joint \"clamp of rood\" in column \"d\"\n  help: did you mean \"clamp of root\"?",
+        "unknown joint or spring \"clamp of rood\" in column \"d\"\n  help: did you mean \"clamp of root\"?",
         "\"clamp of root\" does not act on node \"mid\"",
         "\"sequence\" is \"xxz\"",
         "column \"g\" is already defined on line ",
@@ -230,4 +235,64 @@ quantity = \"energy\"
     ] {
         assert!(told.contains(expected), "{expected}\n---\n{told}");
     }
+}
+
+// The arm is turned by 0.5 rad about the pin and moved by 3 mm, which the pin sees.
+#[test]
+fn joints_and_drives_are_found_at_a_state() {
+    let column = |name: &str, quantity: &str, of: &str, rest: &str| {
+        format!(
+            "[[output.column]]\nname = \"{name}\"\nquantity = \"{quantity}\"\nof = \"{of}\"\n{rest}\n"
+        )
+    };
+    let cards = [
+        "[[node]]\nname = \"arm\"\nposition = [2, 0, 0]\n".to_owned(),
+        "[[body]]\nnode = \"arm\"\nmass = 1\ninertia = [1, 1, 1]\n".to_owned(),
+        "[[hinge]]\nname = \"pin\"\nnodes = [\"the tip\", \"arm\"]\naxis = [0, 0, 1]\n".to_owned(),
+        column("angle", "joint_angle", "pin", "unit = \"rad\""),
+        column("turned", "joint_rotation", "pin", "component = \"z\""),
+        column(
+            "slip",
+            "joint_displacement",
+            "pin",
+            "unit = \"mm\"\ncomponent = \"y\"",
+        ),
+        column(
+            "force",
+            "reaction_force",
+            "pin",
+            "in = \"second\"\ncomponent = \"x\"",
+        ),
+        column("plain", "reaction_force", "pin", "component = \"x\""),
+        column("side", "reaction_force", "pin", "component = \"y\""),
+        column("push", "drive", "= 2*t", "unit = \"kN\""),
+    ];
+    let input = input(&cards.concat()).unwrap();
+    let mut state = input.model.system.rest();
+    state.nodes[3].rotation = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.5));
+    state.nodes[3].position.y += 3e-3;
+    for (k, multiplier) in state.multipliers.iter_mut().enumerate() {
+        *multiplier = 1.0 + k as f64;
+    }
+    let conditions = Conditions::at_rest();
+    let moment = Moment {
+        step: 1,
+        time: 7.0,
+        length: 1.0,
+        iterations: 1,
+        state: &state,
+        conditions: &conditions,
+    };
+    let mut out = [0.0; 7];
+    ColumnValues::new(&input.model, &input.output).evaluate(&moment, &mut out);
+    let [angle, turned, slip, side, up, force, push] = out;
+    assert_relative_eq!(angle, 0.5, epsilon = 1e-14);
+    assert_relative_eq!(turned, 0.5_f64.to_degrees(), epsilon = 1e-12);
+    assert_relative_eq!(slip, 3.0, epsilon = 1e-12);
+    // The axes of the second end are turned by the angle about x, the axis of the pin.
+    let (sine, cosine) = 0.5_f64.sin_cos();
+    assert!(side.hypot(up) > 0.5, "{side} {up}");
+    assert_relative_eq!(force, cosine * side + sine * up, epsilon = 1e-12);
+    // A drive of plain numbers counts in the units of the file: 14 N.
+    assert_relative_eq!(push, 14e-3, epsilon = 1e-15);
 }

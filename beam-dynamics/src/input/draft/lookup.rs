@@ -48,11 +48,12 @@ impl Draft {
     ) -> Option<Vec<usize>> {
         let clamp = |node: &usize| (format!("clamp of {}", self.nodes[*node].label), vec![*node]);
         let moving = self.loads.iter().filter(|load| load.multipliers() > 0);
-        let of_element = |element: &Box<dyn Element>| {
+        let of_element = |element: &dyn Element| {
             let label = element.label().to_owned();
             (label, element.nodes().to_vec())
         };
-        let elements = self.joints.iter().chain(moving).map(of_element);
+        let elements = self.joints.iter().chain(moving);
+        let elements = elements.map(|element| of_element(element.as_ref()));
         let mut all = self.clamps.keys().map(clamp).chain(elements);
         let mut known = Vec::new();
         let found = all.find_map(|(label, nodes)| match label == name {
@@ -62,11 +63,11 @@ impl Draft {
                 None
             }
         });
-        let is_broken = ["joint", "spring", "imposed"]
+        let is_broken = ["joint", "spring", "rod", "imposed"]
             .iter()
             .any(|kind| self.is_taken(kind, name));
         if found.is_none() && !is_broken {
-            note_unknown("joint", name, user, known, (table, key));
+            note_unknown("joint or spring", name, user, known, (table, key));
         }
         found
     }

@@ -10,6 +10,7 @@ use super::{name, node_pair};
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::input::draft::Draft;
 use crate::input::drives;
+use crate::input::frames::Frame;
 use crate::input::problem::InputProblem;
 use crate::model::{Drive, Node};
 
@@ -66,6 +67,27 @@ struct Axes {
     in_node: bool,
 }
 
+impl Points {
+    /// Those of a card that is written in a frame.
+    fn in_frame(&self, frame: &Frame) -> Self {
+        let [at, from] = [self.at, self.from].map(|point| point.map(|point| frame.point(&point)));
+        Self { at, from }
+    }
+}
+
+impl Axes {
+    /// Those of a card that is written in a frame.
+    fn in_frame(self, frame: &Frame) -> Self {
+        match self.in_node {
+            true => self,
+            false => Self {
+                of_ends: self.of_ends.map(|axes| frame.axes(&axes)),
+                ..self
+            },
+        }
+    }
+}
+
 /// Adds every `[[joint]]` to the model.
 pub(in crate::input) fn read(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("joint").iter().enumerate() {
@@ -85,8 +107,11 @@ pub(in crate::input) fn read(root: &Table<'_>, draft: &mut Draft) {
             continue;
         };
         let holds = holds(kind, table, draft);
-        let points = points(kind, table);
-        let axes = axes(kind, table);
+        let frame = draft.frames().of(table);
+        let points = points(kind, table).zip(frame);
+        let points = points.map(|(points, frame)| points.in_frame(&frame));
+        let axes = axes(kind, table).zip(frame);
+        let axes = axes.map(|(axes, frame)| axes.in_frame(&frame));
         table.finish();
         let joint = match (nodes, holds, points, axes) {
             (Some(nodes), Some(holds), Some(points), Some(axes)) if is_new => joint(

@@ -9,7 +9,8 @@ use crate::model::Conditions;
 const NODES: &str = "
 units = \"SI\"
 [drives.swing]
-expression = \"= 20 * sin(3 * t)\"
+kind = \"expression\"
+expression = \"20 * sin(3 * t)\"
 [[node]]
 name = \"crank\"
 position = [0.5, 0, 0]

@@ -6,7 +6,7 @@ use std::fs;
 
 use nalgebra::Vector3;
 
-use crate::elements::{Element, Local};
+use crate::elements::Local;
 use crate::input::{Input, read};
 use crate::model::{Conditions, NodeMotion};
 

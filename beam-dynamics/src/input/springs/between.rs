@@ -35,11 +35,13 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<
         true => table.vector("at", Dimension::LENGTH).map(Some),
         false => Some(None),
     };
+    let frame = draft.frames().of(table);
     let law = spring_law(table, draft, &words);
-    let (nodes, axes) = (nodes?, vector::to_rotation(&turn?));
+    let (nodes, frame) = (nodes?, frame?);
+    let axes = frame.axes(&vector::to_rotation(&turn?));
     let all = draft.nodes();
     let last = nodes.last().map(|&node| all[node].position)?;
-    let place = place?.unwrap_or(last);
+    let place = place?.map_or(last, |place| frame.point(&place));
     Some(Spring::new(label, (&nodes, all), &place, &axes, law?))
 }
 

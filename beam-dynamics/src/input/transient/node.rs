@@ -5,6 +5,7 @@ use shared_geom::units::Dimension;
 
 use super::TransientProblem;
 use crate::case::InitialMotion;
+use crate::input::draft::Draft;
 
 /// Reads `velocity`, `angular_velocity`, `initial_weight` and `velocity_weight` of a node.
 pub(in crate::input) fn initial_motion(table: &Table<'_>) -> Option<InitialMotion> {
@@ -44,4 +45,23 @@ fn weight(table: &Table<'_>, key: &'static str) -> Option<Option<f64>> {
         return None;
     }
     Some(Some(found))
+}
+
+/// Notes initial velocities of nodes of which nothing is asked in time.
+pub(in crate::input) fn check(root: &Table<'_>, draft: &Draft) {
+    if root.has("transient") {
+        return;
+    }
+    for (initial, node, line) in draft.initial() {
+        for (key, is_said) in [
+            ("velocity", initial.velocity.is_some()),
+            ("angular_velocity", initial.angular_velocity.is_some()),
+        ] {
+            if is_said {
+                let node = node.to_owned();
+                let problem = TransientProblem::IdleVelocity { node, key };
+                root.document().note(line, &problem);
+            }
+        }
+    }
 }

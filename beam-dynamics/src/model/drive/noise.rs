@@ -9,7 +9,7 @@
 //!
 //! Its mean square over a long time about the mean is sigma^2, its spectrum is flat in
 //! the band and nothing outside, and it is normal by the central limit; it has all
-//! derivatives. [Shinozuka] gives the method. The other one has independent normal
+//! derivatives. [Shinozuka1972] gives the method. The other one has independent normal
 //! numbers at equal intervals and straight pieces between them.
 
 use std::f64::consts::TAU;

@@ -34,6 +34,8 @@ pub struct RunFiles<'a> {
     rows: Beat,
     restarts: Option<Beat>,
     kept: Option<PathBuf>,
+    /// The last instant of the run, which is written and kept in any case \[s\].
+    end: f64,
     /// Steps up to this one are written already.
     resumed: Option<usize>,
     row: Vec<f64>,
@@ -62,6 +64,7 @@ impl<'a> RunFiles<'a> {
             rows: Beat::new(question.every, resumed),
             restarts: question.restart.map(|every| Beat::new(every, resumed)),
             kept: None,
+            end: f64::INFINITY,
             resumed: resumed.map(|snapshot| snapshot.step),
             row: vec![0.0; 1 + question.columns.len()],
             problem: None,
@@ -113,6 +116,12 @@ impl<'a> RunFiles<'a> {
         Ok(())
     }
 
+    /// Writes and keeps the state at `end` \[s\] in any case.
+    pub fn until(mut self, end: f64) -> Self {
+        self.end = end;
+        self
+    }
+
     /// The problem that ended the run, if it was output.
     pub fn problem(&self) -> Option<&RunFileProblem> {
         self.problem.as_ref()
@@ -144,7 +153,7 @@ impl<'a> RunFiles<'a> {
 
     fn write(&mut self, moment: &Moment<'_>) -> Result<(), RunFileProblem> {
         let before = self.rows.last;
-        if !self.rows.is_due(moment) {
+        if !self.rows.is_due(moment) && moment.time < self.end {
             return Ok(());
         }
         self.row[0] = moment.time;
@@ -178,9 +187,8 @@ impl Recorder for RunFiles<'_> {
     }
 
     fn wants_snapshot(&self, moment: &Moment<'_>) -> bool {
-        self.restarts
-            .as_ref()
-            .is_some_and(|beat| beat.would_be_due(moment))
+        let is_due = |beat: &Beat| beat.would_be_due(moment);
+        moment.time >= self.end || self.restarts.as_ref().is_some_and(is_due)
     }
 
     fn keep(&mut self, snapshot: &Snapshot) -> bool {

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
 use shared_geom::figure::{Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, category};
 use shared_geom::files::{OutputProblem, write_figure};
 
@@ -158,18 +157,17 @@ impl Drawing for TimePlot {
                 x,
                 y: range(curves.points().map(|point| point[1]), 0.0),
             };
-            let color = |k: usize| -> RGBColor { category(k) };
             let entries: Vec<_> = curves
                 .curves
                 .iter()
                 .enumerate()
-                .map(|(k, curve)| (curve.name.clone(), 2.0 * LINE, color(k)))
+                .map(|(k, curve)| (curve.name.clone(), 2.0 * LINE, category(k)))
                 .collect();
             draw_legend(canvas, [panel.left, top], &entries)?;
             panel.draw_zero(canvas)?;
             for (k, curve) in curves.curves.iter().enumerate() {
                 for piece in &curve.pieces {
-                    panel.curve(canvas, piece, LINE, color(k))?;
+                    panel.curve(canvas, piece, LINE, category(k))?;
                 }
             }
             panel.draw_frame(canvas, [8, 5], number + 1 == self.panels.len())?;

@@ -104,6 +104,7 @@ fn snapshot(step: usize) -> Snapshot {
     });
     Snapshot {
         nodes: vec!["n0".to_owned()],
+        left_out: Vec::new(),
         multipliers: 0,
         step,
         progress: serde_json::from_value(progress).unwrap(),
@@ -291,7 +292,7 @@ fn plots_have_a_panel_for_each_unit_and_all_names() {
         std::fs::read_to_string(path).unwrap()
     };
     let one = table("results/a.transient.csv", 400);
-    let text = svg(&TimePlot::new("a title", &[one.clone()], "time", &[]).unwrap());
+    let text = svg(&TimePlot::new("a title", std::slice::from_ref(&one), "time", &[]).unwrap());
     for expected in [
         "a title", "tip_x", "tip_y", "count", "[mm]", "[-]", "time [s]",
     ] {
@@ -305,7 +306,13 @@ fn plots_have_a_panel_for_each_unit_and_all_names() {
         assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
     }
     assert!(!text.contains("\n[-]\n"));
-    let text = svg(&TimePlot::new("path", &[one.clone()], "tip_x", &["tip_y".to_owned()]).unwrap());
+    let text = svg(&TimePlot::new(
+        "path",
+        std::slice::from_ref(&one),
+        "tip_x",
+        &["tip_y".to_owned()],
+    )
+    .unwrap());
     assert!(text.contains("\ntip_x [mm]\n"));
 
     let wrong = TimePlot::new("", &[one], "time", &["tip_z".to_owned()]).unwrap_err();

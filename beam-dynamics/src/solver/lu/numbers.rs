@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! above:     u_p = x_p - sum_{j < p} l_pj u_j           rows p of the segments
-//!            x_r <- x_r - sum_j l_rj u_j                rows r below them
+//!            x_r <- x_r - sum_j l_rj u_j                rows r below them    (D-133)
 //! diagonal:  u_dd = x_d,  l_rd = x_r / u_dd             in the panel of the strip
 //! ```
 //!
@@ -25,7 +25,7 @@ pub(super) struct Numbers {
     pub lower: Vec<f64>,
     /// Values of the segments.
     pub upper: Vec<Lanes>,
-    /// `1/u_dd`.
+    /// `1/u_dd` [-].
     pub inverse_pivots: Vec<f64>,
     /// x, zero between strips.
     columns: Vec<Lanes>,
@@ -35,19 +35,26 @@ pub(super) struct Numbers {
 /// Largest numbers of a factorization.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Growth {
-    /// Of the matrix.
+    /// Of the matrix [-].
     pub matrix: f64,
-    /// Of L.
+    /// Of L [-].
     pub lower: f64,
-    /// Of U.
+    /// Of U [-].
     pub upper: f64,
+    /// Least pivot [-].
+    pub least_pivot: f64,
 }
 
 impl Growth {
     /// By how much the rounding of the factors exceeds that of the matrix [-]:
-    /// `max|L| max|U| / max|A|`.
+    /// `max|L| max|U| / max|A|` (D-134).
     pub fn factor(&self) -> f64 {
         self.lower.max(1.0) * self.upper / self.matrix
+    }
+
+    /// Least pivot relative to the matrix [-].
+    pub fn least(&self) -> f64 {
+        self.least_pivot / self.matrix
     }
 }
 
@@ -72,7 +79,10 @@ impl Numbers {
 
     /// Computes the factors; `None` when a pivot is zero or not finite.
     pub fn factorize(&mut self, structure: &Structure, matrix: Scaled<'_>) -> Option<Growth> {
-        self.growth = Growth::default();
+        self.growth = Growth {
+            least_pivot: f64::INFINITY,
+            ..Growth::default()
+        };
         let regular = Arch::new().dispatch(Elimination {
             numbers: self,
             structure,
@@ -244,6 +254,7 @@ impl Numbers {
                 if x[d] == 0.0 || !x[d].is_finite() {
                     return false;
                 }
+                self.growth.least_pivot = self.growth.least_pivot.min(x[d].abs());
                 inverse[d] = 1.0 / x[d];
                 self.inverse_pivots[strip.columns.0 + d] = inverse[d];
                 for lane in d..count {

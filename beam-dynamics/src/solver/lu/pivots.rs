@@ -1,8 +1,8 @@
 //! The choice of pivots: little fill, and no small pivots.
 //!
 //! Among the entries that are not small in what is left of their column,
-//! `|a_ij| >= u max_k |a_kj|`, the one that may fill the fewest places is taken, of
-//! count `(r_i - 1)(c_j - 1)` with r_i and c_j the entries left in its row and column;
+//! `|a_ij| >= u max_k |a_kj|` (D-131), the one that may fill the fewest places is taken, of
+//! count `(r_i - 1)(c_j - 1)` (D-132) with r_i and c_j the entries left in its row and column;
 //! where counts are equal, one of the diagonal, then the largest. The search looks at
 //! the shortest columns and rows alone. So the identities by which momenta are defined
 //! go first, multipliers are paired with the forces they cause, and chains of blocks

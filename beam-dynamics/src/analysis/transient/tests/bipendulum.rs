@@ -45,8 +45,7 @@ fn errors(radius: f64, h: f64) -> (f64, f64, f64) {
     let mut question = TransientQuestion::new(0.6, h);
     question.scheme = Scheme::TwoStep { radius };
     let (kept, outcome) = run(&bipendulum(), &question);
-    if let Some(failure) = outcome.failure {
-        println!("{failure}");
+    if outcome.failure.is_some() {
         return (f64::NAN, f64::NAN, spin(&kept.states));
     }
     let found = row(kept.states.last().unwrap());
@@ -61,12 +60,34 @@ fn errors(radius: f64, h: f64) -> (f64, f64, f64) {
     (off(0..6), off(6..12), spin(&kept.states))
 }
 
+// Prototype, dynamics theory 5, radius 0.6: 1.7e-4, 4.3e-5, 1.1e-5 m and, for the reactions,
+// 1.8e-2, 4.6e-3, 1.1e-3 N at h = 2, 1, 0.5 ms, second order in both.
 #[test]
-fn probe() {
-    for radius in [0.0, 0.3, 0.6, 0.9] {
-        for h in [0.0005, 0.001, 0.002, 0.003, 0.005, 0.01] {
-            println!("{radius} {h} {:?}", errors(radius, h));
+fn positions_and_reactions_are_of_second_order() {
+    let found = [0.002, 0.001, 0.0005].map(|h| errors(0.6, h));
+    let [coarse, fine, finest] = found;
+    assert!(fine.0 < 5e-5 && fine.1 < 5e-3, "{fine:?}");
+    assert!(finest.0 < 1.2e-5 && finest.1 < 1.2e-3, "{finest:?}");
+    for (two, one) in [(coarse, fine), (fine, finest)] {
+        for order in [(two.0 / one.0).log2(), (two.1 / one.1).log2()] {
+            assert!((order - 2.0).abs() < 0.05, "{order}");
         }
+    }
+}
+
+// No moment turns a link about its axis, of which the moment of inertia is 1/308 of the
+// others: the spin is round-off, also where a step turns a link by 0.1 rad. With the angular
+// momentum integrated in space it is 0.14 rad/s at 2 ms, and the run fails at 3 ms (0.6) or
+// at 0.5 ms (0.9).
+#[test]
+fn slender_links_do_not_spin_at_large_steps() {
+    for radius in [0.0, 0.3, 0.6, 0.9] {
+        let [fine, coarse] = [0.003, 0.005].map(|h| errors(radius, h));
+        for found in [fine, coarse] {
+            assert!(found.2 < 1e-8, "{radius}: {found:?}");
+        }
+        let order = (coarse.0 / fine.0).ln() / (5.0_f64 / 3.0).ln();
+        assert!((order - 2.0).abs() < 0.1, "{radius}: {order}");
     }
 }
 
@@ -77,13 +98,11 @@ fn probe() {
 fn the_first_reactions_do_not_oscillate() {
     let found = states(&bipendulum(), &TransientQuestion::new(0.01, 0.001));
     let start = row(&found[0]);
-    println!("{start:?}");
     for (i, state) in found.iter().enumerate() {
         let t = 0.001 * i as f64;
         let smooth = 14.608 + 1.162 * (t / 0.025).powi(2);
         let now = row(state)[7].abs();
-        println!("{now} {smooth}");
-        assert!((now - smooth).abs() < 0.02, "{i}: {now} {smooth}");
+        assert!((now - smooth).abs() < 0.005, "{i}: {now} {smooth}");
     }
     assert!((start[7].abs() - 14.608).abs() < 1e-9);
     assert!((start[8].abs() - 3.739630073).abs() < 1e-8);

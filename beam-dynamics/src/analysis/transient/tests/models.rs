@@ -152,14 +152,16 @@ pub fn bipendulum() -> Model {
 /// point, tilted by 10 degrees about x; `spin` in its own axes.
 pub fn top(spin: Vector3<f64>) -> Model {
     let tilt = shared_geom::rotation::vector::to_rotation(&(10_f64.to_radians() * Vector3::x()));
-    let nodes = vec![node("point", Vector3::zeros(), tilt)];
+    let center = tilt * (0.2 * Vector3::z());
+    let nodes = vec![node("center", center, tilt)];
     let elements = vec![
-        body(0, 1.0, 0.2 * Vector3::z(), [0.75, 0.75, 0.40]),
+        body(0, 1.0, Vector3::zeros(), [0.75, 0.75, 0.40]),
         spherical(&nodes, None, 0, Vector3::zeros()),
     ];
     let mut model = Model::new("top", System::new(nodes, elements));
     model.gravity = -3.0 * Vector3::z();
-    model.initial[0] = moving(Vector3::zeros(), tilt * spin);
+    let spin = tilt * spin;
+    model.initial[0] = moving(spin.cross(&center), spin);
     model
 }
 

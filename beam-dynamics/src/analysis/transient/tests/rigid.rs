@@ -32,15 +32,12 @@ fn a_pendulum_starts_without_oscillation() {
         [tension(&found[0]), tension(&found[1])]
     };
     let [start, step] = first(StartAccelerations::Consistent);
-    println!("consistent {start} {step}");
     assert!((start - 1.0).abs() < 1e-12, "{start}");
     assert!((step - 1.02).abs() < 1e-4, "{step}");
     let [start, step] = first(StartAccelerations::Dummy);
-    println!("dummy {start} {step}");
     assert!((start - 1.0).abs() < 1e-3, "{start}");
     assert!((step - 1.02).abs() < 2e-4, "{step}");
     let [start, step] = first(StartAccelerations::Zero);
-    println!("zero {start} {step}");
     assert!(start == 0.0 && (step - 1.02).abs() > 0.5, "{start} {step}");
 }
 
@@ -85,18 +82,18 @@ fn top_error(number: usize, h: f64) -> f64 {
     let times = [0.5, 1.0, 2.0, 5.0, 10.0].iter().zip(expected);
     let errors = times.map(|(t, expected)| {
         let state = &found[(t / h).round() as usize];
-        let center: Vector3<f64> = state.nodes[0].rotation * (0.2 * Vector3::z());
-        (center - Vector3::from(expected)).norm()
+        (state.nodes[0].position - Vector3::from(expected)).norm()
     });
     errors.fold(0.0, f64::max)
 }
 
+// 1e-5 at 1 ms (models.md); prototype, case 3: 1.93e-5 at 10 ms. The other two nutate, by
+// 0.04 rad a step of 10 ms: 0.13 * 0.04^2 of a path of 38 rad and 0.03 m is 3e-4 m.
 #[test]
 fn a_spinning_top_stays_on_its_path() {
-    for number in 0..3 {
+    for (number, coarse) in [(0, 1e-3), (1, 1e-3), (2, 1e-4)] {
         let errors = [0.01, 0.005, 0.001].map(|h| top_error(number, h));
-        println!("top {number}: {errors:?}");
-        assert!(errors[0] < 1e-4, "{errors:?}");
+        assert!(errors[0] < coarse, "{errors:?}");
         assert!(errors[2] < 1e-5, "{errors:?}");
         let order = (errors[0] / errors[1]).log2();
         assert!((order - 2.0).abs() < 0.1, "{order}");
@@ -122,7 +119,6 @@ fn a_free_body_keeps_its_momenta() {
         off_linear = off_linear.max((now - linear).norm());
         off_angular = off_angular.max((now_angular - angular).norm());
     }
-    println!("free body {off_linear:e} {off_angular:e}");
     assert!(off_linear < 1e-10, "{off_linear:e}");
     assert!(off_angular < 1e-10, "{off_angular:e}");
 }
@@ -172,7 +168,6 @@ fn the_simplified_jacobian_finds_the_same_motion() {
     let ends = [&exact, &simplified].map(|run| run.0.states.last().unwrap().nodes[0]);
     let off = (ends[0].rotation - ends[1].rotation).amax();
     let iterations = [&exact, &simplified].map(|run| run.1.effort.iterations);
-    println!("simplified {off:e} {iterations:?}");
     assert!(off < 1e-9, "{off:e}");
     assert!(iterations[0] <= iterations[1], "{iterations:?}");
 }

@@ -1,0 +1,134 @@
+//! Constraints that follow from others, before a run: they are told, or taken out.
+
+use super::TransientFailure;
+use super::placing::place;
+use crate::assembly::redundancy::{self, Redundant};
+use crate::case::{self, Model, TransientQuestion};
+
+/// The model without its redundant constraints, and what was taken out in words; `None` where
+/// all constraints are independent.
+///
+/// They are found where the undeformed nodes are brought by the constraints. Where these
+/// cannot be fulfilled, start-up says so.
+pub(super) fn independent(
+    model: &Model,
+    question: &TransientQuestion,
+) -> Result<Option<(Model, Vec<String>)>, TransientFailure> {
+    let system = &model.system;
+    if system.numbering().multipliers() == 0 {
+        return Ok(None);
+    }
+    let conditions = model.conditions_at(question.from);
+    let Ok(placed) = place(system, &system.rest(), &conditions, &model.initial) else {
+        return Ok(None);
+    };
+    let found = redundancy::find(system, &placed, &conditions);
+    if found.is_empty() {
+        return Ok(None);
+    }
+    if question.redundant == case::Redundant::Error {
+        return Err(TransientFailure::Redundant(found));
+    }
+    let constraints: Vec<_> = found.iter().map(|found| found.constraint).collect();
+    let reduced = Model {
+        system: system.without(&constraints),
+        ..model.clone()
+    };
+    let remarks = found.iter().map(|found| format!("{found}: removed"));
+    Ok(Some((reduced, remarks.collect())))
+}
+
+/// Redundant constraints in words, the first few of them.
+pub(super) fn in_words(found: &[Redundant]) -> String {
+    const TOLD: usize = 10;
+    let told: Vec<_> = found.iter().take(TOLD).map(ToString::to_string).collect();
+    let more = match found.len().saturating_sub(TOLD) {
+        0 => String::new(),
+        count => format!("; and {count} more"),
+    };
+    format!("{}{more}", told.join("; "))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "test helpers")]
+
+    use nalgebra::{Matrix3, Vector3};
+
+    use super::*;
+    use crate::analysis::transient::{TransientOutcome, transient};
+    use crate::assembly::System;
+    use crate::elements::Element;
+    use crate::elements::bodies::{RigidBody, RigidInertia};
+    use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, axes_along};
+    use crate::model::Node;
+    use crate::result::{Moment, Recorder};
+
+    /// Keeps the last position of the node.
+    struct Last(Vector3<f64>);
+
+    impl Recorder for Last {
+        fn record(&mut self, moment: &Moment<'_>) -> bool {
+            self.0 = moment.state.nodes[0].position;
+            true
+        }
+    }
+
+    /// A door that swings about z under gravity along -y, on hinges at the given heights;
+    /// where it comes in a second.
+    fn swing(hinges: &[f64], redundant: case::Redundant) -> (TransientOutcome, Vector3<f64>) {
+        let door = Node {
+            label: "door".to_owned(),
+            position: Vector3::new(0.5, 0.0, 1.0),
+            rotation: Matrix3::identity(),
+        };
+        let inertia = Matrix3::from_diagonal(&Vector3::new(0.3, 0.4, 0.1));
+        let inertia = RigidInertia::about_node(1.0, &Vector3::zeros(), &inertia);
+        let mut elements: Vec<Box<dyn Element>> =
+            vec![Box::new(RigidBody::new("door", 0, inertia))];
+        for height in hinges {
+            let ends = JointEnds {
+                a: None,
+                b: (0, &door),
+            };
+            let at = Vector3::new(0.0, 0.0, *height);
+            let at = Placing::at(&at, &axes_along(&Vector3::z()));
+            let label = format!("hinge at {height}");
+            let hinge = ConstraintJoint::revolute(label, &ends, &at, None);
+            elements.push(Box::new(hinge));
+        }
+        let mut model = Model::new("door", System::new(vec![door], elements));
+        model.gravity = Vector3::new(0.0, -9.81, 0.0);
+        let question = TransientQuestion {
+            redundant,
+            ..TransientQuestion::new(1.0, 0.01)
+        };
+        let mut last = Last(Vector3::zeros());
+        let outcome = transient(&model, &question, None, &mut last, &|| 0.0);
+        (outcome, last.0)
+    }
+
+    // The other hinge changes nothing in how the door swings: the same numbers to the
+    // tolerance of the iteration, 1e-9 a step at most, over 100 steps.
+    #[test]
+    fn a_door_on_two_hinges_swings_as_on_one() {
+        let (refused, _) = swing(&[0.2, 1.8], case::Redundant::Error);
+        let failure = refused.failure.unwrap();
+        let shown = failure.to_string();
+        let expected = "redundant constraints: constraint 1 (along z) of \"hinge at 1.8\" follows \
+            from \"hinge at 0.2\"; constraint 2 ";
+        assert!(shown.starts_with(expected), "{shown}");
+        assert!(failure.remedy().contains("redundant = \"remove\""));
+        let (removed, two) = swing(&[0.2, 1.8], case::Redundant::Remove);
+        assert!(removed.failure.is_none(), "{:?}", removed.failure);
+        assert_eq!(removed.remarks.len(), 5, "{:?}", removed.remarks);
+        let (single, one) = swing(&[0.2], case::Redundant::Error);
+        assert!(single.failure.is_none(), "{:?}", single.failure);
+        assert!((one - two).amax() < 1e-7, "{one} {two}");
+        // It has swung through to the other side, on its circle.
+        assert!(
+            (one.xy().norm() - 0.5).abs() < 1e-9 && one.x < -0.4,
+            "{one}"
+        );
+    }
+}

@@ -1,0 +1,210 @@
+//! Places and velocities that fulfill the constraints, and what is told of them.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::models::{body, node, run, spherical, states};
+use crate::analysis::transient::{Changed, StartChange, TransientFailure};
+use crate::assembly::System;
+use crate::case::{InitialMotion, Model, Redundant, TransientQuestion};
+use crate::elements::Element;
+use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing};
+use crate::model::{Drive, Node, Ramp};
+
+fn distance(nodes: &[Node], b: usize, length: f64) -> Box<dyn Element> {
+    let ends = JointEnds {
+        a: None,
+        b: (b, &nodes[b]),
+    };
+    let placing = Placing {
+        points: [Vector3::zeros(), nodes[b].position],
+        axes: [Matrix3::identity(); 2],
+    };
+    let length = Drive::Constant(length);
+    Box::new(ConstraintJoint::distance("rod", &ends, &placing, length))
+}
+
+// The point of a circle of radius 2 next to (3, 4) is at 2/5 of it; the velocity that is
+// left of (1, 0) along the tangent (-4, 3)/5 is (16, -12)/25. Newton's method to round-off.
+#[test]
+fn a_point_goes_to_the_nearest_place_and_velocity() {
+    let nodes = vec![node("p", Vector3::new(3.0, 4.0, 0.0), Matrix3::identity())];
+    let elements = vec![
+        body(0, 1.0, Vector3::zeros(), [1.0; 3]),
+        distance(&nodes, 0, 2.0),
+    ];
+    let mut model = Model::new("circle", System::new(nodes, elements));
+    model.initial[0].velocity = Some(Vector3::x());
+    let (kept, outcome) = run(&model, &TransientQuestion::new(0.01, 0.01));
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    let start = &kept.states[0].nodes[0];
+    let off = start.position - Vector3::new(1.2, 1.6, 0.0);
+    assert!(off.norm() < 1e-12, "{}", start.position);
+    let off = start.velocity - Vector3::new(0.64, -0.48, 0.0);
+    assert!(off.norm() < 1e-12, "{}", start.velocity);
+    let told: Vec<_> = outcome.changes.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        told,
+        [
+            "position of node \"p\" along x: from 3 to 1.2 m",
+            "position of node \"p\" along y: from 4 to 1.6 m",
+            "velocity of node \"p\" along x: from 1 to 0.64 m/s",
+            "velocity of node \"p\" along y: from 0 to -0.48 m/s",
+        ]
+    );
+}
+
+/// Two bodies at one place, joined there, one of which moves.
+fn pair(weights: [Option<f64>; 2]) -> Model {
+    let nodes: Vec<_> = ["a", "b"]
+        .map(|label| node(label, Vector3::zeros(), Matrix3::identity()))
+        .into();
+    let elements = vec![
+        body(0, 1.0, Vector3::zeros(), [1.0; 3]),
+        body(1, 1.0, Vector3::zeros(), [1.0; 3]),
+        spherical(&nodes, Some(0), 1, Vector3::zeros()),
+    ];
+    let mut model = Model::new("pair", System::new(nodes, elements));
+    for i in 0..2 {
+        model.initial[i] = InitialMotion {
+            velocity: Some([Vector3::x(), Vector3::zeros()][i]),
+            velocity_weight: weights[i],
+            ..InitialMotion::default()
+        };
+    }
+    model
+}
+
+// Dynamics theory 4.2: weights (1, 1) give the mean, (1, 3) a quarter. What is not said
+// follows, up to its weight of 1e-8.
+#[test]
+fn velocities_that_conflict_meet_by_their_weights() {
+    let start = |model: &Model| {
+        let found = states(model, &TransientQuestion::new(0.01, 0.01));
+        found[0].nodes[1].velocity.x
+    };
+    assert!((start(&pair([None, None])) - 0.5).abs() < 1e-12);
+    assert!((start(&pair([Some(1.0), Some(3.0)])) - 0.25).abs() < 1e-12);
+    let mut follows = pair([None, None]);
+    follows.initial[1].velocity = None;
+    assert!((start(&follows) - 1.0).abs() < 1e-7);
+    let changes = run(&follows, &TransientQuestion::new(0.01, 0.01)).1.changes;
+    let of_b = |change: &&StartChange| change.node == "b" && change.what == Changed::Velocity;
+    assert_eq!(changes.iter().filter(of_b).count(), 1, "{changes:?}");
+}
+
+// Rods that cannot meet: 3 from one point and 1 from another one that is 5 away.
+#[test]
+fn places_that_do_not_exist_are_told() {
+    let nodes = vec![node("p", Vector3::new(1.0, 0.0, 0.0), Matrix3::identity())];
+    let elements = vec![
+        body(0, 1.0, Vector3::zeros(), [1.0; 3]),
+        distance(&nodes, 0, 2.0),
+        distance(&nodes, 0, 3.0),
+    ];
+    let model = Model::new("rods", System::new(nodes, elements));
+    let failure = run(&model, &TransientQuestion::new(0.1, 0.01))
+        .1
+        .failure
+        .unwrap();
+    let text = failure.to_string();
+    assert!(matches!(failure, TransientFailure::Places { .. }), "{text}");
+    assert!(text.contains("\"rod\""), "{text}");
+}
+
+// A body that is clamped twice: six constraints say nothing new. Left out, the other clamp
+// carries the weight.
+#[test]
+fn constraints_that_follow_from_others_are_refused_or_left_out() {
+    let nodes = vec![node("p", Vector3::zeros(), Matrix3::identity())];
+    let elements: Vec<Box<dyn Element>> = vec![
+        body(0, 2.0, Vector3::zeros(), [1.0; 3]),
+        Box::new(Clamp::new("one", 0, &nodes[0])),
+        Box::new(Clamp::new("two", 0, &nodes[0])),
+    ];
+    let mut model = Model::new("twice", System::new(nodes, elements));
+    model.gravity = -10.0 * Vector3::z();
+    let mut question = TransientQuestion::new(0.1, 0.01);
+    let failure = run(&model, &question).1.failure.unwrap();
+    let text = failure.to_string();
+    assert!(
+        text.contains("6 constraints") && text.contains("\"two\""),
+        "{text}"
+    );
+    question.redundant = Redundant::Remove;
+    let (kept, outcome) = run(&model, &question);
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    assert_eq!(outcome.remarks.len(), 6);
+    for state in &kept.states {
+        assert!((state.multipliers[2].abs() - 20.0).abs() < 1e-9);
+        assert!(state.multipliers[6..].iter().all(|value| *value == 0.0));
+    }
+}
+
+#[test]
+fn a_loose_node_without_mass_is_named() {
+    let nodes = vec![
+        node("p", Vector3::zeros(), Matrix3::identity()),
+        node("loose", Vector3::x(), Matrix3::identity()),
+    ];
+    let elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3])];
+    let model = Model::new("loose", System::new(nodes, elements));
+    let failure = run(&model, &TransientQuestion::new(0.1, 0.01))
+        .1
+        .failure
+        .unwrap();
+    let text = failure.to_string();
+    assert!(text.starts_with("node \"loose\" has no mass"), "{text}");
+    assert!(failure.remedy().contains("[[body]]"));
+}
+
+// A body on a rail along x, two to the right of a point beside it, on a rod from that point
+// that shortens from sqrt(5) to less than the distance one of the rail: at one there is no
+// place any more, after (sqrt(5) - 1)/(sqrt(5) - 0.5) of the ramp of one second, 0.712 s.
+#[test]
+fn a_step_that_cannot_be_made_is_explained_and_the_rest_is_kept() {
+    let nodes = vec![node(
+        "slider",
+        Vector3::new(2.0, 0.0, 0.0),
+        Matrix3::identity(),
+    )];
+    let held = [false, true, true, true, true, true];
+    let rail = Clamp::partial("rail", 0, &nodes[0], &Matrix3::identity(), held);
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let placing = Placing {
+        points: [Vector3::y(), nodes[0].position],
+        axes: [Matrix3::identity(); 2],
+    };
+    let length = Drive::Ramp(Ramp {
+        from: 5.0_f64.sqrt(),
+        to: 0.5,
+        start: 0.0,
+        end: 1.0,
+        smooth: false,
+    });
+    let rod = ConstraintJoint::distance("rod", &ends, &placing, length);
+    let elements: Vec<Box<dyn Element>> = vec![
+        body(0, 1.0, Vector3::zeros(), [1.0; 3]),
+        Box::new(rail),
+        Box::new(rod),
+    ];
+    let model = Model::new("rail", System::new(nodes, elements));
+    let (kept, outcome) = run(&model, &TransientQuestion::new(1.0, 0.01));
+    let failure = outcome.failure.unwrap();
+    let text = failure.to_string();
+    assert!(matches!(failure, TransientFailure::Step(_)), "{text}");
+    assert!((outcome.time - 0.712).abs() < 0.01, "{}", outcome.time);
+    assert_eq!(kept.times.last(), Some(&outcome.time));
+    for part in ["no step from 0.7", "worst equation: ", "likely cause: "] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(!failure.remedy().is_empty());
+    // The slider follows the rod: x^2 + 1 = length^2.
+    for (time, state) in kept.times.iter().zip(&kept.states).take(60) {
+        let length = 5.0_f64.sqrt() + (0.5 - 5.0_f64.sqrt()) * time;
+        let x = state.nodes[0].position.x;
+        assert!((x * x + 1.0 - length * length).abs() < 1e-9, "{time}: {x}");
+    }
+}

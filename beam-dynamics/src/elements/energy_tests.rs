@@ -1,0 +1,379 @@
+//! The rate of the energy of each element is the power of its forces.
+//!
+//! Along a motion with the velocities v, omega the energy changes by central differences
+//! with the step 1e-5: truncation 1e-10 of third derivatives of order one, round-off 1e-11
+//! of energies of order ten.
+
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use shared_geom::rotation::vector;
+
+use super::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam, LawBeam, ViscousBeam};
+use super::bodies::{RigidBody, RigidInertia};
+use super::joints::{Hinge, HingeSpring};
+use super::laws::{Cubic, Law, LawKind};
+use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
+use super::{Element, Energy, Local, LocalResidual};
+use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion};
+
+const STEP: f64 = 1e-5;
+
+fn node(x: f64, turn: [f64; 3]) -> Node {
+    Node {
+        label: format!("node at {x}"),
+        position: Vector3::new(x, 0.0, 0.0),
+        rotation: vector::to_rotation(&turn.into()),
+    }
+}
+
+/// Velocities and accelerations of the nodes.
+type Rates = Vec<[Vector3<f64>; 4]>;
+
+/// Each node at a displaced place, with its velocities.
+fn displaced(nodes: &[Node]) -> (Vec<NodeMotion>, Rates) {
+    let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
+    let mut rates = Vec::new();
+    for (i, node) in motion.iter_mut().enumerate() {
+        let i = i as f64;
+        node.position += Vector3::new(0.3, -0.2 * i, 0.1);
+        node.rotation = vector::to_rotation(&Vector3::new(0.4 * i, 0.2, -0.3)) * node.rotation;
+        rates.push([
+            Vector3::new(0.7 - i, 0.4, -0.5 * i),
+            Vector3::new(-0.6, 0.9 * i, 0.8),
+            Vector3::new(0.3, -0.8, 0.5 + i),
+            Vector3::new(0.2 * i, -0.4, 0.6),
+        ]);
+    }
+    (motion, rates)
+}
+
+/// The motion at a time near zero, with the velocities there.
+fn after(motion: &[NodeMotion], rates: &Rates, time: f64) -> Vec<NodeMotion> {
+    let mut moved = motion.to_vec();
+    for (node, [v, omega, a, alpha]) in moved.iter_mut().zip(rates) {
+        node.position += time * v + 0.5 * time * time * a;
+        node.rotation =
+            vector::to_rotation(&(time * omega + 0.5 * time * time * alpha)) * node.rotation;
+        node.velocity = v + time * a;
+        node.angular_velocity = omega + time * alpha;
+    }
+    moved
+}
+
+fn conditions() -> Conditions {
+    let mut conditions = Conditions::at_rest();
+    conditions.loading.gravity = Vector3::new(0.5, -1.0, -2.0);
+    conditions
+}
+
+fn energy(element: &dyn Element, motion: &[NodeMotion], conditions: &Conditions) -> Energy {
+    element.energy(&local(element, motion, conditions))
+}
+
+fn local<'a>(
+    element: &dyn Element,
+    motion: &'a [NodeMotion],
+    conditions: &'a Conditions,
+) -> Local<'a> {
+    const NONE: [f64; 5] = [0.0; 5];
+    Local {
+        nodes: motion,
+        multipliers: &NONE[..element.multipliers()],
+        frame: &conditions.frame,
+        loading: &conditions.loading,
+    }
+}
+
+/// The residual, twelve numbers a node.
+fn residual(element: &dyn Element, motion: &[NodeMotion]) -> Vec<[Vector3<f64>; 4]> {
+    let mut out = LocalResidual::new(motion.len(), element.multipliers());
+    element.residual(&local(element, motion, &conditions()), &mut out);
+    let of_node = |node: usize| {
+        let part = |k: usize| {
+            let first = NODE_UNKNOWNS * node + 3 * k;
+            Vector3::from_column_slice(&out.values()[first..first + 3])
+        };
+        std::array::from_fn(part)
+    };
+    (0..motion.len()).map(of_node).collect()
+}
+
+/// Power of the forces and moments on the nodes.
+fn power(element: &dyn Element, motion: &[NodeMotion]) -> f64 {
+    let forces = residual(element, motion);
+    let of_node = |(node, forces): (&NodeMotion, &[Vector3<f64>; 4])| {
+        node.velocity.dot(&forces[2]) + node.angular_velocity.dot(&forces[3])
+    };
+    motion.iter().zip(&forces).map(of_node).sum()
+}
+
+/// Change of elastic energy and potential, per time.
+fn stored_rate(element: &dyn Element, motion: &[NodeMotion], rates: &Rates) -> f64 {
+    let at = |time: f64| {
+        let Energy {
+            elastic, gravity, ..
+        } = energy(element, &after(motion, rates, time), &conditions());
+        elastic + gravity
+    };
+    (at(STEP) - at(-STEP)) / (2.0 * STEP)
+}
+
+/// What is stored comes from the power of the forces.
+fn check_stored(element: &dyn Element, nodes: &[Node]) {
+    let (motion, rates) = displaced(nodes);
+    let found = stored_rate(element, &motion, &rates);
+    let power = power(element, &after(&motion, &rates, 0.0));
+    assert!(power.abs() > 0.05, "{} {power}", element.label());
+    assert!(
+        (found + power).abs() < 1e-9,
+        "{} {found} {power}",
+        element.label()
+    );
+}
+
+/// The kinetic energy comes from the rates of the momenta: with beta and gamma of the
+/// element on each node, `T' = sum v . beta' + omega . (gamma' + v x beta)`.
+fn check_kinetic(element: &dyn Element, motion: &[NodeMotion], rates: &Rates) {
+    let at = |time: f64| {
+        let motion = after(motion, rates, time);
+        let momenta = residual(element, &motion);
+        (energy(element, &motion, &conditions()).kinetic, momenta)
+    };
+    let (later, sooner, now) = (at(STEP), at(-STEP), at(0.0));
+    let found = (later.0 - sooner.0) / (2.0 * STEP);
+    let mut expected = 0.0;
+    for (i, [v, omega, ..]) in rates.iter().enumerate() {
+        let [beta_rate, gamma_rate] =
+            [0, 1].map(|k| -(later.1[i][k] - sooner.1[i][k]) / (2.0 * STEP));
+        let beta = -now.1[i][0];
+        expected += v.dot(&beta_rate) + omega.dot(&(gamma_rate + v.cross(&beta)));
+    }
+    assert!(expected.abs() > 0.05, "{} {expected}", element.label());
+    assert!(
+        (found - expected).abs() < 1e-8,
+        "{} {found} {expected}",
+        element.label()
+    );
+}
+
+fn body() -> RigidBody {
+    let central = Matrix3::new(0.5, 0.1, 0.0, 0.1, 0.7, 0.0, 0.0, 0.0, 0.9);
+    let inertia = RigidInertia::about_node(1.3, &Vector3::new(0.2, -0.3, 0.4), &central);
+    RigidBody::new("body", 0, inertia)
+}
+
+#[test]
+fn energy_of_a_rigid_body() {
+    let nodes = [node(1.0, [0.3, 0.1, -0.2])];
+    let (motion, rates) = displaced(&nodes);
+    check_kinetic(&body(), &motion, &rates);
+    check_stored(&body(), &nodes);
+}
+
+/// 1/2 m v^2 + 1/2 J omega^2 and m g h, with the center of mass at the node.
+#[test]
+fn energy_of_a_rigid_body_in_numbers() {
+    let nodes = [node(0.0, [0.0; 3])];
+    let inertia = RigidInertia::about_node(2.0, &Vector3::zeros(), &(3.0 * Matrix3::identity()));
+    let body = RigidBody::new("body", 0, inertia);
+    let mut motion = vec![NodeMotion::at_rest(&nodes[0])];
+    motion[0].velocity.x = 4.0;
+    motion[0].angular_velocity.y = 5.0;
+    motion[0].position.z = 7.0;
+    let found = energy(&body, &motion, &conditions());
+    assert!((found.kinetic - (16.0 + 37.5)).abs() < 1e-13);
+    assert!((found.gravity - 2.0 * 2.0 * 7.0).abs() < 1e-13);
+    assert_eq!(found.elastic, 0.0);
+}
+
+/// Elastic laws with all their terms.
+fn cubic<const N: usize>() -> Law<N> {
+    let of = |i: usize| Cubic {
+        first: 2.0 + 0.3 * i as f64,
+        second: 0.5,
+        third: 1.5,
+    };
+    LawKind::Cubic(std::array::from_fn(of)).into()
+}
+
+#[test]
+fn energy_of_springs() {
+    let nodes = [node(0.0, [0.3, 0.1, -0.2]), node(1.5, [-0.1, 0.2, 0.4])];
+    let (place, axes) = (Vector3::new(0.5, 0.2, -0.1), nodes[1].rotation);
+    let ends = [0, 1].map(|node| End::Node {
+        node,
+        offset: Vector3::new(0.1, 0.3, -0.2),
+    });
+    for measure in [Measure::Strain, Measure::Elongation] {
+        let rod = Rod::new("rod", ends, &nodes, Some(0.7), (measure, cubic()));
+        check_stored(&rod, &nodes);
+    }
+    for law in [
+        SpringLaw::of_displacement(cubic()),
+        SpringLaw::of_rotation(cubic()),
+        SpringLaw::Together(cubic()),
+    ] {
+        let between = Spring::new("between", (&[0, 1], &nodes), &place, &axes, law.clone());
+        check_stored(&between, &nodes);
+        let to_frame = Spring::new("to the frame", (&[0], &nodes), &place, &axes, law);
+        check_stored(&to_frame, &nodes[..1]);
+    }
+    let law = SupportLaw::along(&axes, &[1.0, 2.0, 3.0, 0.5, 0.7, 0.9], &[0.0; 6]);
+    let support = SupportSpring::new("support", 0, &nodes[0], law, Stand::Frame);
+    check_stored(&support, &nodes[..1]);
+}
+
+#[test]
+fn energy_of_the_spring_of_a_hinge() {
+    let nodes = [node(0.0, [0.0; 3]), node(1.0, [0.0; 3])];
+    let spring = HingeSpring {
+        stiffness: 3.0,
+        damping: 0.0,
+        angle: 0.2,
+    };
+    let ends = [&nodes[0], &nodes[1]];
+    let place = nodes[1].position;
+    let hinge = Hinge::new("hinge", [0, 1], ends, &place, &Vector3::z(), spring);
+    // Turned about its axis only, so that the constraints hold.
+    let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
+    motion[1].rotation = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.9));
+    let found = energy(&hinge, &motion, &conditions()).elastic;
+    assert!((found - 0.5 * 3.0 * 0.7 * 0.7).abs() < 1e-14);
+    let zero = Vector3::zeros();
+    let rates = vec![[zero; 4], [zero, Vector3::new(0.0, 0.0, 1.1), zero, zero]];
+    let power = power(&hinge, &after(&motion, &rates, 0.0));
+    let found = stored_rate(&hinge, &motion, &rates);
+    assert!(power < -1.0 && (found + power).abs() < 1e-9);
+}
+
+const LENGTH: f64 = 2.0;
+
+fn beam_nodes() -> [Node; 3] {
+    [0.0, 1.0, LENGTH].map(|x| node(x, [0.0; 3]))
+}
+
+fn geometry() -> BeamGeometry {
+    BeamGeometry {
+        nodes: [BeamNode::aligned(); 3],
+    }
+}
+
+/// Stretched and twisted evenly: 1/2 (EA e^2 + GJ k^2) L, with the power of the end
+/// forces; a beam of the same law has the same forces and the same energy.
+#[test]
+fn energy_of_a_beam_with_even_strain() {
+    let nodes = beam_nodes();
+    let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+    let stiffness = Matrix6::from_diagonal(&Vector6::new(5.0, 2.0, 3.0, 1.7, 1.5, 2.5));
+    let elastic = ElasticBeam::new("elastic", [0, 1, 2], geometry(), undeformed, [stiffness; 2]);
+    let laws = [(); 2].map(|()| Law::linear(stiffness));
+    let by_law = LawBeam::new("by law", [0, 1, 2], geometry(), undeformed, laws);
+    let (stretch, twist) = (0.3, 0.4);
+    let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
+    let mut rates = Vec::new();
+    for node in &mut motion {
+        let x = node.position.x;
+        node.position.x *= 1.0 + stretch;
+        node.rotation = vector::to_rotation(&Vector3::new(twist * x, 0.0, 0.0));
+        let zero = Vector3::zeros();
+        rates.push([
+            Vector3::new(x, 0.0, 0.0),
+            Vector3::new(0.7 * x, 0.0, 0.0),
+            zero,
+            zero,
+        ]);
+    }
+    for element in [&elastic as &dyn Element, &by_law] {
+        let found = energy(element, &motion, &conditions()).elastic;
+        // The twist is interpolated by 2 tan(phi/2): even to the third order of its angle,
+        // 0.4^3 / 12 of it.
+        let expected = 0.5 * LENGTH * (5.0 * stretch * stretch + 1.7 * twist * twist);
+        assert!((found / expected - 1.0).abs() < 5e-3, "{found} {expected}");
+        let rest = after(&motion, &rates, 0.0);
+        let (rate, power) = (stored_rate(element, &motion, &rates), power(element, &rest));
+        // Exactly for the stretch; for the twist to the same order.
+        assert!(
+            power < -1.0 && (rate + power).abs() < 5e-3 * rate,
+            "{rate} {power}"
+        );
+    }
+    let (motion, _) = displaced(&nodes);
+    let [found, expected] = [&by_law as &dyn Element, &elastic].map(|e| residual(e, &motion));
+    for (found, expected) in found.iter().zip(&expected) {
+        for k in 2..4 {
+            assert!((found[k] - expected[k]).norm() < 1e-13);
+        }
+    }
+    let stretched = |element: &dyn Element| energy(element, &motion, &conditions()).elastic;
+    assert!((stretched(&by_law) - stretched(&elastic)).abs() < 1e-13);
+}
+
+/// A beam of a viscous law is the viscous beam: its strain rate is the same.
+#[test]
+fn a_beam_of_a_viscous_law_is_the_viscous_beam() {
+    let nodes = beam_nodes();
+    let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+    let viscosity = Matrix6::from_fn(|i, j| if i == j { 2.0 } else { 0.1 });
+    let viscous = ViscousBeam::new("viscous", [0, 1, 2], geometry(), undeformed, [viscosity; 2]);
+    let laws = [(); 2].map(|()| LawKind::Viscous { viscosity }.into());
+    let by_law = LawBeam::new("by law", [0, 1, 2], geometry(), undeformed, laws);
+    let (motion, rates) = displaced(&nodes);
+    let motion = after(&motion, &rates, 0.0);
+    let [found, expected] = [&by_law as &dyn Element, &viscous].map(|e| residual(e, &motion));
+    for (found, expected) in found.iter().zip(&expected) {
+        for k in 2..4 {
+            assert!(expected[k].norm() > 0.1);
+            assert!((found[k] - expected[k]).norm() < 1e-13);
+        }
+    }
+    assert!(power(&by_law, &motion) < -0.1, "it takes energy out");
+}
+
+fn inertia() -> BeamInertia {
+    let nodes = beam_nodes();
+    let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+    let mass = Matrix6::from_diagonal(&Vector6::new(3.0, 3.0, 3.0, 0.5, 0.2, 0.3));
+    BeamInertia::new("inertia", [0, 1, 2], geometry(), undeformed, |_| mass)
+}
+
+/// The velocities c x^2 of the nodes are interpolated exactly: `1/2 m c^2 L^5 / 5`; and a
+/// weight along -z at the height z is m g L z.
+#[test]
+fn energy_of_the_inertia_of_a_beam() {
+    let nodes = beam_nodes();
+    let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
+    for node in &mut motion {
+        node.velocity.z = 0.7 * node.position.x * node.position.x;
+        node.position.z = 1.5;
+    }
+    let mut conditions = Conditions::at_rest();
+    conditions.loading.gravity.z = -9.0;
+    let found = energy(&inertia(), &motion, &conditions);
+    let expected = 0.5 * 3.0 * 0.49 * LENGTH.powi(5) / 5.0;
+    assert!((found.kinetic - expected).abs() < 1e-13, "{found:?}");
+    assert!((found.gravity - 3.0 * 9.0 * LENGTH * 1.5).abs() < 1e-12);
+}
+
+/// In a rigid motion the momenta of the portions give and take all of the energy.
+#[test]
+fn energy_of_the_inertia_of_a_beam_that_moves_as_one() {
+    let nodes = beam_nodes();
+    let turn = vector::to_rotation(&Vector3::new(0.3, -0.5, 0.8));
+    let (omega, alpha) = (Vector3::new(0.4, -0.7, 0.9), Vector3::new(0.6, 0.2, -0.3));
+    let (v, a) = (Vector3::new(0.5, 0.1, -0.8), Vector3::new(0.9, -0.4, 0.2));
+    let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
+    let mut rates = Vec::new();
+    for node in &mut motion {
+        node.position = turn * node.position;
+        node.rotation = turn * node.rotation;
+        let carried = omega.cross(&node.position);
+        let acceleration = alpha.cross(&node.position) + omega.cross(&carried);
+        rates.push([v + carried, omega, a + acceleration, alpha]);
+    }
+    check_kinetic(&inertia(), &motion, &rates);
+    let found = stored_rate(&inertia(), &motion, &rates);
+    let power = power(&inertia(), &after(&motion, &rates, 0.0));
+    assert!(
+        power.abs() > 0.1 && (found + power).abs() < 1e-8,
+        "{found} {power}"
+    );
+}

@@ -1,0 +1,402 @@
+//! What a column takes: of which node, beam, joint or drive, which components, in which
+//! axes.
+
+use nalgebra::Vector3;
+use shared_geom::document::{DocumentProblem, Table};
+use shared_geom::units::{Dimension, parse};
+use shared_geom::wrench::COMPONENTS;
+
+use super::kind::{CURVATURE, Kind, Source};
+use super::problem::ColumnProblem;
+use crate::case::{Axes, JointMotion, NodeQuantity, NodeVector, Part, Quantity, SpringVector};
+use crate::input::draft::Draft;
+use crate::input::drives;
+
+/// Words for the parts of a vector.
+const PARTS: [(&str, Part); 4] = [
+    ("x", Part::Component(0)),
+    ("y", Part::Component(1)),
+    ("z", Part::Component(2)),
+    ("magnitude", Part::Magnitude),
+];
+/// Words for the six components, as [`COMPONENTS`] has them.
+const SIX: [&str; 6] = [
+    "axial",
+    "shear_y",
+    "shear_z",
+    "torsion",
+    "bending_y",
+    "bending_z",
+];
+/// Words for the ends of a joint.
+const ENDS: [&str; 2] = ["first", "second"];
+/// Words for angles about three axes.
+const TURNS: [&str; 3] = ["first", "second", "third"];
+
+/// A column without its name.
+#[derive(Debug)]
+pub(super) struct Found {
+    /// What its name ends in where there are several.
+    pub word: &'static str,
+    /// What it is, in words.
+    pub words: String,
+    pub quantity: Quantity,
+    pub dimension: Dimension,
+    /// The unit unless one is given.
+    pub unit: &'static str,
+}
+
+/// A card while it is read.
+pub(super) struct Reading<'a> {
+    pub table: &'a Table<'a>,
+    pub draft: &'a Draft,
+    /// The column in words.
+    pub user: &'a str,
+}
+
+impl Reading<'_> {
+    /// The columns of the card.
+    pub fn parts(&self, kind: &Kind) -> Option<Vec<Found>> {
+        let (word, source, dimension, unit) = *kind;
+        let plain = word.replace('_', " ");
+        let one = |quantity| {
+            Some(vec![Found {
+                word: "",
+                words: plain.clone(),
+                quantity,
+                dimension,
+                unit,
+            }])
+        };
+        match source {
+            Source::Node(vector) => self.of_node(kind, vector),
+            Source::Momentum { is_angular } if self.table.has("of") => {
+                let vector = match is_angular {
+                    true => NodeVector::AngularMomentum,
+                    false => NodeVector::Momentum,
+                };
+                self.of_node(kind, vector)
+            }
+            Source::Momentum { is_angular } => self.of_model(kind, is_angular),
+            Source::Section { is_strain } => self.of_beam(kind, is_strain),
+            Source::Reaction { is_moment } => self.of_joint(kind, is_moment),
+            Source::Joint(motion) => self.of_motion(kind, motion),
+            Source::Spring(vector) => self.of_spring(kind, vector),
+            Source::Drive => self.of_drive(),
+            Source::Energy(part) => one(Quantity::Energy(part)),
+            Source::StepLength => one(Quantity::StepLength),
+            Source::Iterations => one(Quantity::Iterations),
+        }
+    }
+
+    /// What is named under `of`, found by `find`.
+    fn of<T>(&self, expected: &str, find: impl Fn(&str) -> Option<T>) -> Option<(String, T)> {
+        let name = self.table.require_text("of", expected)?;
+        let found = find(&name)?;
+        Some((name, found))
+    }
+
+    fn node(&self, key: &str, name: &str) -> Option<usize> {
+        self.draft.look_up_node(name, self.table, key, self.user)
+    }
+
+    /// The words under `component`, all of `known` that are no magnitude when there are
+    /// none.
+    fn components(&self, known: &[&'static str]) -> Option<Vec<usize>> {
+        let all = known.iter().filter(|word| **word != "magnitude").count();
+        if !self.table.has("component") {
+            return Some((0..all).collect());
+        }
+        let found = self.table.texts("component")?;
+        let places = found.into_iter().map(|found| {
+            let place = known.iter().position(|word| *word == found);
+            if place.is_none() {
+                let problem = DocumentProblem::WrongWord {
+                    key: "component".to_owned(),
+                    found,
+                    known: known.iter().map(|&word| word.to_owned()).collect(),
+                };
+                self.table.note("component", &problem);
+            }
+            place
+        });
+        let places: Vec<_> = places.collect();
+        places.into_iter().collect()
+    }
+
+    fn vector_parts(&self) -> Option<Vec<(&'static str, Part)>> {
+        let places = self.components(&PARTS.map(|part| part.0))?;
+        Some(places.into_iter().map(|place| PARTS[place]).collect())
+    }
+
+    /// Axes under `in`: those of the model, of a node, or with `ends` of an end of a joint.
+    fn axes(&self, ends: bool) -> Option<(Axes, String)> {
+        if !self.table.has("in") {
+            return Some((Axes::Model, String::new()));
+        }
+        match self.table.text("in")?.as_str() {
+            "model" => Some((Axes::Model, String::new())),
+            name if ends && ENDS.contains(&name) => {
+                let end = usize::from(name == ENDS[1]);
+                Some((Axes::End(end), format!(" in the axes of its {name} end")))
+            }
+            name => {
+                let node = self.node("in", name)?;
+                Some((Axes::Node(node), format!(" in the axes of {name}")))
+            }
+        }
+    }
+
+    fn of_node(&self, kind: &Kind, vector: NodeVector) -> Option<Vec<Found>> {
+        let (_, _, dimension, unit) = *kind;
+        let plain = kind.0.replace('_', " ");
+        let node = self.of("the name of a node", |name| self.node("of", name));
+        let against = match self.table.has("against") {
+            true => self
+                .table
+                .text("against")
+                .and_then(|name| Some((self.node("against", &name)?, name)))
+                .map(Some),
+            false => Some(None),
+        };
+        if let NodeVector::Euler(_) = vector {
+            return self.turns(kind, (node?, against?));
+        }
+        let (parts, axes) = (self.vector_parts(), self.axes(false));
+        let ((name, node), against, parts, (axes, frame)) = (node?, against?, parts?, axes?);
+        let other = match &against {
+            Some((_, other)) => format!(" against {other}"),
+            None => String::new(),
+        };
+        let found = parts.into_iter().map(|(word, part)| Found {
+            word,
+            words: format!("{plain} {word} of {name}{other}{frame}"),
+            quantity: Quantity::Node(NodeQuantity {
+                node,
+                vector,
+                part,
+                against: against.as_ref().map(|other| other.0),
+                axes,
+            }),
+            dimension,
+            unit,
+        });
+        Some(found.collect())
+    }
+
+    /// Angles of turns about axes in the order of `sequence`.
+    fn turns(
+        &self,
+        kind: &Kind,
+        ((name, node), against): ((String, usize), Option<(usize, String)>),
+    ) -> Option<Vec<Found>> {
+        let sequence = match self.table.has("sequence") {
+            true => self.table.text("sequence")?,
+            false => "zyx".to_owned(),
+        };
+        let axes: Vec<_> = sequence.chars().filter_map(|c| "xyz".find(c)).collect();
+        let axes = match axes[..] {
+            [i, j, k] if i != j && j != k && sequence.len() == 3 => [i, j, k],
+            _ => {
+                let found = sequence;
+                let problem = ColumnProblem::Sequence { found };
+                self.table.note("sequence", &problem);
+                return None;
+            }
+        };
+        let places = self.components(&TURNS)?;
+        let found = places.into_iter().map(|place| Found {
+            word: TURNS[place],
+            words: format!("{} angle {sequence} of {name}", TURNS[place]),
+            quantity: Quantity::Node(NodeQuantity {
+                node,
+                vector: NodeVector::Euler(axes),
+                part: Part::Component(place),
+                against: against.as_ref().map(|other| other.0),
+                axes: Axes::Model,
+            }),
+            dimension: kind.2,
+            unit: kind.3,
+        });
+        Some(found.collect())
+    }
+
+    fn of_model(&self, kind: &Kind, is_angular: bool) -> Option<Vec<Found>> {
+        let about = match is_angular && self.table.has("about") {
+            true => self.table.vector("about", Dimension::LENGTH),
+            false => Some(Vector3::zeros()),
+        };
+        let parts = self.vector_parts();
+        let (about, plain) = (about?, kind.0.replace('_', " "));
+        let found = parts?.into_iter().map(|(word, part)| Found {
+            word,
+            words: format!("{plain} {word} of the model"),
+            quantity: match is_angular {
+                true => Quantity::AngularMomentum { about, part },
+                false => Quantity::Momentum(part),
+            },
+            dimension: kind.2,
+            unit: kind.3,
+        });
+        Some(found.collect())
+    }
+
+    fn of_beam(&self, kind: &Kind, strain: bool) -> Option<Vec<Found>> {
+        let beam = self.of("the name of a beam", |name| {
+            let is_known = self.draft.look_up_beam(name, self.table, "of", self.user);
+            is_known.then_some(())
+        });
+        let point = match self.table.has("point") {
+            true => self.table.count("point"),
+            false => Some(1),
+        };
+        if let Some(found) = point.filter(|point| *point > 2) {
+            self.table.note("point", &ColumnProblem::Point { found });
+        }
+        let components = self.components(&SIX);
+        let (beam, point) = (beam?.0, point.filter(|point| *point <= 2)? - 1);
+        let about = match strain {
+            true => (CURVATURE, "1/m"),
+            false => (Dimension::MOMENT, "N*m"),
+        };
+        let found = components?.into_iter().map(|component| {
+            let (dimension, unit) = if component < 3 {
+                (kind.2, kind.3)
+            } else {
+                about
+            };
+            let plain = kind.0.replace('_', " ");
+            Found {
+                word: SIX[component],
+                words: format!("{plain} {} of {beam}", COMPONENTS[component]),
+                quantity: Quantity::Section {
+                    beam: beam.clone(),
+                    point,
+                    strain,
+                    component,
+                },
+                dimension,
+                unit,
+            }
+        });
+        Some(found.collect())
+    }
+
+    fn of_joint(&self, kind: &Kind, moment: bool) -> Option<Vec<Found>> {
+        let joint = self.of("the name of a joint", |name| {
+            self.draft.look_up_joint(name, self.table, "of", self.user)
+        });
+        let on = match self.table.has("node") {
+            true => self.table.text("node").map(Some),
+            false => Some(None),
+        };
+        let (parts, axes) = (self.vector_parts(), self.axes(true));
+        let (joint, nodes) = joint?;
+        let node = match on? {
+            Some(name) => self.node_of_joint(&joint, &nodes, name)?,
+            None => *nodes.last()?,
+        };
+        let label = &self.draft.nodes()[node].label;
+        let ((axes, frame), plain) = (axes?, kind.0.replace('_', " "));
+        let found = parts?.into_iter().map(|(word, part)| Found {
+            word,
+            words: format!("{plain} {word} of {joint} on {label}{frame}"),
+            quantity: Quantity::Reaction {
+                joint: joint.clone(),
+                node,
+                moment,
+                part,
+                axes,
+            },
+            dimension: kind.2,
+            unit: kind.3,
+        });
+        Some(found.collect())
+    }
+
+    fn of_motion(&self, kind: &Kind, motion: JointMotion) -> Option<Vec<Found>> {
+        let joint = self.of("the name of a joint", |name| {
+            self.draft.look_up_joint(name, self.table, "of", self.user)
+        });
+        let parts = match motion {
+            JointMotion::Angle => Some(vec![("", Part::Component(0))]),
+            _ => self.vector_parts(),
+        };
+        let ((joint, _), plain) = (joint?, kind.0.replace('_', " "));
+        let found = parts?.into_iter().map(|(word, part)| Found {
+            word,
+            words: format!("{plain} {word} of {joint}"),
+            quantity: Quantity::Joint {
+                joint: joint.clone(),
+                motion,
+                part,
+            },
+            dimension: kind.2,
+            unit: kind.3,
+        });
+        Some(found.collect())
+    }
+
+    fn of_spring(&self, kind: &Kind, vector: SpringVector) -> Option<Vec<Found>> {
+        let spring = self.of("the name of a rod or spring", |name| {
+            self.draft.look_up_joint(name, self.table, "of", self.user)
+        });
+        let (parts, plain) = (self.vector_parts(), kind.0.replace('_', " "));
+        let spring = spring?.0;
+        let found = parts?.into_iter().map(|(word, part)| Found {
+            word,
+            words: format!("{plain} {word} of {spring}"),
+            quantity: Quantity::Spring {
+                spring: spring.clone(),
+                vector,
+                part,
+            },
+            dimension: kind.2,
+            unit: kind.3,
+        });
+        Some(found.collect())
+    }
+
+    /// A drive by its name, or written in place; its numbers are those of its unit.
+    fn of_drive(&self) -> Option<Vec<Found>> {
+        let name = self
+            .table
+            .require_text("of", "the name of a drive, or \"= ...\"")?;
+        let unit = match self.table.has("unit") {
+            true => self.table.text("unit")?,
+            false => "1".to_owned(),
+        };
+        let dimension = match parse(&unit) {
+            Ok(unit) => unit.dimension,
+            Err(problem) => {
+                let key = "unit".to_owned();
+                let problem = DocumentProblem::Unit { key, problem };
+                self.table.note("unit", &problem);
+                return None;
+            }
+        };
+        let drive = drives::read(self.table, "of", dimension, self.draft.drives())?;
+        Some(vec![Found {
+            word: "",
+            words: format!("drive {name}"),
+            quantity: Quantity::Drive(drive),
+            dimension,
+            unit: "1",
+        }])
+    }
+
+    fn node_of_joint(&self, joint: &str, nodes: &[usize], name: String) -> Option<usize> {
+        let node = self.node("node", &name)?;
+        if nodes.contains(&node) {
+            return Some(node);
+        }
+        let labels = nodes.iter().map(|node| &self.draft.nodes()[*node].label);
+        let problem = ColumnProblem::NotOfJoint {
+            joint: joint.to_owned(),
+            node: name,
+            known: labels.cloned().collect(),
+        };
+        self.table.note("node", &problem);
+        None
+    }
+}

@@ -1,0 +1,143 @@
+//! The card of a run in time, and the initial motion of nodes.
+
+#![allow(clippy::unwrap_used, reason = "tests end when a file cannot be read")]
+
+use nalgebra::Vector3;
+
+use super::TransientProblem;
+use crate::case::{Start, StartAccelerations};
+use crate::input::{Input, checked};
+use crate::integrator::{Jacobians, Scheme, Stepping};
+
+const BODY: &str = "units = \"SI\"\n[[node]]\nname = \"a\"\nposition = [1, 0, 0]\n\
+                    velocity = [0, 2, 0]\nangular_velocity = [0, 0, 60]\n\
+                    [[body]]\nnode = \"a\"\nmass = 2\ninertia = [1, 1, 1]\n";
+
+fn read(cards: &str) -> Result<Input, String> {
+    checked(cards, "a.dynamics.toml", "a").map_err(|problems| problems.to_string())
+}
+
+fn refused(card: &str) -> String {
+    match read(&format!("{BODY}[transient]\n{card}\n")) {
+        Ok(_) => panic!("accepted"),
+        Err(text) => text,
+    }
+}
+
+#[test]
+fn a_body_that_flies_is_a_model_in_time() {
+    let input = read(&format!("{BODY}[transient]\nto = 2\nstep = 0.01\n")).unwrap();
+    let question = input.transient.unwrap();
+    assert_eq!((question.from, question.to), (0.0, 2.0));
+    assert_eq!(question.stepping, Stepping::Constant { step: 0.01 });
+    assert_eq!(question.scheme, Scheme::TwoStep { radius: 0.6 });
+    assert_eq!(question.start, Start::Given);
+    let initial = input.model.initial[0];
+    assert_eq!(initial.velocity, Some(2.0 * Vector3::y()));
+    // 60 rpm.
+    let spin = initial.angular_velocity.unwrap();
+    assert!((spin.z - 2.0 * std::f64::consts::PI).abs() < 1e-14);
+}
+
+#[test]
+fn every_key_of_the_card_is_read() {
+    let card = "from = 1\nto = \"3000 ms\"\nscheme = \"cubic\"\nradius = 0.3\n\
+                step = { first = 1e-3, least = 1e-6, most = 0.01, tolerance = 1e-5 }\n\
+                jacobian = \"simplified\"\nstart = \"equilibrium\"\n\
+                start_accelerations = \"dummy\"\nredundant = \"remove\"\n\
+                newton = { method = \"modified\", iterations = 7, tolerance = 1e-6 }\n";
+    let question = read(&format!("{BODY}[transient]\n{card}")).unwrap();
+    let question = question.transient.unwrap();
+    assert_eq!((question.from, question.to), (1.0, 3.0));
+    let Stepping::Variable(control) = question.stepping else {
+        panic!("{:?}", question.stepping)
+    };
+    let limits = [
+        control.first,
+        control.least,
+        control.most,
+        control.tolerance,
+    ];
+    assert_eq!(limits, [1e-3, 1e-6, 0.01, 1e-5]);
+    assert_eq!(question.scheme, Scheme::Cubic { radius: 0.3 });
+    assert!(question.simplified_jacobian);
+    assert_eq!(question.start, Start::Equilibrium);
+    assert_eq!(question.start_accelerations, StartAccelerations::Dummy);
+    let newton = question.newton;
+    assert_eq!((newton.iterations, newton.correction), (7, 1e-6));
+    assert_eq!(newton.jacobians, Jacobians::Modified);
+}
+
+#[test]
+fn what_is_wrong_is_told_at_once_with_its_line() {
+    let text = refused("from = 2\nto = 1\nstep = -1\nscheme = \"bdf3\"\nzeta = 1\nradios = 1");
+    for part in [
+        "a.dynamics.toml:13: \"to\" is 1 s, expected later than \"from\", which is 2 s",
+        "a.dynamics.toml:14: ",
+        "a.dynamics.toml:15: ",
+        "did you mean \"bdf2\"?",
+        "a.dynamics.toml:16: \"zeta\" is 1, expected a number above -1 and below 0",
+        "a.dynamics.toml:17: ",
+        "did you mean \"radius\"?",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+}
+
+#[test]
+fn keys_that_do_not_fit_together_are_told() {
+    for (card, expected) in [
+        (
+            "to = 1\nstep = 2",
+            "\"step\" is 2 s, but the whole run lasts 1 s",
+        ),
+        ("to = 1\nstep = 1e-12", "the run would take"),
+        (
+            "to = 1\nstep = 0.1\nscheme = \"bdf2\"\nradius = 0.3",
+            "the scheme \"bdf2\" has no \"radius\"",
+        ),
+        (
+            "to = 1\nstep = 0.1\nspeed = 3",
+            "\"start\" is not \"rotating\"",
+        ),
+        ("to = 1\nstep = 0.1\nstart = \"rotating\"", "\"speed\""),
+        (
+            "to = 1\nstep = { first = 1e-3, least = 1e-2 }",
+            "\"least\" is 0.01 s, more than \"first\", which is 0.001 s",
+        ),
+        ("step = 0.1", "\"to\""),
+    ] {
+        let text = refused(card);
+        assert!(text.contains(expected), "{expected}\n{text}");
+    }
+}
+
+#[test]
+fn velocities_without_a_run_and_loose_nodes_are_told() {
+    let text = match read(&format!("{BODY}[static]\nspeed = 0\n")) {
+        Ok(_) => panic!("accepted"),
+        Err(text) => text,
+    };
+    assert!(text.contains("node \"a\" has a \"velocity\", but nothing is asked in time"));
+    let loose = BODY.replace(
+        "[[body]]",
+        "[[node]]\nname = \"b\"\nposition = [0, 0, 0]\n[[body]]",
+    );
+    let loose = loose.replace("inertia = [1, 1, 1]\n", "");
+    let text = match read(&format!("{loose}[transient]\nto = 1\nstep = 0.1\n")) {
+        Ok(_) => panic!("accepted"),
+        Err(text) => text,
+    };
+    assert!(text.contains("node \"b\""), "{text}");
+    // A point of mass that nothing keeps from turning.
+    let point = BODY.replace("inertia = [1, 1, 1]\n", "");
+    let text = match read(&format!("{point}[transient]\nto = 1\nstep = 0.1\n")) {
+        Ok(_) => panic!("accepted"),
+        Err(text) => text,
+    };
+    assert!(text.contains("node \"a\" has no mass, and nothing holds it: rotation about x"));
+    assert!(text.contains("help: give the node a [[body]]"), "{text}");
+    // Every problem explains itself, or needs no more words.
+    let idle = TransientProblem::IdleSpeed;
+    assert!(shared_geom::error::Explain::help(&idle).is_some());
+}
