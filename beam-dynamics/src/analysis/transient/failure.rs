@@ -60,9 +60,6 @@ pub enum TransientFailure {
         /// The largest change that the constraints ask for.
         change: StartChange,
     },
-    /// Constraints that follow from others.
-    #[error("start: {} constraints follow from others: {}", .0.len(), listed(.0))]
-    Redundant(Vec<Redundant>),
     /// A dummy step could not be made.
     #[error("start: dummy steps: {0}")]
     Dummy(Box<StepFailure>),
@@ -104,10 +101,6 @@ impl TransientFailure {
                 "look for joints that say the same twice and for a position at which the \
                  mechanism is locked"
             }
-            Self::Redundant(_) => {
-                "set redundant = \"remove\" in [transient] to leave them out, or take joints that \
-                 hold less"
-            }
             Self::Held { .. } => {
                 "drive what holds the model at the speed of the start, for instance by a joint \
                  whose angle is a ramp"
@@ -117,11 +110,6 @@ impl TransientFailure {
         };
         fixed.to_owned()
     }
-}
-
-fn listed(constraints: &[Redundant]) -> String {
-    let texts: Vec<_> = constraints.iter().map(ToString::to_string).collect();
-    texts.join("; ")
 }
 
 /// A step that could not be made, and what it may come from.

@@ -106,7 +106,12 @@ pub(super) fn place(
         let part = f64::min(1.0, LARGEST / largest);
         move_by(&mut now, &step, part);
         if largest <= SMALL {
-            return Ok(with_motion_of(now, state));
+            let off = worst(&values(system, &now, conditions, Level::Position), first);
+            // Constraints that contradict each other come to rest between them.
+            return match off.value.abs() <= SMALL * size(state).max(1.0) {
+                true => Ok(with_motion_of(now, state)),
+                false => Err(off),
+            };
         }
     }
     Err(worst(
