@@ -228,7 +228,7 @@ impl<'a> Table<'a> {
             Kind::Integer(number) => usize::try_from(number).ok().filter(|n| *n > 0),
             Kind::Text(ref text) if written(text).is_some() => {
                 let number = self.document.evaluate(key, value.line, text)?;
-                let is_count = number >= 1.0 && number < COUNTS && number.fract() == 0.0;
+                let is_count = (1.0..COUNTS).contains(&number) && number.fract() == 0.0;
                 is_count.then_some(number as usize)
             }
             _ => None,
