@@ -143,7 +143,7 @@ fn drift(step: f64) -> [f64; 2] {
 /// In free flight both are kept at second order at least.
 #[test]
 fn a_flying_beam_keeps_energy_and_angular_momentum() {
-    let [coarse, fine] = [0.02, 0.01].map(drift);
+    let [coarse, fine] = [0.01, 0.005].map(drift);
     for (number, quantity) in ["energy", "angular momentum"].iter().enumerate() {
         let order = (coarse[number] / fine[number]).log2();
         record::order("free flight", "flying beam", quantity, order, 1.8);

@@ -29,7 +29,7 @@ fn check(beams: usize, word: &str) {
         "flexible_leverage",
         &format!("{word}_beams.dynamics.toml"),
         1,
-        |question| question.to = 0.66,
+        |question| question.to = 0.645,
     );
     let table = Table::new(&format!("flexible_leverage_{beams}_beams.csv"));
     let middle = run.node("middle");

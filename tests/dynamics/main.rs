@@ -23,7 +23,6 @@ mod mbdyn_model;
 mod mechanisms;
 mod pendulum;
 mod postbuckling;
-mod probe;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;

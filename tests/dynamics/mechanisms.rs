@@ -110,7 +110,8 @@ fn the_squeezer_by_radau() {
 }
 
 /// The rod bends by up to 1.87 mm, 1 % of which is what four elements of the reference
-/// and eight differ by.
+/// and eight differ by. Under the inertia of the slider, 380 N, the rod also rings along
+/// its axis by 2e-5 m at 4 kHz, which the step does not resolve: that and its opposite.
 #[test]
 fn the_rod_of_the_slider_crank_bends() {
     let run = Run::new("slider_crank", "slider_crank.dynamics.toml", 25, |_| {});
@@ -149,9 +150,9 @@ fn the_rod_of_the_slider_crank_bends() {
         "slider-crank",
         "place of the slider [m]",
         slides,
-        3e-5,
+        5e-5,
     );
-    assert!(bends < 2e-5 && slides < 3e-5, "{bends:e} {slides:e}");
+    assert!(bends < 2e-5 && slides < 5e-5, "{bends:e} {slides:e}");
 }
 
 /// The closed form of the angles at every step, and the moment of the drive by the growth

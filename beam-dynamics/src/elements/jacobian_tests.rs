@@ -19,9 +19,7 @@ use super::loads::{
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::{
-    Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable,
-};
+use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
 
 mod sensing;
 

@@ -71,8 +71,8 @@ pub(super) struct Multibody<'a> {
 }
 
 impl<'a> Multibody<'a> {
-    /// The model with the accepted states `states`, the latest first; exact derivatives
-    /// unless they are to be simplified.
+    /// The model with the accepted states `states`,
+    /// the latest first; exact derivatives unless they are to be simplified.
     pub fn new(model: &'a Model, states: [State; KEPT], is_simplified: bool) -> Self {
         let system = &model.system;
         let nodes = system.nodes().len();

@@ -26,8 +26,8 @@ use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
 const NEXT_TO_NOTHING: f64 = 1e-9;
 
 /// `state` with rates of momenta and multipliers that agree with its motion and with what
-/// acts; `None` when an element does not know how its constraints change, or when they
-/// have no solution.
+/// acts; `None` when an element does not know how its constraints change, or when they have
+/// no solution.
 pub(super) fn consistent_rates(
     system: &System,
     state: &State,
