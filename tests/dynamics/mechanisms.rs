@@ -155,8 +155,9 @@ fn the_rod_of_the_slider_crank_bends() {
     assert!(bends < 2e-5 && slides < 5e-5, "{bends:e} {slides:e}");
 }
 
-/// The closed form of the angles at every step, and the moment of the drive by the growth
-/// of the kinetic energy at second order: 0.5 % of its largest at this step.
+/// The closed form of the angles, which the constraints hold to the tolerance of the
+/// iteration, and the moment of the drive by the growth of the kinetic energy, whose error
+/// is of second order: 1e-3 of its largest, 3.87 N m, at 512 steps a turn.
 #[test]
 fn bennetts_mechanism_moves() {
     let run = Run::new("bennett", "bennett.dynamics.toml", 1, |question| {
@@ -188,9 +189,9 @@ fn bennetts_mechanism_moves() {
         "Bennett mechanism",
         "moment of the drive [N m]",
         moments,
-        0.02,
+        4e-3,
     );
-    assert!(places < 1e-7 && moments < 0.02, "{places:e} {moments:e}");
+    assert!(places < 1e-7 && moments < 4e-3, "{places:e} {moments:e}");
 }
 
 /// Without leave the engine removes nothing, and names what says the same twice.
