@@ -129,21 +129,19 @@ fn begin<'a>(
         state,
         changes,
         remarks,
-        left_out,
     } = start(model, question)?;
     outcome.changes = changes;
     outcome.remarks.extend(remarks);
-    run(model, question, left_out, [state.clone(), state])
+    run(model, question, [state.clone(), state])
 }
 
 /// A run with its accepted states, the latest first, at the first instant.
 fn run<'a>(
     model: &'a Model,
     question: &'a TransientQuestion,
-    left_out: Vec<usize>,
     states: [State; 2],
 ) -> Result<Run<'a>, TransientFailure> {
-    let dae = Multibody::new(model, left_out, states, question.simplified_jacobian);
+    let dae = Multibody::new(model, states, question.simplified_jacobian);
     let TransientQuestion {
         scheme,
         stepping,
@@ -170,7 +168,7 @@ fn resume<'a>(
     snapshot: &Snapshot,
 ) -> Result<Run<'a>, TransientFailure> {
     let states = snapshot::states(model, snapshot)?;
-    let mut run = run(model, question, snapshot.left_out.clone(), states)?;
+    let mut run = run(model, question, states)?;
     run.integrator.restore(&snapshot.progress);
     run.step = snapshot.step;
     Ok(run)
@@ -219,12 +217,7 @@ impl Run<'_> {
         let mut goes_on = recorder.record(&moment);
         if goes_on && recorder.wants_snapshot(&moment) {
             let progress = self.integrator.snapshot();
-            let snapshot = snapshot::take(
-                self.model,
-                (self.dae.states(), self.dae.left_out().to_vec()),
-                self.step,
-                progress,
-            );
+            let snapshot = snapshot::take(self.model, self.dae.states(), self.step, progress);
             goes_on = recorder.keep(&snapshot);
         }
         self.output_time += clock() - began;

@@ -19,9 +19,7 @@ use super::loads::{
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::{
-    Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable,
-};
+use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
 
 mod sensing;
 
@@ -525,7 +523,7 @@ fn forces_between_nodes() {
     for between in [line, axes] {
         for factor in [LoadFactor::Constant, LoadFactor::Proportional] {
             let between = between.clone();
-            let signal = sensing(&nodes);
+            let signal = sensing::sensing(&nodes);
             let force = InternalForce::new("force", &nodes, between, factor, signal);
             assert_eq!(force.nodes(), [0, 1, 2]);
             check(&force, &nodes, &mut random);

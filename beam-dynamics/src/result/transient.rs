@@ -45,8 +45,6 @@ pub struct Snapshot {
     pub nodes: Vec<String>,
     /// Number of multipliers.
     pub multipliers: usize,
-    /// Constraints that are left out since they follow from others, by their multipliers.
-    pub left_out: Vec<usize>,
     /// Number of the last step.
     pub step: usize,
     /// What the integrator knows of the steps so far.

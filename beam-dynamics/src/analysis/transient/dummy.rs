@@ -22,19 +22,13 @@ pub(super) fn dummy_rates(
     model: &Model,
     question: &TransientQuestion,
     state: &State,
-    left_out: &[usize],
 ) -> Result<State, TransientFailure> {
     let first = match question.stepping {
         Stepping::Constant { step } => step,
         Stepping::Variable(control) => control.first,
     };
     let step = PART * first;
-    let mut dae = Multibody::new(
-        model,
-        left_out.to_vec(),
-        [state.clone(), state.clone()],
-        false,
-    );
+    let mut dae = Multibody::new(model, [state.clone(), state.clone()], false);
     let (scheme, stepping) = (Scheme::Bdf2, Stepping::Constant { step });
     let limits = StepLimits::default();
     let mut integrator = Integrator::new(&dae, scheme, stepping, limits, question.from)

@@ -32,10 +32,8 @@ use crate::solver::Worst;
 
 use super::rates::consistent_rates;
 
-mod left_out;
 mod own_axes;
 
-use left_out::LeftOut;
 use own_axes::OwnAxes;
 
 /// Accepted states that are kept.
@@ -67,21 +65,15 @@ pub(super) struct Multibody<'a> {
     own_axes: Vec<Option<OwnAxes>>,
     work: Workspace,
     algebraic: Vec<bool>,
-    left_out: LeftOut,
     is_simplified: bool,
     /// Size of the model, by which displacements are measured [m].
     size: f64,
 }
 
 impl<'a> Multibody<'a> {
-    /// The model, without the constraints `left_out`, with the accepted states `states`,
+    /// The model with the accepted states `states`,
     /// the latest first; exact derivatives unless they are to be simplified.
-    pub fn new(
-        model: &'a Model,
-        left_out: Vec<usize>,
-        states: [State; KEPT],
-        is_simplified: bool,
-    ) -> Self {
+    pub fn new(model: &'a Model, states: [State; KEPT], is_simplified: bool) -> Self {
         let system = &model.system;
         let nodes = system.nodes().len();
         let numbering = system.numbering();
@@ -109,7 +101,6 @@ impl<'a> Multibody<'a> {
             algebraic: (0..numbering.unknowns())
                 .map(|place| place >= NODE_UNKNOWNS * nodes)
                 .collect(),
-            left_out: LeftOut::new(system, left_out),
             is_simplified,
             size: size(&states[0]),
             states,
@@ -119,11 +110,6 @@ impl<'a> Multibody<'a> {
     /// The latest accepted state.
     pub fn state(&self) -> &State {
         &self.states[0]
-    }
-
-    /// The constraints that are left out.
-    pub fn left_out(&self) -> &[usize] {
-        self.left_out.constraints()
     }
 
     /// The accepted states, the latest first.
@@ -270,8 +256,7 @@ impl Dae for Multibody<'_> {
 
     fn renew(&mut self, time: f64) -> bool {
         let conditions = self.model.conditions_at(time);
-        let left_out = self.left_out.constraints();
-        match consistent_rates(&self.model.system, &self.states[0], &conditions, left_out) {
+        match consistent_rates(&self.model.system, &self.states[0], &conditions) {
             Some(state) => {
                 self.states[0] = state;
                 true
@@ -338,7 +323,6 @@ impl Dae for Multibody<'_> {
         let trial = &self.trials[stage];
         let system = &self.model.system;
         system.residual_into(&trial.state, &trial.conditions, out, &mut self.work);
-        self.left_out.residual(&trial.state.multipliers, out);
     }
 
     fn jacobian(&mut self, stage: usize, out: &mut [Combination<'_>]) {
@@ -372,7 +356,6 @@ impl Dae for Multibody<'_> {
                 own.rewrite(node, &origin.rotation, variation, sum);
             }
         }
-        out.iter_mut().for_each(|sum| self.left_out.rewrite(sum));
     }
 
     fn accept(&mut self, stage: usize) {

@@ -26,15 +26,14 @@ use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
 const NEXT_TO_NOTHING: f64 = 1e-9;
 
 /// `state` with rates of momenta and multipliers that agree with its motion and with what
-/// acts, without the constraints `left_out`; `None` when an element does not know how its constraints change, or when they
-/// have no solution.
+/// acts; `None` when an element does not know how its constraints change, or when they have
+/// no solution.
 pub(super) fn consistent_rates(
     system: &System,
     state: &State,
     conditions: &Conditions,
-    left_out: &[usize],
 ) -> Option<State> {
-    let (_, mut convective) = system.constraint_rates(state, conditions)?;
+    let (_, convective) = system.constraint_rates(state, conditions)?;
     let mut state = state.clone();
     for node in &mut state.nodes {
         node.momentum_rate.fill(0.0);
@@ -54,10 +53,6 @@ pub(super) fn consistent_rates(
     let rows = constraint_rows(system, &tangent, By::Velocities);
     let rows = rows.into_iter().map(|(i, j, value)| (first + i, j, value));
     saddle.entries.extend(rows);
-    for &constraint in left_out {
-        saddle.leave_out(first + constraint);
-        convective[constraint] = 0.0;
-    }
     let heaviest = masses.iter().map(|entry| entry.2.abs()).fold(0.0, f64::max);
     let heaviest = if heaviest > 0.0 { heaviest } else { 1.0 };
     soften(&mut saddle, system, (&state, &tangent), heaviest);

@@ -48,13 +48,6 @@ impl Saddle {
         }
     }
 
-    /// Makes the unknown `number` zero, and takes it out of the other equations.
-    pub fn leave_out(&mut self, number: usize) {
-        self.entries
-            .retain(|&(row, column, _)| row != number && column != number);
-        self.entries.push((number, number, 1.0));
-    }
-
     /// Solves for all unknowns, of which the first `nodes` times six are motions; `None`
     /// when the matrix is singular. `stiffness` is the size of K.
     pub fn solve(&self, nodes: usize, stiffness: f64, right: &[f64]) -> Option<Vec<f64>> {

@@ -13,17 +13,11 @@ use super::failure::TransientFailure;
 const OF_NODE: usize = 30;
 
 /// All that is needed to go on from the accepted `states`, the latest first.
-pub(super) fn take(
-    model: &Model,
-    (states, left_out): (&[State], Vec<usize>),
-    step: usize,
-    progress: Progress,
-) -> Snapshot {
+pub(super) fn take(model: &Model, states: &[State], step: usize, progress: Progress) -> Snapshot {
     let nodes = model.system.nodes();
     Snapshot {
         nodes: nodes.iter().map(|node| node.label.clone()).collect(),
         multipliers: model.system.numbering().multipliers(),
-        left_out,
         step,
         progress,
         states: states.iter().map(numbers).collect(),
@@ -63,9 +57,6 @@ pub(super) fn states(model: &Model, snapshot: &Snapshot) -> Result<[State; 2], T
     }
     let multipliers = model.system.numbering().multipliers();
     if multipliers != snapshot.multipliers {
-        return Err(mismatch("its joints are not those of the model"));
-    }
-    if snapshot.left_out.iter().any(|&i| i >= multipliers) {
         return Err(mismatch("its joints are not those of the model"));
     }
     let length = OF_NODE * nodes.len() + multipliers;

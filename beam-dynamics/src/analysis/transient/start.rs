@@ -6,8 +6,7 @@ use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use crate::analysis::steady::equilibrium;
-use crate::assembly::redundancy;
-use crate::case::{InitialMotion, Model, Redundant, Start, StartAccelerations, TransientQuestion};
+use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
 use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
 use crate::solver::LinearSolver;
 
@@ -87,8 +86,6 @@ pub(super) struct Started {
     pub changes: Vec<StartChange>,
     /// What the reader must know.
     pub remarks: Vec<String>,
-    /// Constraints that are left out since they follow from others.
-    pub left_out: Vec<usize>,
 }
 
 /// The first state of a run.
@@ -119,9 +116,7 @@ pub(super) fn start(
         state,
         changes,
         remarks: Vec::new(),
-        left_out: Vec::new(),
     };
-    leave_out(model, question, &conditions, &mut started)?;
     find_rates(model, question, &conditions, &mut started)?;
     Ok(started)
 }
@@ -178,24 +173,6 @@ fn find_momenta(model: &Model, state: &mut State, conditions: &Conditions) {
     }
 }
 
-/// Leaves out the constraints that follow from others, or refuses them.
-fn leave_out(
-    model: &Model,
-    question: &TransientQuestion,
-    conditions: &Conditions,
-    started: &mut Started,
-) -> Result<(), TransientFailure> {
-    let redundant = redundancy::find(&model.system, &started.state, conditions);
-    if !redundant.is_empty() && question.redundant == Redundant::Error {
-        return Err(TransientFailure::Redundant(redundant));
-    }
-    for constraint in &redundant {
-        started.remarks.push(format!("left out: {constraint}"));
-        started.left_out.push(constraint.constraint);
-    }
-    Ok(())
-}
-
 fn find_rates(
     model: &Model,
     question: &TransientQuestion,
@@ -213,9 +190,7 @@ fn find_rates(
             return Ok(());
         }
         StartAccelerations::Consistent => {
-            if let Some(consistent) =
-                consistent_rates(&model.system, state, conditions, &started.left_out)
-            {
+            if let Some(consistent) = consistent_rates(&model.system, state, conditions) {
                 *state = consistent;
                 return Ok(());
             }
@@ -225,7 +200,7 @@ fn find_rates(
         }
         StartAccelerations::Dummy => {}
     }
-    *state = dummy_rates(model, question, state, &started.left_out)?;
+    *state = dummy_rates(model, question, state)?;
     Ok(())
 }
 

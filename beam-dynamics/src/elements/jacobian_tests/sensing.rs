@@ -9,7 +9,7 @@ use crate::elements::{Element, Post, Sensed, Sensor, Signal};
 use crate::model::Node;
 
 /// A signal of everything that can be sensed, of three nodes against each other.
-fn sensing(nodes: &[Node]) -> Signal {
+pub(super) fn sensing(nodes: &[Node]) -> Signal {
     let kinds = [
         Sensed::Position,
         Sensed::Displacement,

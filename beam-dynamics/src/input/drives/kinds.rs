@@ -31,8 +31,15 @@ pub(super) fn read(table: &Table<'_>, measure: Measure, find: &Find<'_>) -> Opti
     if matches!(measure, Measure::Declared(_)) && table.has("unit") {
         table.note("unit", &DriveProblem::UnitInPlace);
     }
-    table.require_text("kind", "the kind of the drive")?;
-    match KINDS[table.word("kind", &KINDS)?] {
+    // An expression says itself what it is.
+    let kind = match !table.has("kind") && table.has("expression") {
+        true => "expression",
+        false => {
+            table.require_text("kind", "the kind of the drive")?;
+            KINDS[table.word("kind", &KINDS)?]
+        }
+    };
+    match kind {
         "constant" => value(table, "value", measure).map(Drive::Constant),
         "ramp" => ramp(table, measure),
         "step" => step(table, measure),

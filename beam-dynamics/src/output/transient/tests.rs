@@ -104,7 +104,6 @@ fn snapshot(step: usize) -> Snapshot {
     });
     Snapshot {
         nodes: vec!["n0".to_owned()],
-        left_out: Vec::new(),
         multipliers: 0,
         step,
         progress: serde_json::from_value(progress).unwrap(),
