@@ -129,7 +129,7 @@ terms = [
   { kind = "ramp", to = -1, start = 2.5, end = 5, shape = "smooth" },
 ]"#;
 
-/// Largest changes of energy and angular momentum between 5 and 8 s, relative.
+/// Changes of energy and angular momentum from 5 to 6.5 s, relative.
 fn drift(step: f64) -> [f64; 2] {
     let case = Case::new("flying_beam");
     let file = "flying_beam.dynamics.toml";
@@ -138,7 +138,7 @@ fn drift(step: f64) -> [f64; 2] {
     let push = push.split("\n\n").next().unwrap();
     case.replace(file, push, SMOOTH);
     let run = Run::of_file(&case.path(file), 1, |question| {
-        question.to = 8.0;
+        question.to = 6.5;
         question.stepping = Stepping::Constant { step };
     });
     run.check_end();
@@ -147,28 +147,30 @@ fn drift(step: f64) -> [f64; 2] {
         let energy = run.energy(state, time);
         (energy.kinetic + energy.elastic, momenta(state)[1])
     };
-    let (energy, turning) = measured(5.0);
-    let mut changes = [0.0_f64; 2];
-    for (time, _) in run.instants.iter().filter(|(time, _)| *time > 5.0) {
-        let now = measured(*time);
-        changes[0] = changes[0].max((now.0 / energy - 1.0).abs());
-        changes[1] = changes[1].max((now.1 - turning).norm() / turning.norm());
-    }
-    changes
+    let (before, after) = (measured(5.0), measured(6.5));
+    let turning = (after.1 - before.1).norm() / before.1.norm();
+    [after.0 / before.0 - 1.0, turning]
 }
 
-/// In free flight both are kept at second order at least.
+/// In free flight the steps change both at second order. Angular momentum is kept by the
+/// elements themselves; energy by their forces only as far as eight of them are fine, a
+/// part of 1e-6, which the differences between steps do not see.
 #[test]
 fn a_flying_beam_keeps_energy_and_angular_momentum() {
-    let [coarse, fine] = [0.02, 0.01].map(drift);
-    for (number, quantity) in ["energy", "angular momentum"].iter().enumerate() {
-        let order = (coarse[number] / fine[number]).log2();
-        record::order("free flight", "flying beam", quantity, order, 1.8);
-        assert!(
-            order > 1.8,
-            "{quantity}: {:e} {:e}",
-            coarse[number],
-            fine[number]
-        );
+    let [coarse, middle, fine] = [0.02, 0.01, 0.005].map(drift);
+    let source = "free flight";
+    let energy = (coarse[0] - middle[0]) / (middle[0] - fine[0]);
+    for (quantity, ratio) in [
+        ("energy", energy.abs()),
+        ("angular momentum", middle[1] / fine[1]),
+    ] {
+        let order = ratio.log2();
+        record::order(source, "flying beam", quantity, order, 1.9);
+        assert!(order > 1.9, "{quantity}: {coarse:?} {middle:?} {fine:?}");
+    }
+    for (quantity, change) in ["energy", "angular momentum"].into_iter().zip(fine) {
+        let quantity = format!("{quantity} from 5 to 6.5 s, step 5 ms");
+        record::largest(source, "flying beam", &quantity, change.abs(), 5e-6);
+        assert!(change.abs() < 5e-6, "{quantity}: {change:e}");
     }
 }
