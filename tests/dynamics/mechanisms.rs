@@ -114,22 +114,17 @@ fn the_squeezer_by_radau() {
 /// its axis by 2e-5 m at 4 kHz, which the step does not resolve: that and its opposite.
 #[test]
 fn the_rod_of_the_slider_crank_bends() {
-    let run = Run::new("slider_crank", "slider_crank.dynamics.toml", 25, |_| {});
+    let file = "slider_crank.dynamics.toml";
+    let run = Run::new("slider_crank", file, 20, |question| {
+        question.to = 0.04;
+        question.stepping = Stepping::Constant { step: 2.5e-5 };
+    });
     let table = Table::new("slider_crank.csv");
     let [slider, bend] = ["x_slider", "deflection"].map(|name| table.column(name));
-    let count = (0..)
-        .take_while(|k| {
-            run.model
-                .system
-                .nodes()
-                .iter()
-                .any(|node| node.label == format!("rod {k}"))
-        })
-        .count();
-    let [first, middle, last] =
-        [0, (count - 1) / 2, count - 1].map(|k| run.node(&format!("rod {k}")));
+    // Six beams: thirteen nodes.
+    let [first, middle, last] = ["rod 0", "rod 6", "rod 12"].map(|name| run.node(name));
     let (mut bends, mut slides) = (0.0_f64, 0.0_f64);
-    for row in &table.rows {
+    for row in table.rows.iter().filter(|row| row[0] < 0.04 + 1e-9) {
         let state = run.at(row[0]);
         let place = |node: usize| state.nodes[node].position;
         let chord = (place(last) - place(first)).normalize();
@@ -155,8 +150,9 @@ fn the_rod_of_the_slider_crank_bends() {
     assert!(bends < 2e-5 && slides < 5e-5, "{bends:e} {slides:e}");
 }
 
-/// The closed form of the angles at every step, and the moment of the drive by the growth
-/// of the kinetic energy at second order: 0.5 % of its largest at this step.
+/// The closed form of the angles, which the constraints hold to the tolerance of the
+/// iteration, and the moment of the drive by the growth of the kinetic energy, whose error
+/// is of second order: 1e-3 of its largest, 3.87 N m, at 512 steps a turn.
 #[test]
 fn bennetts_mechanism_moves() {
     let run = Run::new("bennett", "bennett.dynamics.toml", 1, |question| {
@@ -188,9 +184,9 @@ fn bennetts_mechanism_moves() {
         "Bennett mechanism",
         "moment of the drive [N m]",
         moments,
-        0.02,
+        4e-3,
     );
-    assert!(places < 1e-7 && moments < 0.02, "{places:e} {moments:e}");
+    assert!(places < 1e-7 && moments < 4e-3, "{places:e} {moments:e}");
 }
 
 /// Without leave the engine removes nothing, and names what says the same twice.

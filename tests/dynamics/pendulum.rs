@@ -96,10 +96,12 @@ fn orders_of_the_stage_formulas() {
     }
 }
 
-/// The first reaction is that of the motion, 1, and the next follow without oscillation:
-/// 1.02005 after the first step of 10 ms, in the table's own start.
+/// The first reaction is that of the motion, 1, and the next is what the formula makes of
+/// it, 1.02005 after a step of 10 ms. A start without reaction gives 2.02 there and 0.24
+/// after the next; here the formula of index 3 swings about the tension by less than two
+/// hundredths, an error of first order that dies out.
 #[test]
-fn the_start_does_not_oscillate() {
+fn the_start_swings_by_the_error_of_the_formula_alone() {
     let run = Run::new("pendulum", "pendulum.dynamics.toml", 1, |question| {
         question.to = 0.1;
         question.stepping = Stepping::Constant { step: 0.01 };
@@ -122,6 +124,7 @@ fn the_start_does_not_oscillate() {
     for step in 1..=10 {
         let motion = run.motion("mass", 0.01 * step as f64);
         let expected = 1.0 - 3.0 * motion.position.dot(&Vector3::y());
-        println!("{step} {} {expected}", tension(step));
+        let bound = if step < 10 { 0.02 } else { 0.005 };
+        assert!((tension(step) - expected).abs() < bound, "step {step}");
     }
 }

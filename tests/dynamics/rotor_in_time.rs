@@ -8,8 +8,8 @@ use crate::record;
 const SPEED: f64 = 44.4;
 const STEPS: usize = 16;
 
-/// A sixteenth of a revolution in the steps of the case. A step of the formula keeps a
-/// circle to `(Omega h)^2` parts, 6e-4, of the stretch of a step.
+/// A sixteenth of a revolution in the steps of the case. The formula errs by a part of
+/// `(Omega h)^2`, 6e-4, in the angle of a step and in the moment.
 #[test]
 fn blades_stay_on_their_circle() {
     let to = STEPS as f64 * 5.527_858_695_083_39e-4;
@@ -37,8 +37,8 @@ fn blades_stay_on_their_circle() {
     // The load grows with the stretch, by a part of it: strains of 1e-3.
     let rows = [
         ("stretch of the blades, relative", 2e-3),
-        ("azimuth of the tips [rad]", 1e-6),
-        ("moment of the drive, of that of inertia", 1e-6),
+        ("azimuth of the tips [rad]", 1e-4),
+        ("moment of the drive, of that of inertia", 1e-4),
     ];
     // Four blades about the axis at the angular acceleration SPEED^2.
     errors[2] /= 4.0 * 5.5 * outer.powi(3) / 3.0 * SPEED.powi(2);

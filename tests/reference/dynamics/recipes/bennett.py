@@ -72,7 +72,7 @@ angles = 2 * np.pi * np.arange(n) / n
 energies = np.array([energy(a) for a in angles])
 spectrum = np.fft.rfft(energies)
 slope = np.fft.irfft(1j * np.arange(n // 2 + 1) * spectrum * (np.arange(n // 2 + 1) < n // 2), n)
-START = np.radians(60.0)
+START = np.radians(50.0)
 if __name__ == "__main__":
     import sys
 
