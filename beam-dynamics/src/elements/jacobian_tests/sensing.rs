@@ -1,7 +1,5 @@
 //! Loads that sense the motion of nodes.
 
-#![allow(clippy::unwrap_used, reason = "test helpers")]
-
 use shared_geom::expression::{Expression, Names};
 
 use super::{Random, check, geometry, kinds, nodes};
@@ -58,7 +56,7 @@ pub(super) fn sensing(nodes: &[Node]) -> Signal {
         variables: &variables,
         constants: &[],
     };
-    let expression = Expression::parse(&text.join(" + "), &names).unwrap();
+    let expression = Expression::parse(&text.join(" + "), &names).expect("a sum of known names");
     Signal::sensing(expression, sensors, [0.3, 0.7])
 }
 
