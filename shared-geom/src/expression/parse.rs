@@ -22,7 +22,7 @@ const DEEPEST: usize = 48;
 pub struct Names<'a> {
     /// Names of variables: the number of each is its place in the list.
     pub variables: &'a [&'a str],
-    /// Names of numbers that are known.
+    /// Names of numbers that are known, with the numbers [-].
     pub constants: &'a [(String, f64)],
 }
 

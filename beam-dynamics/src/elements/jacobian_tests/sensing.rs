@@ -1,5 +1,7 @@
 //! Loads that sense the motion of nodes.
 
+#![allow(clippy::unwrap_used, reason = "test helpers")]
+
 use shared_geom::expression::{Expression, Names};
 
 use super::{Random, check, geometry, kinds, nodes};

@@ -107,80 +107,62 @@ fn motions(a: Option<NodeMotion>, b: NodeMotion) -> Vec<NodeMotion> {
     a.into_iter().chain([b]).collect()
 }
 
+/// A joint, where it was placed, and a relative motion (d, R) that it lets happen.
+type Allowed = (ConstraintJoint, Placing, Vector3<f64>, Matrix3<f64>);
+
+/// A joint of each kind with a random motion that it lets happen.
+fn allowed(setting: &Setting<'_>, random: &mut Random) -> Vec<Allowed> {
+    use ConstraintJoint as Joint;
+    let ends = &setting.ends;
+    let (at, zero, one) = (setting.placing(), Vector3::zeros(), Matrix3::identity());
+    let universal = setting.universal();
+    let seven = Drive::Constant(7.0);
+    let angle = || Turning::Angle(seven.clone());
+    let [x, y, z] = random.vector(2.0).into();
+    let (turn, any) = (about(0, 4.0 * x), random.rotation(2.0));
+    let (along, across) = (Vector3::new(x, 0.0, 0.0), Vector3::new(0.0, y, z));
+    let (free, of_seven) = (|| Freedom::Free, about(0, 7.0));
+    // The axes of a and b have their angle where b is turned about both.
+    let between = universal.axes[0].transpose() * universal.axes[1];
+    let cross = about(0, x) * between * about(0, y);
+    let length = Drive::Constant(across.norm());
+    let anywhere = random.vector(1.0);
+    let joints = [
+        (Joint::clamp("clamp", ends, &at), zero, one),
+        (Joint::spherical("spherical", ends, &at), zero, any),
+        (Joint::revolute("revolute", ends, &at, None), zero, turn),
+        (
+            Joint::revolute("driven", ends, &at, Some(angle())),
+            zero,
+            of_seven,
+        ),
+        (
+            Joint::cylindrical("cylindrical", ends, &at, free(), None),
+            along,
+            turn,
+        ),
+        (Joint::prismatic("prismatic", ends, &at, free()), along, one),
+        (Joint::in_line("in-line", ends, &at), along, any),
+        (Joint::in_plane("in-plane", ends, &at, None), across, any),
+        (
+            Joint::plane_rotation("plane", ends, &at, None),
+            anywhere,
+            turn,
+        ),
+        (Joint::distance("distance", ends, &at, length), across, any),
+        (Joint::spin("spin", ends, &at, angle()), along, of_seven),
+    ];
+    let all = joints.into_iter().map(|(joint, d, r)| (joint, at, d, r));
+    let joint = Joint::universal("universal", ends, &universal);
+    all.chain([(joint, universal, zero, cross)]).collect()
+}
+
 // Relative motions (d, R) that a joint lets happen leave its constraints at zero.
 #[test]
 fn allowed_motions_keep_the_constraints() {
-    use ConstraintJoint as Joint;
     check_everywhere(|setting, a, random| {
-        let ends = &setting.ends;
-        let (at, zero, one) = (setting.placing(), Vector3::zeros(), Matrix3::identity());
-        let universal = setting.universal();
-        let seven = Drive::Constant(7.0);
-        let angle = || Some(Turning::Angle(seven.clone()));
         for _ in 0..5 {
-            let [x, y, z] = random.vector(2.0).into();
-            let turn = about(0, 4.0 * x);
-            let any = random.rotation(2.0);
-            let along = Vector3::new(x, 0.0, 0.0);
-            let across = Vector3::new(0.0, y, z);
-            let free = || Freedom::Free;
-            // The axes of a and b have their angle where b is turned about both.
-            let between = universal.axes[0].transpose() * universal.axes[1];
-            let cross = about(0, x) * between * about(0, y);
-            for (joint, at, d, r) in [
-                (Joint::clamp("clamp", ends, &at), at, zero, one),
-                (Joint::spherical("spherical", ends, &at), at, zero, any),
-                (Joint::revolute("revolute", ends, &at, None), at, zero, turn),
-                (
-                    Joint::revolute("driven", ends, &at, angle()),
-                    at,
-                    zero,
-                    about(0, 7.0),
-                ),
-                (
-                    Joint::cylindrical("cylindrical", ends, &at, free(), None),
-                    at,
-                    along,
-                    turn,
-                ),
-                (
-                    Joint::universal("universal", ends, &universal),
-                    universal,
-                    zero,
-                    cross,
-                ),
-                (
-                    Joint::prismatic("prismatic", ends, &at, free()),
-                    at,
-                    along,
-                    one,
-                ),
-                (Joint::in_line("in-line", ends, &at), at, along, any),
-                (
-                    Joint::in_plane("in-plane", ends, &at, None),
-                    at,
-                    across,
-                    any,
-                ),
-                (
-                    Joint::plane_rotation("plane", ends, &at, None),
-                    at,
-                    random.vector(1.0),
-                    turn,
-                ),
-                (
-                    Joint::distance("distance", ends, &at, Drive::Constant(across.norm())),
-                    at,
-                    across,
-                    any,
-                ),
-                (
-                    Joint::spin("spin", ends, &at, Turning::Angle(seven.clone())),
-                    at,
-                    along,
-                    about(0, 7.0),
-                ),
-            ] {
+            for (joint, at, d, r) in allowed(setting, random) {
                 let motions = motions(a, place_b(setting, &at, a.as_ref(), (d, r)));
                 let found = constraints(&joint, &motions);
                 let error = found.iter().fold(0.0_f64, |most, c| most.max(c.abs()));

@@ -250,7 +250,7 @@ fn joints_and_drives_are_found_at_a_state() {
         "[[body]]\nnode = \"arm\"\nmass = 1\ninertia = [1, 1, 1]\n".to_owned(),
         "[[hinge]]\nname = \"pin\"\nnodes = [\"the tip\", \"arm\"]\naxis = [0, 0, 1]\n".to_owned(),
         column("angle", "joint_angle", "pin", "unit = \"rad\""),
-        column("turned", "joint_rotation", "pin", "component = \"z\""),
+        column("turned", "joint_rotation", "pin", "component = \"x\""),
         column(
             "slip",
             "joint_displacement",
@@ -261,7 +261,7 @@ fn joints_and_drives_are_found_at_a_state() {
             "force",
             "reaction_force",
             "pin",
-            "in = \"second\"\ncomponent = \"x\"",
+            "in = \"second\"\ncomponent = \"y\"",
         ),
         column("plain", "reaction_force", "pin", "component = \"x\""),
         column("side", "reaction_force", "pin", "component = \"y\""),
@@ -285,14 +285,15 @@ fn joints_and_drives_are_found_at_a_state() {
     };
     let mut out = [0.0; 7];
     ColumnValues::new(&input.model, &input.output).evaluate(&moment, &mut out);
-    let [angle, turned, slip, side, up, force, push] = out;
+    let [angle, turned, slip, force, plain, side, push] = out;
     assert_relative_eq!(angle, 0.5, epsilon = 1e-14);
+    // The axes of the pin: x along its axis, z of the model; y against y of the model.
     assert_relative_eq!(turned, 0.5_f64.to_degrees(), epsilon = 1e-12);
-    assert_relative_eq!(slip, 3.0, epsilon = 1e-12);
-    // The axes of the second end are turned by the angle about x, the axis of the pin.
+    assert_relative_eq!(slip, -3.0, epsilon = 1e-12);
+    // Those of the second end are turned by the angle.
     let (sine, cosine) = 0.5_f64.sin_cos();
-    assert!(side.hypot(up) > 0.5, "{side} {up}");
-    assert_relative_eq!(force, cosine * side + sine * up, epsilon = 1e-12);
+    assert!(plain.hypot(side) > 0.5, "{plain} {side}");
+    assert_relative_eq!(force, sine * plain - cosine * side, epsilon = 1e-12);
     // A drive of plain numbers counts in the units of the file: 14 N.
     assert_relative_eq!(push, 14e-3, epsilon = 1e-15);
 }

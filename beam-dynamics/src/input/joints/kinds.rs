@@ -394,6 +394,26 @@ fn two_axes(table: &Table<'_>) -> Option<[Matrix3<f64>; 2]> {
     Some([axes_along(&first), axes_along(&second)])
 }
 
+/// The points of the joint on its two ends, model's frame [m].
+fn points_of(
+    holds: &Holds,
+    points: &Points,
+    (a, b): (Option<&Node>, &Node),
+    table: &Table<'_>,
+) -> Option<[Vector3<f64>; 2]> {
+    let on_b = b.position;
+    Some(match (holds, a) {
+        (Holds::Distance(_), Some(a)) => {
+            [points.from.unwrap_or(a.position), points.at.unwrap_or(on_b)]
+        }
+        (Holds::Distance(_), None) => from_the_frame(points, &on_b, table)?,
+        _ => {
+            let at = points.at.unwrap_or(on_b);
+            [points.from.unwrap_or(at), at]
+        }
+    })
+}
+
 /// The joint between known nodes.
 fn joint(
     label: &str,
@@ -412,19 +432,9 @@ fn joint(
         true => nodes[b].rotation,
         false => Matrix3::identity(),
     };
-    let on_b = nodes[b].position;
-    let [from, at] = match (&holds, a) {
-        (Holds::Distance(_), Some((_, a))) => {
-            [points.from.unwrap_or(a.position), points.at.unwrap_or(on_b)]
-        }
-        (Holds::Distance(_), None) => from_the_frame(points, &on_b, table)?,
-        _ => {
-            let at = points.at.unwrap_or(on_b);
-            [points.from.unwrap_or(at), at]
-        }
-    };
+    let points = points_of(&holds, points, (a.map(|a| a.1), &nodes[b]), table)?;
     let placing = Placing {
-        points: [from, at],
+        points,
         axes: axes.of_ends.map(|axes| turn * axes),
     };
     let (ends, at) = (&ends, &placing);

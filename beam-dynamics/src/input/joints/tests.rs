@@ -51,57 +51,61 @@ fn count(input: &Input, name: &str) -> usize {
     with_joint(input, name, |joint| joint.multipliers())
 }
 
+/// Kind, keys, and the number of constraints of a joint.
+const KINDS: &[(&str, &str, usize)] = &[
+    ("clamp", "", 6),
+    ("spherical", "at = [1, 0, 0]", 3),
+    ("revolute", "at = [1, 0, 0]\naxis = [0, 0, 1]", 5),
+    ("revolute", "axis = [0, 0, 1]\nangle = \"swing\"", 6),
+    (
+        "revolute",
+        "axis = [0, 0, 1]\naxis_in = \"node\"\nspeed = \"= 3 * t\"",
+        6,
+    ),
+    ("cylindrical", "axis = [0, 0, 1]", 4),
+    (
+        "cylindrical",
+        "axis = [0, 0, 1]\ndisplacement = \"= 0.1 * sin(t)\"",
+        5,
+    ),
+    ("universal", "axes = [[0, 0, 1], [0, 1, 0]]", 4),
+    ("prismatic", "axis = [1, 0, 0]", 5),
+    ("prismatic", "axis = [1, 0, 0]\ndisplacement = 0", 6),
+    ("in-line", "axis = [1, 0, 0]", 2),
+    ("in-plane", "axis = [1, 0, 0]\nfrom = [2, 1, 1]", 1),
+    ("plane-rotation", "axis = [1, 0, 0]", 2),
+    ("distance", "", 1),
+    (
+        "distance",
+        "length = \"= 1.5 + 0.1 * t\"\nfrom = [0.5, 0, 0]",
+        1,
+    ),
+    ("position", "displacement = { x = \"= t\", y = 0 }", 2),
+    (
+        "rotation",
+        "rotation = [0, 0, 0]\norientation = [0, 0, 30]",
+        3,
+    ),
+    (
+        "velocity",
+        "velocity = { z = \"= t\" }\nangular_velocity = [0, 0, 1]",
+        4,
+    ),
+    ("spin", "axis = [0, 0, 1]\nspeed = 2", 1),
+    ("spin", "axis = [0, 0, 1]\nangle = \"swing\"", 1),
+    (
+        "total",
+        "locked = [\"x\", \"about z\"]\ndisplacement = { y = \"= 0.2 * t\" }",
+        3,
+    ),
+];
+
 // One joint of each kind between the two bodies: the number of its constraints, all fulfilled
 // undeformed.
 #[test]
 fn every_kind_is_read() {
-    for (kind, keys, rows) in [
-        ("clamp", "", 6),
-        ("spherical", "at = [1, 0, 0]", 3),
-        ("revolute", "at = [1, 0, 0]\naxis = [0, 0, 1]", 5),
-        ("revolute", "axis = [0, 0, 1]\nangle = \"swing\"", 6),
-        (
-            "revolute",
-            "axis = [0, 0, 1]\naxis_in = \"node\"\nspeed = \"= 3 * t\"",
-            6,
-        ),
-        ("cylindrical", "axis = [0, 0, 1]", 4),
-        (
-            "cylindrical",
-            "axis = [0, 0, 1]\ndisplacement = \"= 0.1 * sin(t)\"",
-            5,
-        ),
-        ("universal", "axes = [[0, 0, 1], [0, 1, 0]]", 4),
-        ("prismatic", "axis = [1, 0, 0]", 5),
-        ("prismatic", "axis = [1, 0, 0]\ndisplacement = 0", 6),
-        ("in-line", "axis = [1, 0, 0]", 2),
-        ("in-plane", "axis = [1, 0, 0]\nfrom = [2, 1, 1]", 1),
-        ("plane-rotation", "axis = [1, 0, 0]", 2),
-        ("distance", "", 1),
-        (
-            "distance",
-            "length = \"= 1.5 + 0.1 * t\"\nfrom = [0.5, 0, 0]",
-            1,
-        ),
-        ("position", "displacement = { x = \"= t\", y = 0 }", 2),
-        (
-            "rotation",
-            "rotation = [0, 0, 0]\norientation = [0, 0, 30]",
-            3,
-        ),
-        (
-            "velocity",
-            "velocity = { z = \"= t\" }\nangular_velocity = [0, 0, 1]",
-            4,
-        ),
-        ("spin", "axis = [0, 0, 1]\nspeed = 2", 1),
-        ("spin", "axis = [0, 0, 1]\nangle = \"swing\"", 1),
-        (
-            "total",
-            "locked = [\"x\", \"about z\"]\ndisplacement = { y = \"= 0.2 * t\" }",
-            3,
-        ),
-    ] {
+    for (kind, keys, rows) in KINDS {
+        let rows = *rows;
         let card = format!(
             "[[clamp]]\nnode = \"crank\"\n[[joint]]\nname = \"J\"\nkind = \"{kind}\"\n\
              nodes = [\"crank\", \"rod\"]\n{keys}\n[transient]\nto = 1\nstep = 0.1\n"

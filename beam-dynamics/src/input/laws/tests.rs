@@ -194,82 +194,88 @@ fn springs_between_nodes_hold_them_together_in_their_directions() {
     assert!(!shown.contains("translation along x") && shown.contains("translation along y"));
 }
 
+/// Laws of a rod, and what is told of them.
+const WRONG_OF_RODS: &[(&str, &str)] = &[
+    (
+        "{ kind = \"liner\", stiffness = 1 }",
+        "did you mean \"linear\"?",
+    ),
+    ("{ kind = \"linear\" }", "has no \"stiffness\""),
+    (
+        "{ kind = \"linear\", stifness = 1 }",
+        "unknown key \"stifness\"",
+    ),
+    (
+        "{ kind = \"linear\", stiffness = -1 }",
+        "expected numbers of zero or more",
+    ),
+    ("{ kind = \"linear\", stiffness = [1, 2] }", "\"stiffness\""),
+    (
+        "{ kind = \"viscoelastic\", stiffness = 1 }",
+        "needs a \"viscosity\" or a \"time\"",
+    ),
+    (
+        "{ kind = \"cubic\" }",
+        "has no \"stiffness\", \"quadratic\" or \"cubic\"",
+    ),
+    (
+        "{ kind = \"bilinear\", stiffness = 1, limit = 1 }",
+        "has no \"second_stiffness\"",
+    ),
+    (
+        "{ kind = \"table\", points = [[0, 0], [0, 1]] }",
+        "expected growing strains",
+    ),
+    ("{ kind = \"table\", points = [[0, 0]] }", "at least two"),
+    (
+        "{ kind = \"expression\", force = \"2*ee\" }",
+        "did you mean \"e\"?",
+    ),
+    ("{ kind = \"section\" }", "that of the properties of a beam"),
+    (
+        "{ kind = \"linear\", stiffness = 1, prestress_drive = 2 }",
+        "which is not given",
+    ),
+    ("[]", "the list of laws is empty"),
+];
+
+/// Laws of a spring, and what is told of them.
+const WRONG_OF_SPRINGS: &[(&str, &str)] = &[
+    (
+        "{ kind = \"linear\", stiffness = [[1, 2, 0], [1, 3, 0], [0, 0, 1]] }",
+        "is not symmetric: 1 in row 2 and column 1, 2 across the diagonal",
+    ),
+    (
+        "{ kind = \"linear\", stiffness = [[1, 2, 0], [2, 1, 0], [0, 0, 1]] }",
+        "has a negative eigenvalue (-1 of the matrix",
+    ),
+    (
+        "{ kind = \"linear\", stiffness = [[1, 0], [0, 1]] }",
+        "expected a row of 3 numbers",
+    ),
+    (
+        "{ kind = \"linear\", stiffness = [1, 2] }",
+        "expected an array of 3",
+    ),
+    (
+        "{ kind = \"table\", points = {} }",
+        "names no component, expected at least one of x, y, z",
+    ),
+    (
+        "{ kind = \"expression\", force = { w = \"x\" } }",
+        "unknown key \"w\"",
+    ),
+];
+
 #[test]
 fn wrong_laws_are_told_with_their_remedy() {
     let rod =
         |law: &str| format!("[[rod]]\nname = \"r\"\nnodes = [\"root\", \"tip\"]\nlaw = {law}\n");
-    for (law, expected) in [
-        (
-            "{ kind = \"liner\", stiffness = 1 }",
-            "did you mean \"linear\"?",
-        ),
-        ("{ kind = \"linear\" }", "has no \"stiffness\""),
-        (
-            "{ kind = \"linear\", stifness = 1 }",
-            "unknown key \"stifness\"",
-        ),
-        (
-            "{ kind = \"linear\", stiffness = -1 }",
-            "expected numbers of zero or more",
-        ),
-        ("{ kind = \"linear\", stiffness = [1, 2] }", "\"stiffness\""),
-        (
-            "{ kind = \"viscoelastic\", stiffness = 1 }",
-            "needs a \"viscosity\" or a \"time\"",
-        ),
-        (
-            "{ kind = \"cubic\" }",
-            "has no \"stiffness\", \"quadratic\" or \"cubic\"",
-        ),
-        (
-            "{ kind = \"bilinear\", stiffness = 1, limit = 1 }",
-            "has no \"second_stiffness\"",
-        ),
-        (
-            "{ kind = \"table\", points = [[0, 0], [0, 1]] }",
-            "expected growing strains",
-        ),
-        ("{ kind = \"table\", points = [[0, 0]] }", "at least two"),
-        (
-            "{ kind = \"expression\", force = \"2*ee\" }",
-            "did you mean \"e\"?",
-        ),
-        ("{ kind = \"section\" }", "that of the properties of a beam"),
-        (
-            "{ kind = \"linear\", stiffness = 1, prestress_drive = 2 }",
-            "which is not given",
-        ),
-        ("[]", "the list of laws is empty"),
-    ] {
+    for (law, expected) in WRONG_OF_RODS {
         expect(&rod(law), expected);
     }
     let spring = |law: &str| format!("[[spring]]\nnodes = [\"root\", \"tip\"]\nlaw = {law}\n");
-    for (law, expected) in [
-        (
-            "{ kind = \"linear\", stiffness = [[1, 2, 0], [1, 3, 0], [0, 0, 1]] }",
-            "is not symmetric: 1 in row 2 and column 1, 2 across the diagonal",
-        ),
-        (
-            "{ kind = \"linear\", stiffness = [[1, 2, 0], [2, 1, 0], [0, 0, 1]] }",
-            "has a negative eigenvalue (-1 of the matrix",
-        ),
-        (
-            "{ kind = \"linear\", stiffness = [[1, 0], [0, 1]] }",
-            "expected a row of 3 numbers",
-        ),
-        (
-            "{ kind = \"linear\", stiffness = [1, 2] }",
-            "expected an array of 3",
-        ),
-        (
-            "{ kind = \"table\", points = {} }",
-            "names no component, expected at least one of x, y, z",
-        ),
-        (
-            "{ kind = \"expression\", force = { w = \"x\" } }",
-            "unknown key \"w\"",
-        ),
-    ] {
+    for (law, expected) in WRONG_OF_SPRINGS {
         expect(&spring(law), expected);
     }
     expect(
