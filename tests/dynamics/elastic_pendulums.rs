@@ -94,8 +94,8 @@ fn the_ringing_by_two_steps() {
         let error = (found - expected).abs();
         let quantity = format!("elongation at {time} s [m]");
         let case = "deformable pendulum, unstretched";
-        record::value(source, case, &quantity, [found, expected], error, 5e-6);
-        assert!(error < 5e-6, "{quantity}: {found:e} {expected:e}");
+        record::value(source, case, &quantity, [found, expected], error, 1e-10);
+        assert!(error < 1e-10, "{quantity}: {found:e} {expected:e}");
     }
 }
 

@@ -89,9 +89,9 @@ fn the_squeezer_reaches_its_published_state() {
         "squeezer",
         "angles at 30 ms, step 20 us [rad]",
         error,
-        1e-2,
+        5e-4,
     );
-    assert!(error < 1e-2, "{error:e}");
+    assert!(error < 5e-4, "{error:e}");
 }
 
 /// The same by a formula of third order.

@@ -24,7 +24,7 @@ fn the_tip_after_a_fifth_of_a_second() {
         "swinging cantilever",
         "tip at 0.2 s [m]",
         error,
-        1e-5,
+        1e-6,
     );
-    assert!(error < 1e-5, "{found} {error:e}");
+    assert!(error < 1e-6, "{found} {error:e}");
 }
