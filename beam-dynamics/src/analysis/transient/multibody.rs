@@ -91,18 +91,20 @@ impl<'a> Multibody<'a> {
             turn: Matrix3::identity(),
             spin: Matrix3::zeros(),
         };
-        let tangent = system.tangent(&states[0], &model.conditions_at(0.0));
+        // Of the model and not of a state: a run that is continued has the same.
+        let rest = system.rest();
+        let tangent = system.tangent(&rest, &model.conditions_at(0.0));
         Self {
             model,
             trials: (0..STAGES).map(|_| trial()).collect(),
             variations: vec![variation; nodes],
-            own_axes: own_axes::find(system, &states[0].nodes, &tangent),
+            own_axes: own_axes::find(system, &rest.nodes, &tangent),
             work: system.workspace(),
             algebraic: (0..numbering.unknowns())
                 .map(|place| place >= NODE_UNKNOWNS * nodes)
                 .collect(),
             is_simplified,
-            size: size(&states[0]),
+            size: size(&rest),
             states,
         }
     }
