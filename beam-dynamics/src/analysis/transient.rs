@@ -54,6 +54,8 @@ struct Run<'a> {
     integrator: Integrator,
     step: usize,
     output_time: f64,
+    /// When the run began, if the parts before this one had been made at once before it [s].
+    began: f64,
 }
 
 /// Runs `model` in time as `question` asks, from its start or from where `resumed` was
@@ -102,10 +104,11 @@ pub fn transient(
             return outcome;
         }
     };
+    run.began = began - resumed.map_or(0.0, |snapshot| snapshot.total_time);
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
-    outcome.effort.total_time = clock() - began;
+    outcome.effort.total_time = clock() - run.began;
     outcome
 }
 
@@ -158,6 +161,7 @@ fn run<'a>(
         integrator,
         step: 0,
         output_time: 0.0,
+        began: 0.0,
     })
 }
 
@@ -171,6 +175,7 @@ fn resume<'a>(
     let mut run = run(model, question, states)?;
     run.integrator.restore(&snapshot.progress);
     run.step = snapshot.step;
+    run.output_time = snapshot.output_time;
     Ok(run)
 }
 
@@ -216,8 +221,10 @@ impl Run<'_> {
         };
         let mut goes_on = recorder.record(&moment);
         if goes_on && recorder.wants_snapshot(&moment) {
-            let progress = self.integrator.snapshot();
-            let snapshot = snapshot::take(self.model, self.dae.states(), self.step, progress);
+            let steps = (self.step, self.integrator.snapshot());
+            let now = clock();
+            let times = [self.output_time + now - began, now - self.began];
+            let snapshot = snapshot::take(self.model, self.dae.states(), steps, times);
             goes_on = recorder.keep(&snapshot);
         }
         self.output_time += clock() - began;
