@@ -23,7 +23,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::gibbs::{self, Attitude, Increment};
 use shared_geom::rotation::skew;
 
-use crate::analysis::balance::worst;
+use crate::analysis::balance::{largest_motion, worst};
 use crate::assembly::{Combination, Pattern, Residual, Variation, Workspace};
 use crate::case::Model;
 use crate::integrator::Dae;
@@ -379,8 +379,7 @@ impl Dae for Multibody<'_> {
 
     fn size(&self, correction: &[f64]) -> f64 {
         let (nodes, _) = split(correction, self.states[0].nodes.len());
-        let sizes = nodes.map(|node| (part(node, 0).norm() / self.size).max(part(node, 1).norm()));
-        sizes.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
+        largest_motion(nodes, self.size)
     }
 
     fn error(&self, difference: &[f64]) -> f64 {

@@ -11,6 +11,7 @@
 use nalgebra::Vector3;
 use shared_geom::rotation::{gibbs, vector};
 
+use crate::analysis::balance::largest_motion;
 use crate::assembly::{System, Tangent};
 use crate::case::InitialMotion;
 use crate::elements::Level;
@@ -99,7 +100,7 @@ pub(super) fn place(
         let Some(step) = place_step(system, (&start, &now), conditions, &weights) else {
             break;
         };
-        let largest = largest(&step[..MOTION * nodes], size(state));
+        let largest = largest_motion(step[..MOTION * nodes].chunks(MOTION), size(state));
         if !largest.is_finite() {
             break;
         }
@@ -150,16 +151,6 @@ fn move_by(state: &mut State, step: &[f64], part: f64) {
     for (zeta, change) in state.multipliers.iter_mut().zip(&step[MOTION * nodes..]) {
         *zeta += part * change;
     }
-}
-
-/// Largest displacement in sizes of the model, or rotation.
-fn largest(step: &[f64], size: f64) -> f64 {
-    let of_node = |step: &[f64]| {
-        let part = |i: usize| Vector3::from_column_slice(&step[i..i + 3]).norm();
-        (part(0) / size).max(part(3))
-    };
-    let sizes = step.chunks(MOTION).map(of_node);
-    sizes.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
 }
 
 /// One step to the extremum, from `now`, whose multipliers are those of the extremum.
