@@ -2,10 +2,10 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::models::{body, node, run, spherical, states};
+use super::models::{body, node, pendulum, run, spherical, states};
 use crate::analysis::transient::{Changed, StartChange, TransientFailure};
 use crate::assembly::System;
-use crate::case::{InitialMotion, Model, Redundant, TransientQuestion};
+use crate::case::{InitialMotion, Model, Redundant, StartAccelerations, TransientQuestion};
 use crate::elements::Element;
 use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing};
 use crate::model::{Drive, Node, Ramp};
@@ -228,4 +228,18 @@ fn small_models_are_placed_as_well_as_large_ones() {
     let found = states(&model, &TransientQuestion::new(0.01, 0.01));
     let off = found[0].nodes[1].position.norm() / length - 1.0;
     assert!(off.abs() < 1e-11, "{off:e}");
+}
+
+// Dummy steps are iterated as the steps of the run are.
+#[test]
+fn dummy_steps_keep_the_limits_of_the_run() {
+    let mut question = TransientQuestion::new(0.1, 0.01);
+    question.start_accelerations = StartAccelerations::Dummy;
+    question.newton.iterations = 1;
+    (question.newton.residual, question.newton.correction) = (1e-300, 1e-300);
+    let failure = run(&pendulum(), &question).1.failure.unwrap();
+    let text = failure.to_string();
+    assert!(matches!(failure, TransientFailure::Dummy(_)), "{text}");
+    assert!(text.contains("did not converge"), "{text}");
+    assert!(!failure.remedy().is_empty());
 }
