@@ -386,6 +386,27 @@ impl Dae for Multibody<'_> {
         self.size(difference)
     }
 
+    fn describe_error(&self, difference: &[f64]) -> String {
+        let system = &self.model.system;
+        let scaled = |place: usize| match place % NODE_UNKNOWNS {
+            0..3 => (difference[place] / self.size).abs(),
+            3..6 => difference[place].abs(),
+            _ => 0.0,
+        };
+        let places = 0..NODE_UNKNOWNS * system.nodes().len();
+        let Some(place) = places.max_by(|a, b| scaled(*a).total_cmp(&scaled(*b))) else {
+            return String::new();
+        };
+        let (node, component) = (place / NODE_UNKNOWNS, place % NODE_UNKNOWNS);
+        let axis = ["x", "y", "z"][component % 3];
+        let (what, unit) = match component {
+            0..3 => ("position along", "m"),
+            _ => ("rotation about", "rad"),
+        };
+        let (label, off) = (&system.nodes()[node].label, difference[place].abs());
+        format!("{what} {axis} of node \"{label}\", by {off:.3e} {unit}")
+    }
+
     fn describe(&self, place: usize) -> String {
         self.model.system.describe_equation(place)
     }

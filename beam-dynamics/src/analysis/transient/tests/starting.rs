@@ -8,6 +8,7 @@ use crate::assembly::System;
 use crate::case::{InitialMotion, Model, Redundant, StartAccelerations, TransientQuestion};
 use crate::elements::Element;
 use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing};
+use crate::integrator::{StepControl, Stepping};
 use crate::model::{Drive, Node, Ramp};
 
 fn distance(nodes: &[Node], b: usize, length: f64) -> Box<dyn Element> {
@@ -242,4 +243,24 @@ fn dummy_steps_keep_the_limits_of_the_run() {
     assert!(matches!(failure, TransientFailure::Dummy(_)), "{text}");
     assert!(text.contains("did not converge"), "{text}");
     assert!(!failure.remedy().is_empty());
+}
+
+// A local error below round-off: the unknown is named, and what was asked for is the cause.
+#[test]
+fn a_local_error_is_told_by_its_unknown() {
+    let mut question = TransientQuestion::new(1.0, 0.01);
+    question.stepping = Stepping::Variable(StepControl {
+        first: 1e-3,
+        least: 1e-4,
+        most: 0.1,
+        tolerance: 1e-14,
+    });
+    let failure = run(&pendulum(), &question).1.failure.unwrap();
+    let text = failure.to_string();
+    for part in ["largest error: ", "of node \"bob\"", "tolerance 1.000e-14"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    for part in ["worst equation", "jump"] {
+        assert!(!text.contains(part), "{part}: {text}");
+    }
 }
