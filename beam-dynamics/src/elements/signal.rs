@@ -272,6 +272,14 @@ impl Signal {
         }
     }
 
+    /// The first and the last time at which it has a value \[s\].
+    pub fn domain(&self) -> [f64; 2] {
+        match self {
+            Self::Drive(drive) => drive.domain(),
+            Self::Sensing(_) => Drive::ALWAYS,
+        }
+    }
+
     /// The first corner or jump after `time` that time alone makes \[s\].
     pub fn next_corner(&self, time: f64) -> f64 {
         match self {

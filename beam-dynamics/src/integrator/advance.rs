@@ -356,11 +356,21 @@ impl Integrator {
         self.progress
     }
 
-    /// Goes on from a snapshot, made with the same scheme and stepping; the system must
-    /// have its two latest accepted states of that time.
+    /// What the steps so far are known by, as [`Self::snapshot`], for a run that does not
+    /// go on itself.
+    pub fn progress(&self) -> Progress {
+        self.progress
+    }
+
+    /// Goes on from a snapshot; the system must have its two latest accepted states of that
+    /// time. With the same scheme and stepping the run goes on to the last bit; another
+    /// stepping begins its grid here.
     pub fn restore(&mut self, progress: &Progress) {
         self.corrector.forget();
         self.progress = *progress;
+        let Progress { time, length, .. } = *progress;
+        let lengths = &mut self.progress.lengths;
+        lengths.resume(&self.stepping, time, length);
     }
 
     /// Forgets the states before the latest, as after a change from outside; `has_rates`

@@ -70,6 +70,25 @@ impl Lengths {
         }
     }
 
+    /// Goes on at `time` after a step of `last`; where the steps are others than before,
+    /// their grid begins here, and the first of them is no more than twice the last.
+    pub fn resume(&mut self, stepping: &Stepping, time: f64, last: f64) {
+        match stepping {
+            Stepping::Constant { step } => {
+                let beyond = (time - self.from) / step - self.points as f64;
+                let is_other = !(-SAME_POINT..1.0).contains(&beyond);
+                if is_other {
+                    (self.from, self.points) = (time, 0);
+                    self.wish = if last > 0.0 { 2.0 * last } else { *step };
+                }
+                self.wish = self.wish.min(*step);
+            }
+            Stepping::Variable(control) => {
+                self.wish = self.wish.max(control.least).min(control.most);
+            }
+        }
+    }
+
     /// The next step from `time`, to `until` at most.
     pub fn plan(&self, dae: &dyn Dae, stepping: &Stepping, time: f64, until: f64) -> Plan {
         let stop = self.stop(dae, time, until);

@@ -112,7 +112,7 @@ impl DriveTable {
     pub(super) fn domain(&self) -> [f64; 2] {
         match self.outside {
             Outside::Error => self.ends(),
-            Outside::Hold => super::ALWAYS,
+            Outside::Hold => super::Drive::ALWAYS,
         }
     }
 
