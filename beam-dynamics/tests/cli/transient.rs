@@ -237,7 +237,7 @@ name = \"axle\"
 kind = \"revolute\"
 nodes = [\"wheel\"]
 axis = [0, 0, 1]
-angle = \"= 10*t + 0*sqrt(1.25 - t)\"
+angle = \"= 180/pi*10*t + 0*sqrt(1.25 - t)\"
 [transient]
 to = {to}
 step = \"20 ms\"
@@ -253,7 +253,7 @@ unit = \"rad\"
 }
 
 // A row each 0.14 s, 1.4 rad apart. The run stops where its drive ends, at 1.25 s, or a
-// little before, between two rows; it is gone on with from there.
+// little before, between two rows.
 #[test]
 fn a_run_that_fails_keeps_its_last_state_and_angles_their_turns() {
     let folder = Folder::new();
@@ -278,10 +278,13 @@ fn a_run_that_fails_keeps_its_last_state_and_angles_their_turns() {
     assert!(state.contains("\"angles\":{\"axle\":12."), "{state}");
     assert!(folder.path("results/a.transient.svg").exists());
 
-    // Half of the way that is left.
-    let end = 0.5 * (last[0] + 1.25);
+    // A run that is gone on with keeps the turn that the wheel has made.
+    let end = 1.2;
+    folder.write("a.dynamics.toml", &wheel(1.0));
+    let parts = [&arguments[..], &["--out", "parts"]].concat();
+    assert_eq!(folder.run(&parts).code, 0);
     folder.write("a.dynamics.toml", &wheel(end));
-    let restart = ["--restart", "results/a.restart.json", "--out", "rest"];
+    let restart = ["--restart", "parts/a.restart.json", "--out", "rest"];
     let rest = folder.run(&[&arguments[..], &restart[..]].concat());
     assert_eq!(rest.code, 0, "{}", rest.err);
     let table = folder.read("rest/a.transient.csv");
