@@ -240,8 +240,7 @@ impl Integrator {
             let time = match formula.places[stage] < 0.0 {
                 true => self.progress.time + (1.0 + formula.places[stage]) * length,
                 // At a corner, what acts before it.
-                false if plan.corner.is_some() => plan.end.next_down(),
-                false => plan.end,
+                false => plan.corner.map_or(plan.end, |corner| corner.before),
             };
             dae.predict(stage, time, &self.predicted, &self.rates[stage]);
         }
@@ -318,7 +317,7 @@ impl Integrator {
         progress.time = end;
         progress.length = length;
         progress.known = (progress.known + 1).min(2);
-        progress.corner = corner;
+        progress.corner = corner.map(|corner| corner.after);
         progress.counters.accept(length);
         progress
             .lengths
