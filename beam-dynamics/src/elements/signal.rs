@@ -285,13 +285,12 @@ impl Signal {
         match self {
             Self::Drive(drive) => drive.next_corner(time),
             Self::Sensing(sensing) => {
-                let now = time / sensing.second;
-                let variable = |index| match index {
-                    0 => Jet::variable(now),
+                let variable = |index, time: f64| match index {
+                    0 => Jet::line(time / sensing.second, 1.0 / sensing.second),
                     // What is sensed is not known ahead, and nothing follows from it.
                     _ => Jet::constant(f64::NAN),
                 };
-                sensing.second * sensing.expression.next_corner(now, variable)
+                sensing.expression.next_corner(time, variable)
             }
         }
     }

@@ -42,6 +42,15 @@ pub(super) struct Lengths {
     pub wish: f64,
 }
 
+/// A corner of the system, or several at almost the same time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Corner {
+    /// The last time before it [s].
+    pub before: f64,
+    /// The time just after which the system must be renewed [s].
+    pub after: f64,
+}
+
 /// A step to be tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Plan {
@@ -51,9 +60,8 @@ pub(super) struct Plan {
     pub end: f64,
     /// Whether the grid has one more point there.
     pub is_on_grid: bool,
-    /// The time just after which the system must be renewed, when the step ends at a
-    /// corner [s].
-    pub corner: Option<f64>,
+    /// The corner at which the step ends.
+    pub corner: Option<Corner>,
 }
 
 impl Lengths {
@@ -118,7 +126,10 @@ impl Lengths {
             // Corners that follow at once are passed with it.
             let follows = dae.next_corner(corner) < corner + same;
             let after = if follows { corner + same } else { corner };
-            stop.corner = Some(after.max(stop.end));
+            stop.corner = Some(Corner {
+                before: corner.min(stop.end).next_down(),
+                after: after.max(stop.end),
+            });
         }
         stop
     }
