@@ -1,6 +1,7 @@
 //! A checked question to the engine: the model and what is asked of it.
 
 use nalgebra::Vector3;
+use shared_geom::hash::sha256_of;
 
 use crate::assembly::System;
 use crate::model::{Conditions, Drive, Loading, NamingAxes, TurningFrame};
@@ -83,6 +84,20 @@ impl Model {
             beams: Vec::new(),
             blades: Vec::new(),
         }
+    }
+
+    /// A fingerprint of all that the motion of the model follows from: nodes, elements with
+    /// their laws and drives, gravity and the axis of turning. Names of the model, what is
+    /// drawn and the motion at the start do not count.
+    pub fn fingerprint(&self) -> String {
+        let of = |part: &dyn std::fmt::Debug| sha256_of(&[format!("{part:?}").as_bytes()]);
+        let mut parts = vec![
+            of(&self.system.nodes()),
+            of(&(&self.spin, &self.gravity, &self.gravity_drive)),
+        ];
+        parts.extend(self.system.elements().map(|element| of(&element)));
+        let parts: Vec<_> = parts.iter().map(String::as_bytes).collect();
+        sha256_of(&parts)
     }
 
     /// All that acts at a rotor speed [rad/s] with the constant and the proportional

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use nalgebra::Vector3;
 
-use crate::model::{Loading, NodeMotion, TurningFrame};
+use crate::model::{Drive, Loading, NodeMotion, TurningFrame};
 
 pub mod beams;
 pub mod bodies;
@@ -92,6 +92,11 @@ pub trait Element: Debug + Send + Sync {
     /// jump \[s\]; infinite when there is none.
     fn next_corner(&self, _time: f64) -> f64 {
         f64::INFINITY
+    }
+
+    /// The first and the last time at which all drives of the element have a value \[s\].
+    fn domain(&self) -> [f64; 2] {
+        Drive::ALWAYS
     }
 
     /// Energy of the element.

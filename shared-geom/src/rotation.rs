@@ -21,8 +21,37 @@ pub mod vector;
 use nalgebra::{Matrix3, Vector3};
 
 /// The antisymmetric matrix `[a]x` for which `[a]x b = a x b`.
+#[inline]
 pub fn skew(a: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::new(0.0, -a.z, a.y, a.z, 0.0, -a.x, -a.y, a.x, 0.0)
+}
+
+/// `[a]x M`: the cross product of `a` with each column.
+#[inline]
+pub fn skew_times(a: &Vector3<f64>, m: &Matrix3<f64>) -> Matrix3<f64> {
+    let column = |j: usize| {
+        let (x, y, z) = (m[(0, j)], m[(1, j)], m[(2, j)]);
+        Vector3::new(a.y * z - a.z * y, a.z * x - a.x * z, a.x * y - a.y * x)
+    };
+    Matrix3::from_columns(&[column(0), column(1), column(2)])
+}
+
+/// `M [a]x`: the cross product of each row with `a`.
+#[inline]
+pub fn times_skew(m: &Matrix3<f64>, a: &Vector3<f64>) -> Matrix3<f64> {
+    let [x, y, z] = [0, 1, 2].map(|j| m.column(j));
+    Matrix3::from_columns(&[y * a.z - z * a.y, z * a.x - x * a.z, x * a.y - y * a.x])
+}
+
+/// `[a]x [b]x = b a^T - (a.b) I`.
+#[inline]
+pub fn skew_skew(a: &Vector3<f64>, b: &Vector3<f64>) -> Matrix3<f64> {
+    let mut m = b * a.transpose();
+    let dot = a.dot(b);
+    for i in 0..3 {
+        m[(i, i)] -= dot;
+    }
+    m
 }
 
 /// The vector `a` of the antisymmetric part: `[a]x = (m - m^T)/2`.
@@ -155,6 +184,11 @@ mod tests {
         for _ in 0..100 {
             let (a, b) = (samples.vector(), samples.vector());
             assert!((skew(&a) * b - a.cross(&b)).amax() < 1e-15);
+            let m = Matrix3::from_columns(&[a, b, samples.vector()]);
+            // Sums of two products of numbers of size one.
+            assert!((skew_times(&a, &m) - skew(&a) * m).amax() < 1e-14);
+            assert!((times_skew(&m, &b) - m * skew(&b)).amax() < 1e-14);
+            assert!((skew_skew(&a, &b) - skew(&a) * skew(&b)).amax() < 1e-14);
             let symmetric = a * b.transpose() + b * a.transpose();
             assert_eq!(axial(&skew(&a)), a);
             assert!((axial(&(skew(&a) + symmetric)) - a).amax() < 1e-15);

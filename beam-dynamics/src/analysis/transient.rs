@@ -7,8 +7,8 @@
 
 use crate::assembly::massless;
 use crate::case::{Model, TransientQuestion};
-use crate::integrator::{Counters, Integrator, Stepping};
-use crate::model::State;
+use crate::integrator::{Counters, Integrator, Progress, Stepping};
+use crate::model::{Conditions, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
 mod dummy;
@@ -53,6 +53,8 @@ struct Run<'a> {
     dae: Multibody<'a>,
     integrator: Integrator,
     step: usize,
+    /// Length [s] and iterations of the latest step.
+    latest: (f64, usize),
     output_time: f64,
     /// When the run began, if the parts before this one had been made at once before it [s].
     began: f64,
@@ -160,6 +162,7 @@ fn run<'a>(
         dae,
         integrator,
         step: 0,
+        latest: (0.0, 0),
         output_time: 0.0,
         began: 0.0,
     })
@@ -188,39 +191,63 @@ impl Run<'_> {
         clock: &dyn Fn() -> f64,
     ) -> Result<(), TransientFailure> {
         if tell_start {
-            self.tell((0.0, 0), recorder, clock)?;
+            self.tell(recorder, clock)?;
         }
         while self.integrator.time() < self.question.to {
-            let stepped = self
-                .integrator
-                .step(&mut self.dae, self.question.to, clock)
-                .map_err(|failure| self.trouble(failure))?;
+            let before = self.integrator.progress();
+            let to = self.question.to;
+            let stepped = match self.integrator.step(&mut self.dae, to, clock) {
+                Ok(stepped) => stepped,
+                Err(failure) => {
+                    self.tell_last(before, recorder, clock);
+                    return Err(self.trouble(failure));
+                }
+            };
             self.step += 1;
-            self.tell((stepped.length, stepped.iterations), recorder, clock)?;
+            self.latest = (stepped.length, stepped.iterations);
+            self.tell(recorder, clock)?;
         }
         Ok(())
+    }
+
+    /// Hands the latest accepted state to the recorder, at which the integrator had come to
+    /// `progress`: the step after it could not be made.
+    fn tell_last(&self, progress: Progress, recorder: &mut dyn Recorder, clock: &dyn Fn() -> f64) {
+        let conditions = self.model.conditions_at(progress.time);
+        let moment = self.moment(&conditions);
+        let times = [self.output_time, clock() - self.began];
+        let steps = (self.step, progress);
+        let snapshot = snapshot::take(self.model, self.dae.states(), steps, times);
+        // What cannot be written is told with the files.
+        let _ = recorder.stopped(&moment, &snapshot);
+    }
+
+    /// The latest accepted state.
+    fn moment<'a>(&'a self, conditions: &'a Conditions) -> Moment<'a> {
+        let (length, iterations) = self.latest;
+        Moment {
+            step: self.step,
+            time: self.integrator.time(),
+            length,
+            iterations,
+            state: self.dae.state(),
+            conditions,
+        }
     }
 
     /// Tells the recorder of the latest state.
     fn tell(
         &mut self,
-        (length, iterations): (f64, usize),
         recorder: &mut dyn Recorder,
         clock: &dyn Fn() -> f64,
     ) -> Result<(), TransientFailure> {
         let began = clock();
         let time = self.integrator.time();
         let conditions = self.model.conditions_at(time);
-        let moment = Moment {
-            step: self.step,
-            time,
-            length,
-            iterations,
-            state: self.dae.state(),
-            conditions: &conditions,
-        };
+        let moment = self.moment(&conditions);
         let mut goes_on = recorder.record(&moment);
-        if goes_on && recorder.wants_snapshot(&moment) {
+        let is_wanted = goes_on && recorder.wants_snapshot(&moment);
+        if is_wanted {
             let steps = (self.step, self.integrator.snapshot());
             let now = clock();
             let times = [self.output_time + now - began, now - self.began];
@@ -239,8 +266,8 @@ impl Run<'_> {
             Stepping::Constant { step } => step,
             Stepping::Variable(_) => failure.length,
         };
-        let (system, state) = (&self.model.system, self.dae.state());
-        TransientFailure::Step(Box::new(trouble(failure, system, state, wanted)))
+        let trouble = trouble(failure, self.model, self.dae.state(), wanted);
+        TransientFailure::Step(Box::new(trouble))
     }
 }
 

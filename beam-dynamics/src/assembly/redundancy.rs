@@ -11,7 +11,7 @@
 //! equations are singular. Rotations are scaled by the size of the model and each row to
 //! one. In the order of the elements, each row is reduced by the rows before it, as the
 //! columns of `Phi_y^T` in a sparse LU decomposition with partial pivoting (pivots of at least
-//! [`PIVOT`] of the largest entry, in the column with fewest entries, which keeps it sparse):
+//! `PIVOT` of the largest entry, in the column with fewest entries, which keeps it sparse):
 //! what is left of a redundant one is round-off. Work and room follow the fill: linear for
 //! chains and trees of any size, at worst cubic in the constraints of a closed net.
 //!

@@ -7,11 +7,12 @@ use clap::{Parser, Subcommand};
 use super::blade_options::BladeOptions;
 
 const ABOUT: &str = "\
-Finds the natural frequencies of turning blades and rotors made of beams
+Analyzes blades, rotors and mechanisms: frequencies, loads, buckling, motion in time
 
-The steady equilibrium at each rotor speed is found with geometrically exact beams of any \
-6x6 stiffness and mass; small motions about it give frequencies and modes, which are named \
-and followed over the speeds.
+Beams are geometrically exact, of any 6x6 stiffness and mass. Steady equilibria at rest or \
+at a rotor speed, and under loads; frequencies and modes of small motions about them, named \
+and followed over the speeds; critical loads; the motion in time of beams, bodies, springs \
+and joints with their reactions.
 
 Axes: x along the blade, y toward the leading edge, z up; the rotor turns about +z unless \
 the file says otherwise.";

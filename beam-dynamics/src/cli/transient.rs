@@ -43,7 +43,8 @@ impl Explain for RestartProblem {
         let text = match self {
             Self::ManyFiles { .. } => "run them one by one",
             Self::OtherModel { .. } => {
-                "nodes and joints must be those of the run that wrote it, in the same order"
+                "nodes, elements, laws, drives, gravity and hub must be those of the run that wrote \
+                 it; \"to\", \"step\", \"scheme\" and [output] may differ"
             }
             Self::AtEnd { .. } => "give [transient] a later \"to\" to go on",
         };
@@ -153,12 +154,11 @@ fn difference(snapshot: &Snapshot, input: &Input) -> Option<String> {
             node.label
         ));
     }
-    let multipliers = system.numbering().multipliers();
-    (snapshot.multipliers != multipliers).then(|| {
-        format!(
-            "its joints have {} constraints, those of the model {multipliers}",
-            snapshot.multipliers
-        )
+    let is_same = snapshot.model == input.model.fingerprint();
+    (!is_same).then(|| {
+        "its nodes have the same names, but some element, law, drive, gravity or the hub is \
+         another"
+            .to_owned()
     })
 }
 
@@ -334,6 +334,10 @@ impl Recorder for Watched<'_> {
 
     fn keep(&mut self, snapshot: &Snapshot) -> bool {
         self.files.keep(snapshot)
+    }
+
+    fn stopped(&mut self, moment: &Moment<'_>, snapshot: &Snapshot) -> bool {
+        self.files.stopped(moment, snapshot)
     }
 }
 

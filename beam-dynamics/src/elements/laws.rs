@@ -146,14 +146,17 @@ impl<const N: usize> Law<N> {
         self.terms.iter().any(|term| term.kind.is_viscous())
     }
 
+    /// The drives of prestrains and prestresses.
+    pub fn drives(&self) -> impl Iterator<Item = &Drive> {
+        let terms = self.terms.iter();
+        let driven = terms.flat_map(|term| [&term.prestrain, &term.prestress]);
+        driven.flatten().map(|driven| &driven.drive)
+    }
+
     /// The first time after `time` at which a drive has a corner or a jump \[s\];
     /// infinite when there is none.
     pub fn next_corner(&self, time: f64) -> f64 {
-        let driven = |term: &Term<N>| {
-            let both = [&term.prestrain, &term.prestress].into_iter().flatten();
-            let next = both.map(|driven| driven.drive.next_corner(time));
-            next.fold(f64::INFINITY, f64::min)
-        };
-        self.terms.iter().map(driven).fold(f64::INFINITY, f64::min)
+        let next = self.drives().map(|drive| drive.next_corner(time));
+        next.fold(f64::INFINITY, f64::min)
     }
 }

@@ -109,10 +109,22 @@ impl LocalJacobian {
     pub fn add(&mut self, row: (usize, Equation), column: (usize, Variable), block: &Matrix3<f64>) {
         let first_row = NODE_UNKNOWNS * row.0 + row.1.row();
         let first_column = NODE_UNKNOWNS * column.0 + column.1.column();
-        for j in 0..3 {
-            let values = block.fixed_view::<3, 1>(0, j);
-            let place = (first_row, first_column + j);
-            self.add_column(place, values.as_slice(), column.1.is_rate());
+        let rate = column.1.is_rate();
+        let n = self.by_unknowns.nrows();
+        let places = [0, 1, 2].map(|j| first_row + n * (first_column + j));
+        if !self.touched.is_empty() {
+            for at in places {
+                self.touched.as_mut_slice()[at..at + 3].fill(true);
+            }
+        }
+        self.touches_rates |= rate;
+        let sums = match rate {
+            true => self.by_rates.as_mut_slice(),
+            false => self.by_unknowns.as_mut_slice(),
+        };
+        for (at, values) in places.into_iter().zip(block.as_slice().chunks_exact(3)) {
+            let column = sums[at..at + 3].iter_mut();
+            column.zip(values).for_each(|(sum, value)| *sum += value);
         }
     }
 

@@ -70,6 +70,10 @@ impl Element for ReducedElement {
         knows
     }
 
+    fn domain(&self) -> [f64; 2] {
+        self.element.domain()
+    }
+
     fn next_corner(&self, time: f64) -> f64 {
         self.element.next_corner(time)
     }

@@ -272,18 +272,25 @@ impl Signal {
         }
     }
 
+    /// The first and the last time at which it has a value \[s\].
+    pub fn domain(&self) -> [f64; 2] {
+        match self {
+            Self::Drive(drive) => drive.domain(),
+            Self::Sensing(_) => Drive::ALWAYS,
+        }
+    }
+
     /// The first corner or jump after `time` that time alone makes \[s\].
     pub fn next_corner(&self, time: f64) -> f64 {
         match self {
             Self::Drive(drive) => drive.next_corner(time),
             Self::Sensing(sensing) => {
-                let now = time / sensing.second;
-                let variable = |index| match index {
-                    0 => Jet::variable(now),
+                let variable = |index, time: f64| match index {
+                    0 => Jet::line(time / sensing.second, 1.0 / sensing.second),
                     // What is sensed is not known ahead, and nothing follows from it.
                     _ => Jet::constant(f64::NAN),
                 };
-                sensing.second * sensing.expression.next_corner(now, variable)
+                sensing.expression.next_corner(time, variable)
             }
         }
     }

@@ -18,6 +18,7 @@ mod problem;
 #[cfg(test)]
 mod tests;
 
+pub(super) use columns::from_file;
 pub use problem::DriveProblem;
 
 use super::problem::InputProblem;

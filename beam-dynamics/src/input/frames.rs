@@ -125,6 +125,18 @@ impl Frames {
         };
         *found
     }
+
+    /// The axes (columns) of the frame called `name`, in the model's frame: `None` where
+    /// there is none of this name, `Some(None)` where it is wrong, which has been noted.
+    pub fn axes_of(&self, name: &str) -> Option<Option<Matrix3<f64>>> {
+        let found = self.0.get(name)?;
+        Some(found.map(|frame| frame.rotation))
+    }
+
+    /// Names of the frames.
+    pub fn names(&self) -> impl Iterator<Item = &String> {
+        self.0.keys()
+    }
 }
 
 /// Makes the copies of `[[repeat]]`.

@@ -63,10 +63,32 @@ const LEAST_CONSTANT: f64 = 1.0 / 720.0;
 /// The cubic through two states does not reach farther than this, in steps before.
 const REACH: f64 = 4.0;
 
-/// A jump of the rates that is a smaller part of their change in the step before, which is
+/// A jump of a rate that is a smaller part of its change in the step before, which is
 /// of the order of h, costs a two-step formula an error of the order of h^2, once: what it
 /// makes in a whole run.
 const SMALL_JUMP: f64 = 0.5;
+
+/// Jumps of a rate that are a smaller part of it do not count: where a rate has an
+/// extremum, the formula's own error is more than its change in a step.
+const SLIGHT_JUMP: f64 = 1e-3;
+
+/// Nor do those that are a smaller part of the largest rate: what the iteration leaves.
+const ROUND_OFF: f64 = 1e-6;
+
+/// Whether a rate jumps from those `now` to those `after` more than it did change from
+/// those of the state `before`. Each is looked at by itself: a light body's is not hidden
+/// by the motion of a heavy one.
+fn is_jump([before, now, after]: [&[f64]; 3]) -> bool {
+    let largest = |rates: &[f64]| rates.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    let least = ROUND_OFF * largest(now).max(largest(after));
+    let rates = before.iter().zip(now).zip(after);
+    let mut jumps = rates.map(|((before, now), after)| {
+        let slight = SLIGHT_JUMP * now.abs().max(after.abs());
+        let changed = SMALL_JUMP * (now - before).abs();
+        (after - now).abs() > changed.max(slight).max(least)
+    });
+    jumps.any(|is_jump| is_jump)
+}
 
 impl Integrator {
     /// An integrator of `dae`, whose latest accepted state is that at time `from` \[s\],
@@ -171,10 +193,7 @@ impl Integrator {
         dae.past(0, &mut self.predicted, after);
         if renewed && self.progress.known > 1 {
             dae.past(1, &mut self.predicted, before);
-            let pairs = |a: &[f64], b: &[f64]| -> f64 {
-                a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum()
-            };
-            if pairs(after, now) < SMALL_JUMP * SMALL_JUMP * pairs(now, before) {
+            if !is_jump([before, now, after]) {
                 return;
             }
         }
@@ -240,8 +259,7 @@ impl Integrator {
             let time = match formula.places[stage] < 0.0 {
                 true => self.progress.time + (1.0 + formula.places[stage]) * length,
                 // At a corner, what acts before it.
-                false if plan.corner.is_some() => plan.end.next_down(),
-                false => plan.end,
+                false => plan.corner.map_or(plan.end, |corner| corner.before),
             };
             dae.predict(stage, time, &self.predicted, &self.rates[stage]);
         }
@@ -318,7 +336,7 @@ impl Integrator {
         progress.time = end;
         progress.length = length;
         progress.known = (progress.known + 1).min(2);
-        progress.corner = corner;
+        progress.corner = corner.map(|corner| corner.after);
         progress.counters.accept(length);
         progress
             .lengths
@@ -371,11 +389,21 @@ impl Integrator {
         self.progress
     }
 
-    /// Goes on from a snapshot, made with the same scheme and stepping; the system must
-    /// have its two latest accepted states of that time.
+    /// What the steps so far are known by, as [`Self::snapshot`], for a run that does not
+    /// go on itself.
+    pub fn progress(&self) -> Progress {
+        self.progress
+    }
+
+    /// Goes on from a snapshot; the system must have its two latest accepted states of that
+    /// time. With the same scheme and stepping the run goes on to the last bit; another
+    /// stepping begins its grid here.
     pub fn restore(&mut self, progress: &Progress) {
         self.corrector.forget();
         self.progress = *progress;
+        let Progress { time, length, .. } = *progress;
+        let lengths = &mut self.progress.lengths;
+        lengths.resume(&self.stepping, time, length);
     }
 
     /// Forgets the states before the latest, as after a change from outside; `has_rates`

@@ -42,6 +42,15 @@ pub(super) struct Lengths {
     pub wish: f64,
 }
 
+/// A corner of the system, or several at almost the same time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Corner {
+    /// The last time before it [s].
+    pub before: f64,
+    /// The time just after which the system must be renewed [s].
+    pub after: f64,
+}
+
 /// A step to be tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Plan {
@@ -51,9 +60,8 @@ pub(super) struct Plan {
     pub end: f64,
     /// Whether the grid has one more point there.
     pub is_on_grid: bool,
-    /// The time just after which the system must be renewed, when the step ends at a
-    /// corner [s].
-    pub corner: Option<f64>,
+    /// The corner at which the step ends.
+    pub corner: Option<Corner>,
 }
 
 impl Lengths {
@@ -67,6 +75,25 @@ impl Lengths {
             from,
             points: 0,
             wish,
+        }
+    }
+
+    /// Goes on at `time` after a step of `last`; where the steps are others than before,
+    /// their grid begins here, and the first of them is no more than twice the last.
+    pub fn resume(&mut self, stepping: &Stepping, time: f64, last: f64) {
+        match stepping {
+            Stepping::Constant { step } => {
+                let beyond = (time - self.from) / step - self.points as f64;
+                let is_other = !(-SAME_POINT..1.0).contains(&beyond);
+                if is_other {
+                    (self.from, self.points) = (time, 0);
+                    self.wish = if last > 0.0 { 2.0 * last } else { *step };
+                }
+                self.wish = self.wish.min(*step);
+            }
+            Stepping::Variable(control) => {
+                self.wish = self.wish.max(control.least).min(control.most);
+            }
         }
     }
 
@@ -99,7 +126,10 @@ impl Lengths {
             // Corners that follow at once are passed with it.
             let follows = dae.next_corner(corner) < corner + same;
             let after = if follows { corner + same } else { corner };
-            stop.corner = Some(after.max(stop.end));
+            stop.corner = Some(Corner {
+                before: corner.min(stop.end).next_down(),
+                after: after.max(stop.end),
+            });
         }
         stop
     }

@@ -106,6 +106,17 @@ impl Default for Drive {
 }
 
 impl Drive {
+    /// All times \[s\].
+    pub const ALWAYS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+    /// The first and the last time at which all `drives` have a value \[s\].
+    pub fn common_domain<'a>(drives: impl Iterator<Item = &'a Self>) -> [f64; 2] {
+        let domains = drives.map(Self::domain);
+        domains.fold(Self::ALWAYS, |all, own| {
+            [all[0].max(own[0]), all[1].min(own[1])]
+        })
+    }
+
     /// The value at `time` \[s\]; at a corner that after it. Outside of the domain it is
     /// not a number.
     pub fn at(&self, time: f64) -> DriveValue {
@@ -155,12 +166,9 @@ impl Drive {
     pub fn domain(&self) -> [f64; 2] {
         match self {
             Self::Table(table) => table.domain(),
-            Self::Sum(parts) | Self::Product(parts) => {
-                let domains = parts.iter().map(Self::domain);
-                domains.fold(ALWAYS, |all, own| [all[0].max(own[0]), all[1].min(own[1])])
-            }
+            Self::Sum(parts) | Self::Product(parts) => Self::common_domain(parts.iter()),
             Self::Scaled(_, drive) => drive.domain(),
-            _ => ALWAYS,
+            _ => Self::ALWAYS,
         }
     }
 
@@ -184,9 +192,6 @@ impl Drive {
         }
     }
 }
-
-/// All times.
-const ALWAYS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// The first of ascending `times` that lies after `time`; infinite when there is none.
 fn next_of(times: &[f64], time: f64) -> f64 {

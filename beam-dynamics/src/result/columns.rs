@@ -1,5 +1,7 @@
 //! The numbers of columns at the moments of a run.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Matrix3, Vector3, Vector6};
 use shared_geom::rotation::vector;
 
@@ -23,6 +25,8 @@ pub struct ColumnValues<'a> {
     /// Columns of energy.
     energy: Vec<usize>,
     observed: Observations,
+    /// Angles of joints with their full turns at the latest moment, by name [rad].
+    angles: BTreeMap<String, f64>,
 }
 
 /// An element and the columns that are filled from what it tells.
@@ -43,6 +47,7 @@ impl<'a> ColumnValues<'a> {
             direct: Vec::new(),
             energy: Vec::new(),
             observed: Observations::default(),
+            angles: BTreeMap::new(),
         };
         for (index, column) in columns.iter().enumerate() {
             match &column.quantity {
@@ -78,6 +83,37 @@ impl<'a> ColumnValues<'a> {
         self.columns
     }
 
+    /// Goes on with the full turns that the angles of joints had.
+    pub fn go_on(&mut self, angles: &BTreeMap<String, f64>) {
+        self.angles.clone_from(angles);
+    }
+
+    /// The angles of the joints that are followed, with their full turns, by name [rad].
+    pub fn angles(&self) -> &BTreeMap<String, f64> {
+        &self.angles
+    }
+
+    /// Follows the angles of joints over full turns; to be told of every step.
+    pub fn follow(&mut self, moment: &Moment<'_>) {
+        for asked in &self.asked {
+            let is_angle = |index: &usize| is_angle(&self.columns[*index].quantity);
+            if !asked.columns.iter().any(is_angle) {
+                continue;
+            }
+            self.observed.joints.clear();
+            let system = &self.model.system;
+            let (state, conditions) = (moment.state, moment.conditions);
+            system.observe_element(asked.element, state, conditions, &mut self.observed);
+            for joint in &self.observed.joints {
+                let before = self.angles.get(&joint.joint);
+                let angle = before.map_or(joint.angle, |before| joint.unwrapped(*before));
+                if let Some(angle) = angle {
+                    self.angles.insert(joint.joint.clone(), angle);
+                }
+            }
+        }
+    }
+
     /// Writes the numbers at `moment` to `out`, one a column in its unit; not a number
     /// where an element tells nothing.
     pub fn evaluate(&mut self, moment: &Moment<'_>, out: &mut [f64]) {
@@ -106,7 +142,14 @@ impl<'a> ColumnValues<'a> {
                 &mut self.observed,
             );
             for &index in &asked.columns {
-                let told = told(&self.columns[index].quantity, &self.observed, moment.state);
+                let quantity = &self.columns[index].quantity;
+                let told = match is_angle(quantity) {
+                    true => self.observed.joints.first().and_then(|joint| {
+                        let before = self.angles.get(&joint.joint);
+                        before.map_or(joint.angle, |before| joint.unwrapped(*before))
+                    }),
+                    false => told(quantity, &self.observed, moment.state),
+                };
                 if let Some(value) = told {
                     out[index] = value;
                 }
@@ -198,6 +241,11 @@ impl<'a> ColumnValues<'a> {
             NodeVector::Rotation | NodeVector::Attitude | NodeVector::Euler(_) => Vector3::zeros(),
         }
     }
+}
+
+fn is_angle(quantity: &Quantity) -> bool {
+    let angle = JointMotion::Angle;
+    matches!(quantity, Quantity::Joint { motion, .. } if *motion == angle)
 }
 
 /// What an element tells for a column, in SI units.

@@ -1,5 +1,7 @@
 //! A run in time: what is told of every step, and of the run.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use crate::integrator::Progress;
@@ -36,11 +38,20 @@ pub trait Recorder {
     fn keep(&mut self, _snapshot: &Snapshot) -> bool {
         true
     }
+
+    /// Takes the last accepted step, which has been told already, of a run that cannot go
+    /// on, and what it can be continued from; `false` when it cannot be written.
+    fn stopped(&mut self, _moment: &Moment<'_>, snapshot: &Snapshot) -> bool {
+        self.keep(snapshot)
+    }
 }
 
 /// All that a run needs to go on, to the last bit, as if it had never ended.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
+    /// Fingerprint of the model (see [`crate::case::Model::fingerprint`]); empty in a
+    /// snapshot that has not been in a file.
+    pub model: String,
     /// Names of the nodes, by which a model is known again.
     pub nodes: Vec<String>,
     /// Number of multipliers.
@@ -56,6 +67,9 @@ pub struct Snapshot {
     /// The latest states, the last one first: thirty numbers a node, then the
     /// multipliers [unit of each].
     pub states: Vec<Vec<f64>>,
+    /// The angles with their full turns of joints, by name, of those that were followed
+    /// [rad].
+    pub angles: BTreeMap<String, f64>,
 }
 
 /// The effort of a run, for its last lines.

@@ -179,6 +179,119 @@ fn a_state_that_does_not_fit_is_refused() {
     );
 }
 
+// What is asked may be another, and so may the words of the file; what moves may not.
+#[test]
+fn a_state_goes_on_with_other_questions_but_not_with_another_model() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", &beam(0.1));
+    let restart = ["--restart", "parts/a.restart.json"];
+    let first = ["transient", "a.dynamics.toml", "--out", "parts"];
+    assert_eq!(folder.run(&first).code, 0);
+    let again = ["transient", "a.dynamics.toml", "--out", "other"];
+    let again = [&again[..], &restart[..]].concat();
+    for (from, to) in [
+        ("eiy = 40", "eiy = 41"),
+        ("-9.81]", "-9.82]"),
+        ("m = 2\n", "m = 2.5\n"),
+    ] {
+        folder.write("a.dynamics.toml", &beam(0.2).replace(from, to));
+        let refused = folder.run(&again);
+        assert_eq!(refused.code, 2, "{to}");
+        for expected in [
+            "is the state of another model: its nodes have the same names, but some element, law",
+            "\"to\", \"step\", \"scheme\" and [output] may differ",
+        ] {
+            assert!(refused.err.contains(expected), "{}", refused.err);
+        }
+    }
+    let changed = beam(0.2)
+        .replace("step = \"2 ms\"", "step = \"5 ms\"\nscheme = \"bdf2\"")
+        .replace("every = 2\n", "every = 1\n")
+        .replace("[properties.strip]\n", "# A remark.\n[properties.strip]\n");
+    folder.write("a.dynamics.toml", &changed);
+    let taken = folder.run(&again);
+    assert_eq!(taken.code, 0, "{}", taken.err);
+    let table = folder.read("other/a.transient.csv");
+    // A step of 4 ms, which is twice the last; the grid of 5 ms begins where the run goes on.
+    let times: Vec<_> = (0..4).map(|number| row(&table, number)[0]).collect();
+    for (time, expected) in times.iter().zip([0.1025, 0.105, 0.11, 0.115]) {
+        assert!((time - expected).abs() < 1e-9, "{times:?}");
+    }
+    let last = table.lines().count() - 2;
+    assert!((row(&table, last)[0] - 0.2).abs() < 1e-12);
+}
+
+/// A wheel that a drive turns by 10 rad/s up to a time after which it has no value.
+fn wheel(to: f64) -> String {
+    format!(
+        "units = \"SI\"
+[[node]]
+name = \"wheel\"
+position = [0, 0, 0]
+[[body]]
+node = \"wheel\"
+mass = 1
+inertia = [1, 1, 1]
+[[joint]]
+name = \"axle\"
+kind = \"revolute\"
+nodes = [\"wheel\"]
+axis = [0, 0, 1]
+angle = \"= 180/pi*10*t + 0*sqrt(1.25 - t)\"
+[transient]
+to = {to}
+step = \"20 ms\"
+[output]
+every = 7
+[[output.column]]
+name = \"angle\"
+quantity = \"joint_angle\"
+of = \"axle\"
+unit = \"rad\"
+"
+    )
+}
+
+// A row each 0.14 s, 1.4 rad apart. The run stops where its drive ends, at 1.25 s, or a
+// little before, between two rows.
+#[test]
+fn a_run_that_fails_keeps_its_last_state_and_angles_their_turns() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", &wheel(2.0));
+    let arguments = ["transient", "a.dynamics.toml"];
+    let failed = folder.run(&arguments);
+    assert_eq!(failed.code, 1, "{}{}", failed.out, failed.err);
+    assert!(failed.err.contains("not a finite number"), "{}", failed.err);
+    assert!(
+        failed.out.contains("  results/a.restart.json\n"),
+        "{}",
+        failed.out
+    );
+    let table = folder.read("results/a.transient.csv");
+    let last = row(&table, table.lines().count() - 2);
+    assert!(last[0] > 1.2 && last[0] <= 1.25, "{last:?}");
+    for number in 0..table.lines().count() - 1 {
+        let found = row(&table, number);
+        assert!((found[1] - 10.0 * found[0]).abs() < 1e-6, "{found:?}");
+    }
+    let state = folder.read("results/a.restart.json");
+    assert!(state.contains("\"angles\":{\"axle\":12."), "{state}");
+    assert!(folder.path("results/a.transient.svg").exists());
+
+    // A run that is gone on with keeps the turn that the wheel has made.
+    let end = 1.2;
+    folder.write("a.dynamics.toml", &wheel(1.0));
+    let parts = [&arguments[..], &["--out", "parts"]].concat();
+    assert_eq!(folder.run(&parts).code, 0);
+    folder.write("a.dynamics.toml", &wheel(end));
+    let restart = ["--restart", "parts/a.restart.json", "--out", "rest"];
+    let rest = folder.run(&[&arguments[..], &restart[..]].concat());
+    assert_eq!(rest.code, 0, "{}", rest.err);
+    let table = folder.read("rest/a.transient.csv");
+    let found = row(&table, table.lines().count() - 2);
+    assert!((found[0] - end).abs() < 1e-12 && (found[1] - 10.0 * end).abs() < 1e-6);
+}
+
 #[test]
 fn columns_are_drawn_and_wrong_names_are_told() {
     let folder = Folder::new();

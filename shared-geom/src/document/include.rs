@@ -31,6 +31,8 @@ struct Reader {
     /// Files that were read.
     read: Vec<PathBuf>,
     problems: Diagnostics,
+    /// Files that do not exist: what else is wrong is looked for all the same.
+    absent: Diagnostics,
 }
 
 impl Document {
@@ -38,13 +40,20 @@ impl Document {
     ///
     /// # Errors
     /// Every error of syntax in any of the files, files that cannot be read, and files
-    /// that include themselves.
+    /// that include themselves. Files that do not exist are noted in the document, so that
+    /// [`Document::finish`] tells them with all else.
     pub fn parse_with_includes(text: &str, file: &str) -> Result<Self, Diagnostics> {
         let mut reader = Reader::default();
         reader.open.push(known_as(Path::new(file)));
         let root = reader.entries(text, file);
-        let (files, problems) = (reader.files, reader.problems);
-        problems.into_result(Self::of(root, files))
+        let (files, mut problems) = (reader.files, reader.problems);
+        if !problems.is_empty() {
+            problems.append(reader.absent);
+            return Err(problems);
+        }
+        let mut document = Self::of(root, files);
+        document.problems.get_mut().append(reader.absent);
+        Ok(document)
     }
 }
 
@@ -100,7 +109,9 @@ impl Reader {
                 name: written.clone(),
                 known: names_beside(&path),
             };
-            return self.note(item.line, &problem);
+            let (file, line) = split(item.line);
+            let place = Place::line(&self.files[file], line);
+            return self.absent.push(place, &problem);
         }
         let known = known_as(&path);
         let name = written.clone();

@@ -108,7 +108,7 @@ impl Function {
     }
 
     /// The number whose change of sign makes a corner or a jump.
-    pub fn switch(self, args: &[Jet]) -> Option<Jet> {
+    fn switch(self, args: &[Jet]) -> Option<Jet> {
         match (self, args) {
             (Self::Abs | Self::Sign | Self::Step, [a]) => Some(*a),
             (Self::If, [condition, ..]) => Some(*condition),
@@ -126,12 +126,35 @@ impl Function {
     }
 
     /// The number whose passing through a whole number makes a jump.
-    pub fn stair(self, args: &[Jet]) -> Option<Jet> {
+    fn stair(self, args: &[Jet]) -> Option<Jet> {
         match (self, args) {
             (Self::Floor, [a]) => Some(*a),
             (Self::Mod, [a, b]) => Some(*a / *b),
             _ => None,
         }
+    }
+
+    /// On which of its pieces it is after now, if it has some.
+    pub fn piece(self, args: &[Jet]) -> Option<f64> {
+        let side = self
+            .switch(args)
+            .map(|jet| f64::from(jet.sign_after() as i8));
+        side.or_else(|| self.stair(args).map(|jet| jet.value.floor()))
+    }
+
+    /// How far ahead the end of its piece is, where its argument is straight.
+    pub fn ahead(self, args: &[Jet]) -> Option<f64> {
+        let straight = |jet: &Jet| jet.second == 0.0;
+        let zero = self.switch(args).filter(straight);
+        let zero = zero.map(|jet| -jet.value / jet.first);
+        zero.or_else(|| {
+            let stair = self.stair(args).filter(straight)?;
+            let end = match stair.first > 0.0 {
+                true => stair.value.floor() + 1.0,
+                false => stair.value.floor(),
+            };
+            Some((end - stair.value) / stair.first)
+        })
     }
 
     /// Its value; where it is not smooth that after now.

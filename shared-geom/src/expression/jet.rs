@@ -40,6 +40,15 @@ impl Jet {
         }
     }
 
+    /// A number on a straight line of the slope `first`.
+    pub fn line(value: f64, first: f64) -> Self {
+        Self {
+            value,
+            first,
+            second: 0.0,
+        }
+    }
+
     /// Whether number and derivatives are finite.
     pub fn is_finite(&self) -> bool {
         self.value.is_finite() && self.first.is_finite() && self.second.is_finite()

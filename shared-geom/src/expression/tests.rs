@@ -192,7 +192,7 @@ fn no_text_makes_it_panic() {
             read += 1;
             for t in [0.0, 1.5, -1e300] {
                 let _ = expression.at(|_| Jet::variable(t));
-                let _ = expression.next_corner(t, |_| Jet::variable(t));
+                let _ = expression.next_corner(t, |_, t| Jet::variable(t));
             }
         }
     }

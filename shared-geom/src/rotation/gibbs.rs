@@ -23,13 +23,13 @@
 //! - O. A. Bauchau, L. Trainelli, "The vectorial parameterization of rotation",
 //!   Nonlinear Dynamics 32, 2003.
 
-use super::{Quaternion, skew};
+use super::{Quaternion, skew, skew_skew};
 use nalgebra::{Matrix3, Vector3};
 
 /// Rotation of the parameters `g`: `R = I + d ([g]x + 1/2 [g]x [g]x)`.
+#[inline]
 pub fn to_rotation(g: &Vector3<f64>) -> Matrix3<f64> {
-    let s = skew(g);
-    Matrix3::identity() + (s + 0.5 * s * s) * scale(g)
+    Matrix3::identity() + (skew(g) + 0.5 * skew_skew(g, g)) * scale(g)
 }
 
 /// Parameters of the rotation `r`: `g = 2/(1 + tr R) (R32-R23, R13-R31, R21-R12)`.
@@ -45,11 +45,13 @@ pub fn from_rotation(r: &Matrix3<f64>) -> Vector3<f64> {
 /// Tangent `G = d (I + 1/2 [g]x)`: spatial angular velocity `omega = G dg/dt`.
 ///
 /// The material one is `R^T omega = G^T dg/dt`. The determinant is `d^2`.
+#[inline]
 pub fn tangent(g: &Vector3<f64>) -> Matrix3<f64> {
     (Matrix3::identity() + 0.5 * skew(g)) * scale(g)
 }
 
 /// Inverse tangent `G^-1 = I - 1/2 [g]x + 1/4 g g^T`: `dg/dt = G^-1 omega`.
+#[inline]
 pub fn tangent_inverse(g: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::identity() - 0.5 * skew(g) + 0.25 * g * g.transpose()
 }
@@ -64,6 +66,7 @@ pub fn compose(a: &Vector3<f64>, b: &Vector3<f64>) -> Vector3<f64> {
 
 /// Derivative of `G v` with respect to `g`, `v` constant:
 /// `H = -1/2 d [v]x - 1/2 d^2 (v + 1/2 g x v) g^T`.
+#[inline]
 pub fn tangent_derivative(g: &Vector3<f64>, v: &Vector3<f64>) -> Matrix3<f64> {
     let d = scale(g);
     -0.5 * d * skew(v) - 0.5 * d * d * (v + 0.5 * g.cross(v)) * g.transpose()
@@ -71,12 +74,14 @@ pub fn tangent_derivative(g: &Vector3<f64>, v: &Vector3<f64>) -> Matrix3<f64> {
 
 /// Derivative of `G^T v` with respect to `g`, `v` constant:
 /// `+1/2 d [v]x - 1/2 d^2 (v - 1/2 g x v) g^T`.
+#[inline]
 pub fn tangent_transpose_derivative(g: &Vector3<f64>, v: &Vector3<f64>) -> Matrix3<f64> {
     let d = scale(g);
     0.5 * d * skew(v) - 0.5 * d * d * (v - 0.5 * g.cross(v)) * g.transpose()
 }
 
 /// `d = 4/(4 + g.g)`.
+#[inline]
 fn scale(g: &Vector3<f64>) -> f64 {
     4.0 / (4.0 + g.norm_squared())
 }

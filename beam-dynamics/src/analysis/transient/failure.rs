@@ -6,6 +6,7 @@ use crate::analysis::steady::NoEquilibrium;
 use crate::assembly::System;
 use crate::assembly::massless::MasslessNode;
 use crate::assembly::redundancy::Redundant;
+use crate::case::Model;
 use crate::integrator::{Reason, StepFailure};
 use crate::model::State;
 use crate::solver::Iteration;
@@ -165,19 +166,19 @@ fn history(iterations: &[Iteration]) -> String {
 /// `step` is the length that was wanted \[s\].
 pub(super) fn trouble(
     failure: StepFailure,
-    system: &System,
+    model: &Model,
     state: &State,
     step: f64,
 ) -> StepTrouble {
-    let cause = cause(&failure, system, state, step);
+    let cause = cause(&failure, model, state, step);
     StepTrouble { failure, cause }
 }
 
-fn cause(failure: &StepFailure, system: &System, state: &State, step: f64) -> String {
+fn cause(failure: &StepFailure, model: &Model, state: &State, step: f64) -> String {
     if failure.reason == Reason::NotFinite {
-        return "likely cause: a law, a drive or a load has no value there".to_owned();
+        return without_value(failure, model);
     }
-    let (fastest, turn) = fastest(system, state, step);
+    let (fastest, turn) = fastest(&model.system, state, step);
     if turn > LARGE_TURN {
         return format!(
             "likely cause: node \"{fastest}\" turns by {turn:.2} rad in a step of {step:.3e} s, \
@@ -204,6 +205,28 @@ fn cause(failure: &StepFailure, system: &System, state: &State, step: f64) -> St
         }
     }
     .to_owned()
+}
+
+/// What has no value at the end of a step: a drive that has left its table, or else
+/// something that is unknown here.
+fn without_value(failure: &StepFailure, model: &Model) -> String {
+    let time = failure.time + failure.length;
+    let has_left = |[first, last]: [f64; 2]| time < first || time > last;
+    let words = |whose: &str, [first, last]: [f64; 2]| {
+        format!(
+            "likely cause: a drive of {whose} has values from {first} s to {last} s, and the step \
+             goes to {time} s"
+        )
+    };
+    let gravity = model.gravity_drive.domain();
+    if has_left(gravity) {
+        return words("gravity", gravity);
+    }
+    let mut elements = model.system.elements();
+    match elements.find(|element| has_left(element.domain())) {
+        Some(element) => words(&format!("\"{}\"", element.label()), element.domain()),
+        None => "likely cause: a law, a drive or a load has no value there".to_owned(),
+    }
 }
 
 /// The node that turns most in a step, and its angle \[rad\].

@@ -1,5 +1,7 @@
 //! What a run is continued from: its accepted states as plain numbers.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Matrix3, Vector3};
 
 use crate::case::Model;
@@ -22,6 +24,8 @@ pub(super) fn take(
 ) -> Snapshot {
     let nodes = model.system.nodes();
     Snapshot {
+        model: String::new(),
+        angles: BTreeMap::new(),
         nodes: nodes.iter().map(|node| node.label.clone()).collect(),
         multipliers: model.system.numbering().multipliers(),
         step,

@@ -31,7 +31,7 @@ use crate::elements::{
     Along, Element, Energy, Local, LocalJacobian, LocalResidual, Observations, SectionState,
 };
 use crate::model::Equation::{Force, Moment};
-use crate::model::{Node, NodeMotion, Variable};
+use crate::model::{Drive, Node, NodeMotion, Variable};
 
 const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
 const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
@@ -177,6 +177,11 @@ impl Element for LawBeam {
 
     fn joins_nodes(&self) -> bool {
         true
+    }
+
+    fn domain(&self) -> [f64; 2] {
+        let drives = self.points.iter().flat_map(|point| point.law.drives());
+        Drive::common_domain(drives)
     }
 
     fn next_corner(&self, time: f64) -> f64 {

@@ -219,6 +219,10 @@ impl Element for DistributedLoad {
         &self.nodes
     }
 
+    fn domain(&self) -> [f64; 2] {
+        self.signal.domain()
+    }
+
     fn next_corner(&self, time: f64) -> f64 {
         self.signal.next_corner(time)
     }

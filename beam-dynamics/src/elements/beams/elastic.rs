@@ -26,10 +26,18 @@
 //! d[(P - x) x F] = [P - x]x d F - [F]x (d P - d x)
 //! ```
 //!
+//! With the blocks of the stiffness turned, `K_FF = R K~_FF R^T` and so on,
+//! `S = d(G^T g~')/dg~`, `B = A G` and `R G^T = B`, this is
+//!
+//! ```text
+//! d F = K_FF d l + (K_FF [l]x - [F]x) theta + K_FM (R S d g~ + B d g~')
+//! d M = K_MF d l + (K_MF [l]x - [M]x) theta + K_MM (R S d g~ + B d g~')
+//! ```
+//!
 //! References: [Masarati], the three-node finite-volume beam (5.2-5.4).
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
-use shared_geom::rotation::{gibbs, skew};
+use shared_geom::rotation::{gibbs, skew, skew_skew, skew_times, times_skew};
 
 use super::geometry::{BeamGeometry, ReferencePoint};
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
@@ -74,12 +82,11 @@ struct Internal {
     moment: Vector3<f64>,
 }
 
-/// Derivatives at an evaluation point by the variables of one node.
+/// Derivatives at an evaluation point by position and rotation of one node.
+#[derive(Clone, Copy)]
 struct ByNode {
-    position: Matrix3<f64>,
     force: [Matrix3<f64>; 2],
     moment: [Matrix3<f64>; 2],
-    point_by_rotation: Matrix3<f64>,
 }
 
 impl ElasticBeam {
@@ -156,54 +163,43 @@ impl EvaluationPoint {
         }
     }
 
-    /// `d F` and `d M` by position and rotation of each node.
-    fn variation(&self, nodal: &NodalKinematics, at: &Internal) -> [ByNode; 3] {
+    /// `d F` and `d M` by position and rotation of each node, `relative` being the `A_j`
+    /// of the outer ones.
+    fn variation(
+        &self,
+        nodal: &NodalKinematics,
+        relative: &[Matrix3<f64>; 2],
+        at: &Internal,
+    ) -> [ByNode; 3] {
         let point = &at.point;
-        let shape = &self.shape;
-        let j0 = self.reference.j0;
-        let relative = nodal.relative_variation();
-        let theta = nodal.rotation_variation(shape, point, &relative);
-        let offset = nodal.offset_skew();
-        let tangent = gibbs::tangent(&point.g).transpose();
-        let bent = gibbs::tangent_transpose_derivative(&point.g, &point.g_prime);
-        // d kappa by theta_1 and theta_3; theta_2 takes minus their sum.
-        let kappa_outer = [0, 1].map(|k| {
-            let j = 2 * k;
-            (tangent * (shape.d[j] / j0) + bent * shape.n[j]) * relative[k]
-        });
-        let kappa = [
-            kappa_outer[0],
-            -kappa_outer[0] - kappa_outer[1],
-            kappa_outer[1],
-        ];
         let rt = point.r.transpose();
-        let slope = skew(&point.l);
-        std::array::from_fn(|j| {
-            let nu_position = rt * (shape.d[j] / j0);
-            let nu_rotation = rt * (slope * theta[j] - offset[j] * (shape.d[j] / j0));
-            let zero = Matrix3::zeros();
-            let [force_x, moment_x] = self.section_forces(&point.r, &nu_position, &zero);
-            let [force_r, moment_r] = self.section_forces(&point.r, &nu_rotation, &kappa[j]);
-            ByNode {
-                position: shape.n[j] * Matrix3::identity(),
-                force: [force_x, force_r - skew(&at.force) * theta[j]],
-                moment: [moment_x, moment_r - skew(&at.moment) * theta[j]],
-                point_by_rotation: -offset[j] * shape.n[j],
-            }
+        let b = nodal.a * gibbs::tangent(&point.g);
+        let bent = point.r * gibbs::tangent_transpose_derivative(&point.g, &point.g_prime);
+        let [force, moment] = [(0, &at.force), (3, &at.moment)].map(|(row, sum)| {
+            let turned = |column| point.r * self.stiffness.fixed_view::<3, 3>(row, column) * rt;
+            let (by_slope, by_curvature) = (turned(0), turned(3));
+            let by_theta = times_skew(&by_slope, &point.l) - skew(sum);
+            let by_g = by_theta * b + by_curvature * bent;
+            let by_g_prime = by_curvature * b;
+            let outer = [0, 1].map(|k| {
+                let j = 2 * k;
+                (self.shape.n[j] * by_g + self.slope(j) * by_g_prime) * relative[k]
+            });
+            let rotations = [outer[0], by_theta - outer[0] - outer[1], outer[1]];
+            std::array::from_fn::<_, 3, _>(|j| {
+                let position = self.slope(j) * by_slope;
+                [position, rotations[j] - times_skew(&position, &nodal.f[j])]
+            })
+        });
+        std::array::from_fn(|j| ByNode {
+            force: force[j],
+            moment: moment[j],
         })
     }
 
-    /// `R K [d nu; d kappa]`, split into force and moment.
-    fn section_forces(
-        &self,
-        r: &Matrix3<f64>,
-        nu: &Matrix3<f64>,
-        kappa: &Matrix3<f64>,
-    ) -> [Matrix3<f64>; 2] {
-        let k = &self.stiffness;
-        [0, 3].map(|row| {
-            r * (k.fixed_view::<3, 3>(row, 0) * nu + k.fixed_view::<3, 3>(row, 3) * kappa)
-        })
+    /// `N'_j / J0`.
+    fn slope(&self, j: usize) -> f64 {
+        self.shape.d[j] / self.reference.j0
     }
 }
 
@@ -245,10 +241,11 @@ impl Element for ElasticBeam {
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let relative = nodal.relative_variation();
         for (evaluation, neighbors) in self.points.iter().zip(NEIGHBORS) {
             let internal = evaluation.internal(&nodal);
-            let variation = evaluation.variation(&nodal, &internal);
-            add_tangent(&nodal, &internal, &variation, neighbors, out);
+            let variation = evaluation.variation(&nodal, &relative, &internal);
+            evaluation.add_tangent(&nodal, &internal, &variation, neighbors, out);
         }
     }
 
@@ -289,30 +286,35 @@ pub(super) fn add_forces(
     }
 }
 
-/// Adds the variations of the forces on the two nodes beside an evaluation point.
-fn add_tangent(
-    nodal: &NodalKinematics,
-    internal: &Internal,
-    variation: &[ByNode; 3],
-    (plus, minus): (usize, usize),
-    out: &mut LocalJacobian,
-) {
-    let force = skew(&internal.force);
-    for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
-        let arm = skew(&(internal.point.p - nodal.x[node]));
-        for (j, by) in variation.iter().enumerate() {
-            let own = if j == node { 1.0 } else { 0.0 };
-            let lever = [
-                force * (by.position - own * Matrix3::identity()),
-                force * by.point_by_rotation,
-            ];
-            for (k, variable) in [Variable::Position, Variable::Rotation]
-                .into_iter()
-                .enumerate()
-            {
-                let moment = by.moment[k] + arm * by.force[k] - lever[k];
-                out.add((node, Force), (j, variable), &(sign * by.force[k]));
-                out.add((node, Moment), (j, variable), &(sign * moment));
+impl EvaluationPoint {
+    /// Adds the variations of the forces on the two nodes beside the point.
+    fn add_tangent(
+        &self,
+        nodal: &NodalKinematics,
+        internal: &Internal,
+        variation: &[ByNode; 3],
+        (plus, minus): (usize, usize),
+        out: &mut LocalJacobian,
+    ) {
+        let skew_force = skew(&internal.force);
+        for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
+            let arm = sign * (internal.point.p - nodal.x[node]);
+            for (j, by) in variation.iter().enumerate() {
+                let n = self.shape.n[j];
+                let own = if j == node { 1.0 } else { 0.0 };
+                // [F]x (d P - d x), d P = N_j (d x_j - [f_j]x theta_j)
+                let lever = [
+                    sign * (n - own) * skew_force,
+                    (-sign * n) * skew_skew(&internal.force, &nodal.f[j]),
+                ];
+                for (k, variable) in [Variable::Position, Variable::Rotation]
+                    .into_iter()
+                    .enumerate()
+                {
+                    let moment = sign * by.moment[k] + skew_times(&arm, &by.force[k]) - lever[k];
+                    out.add((node, Force), (j, variable), &(sign * by.force[k]));
+                    out.add((node, Moment), (j, variable), &moment);
+                }
             }
         }
     }

@@ -26,6 +26,8 @@
 //! d[(p - x_k) x m a_g + S x a_g] = -[m a_g]x (d p - d x_k) + [a_g]x [S]x theta
 //! ```
 //!
+//! The Jacobian takes them from sums over a portion, in [`sums`].
+//!
 //! References: [Masarati], consistent and lumped inertia of the finite-volume beam.
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
@@ -38,7 +40,11 @@ use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::elements::bodies::RigidInertia;
 use crate::elements::{Element, Energy, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
-use crate::model::{Node, NodeMotion, TurningFrame, Variable};
+use crate::model::{Node, NodeMotion, TurningFrame};
+
+mod sums;
+
+use sums::Sums;
 
 /// Gauss points a portion: products of two quadratic shape functions, an arm and a
 /// varying property are integrated exactly on straight beams.
@@ -236,21 +242,31 @@ struct Motion {
     k: Vector3<f64>,
 }
 
-impl MassPoint {
-    fn motion(
-        &self,
-        nodal: &NodalKinematics,
-        nodes: &[NodeMotion],
-        frame: &TurningFrame,
-    ) -> Motion {
-        let point = nodal.at(&self.shape, self.j0);
-        let mut velocity = Vector3::zeros();
-        let mut omega = Vector3::zeros();
-        for (i, node) in nodes.iter().enumerate() {
-            let w = node.angular_velocity_in_space(frame);
-            velocity += self.shape.n[i] * (node.velocity_in_space(frame) + w.cross(&nodal.f[i]));
-            omega += self.shape.n[i] * w;
+/// Velocities of the nodes in space.
+struct Velocities {
+    /// Of the beam points, `v_j + omega_j x f_j` [m/s].
+    line: [Vector3<f64>; 3],
+    /// Angular velocities [rad/s].
+    omega: [Vector3<f64>; 3],
+}
+
+impl Velocities {
+    fn new(nodal: &NodalKinematics, nodes: &[NodeMotion], frame: &TurningFrame) -> Self {
+        let omega = std::array::from_fn(|j| nodes[j].angular_velocity_in_space(frame));
+        let line =
+            |j: usize| nodes[j].velocity_in_space(frame) + Vector3::cross(&omega[j], &nodal.f[j]);
+        Self {
+            line: std::array::from_fn(line),
+            omega,
         }
+    }
+}
+
+impl MassPoint {
+    fn motion(&self, nodal: &NodalKinematics, nodes: &Velocities) -> Motion {
+        let point = nodal.at(&self.shape, self.j0);
+        let velocity = self.shape.sum(&nodes.line);
+        let omega = self.shape.sum(&nodes.omega);
         let s = point.r * self.first_moment;
         let j = point.r * self.inertia * point.r.transpose();
         Motion {
@@ -276,9 +292,10 @@ impl Element for BeamInertia {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let velocities = Velocities::new(&nodal, at.nodes, at.frame);
         let mut sum = Energy::default();
         for mass in &self.points {
-            let motion = mass.motion(&nodal, at.nodes, at.frame);
+            let motion = mass.motion(&nodal, &velocities);
             let twice = motion.velocity.dot(&motion.h) + motion.omega.dot(&motion.k);
             let moment_of_mass = mass.mass * motion.point.p + motion.s;
             sum.kinetic += 0.5 * mass.length * twice;
@@ -289,8 +306,9 @@ impl Element for BeamInertia {
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let velocities = Velocities::new(&nodal, at.nodes, at.frame);
         for mass in &self.points {
-            let motion = mass.motion(&nodal, at.nodes, at.frame);
+            let motion = mass.motion(&nodal, &velocities);
             let arm = motion.point.p - nodal.x[mass.portion];
             let angular = arm.cross(&motion.h) + motion.k;
             out.add(mass.portion, Momentum, &(-mass.length * motion.h));
@@ -304,112 +322,15 @@ impl Element for BeamInertia {
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let velocities = Velocities::new(&nodal, at.nodes, at.frame);
         let relative = nodal.relative_variation();
-        for mass in &self.points {
-            let motion = mass.motion(&nodal, at.nodes, at.frame);
-            let theta = nodal.rotation_variation(&mass.shape, &motion.point, &relative);
-            for j in 0..3 {
-                let omega_j = at.nodes[j].angular_velocity_in_space(at.frame);
-                let by = mass.variation(&motion, j, &theta[j], &nodal.f[j], &omega_j, at.frame);
-                mass.add_variation(&nodal, &motion, j, &by, out);
-                let [position, rotation] = mass.weight_variation(at, &nodal, &motion, j, &theta[j]);
-                out.add((mass.portion, Moment), (j, Variable::Position), &position);
-                out.add((mass.portion, Moment), (j, Variable::Rotation), &rotation);
+        for portion in 0..3 {
+            let mut sums = Sums::default();
+            for mass in self.points.iter().filter(|mass| mass.portion == portion) {
+                sums.add(mass, &nodal, &mass.motion(&nodal, &velocities));
             }
-        }
-    }
-}
-
-/// Variations of the momenta per length by one variable of one node.
-struct ByVariable {
-    variable: Variable,
-    h: Matrix3<f64>,
-    k: Matrix3<f64>,
-    /// Variation of the position of the point.
-    p: Matrix3<f64>,
-}
-
-impl MassPoint {
-    /// Variations by position, rotation, velocity and angular velocity of node `j`,
-    /// whose rotation turns the section by `theta`.
-    fn variation(
-        &self,
-        motion: &Motion,
-        j: usize,
-        theta: &Matrix3<f64>,
-        offset: &Vector3<f64>,
-        omega_j: &Vector3<f64>,
-        frame: &TurningFrame,
-    ) -> [ByVariable; 4] {
-        let n = self.shape.n[j];
-        let zero = Matrix3::zeros();
-        let f = skew(offset);
-        let (s, w) = (skew(&motion.s), skew(&motion.omega));
-        let inertia = motion.j * w - skew(&(motion.j * motion.omega));
-        // (variable, d p', d omega, turning of the section, d p)
-        let identity = n * Matrix3::identity();
-        let rows = [
-            (Variable::Position, n * frame.skew(), zero, zero, identity),
-            (
-                Variable::Rotation,
-                -n * skew(omega_j) * f,
-                zero,
-                *theta,
-                -n * f,
-            ),
-            (Variable::Velocity, identity, zero, zero, zero),
-            (Variable::AngularVelocity, -n * f, identity, zero, zero),
-        ];
-        rows.map(|(variable, velocity, omega, turn, p)| ByVariable {
-            variable,
-            h: self.mass * velocity - s * omega - w * s * turn,
-            k: (skew(&motion.velocity) * s + inertia) * turn + s * velocity + motion.j * omega,
-            p,
-        })
-    }
-
-    /// Variations of the moment of the weight about the node of the portion by position
-    /// and rotation of node `j`, whose rotation turns the section by `theta`.
-    fn weight_variation(
-        &self,
-        at: &Local<'_>,
-        nodal: &NodalKinematics,
-        motion: &Motion,
-        j: usize,
-        theta: &Matrix3<f64>,
-    ) -> [Matrix3<f64>; 2] {
-        let gravity = self.length * skew(&at.loading.gravity);
-        let own = if j == self.portion { 1.0 } else { 0.0 };
-        let n = self.shape.n[j];
-        [
-            -(n - own) * self.mass * gravity,
-            gravity * (n * self.mass * skew(&nodal.f[j]) + skew(&motion.s) * theta),
-        ]
-    }
-
-    /// Adds `-d int h` and `-d int [(p - x_k) x h + k]` for node `j`.
-    fn add_variation(
-        &self,
-        nodal: &NodalKinematics,
-        motion: &Motion,
-        j: usize,
-        by: &[ByVariable; 4],
-        out: &mut LocalJacobian,
-    ) {
-        let node = self.portion;
-        let arm = skew(&(motion.point.p - nodal.x[node]));
-        let h = skew(&motion.h);
-        for variation in by {
-            let own = j == node && variation.variable == Variable::Position;
-            let lever = if own {
-                variation.p - Matrix3::identity()
-            } else {
-                variation.p
-            };
-            let angular = arm * variation.h - h * lever + variation.k;
-            let column = (j, variation.variable);
-            out.add((node, Momentum), column, &(-self.length * variation.h));
-            out.add((node, AngularMomentum), column, &(-self.length * angular));
+            sums.add_momenta(portion, at, &nodal, &velocities, &relative, out);
+            sums.add_weight(portion, at, &nodal, &relative, out);
         }
     }
 }

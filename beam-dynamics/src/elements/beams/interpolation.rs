@@ -57,6 +57,16 @@ impl Shape {
             d: LINE3_ORDER.map(|i| line.d[i]),
         }
     }
+
+    /// `N_j a_j`.
+    pub fn sum(&self, of: &[Vector3<f64>; 3]) -> Vector3<f64> {
+        self.n[0] * of[0] + self.n[1] * of[1] + self.n[2] * of[2]
+    }
+
+    /// `N'_j a_j`.
+    pub fn slope(&self, of: &[Vector3<f64>; 3]) -> Vector3<f64> {
+        self.d[0] * of[0] + self.d[1] * of[1] + self.d[2] * of[2]
+    }
 }
 
 /// Position and rotation quantities of the nodes of one beam.
@@ -93,15 +103,12 @@ impl NodalKinematics {
     /// The state at a point with shape functions `shape` and undeformed length
     /// `j0` per unit of xi.
     pub fn at(&self, shape: &Shape, j0: f64) -> PointKinematics {
-        let sum = |weights: &[f64; 3], values: &[Vector3<f64>; 3]| {
-            weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2]
-        };
-        let g = sum(&shape.n, &self.g);
+        let g = shape.sum(&self.g);
         PointKinematics {
-            p: sum(&shape.n, &self.p),
-            l: sum(&shape.d, &self.p) / j0,
+            p: shape.sum(&self.p),
+            l: shape.slope(&self.p) / j0,
             g,
-            g_prime: sum(&shape.d, &self.g) / j0,
+            g_prime: shape.slope(&self.g) / j0,
             r: self.a * gibbs::to_rotation(&g),
         }
     }

@@ -13,7 +13,7 @@
 //! References: [Masarati], balance equations of a rigid body about a moving point.
 
 use nalgebra::Matrix3;
-use shared_geom::rotation::skew;
+use shared_geom::rotation::{skew, skew_skew};
 
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
@@ -64,7 +64,8 @@ impl Element for NodeBalance {
         let identity = Matrix3::identity();
         let turning = at.frame.skew();
         let v = skew(&node.velocity_in_space(at.frame));
-        let beta = skew(&node.momentum);
+        let beta = &node.momentum;
+        let by_position = skew_skew(beta, &at.frame.angular_velocity);
 
         out.add((0, Momentum), (0, Variable::Momentum), &identity);
         out.add(
@@ -81,7 +82,7 @@ impl Element for NodeBalance {
         out.add((0, AngularMomentum), (0, Variable::Rotation), &zero);
         out.add((0, Moment), (0, Variable::Rotation), &zero);
         out.add((0, Moment), (0, Variable::Momentum), &-v);
-        out.add((0, Moment), (0, Variable::Velocity), &beta);
-        out.add((0, Moment), (0, Variable::Position), &(beta * turning));
+        out.add((0, Moment), (0, Variable::Velocity), &skew(beta));
+        out.add((0, Moment), (0, Variable::Position), &by_position);
     }
 }

@@ -15,7 +15,7 @@
 //! References: [Masarati], momentum and momenta moment of a rigid body.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::rotation::skew;
+use shared_geom::rotation::{skew, skew_skew, times_skew};
 
 use crate::elements::{Element, Energy, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
@@ -128,29 +128,28 @@ impl Element for RigidBody {
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         let Kinematics { s, j, v, omega } = self.kinematics(&at.nodes[0], at.frame);
-        let mass = self.inertia.mass * Matrix3::identity();
+        let m = self.inertia.mass;
         let turning = at.frame.skew();
-        let (s, v, w) = (skew(&s), skew(&v), skew(&omega));
+        let skew_s = skew(&s);
 
         // d(m v + omega x S), with dv = dx' + [Omega]x dx and dS = theta x S.
-        out.add((0, Momentum), (0, Variable::Velocity), &-mass);
-        out.add((0, Momentum), (0, Variable::Position), &-(mass * turning));
-        out.add((0, Momentum), (0, Variable::AngularVelocity), &s);
-        out.add((0, Momentum), (0, Variable::Rotation), &(w * s));
+        let mass = Matrix3::from_diagonal_element(-m);
+        out.add((0, Momentum), (0, Variable::Velocity), &mass);
+        out.add((0, Momentum), (0, Variable::Position), &(-m * turning));
+        out.add((0, Momentum), (0, Variable::AngularVelocity), &skew_s);
+        let by_rotation = skew_skew(&omega, &s);
+        out.add((0, Momentum), (0, Variable::Rotation), &by_rotation);
 
         // d(S x v + J omega), with dJ omega = -[J omega]x theta + J [omega]x theta.
-        let by_rotation = -v * s + skew(&(j * omega)) - j * w;
-        out.add((0, AngularMomentum), (0, Variable::Velocity), &-s);
-        out.add(
-            (0, AngularMomentum),
-            (0, Variable::Position),
-            &-(s * turning),
-        );
+        let by_rotation = skew(&(j * omega)) - skew_skew(&v, &s) - times_skew(&j, &omega);
+        let by_position = -skew_skew(&s, &at.frame.angular_velocity);
+        out.add((0, AngularMomentum), (0, Variable::Velocity), &-skew_s);
+        out.add((0, AngularMomentum), (0, Variable::Position), &by_position);
         out.add((0, AngularMomentum), (0, Variable::AngularVelocity), &-j);
         out.add((0, AngularMomentum), (0, Variable::Rotation), &by_rotation);
 
         // d(S x a_g) = [a_g]x [S]x theta.
-        let weight = skew(&at.loading.gravity) * s;
+        let weight = skew_skew(&at.loading.gravity, &s);
         out.add((0, Moment), (0, Variable::Rotation), &weight);
     }
 }

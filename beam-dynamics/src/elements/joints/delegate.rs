@@ -28,6 +28,10 @@ macro_rules! is_a_joint {
                 self.joint.constraint_rates(at, out)
             }
 
+            fn domain(&self) -> [f64; 2] {
+                self.joint.domain()
+            }
+
             fn next_corner(&self, time: f64) -> f64 {
                 self.joint.next_corner(time)
             }

@@ -60,6 +60,12 @@ impl JointEnds<'_> {
 pub(super) type Place = (Vector3<f64>, Matrix3<f64>);
 
 impl ConstraintJoint {
+    /// All that is given over time.
+    fn drives(&self) -> impl Iterator<Item = &Drive> {
+        let targets = self.rows.iter().filter_map(|row| row.target.as_ref());
+        targets.chain(self.turn.iter().flatten()).chain(&self.scale)
+    }
+
     /// A joint of `rows` with the given points and axes of a and of b.
     pub(super) fn of_rows(
         label: impl Into<String>,
@@ -237,10 +243,12 @@ impl Element for ConstraintJoint {
         true
     }
 
+    fn domain(&self) -> [f64; 2] {
+        Drive::common_domain(self.drives())
+    }
+
     fn next_corner(&self, time: f64) -> f64 {
-        let targets = self.rows.iter().filter_map(|row| row.target.as_ref());
-        let drives = targets.chain(self.turn.iter().flatten()).chain(&self.scale);
-        let corners = drives.map(|drive| drive.next_corner(time));
+        let corners = self.drives().map(|drive| drive.next_corner(time));
         corners.fold(f64::INFINITY, f64::min)
     }
 

@@ -1,7 +1,7 @@
 //! Tables of force over strain.
 //!
 //! Between the points straight or a natural cubic spline; outside of them held, or on
-//! along the slope of the end:
+//! along the slope of the end, or without a value:
 //!
 //! ```text
 //! hold      f = f_n                               e > e_n, and so at the other end
@@ -28,6 +28,8 @@ pub enum Outside {
     Hold,
     /// Straight on with the slope of the end.
     Extend,
+    /// There is no force: it is not a number.
+    Error,
 }
 
 /// A force over a strain.
@@ -82,6 +84,7 @@ impl Curve {
         match self.outside {
             _ if inside == e => (force, slope),
             Outside::Hold => (force, 0.0),
+            Outside::Error => (f64::NAN, f64::NAN),
             Outside::Extend => (force + slope * (e - inside), slope),
         }
     }
@@ -110,7 +113,9 @@ impl Curve {
         let beyond = e - inside;
         let slope = self.at(e).1;
         let bent = match self.outside {
+            _ if beyond == 0.0 => 0.0,
             Outside::Hold => 0.0,
+            Outside::Error => f64::NAN,
             Outside::Extend => 0.5 * slope * beyond * beyond,
         };
         within + self.points.line.value(i, inside) * beyond + bent

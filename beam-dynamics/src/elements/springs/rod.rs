@@ -23,7 +23,7 @@ use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Element, Energy, Local, LocalJacobian, LocalResidual, Motion, Observations, SpringState,
 };
-use crate::model::{Node, NodeMotion};
+use crate::model::{Drive, Node, NodeMotion};
 
 /// What the law of a rod takes for its strain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,6 +98,10 @@ impl Element for Rod {
 
     fn nodes(&self) -> &[usize] {
         self.line.nodes()
+    }
+
+    fn domain(&self) -> [f64; 2] {
+        Drive::common_domain(self.law.drives())
     }
 
     fn next_corner(&self, time: f64) -> f64 {

@@ -330,6 +330,10 @@ impl Element for Spring {
         &self.nodes
     }
 
+    fn domain(&self) -> [f64; 2] {
+        self.law.domain()
+    }
+
     fn next_corner(&self, time: f64) -> f64 {
         self.law.next_corner(time)
     }

@@ -4,6 +4,7 @@
 use nalgebra::{Matrix6, Vector6};
 
 use crate::elements::laws::{Law, Response};
+use crate::model::Drive;
 
 /// Laws of a spring.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,6 +104,16 @@ impl SpringLaw {
         match self {
             Self::Together(law) => law.is_viscous(),
             Self::Apart { .. } => self.apart().any(|part| part.1.is_viscous()),
+        }
+    }
+
+    pub(super) fn domain(&self) -> [f64; 2] {
+        match self {
+            Self::Together(law) => Drive::common_domain(law.drives()),
+            Self::Apart { .. } => {
+                let drives = self.apart().flat_map(|part| part.1.drives());
+                Drive::common_domain(drives)
+            }
         }
     }
 

@@ -22,7 +22,7 @@ pub(super) fn read(output: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
             let name = &column.name;
             let first = columns.iter().position(|other| other.name == *name);
             if let Some(line) = first.map(|first| lines[first]) {
-                let name = name.clone();
+                let (name, line) = (name.clone(), table.document().line_words(line));
                 table.note("name", &ColumnProblem::Doubled { name, line });
                 complete = false;
                 continue;

@@ -12,12 +12,12 @@ pub enum ColumnProblem {
         name: String,
     },
     /// A name that two columns have.
-    #[error("column \"{name}\" is already defined on line {line}, expected one of this name")]
+    #[error("column \"{name}\" is already defined on {line}, expected one of this name")]
     Doubled {
         /// The name.
         name: String,
-        /// Line of the first.
-        line: usize,
+        /// The line of the first, in words.
+        line: String,
     },
     /// The name of the first column.
     #[error("\"time\" is the name of the first column, which every table has")]

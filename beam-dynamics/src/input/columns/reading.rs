@@ -129,7 +129,8 @@ impl Reading<'_> {
         Some(places.into_iter().map(|place| PARTS[place]).collect())
     }
 
-    /// Axes under `in`: those of the model, of a node, or with `ends` of an end of a joint.
+    /// Axes under `in`: those of the model, of a node, of a frame of the model, or with
+    /// `ends` of an end of a joint.
     fn axes(&self, ends: bool) -> Option<(Axes, String)> {
         if !self.table.has("in") {
             return Some((Axes::Model, String::new()));
@@ -141,8 +142,8 @@ impl Reading<'_> {
                 Some((Axes::End(end), format!(" in the axes of its {name} end")))
             }
             name => {
-                let node = self.node("in", name)?;
-                Some((Axes::Node(node), format!(" in the axes of {name}")))
+                let axes = self.draft.look_up_axes(name, self.table, "in", self.user)?;
+                Some((axes, format!(" in the axes of {name}")))
             }
         }
     }

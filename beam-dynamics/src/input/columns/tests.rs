@@ -6,7 +6,7 @@ use shared_geom::rotation::vector;
 
 use crate::case::{Axes, Column, Every, NodeQuantity, NodeVector, Part, Quantity};
 use crate::input::{Input, read};
-use crate::model::Conditions;
+use crate::model::{Conditions, State};
 use crate::result::{ColumnValues, Moment};
 
 const MODEL: &str = "
@@ -240,11 +240,7 @@ fn all_that_is_wrong_is_told_with_the_nearest_name() {
 // The arm is turned by 0.5 rad about the pin and moved by 3 mm, which the pin sees.
 #[test]
 fn joints_and_drives_are_found_at_a_state() {
-    let column = |name: &str, quantity: &str, of: &str, rest: &str| {
-        format!(
-            "[[output.column]]\nname = \"{name}\"\nquantity = \"{quantity}\"\nof = \"{of}\"\n{rest}\n"
-        )
-    };
+    let column = card;
     let cards = [
         "[[node]]\nname = \"arm\"\nposition = [2, 0, 0]\n".to_owned(),
         "[[body]]\nnode = \"arm\"\nmass = 1\ninertia = [1, 1, 1]\n".to_owned(),
@@ -255,7 +251,19 @@ fn joints_and_drives_are_found_at_a_state() {
             "slip",
             "joint_displacement",
             "pin",
-            "unit = \"mm\"\ncomponent = \"y\"",
+            "unit = \"mm\"\ncomponent = \"magnitude\"",
+        ),
+        column(
+            "side",
+            "reaction_force",
+            "pin",
+            "in = \"first\"\ncomponent = \"y\"",
+        ),
+        column(
+            "up",
+            "reaction_force",
+            "pin",
+            "in = \"first\"\ncomponent = \"z\"",
         ),
         column(
             "force",
@@ -263,8 +271,6 @@ fn joints_and_drives_are_found_at_a_state() {
             "pin",
             "in = \"second\"\ncomponent = \"y\"",
         ),
-        column("plain", "reaction_force", "pin", "component = \"x\""),
-        column("side", "reaction_force", "pin", "component = \"y\""),
         column("push", "drive", "= 2*t", "unit = \"kN\""),
     ];
     let input = input(&cards.concat()).unwrap();
@@ -296,4 +302,129 @@ fn joints_and_drives_are_found_at_a_state() {
     assert_relative_eq!(force, sine * plain - cosine * side, epsilon = 1e-12);
     // A drive of plain numbers counts in the units of the file: 14 N.
     assert_relative_eq!(push, 14e-3, epsilon = 1e-15);
+}
+
+fn card(name: &str, quantity: &str, of: &str, rest: &str) -> String {
+    format!(
+        "[[output.column]]\nname = \"{name}\"\nquantity = \"{quantity}\"\nof = \"{of}\"\n{rest}\n"
+    )
+}
+
+/// The numbers of the columns of `cards` at a state that `change` makes of the state at rest.
+fn numbers(cards: &str, change: impl Fn(&mut State)) -> Vec<f64> {
+    let input = input(cards).unwrap();
+    let mut state = input.model.system.rest();
+    change(&mut state);
+    let conditions = Conditions::at_rest();
+    let moment = Moment {
+        step: 1,
+        time: 0.0,
+        length: 1.0,
+        iterations: 1,
+        state: &state,
+        conditions: &conditions,
+    };
+    let mut out = vec![0.0; input.output.columns.len()];
+    ColumnValues::new(&input.model, &input.output).evaluate(&moment, &mut out);
+    out
+}
+
+// The outer frame is turned by 90 degrees about z: its x is y of the model, its y is -x.
+// The inner one is turned by 90 degrees about x of the outer: its y is z of the outer, and
+// of the model; its z is -y of the outer, x of the model.
+#[test]
+fn vectors_are_written_in_frames_of_the_model() {
+    let cards = [
+        "[[frame]]\nname = \"outer\"\norientation = [0, 0, \"90 deg\"]\nposition = [3, 0, 0]\n"
+            .to_owned(),
+        "[[frame]]\nname = \"inner\"\nin = \"outer\"\norientation = [\"90 deg\", 0, 0]\n"
+            .to_owned(),
+        card("a", "displacement", "the tip", "in = \"outer\""),
+        card("b", "displacement", "the tip", "in = \"inner\""),
+        card(
+            "c",
+            "reaction_force",
+            "clamp of root",
+            "in = \"outer\"\ncomponent = \"x\"",
+        ),
+        card("d", "reaction_force", "clamp of root", "component = \"y\""),
+    ];
+    let found = numbers(&cards.concat(), |state| {
+        state.nodes[2].position += Vector3::new(1.0, 2.0, 3.0);
+        for (k, multiplier) in state.multipliers.iter_mut().enumerate() {
+            *multiplier = 1.0 + k as f64;
+        }
+    });
+    let expected = [2.0, -1.0, 3.0, 2.0, 3.0, 1.0];
+    for (found, expected) in found.iter().zip(expected) {
+        assert_relative_eq!(*found, expected, epsilon = 1e-14);
+    }
+    assert!(found[6].abs() > 0.5);
+    assert_relative_eq!(found[6], found[7], epsilon = 1e-14);
+}
+
+#[test]
+fn frames_of_columns_are_looked_for_with_the_nodes() {
+    let cards = [
+        "[[frame]]\nname = \"ground\"\n".to_owned(),
+        card("a", "displacement", "mid", "in = \"grund\""),
+        card("b", "displacement", "mid", "in = \"the tib\""),
+    ];
+    let told = input(&cards.concat()).unwrap_err();
+    for expected in [
+        "a.dynamics.toml:34: unknown node or frame \"grund\" in column \"a\"\n  \
+         help: did you mean \"ground\"?",
+        "a.dynamics.toml:39: unknown node or frame \"the tib\" in column \"b\"\n  \
+         help: did you mean \"the tip\"?",
+    ] {
+        assert!(told.contains(expected), "{expected}\n---\n{told}");
+    }
+}
+
+// A rod of 1 m that is drawn out by 0.5 m with 8 kN a unit of strain, and a spring that is
+// moved by (1, 2, 3) mm with (1, 10, 100) kN/m and turned by 0.1 rad about z with 50 N m/rad.
+#[test]
+fn rods_and_springs_tell_their_motion_and_what_resists_it() {
+    let cards = [
+        "[[rod]]\nname = \"stay\"\nnodes = [\"root\", \"mid\"]\n\
+         law = { kind = \"linear\", stiffness = 8e3 }\n"
+            .to_owned(),
+        "[[spring]]\nname = \"mount\"\nnodes = [\"mid\", \"the tip\"]\n\
+         law = { kind = \"linear\", stiffness = [1e3, 1e4, 1e5] }\n\
+         rotational_law = { kind = \"linear\", stiffness = 50 }\n"
+            .to_owned(),
+        card("long", "spring_displacement", "stay", "component = \"x\""),
+        card(
+            "pull",
+            "spring_force",
+            "stay",
+            "unit = \"kN\"\ncomponent = \"x\"",
+        ),
+        card("moved", "spring_displacement", "mount", "unit = \"mm\""),
+        card("resists", "spring_force", "mount", ""),
+        card(
+            "strength",
+            "spring_force",
+            "mount",
+            "component = \"magnitude\"",
+        ),
+        card("turned", "spring_rotation", "mount", "component = \"z\""),
+        card("moment", "spring_moment", "mount", "component = \"z\""),
+    ];
+    // The spring is where its last node is, and so are both of its ends.
+    let found = numbers(&cards.concat(), |state| {
+        state.nodes[1].position.x += 0.5;
+        state.nodes[2].position += Vector3::new(0.501, 2e-3, 3e-3);
+        state.nodes[2].rotation = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.1));
+    });
+    let strength = 1.0_f64.hypot(20.0).hypot(300.0);
+    let degrees = 0.1_f64.to_degrees();
+    let expected = [
+        0.5, 4.0, 1.0, 2.0, 3.0, 1.0, 20.0, 300.0, strength, degrees, 5.0,
+    ];
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(expected) {
+        // Round-off of 0.5 m in millimeters, times the stiffness.
+        assert_relative_eq!(*found, expected, epsilon = 1e-9);
+    }
 }

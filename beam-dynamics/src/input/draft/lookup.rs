@@ -3,6 +3,7 @@
 use shared_geom::document::Table;
 
 use super::Draft;
+use crate::case::Axes;
 use crate::elements::Element;
 use crate::input::problem::InputProblem;
 
@@ -22,6 +23,29 @@ impl Draft {
         if !self.is_of_broken_blade(name) {
             let known = self.names.keys().cloned().collect();
             note_unknown("node", name, user, known, (table, key));
+        }
+        None
+    }
+
+    /// The axes of the node or, where no node has the name, of the `[[frame]]` called
+    /// `name`.
+    pub fn look_up_axes(
+        &self,
+        name: &str,
+        table: &Table<'_>,
+        key: &str,
+        user: &str,
+    ) -> Option<Axes> {
+        if let Some(named) = self.names.get(name) {
+            return named.node.map(Axes::Node);
+        }
+        if let Some(axes) = self.frames.axes_of(name) {
+            return axes.map(Axes::Fixed);
+        }
+        if !self.is_of_broken_blade(name) {
+            let nodes = self.names.keys().cloned();
+            let known = nodes.chain(self.frames.names().cloned()).collect();
+            note_unknown("node or frame", name, user, known, (table, key));
         }
         None
     }

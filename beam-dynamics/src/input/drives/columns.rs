@@ -14,7 +14,7 @@ use crate::model::{Drive, DriveTable, Interpolation, Outside, TableProblem};
 const ROWS_SHOWN: usize = 10;
 
 /// A row of a table, and its line.
-type Row = (usize, [f64; 2]);
+pub(in crate::input) type Row = (usize, [f64; 2]);
 
 /// Reads a table of times and values.
 pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
@@ -29,7 +29,10 @@ pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
     let second = table.document().factor(Dimension::TIME);
     let factor = measure.factor(table.document());
     let (file, rows) = match (table.has("file"), table.has("rows")) {
-        (true, false) => from_file(table)?,
+        (true, false) => {
+            let (file, rows) = from_file(table, ["times", "values"])?;
+            (Some(file), rows)
+        }
         (false, true) => (None, in_place(table)?),
         (both, _) => {
             let found = if both { "both" } else { "none" };
@@ -85,30 +88,37 @@ fn in_place(table: &Table<'_>) -> Option<Vec<Row>> {
     rows.into_iter().collect()
 }
 
-/// The rows of the file that the table names, and its name.
-fn from_file(table: &Table<'_>) -> Option<(Option<String>, Vec<Row>)> {
+/// The name of the file that the table names, and the rows of two of its columns, which are
+/// `of` in words: those under `columns`, or the first two.
+pub(in crate::input) fn from_file(table: &Table<'_>, of: [&str; 2]) -> Option<(String, Vec<Row>)> {
     let written = table.text("file")?;
     let columns = match table.has("columns") {
         true => Some(table.texts("columns")?),
         false => None,
     };
     if columns.as_ref().is_some_and(|columns| columns.len() != 2) {
-        table.wrong(
-            "columns",
-            "two names: of the column of times and that of values",
+        let expected = format!(
+            "two names: of the column of {} and that of {}",
+            of[0], of[1]
         );
+        table.wrong("columns", &expected);
         return None;
     }
     let path = table.existing("file", &written)?;
     let file = path.display().to_string();
     let text = table.document().keep(read_text(&path))?;
-    let rows = rows(&text, &file, columns.as_deref());
-    Some((Some(file), table.document().keep(rows)?))
+    let rows = rows(&text, &file, columns.as_deref(), of);
+    Some((file, table.document().keep(rows)?))
 }
 
 /// The two columns of a CSV text with a heading; the first two unless they are named.
 /// Empty lines and lines that begin with `#` do not count.
-fn rows(text: &str, file: &str, columns: Option<&[String]>) -> Result<Vec<Row>, Diagnostics> {
+fn rows(
+    text: &str,
+    file: &str,
+    columns: Option<&[String]>,
+    of: [&str; 2],
+) -> Result<Vec<Row>, Diagnostics> {
     let mut reader = csv::ReaderBuilder::new()
         .flexible(true)
         .trim(csv::Trim::All)
@@ -133,7 +143,7 @@ fn rows(text: &str, file: &str, columns: Option<&[String]>) -> Result<Vec<Row>, 
     let places = [place(0), place(1)];
     let [Some(time), Some(value)] = places else {
         if problems.is_empty() {
-            let expected = "a heading and two columns, of times and values".to_owned();
+            let expected = format!("a heading and two columns, of {} and {}", of[0], of[1]);
             let (key, found) = ("file".to_owned(), "a table of fewer columns".to_owned());
             let problem = DocumentProblem::WrongValue {
                 key,

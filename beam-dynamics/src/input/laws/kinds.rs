@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use shared_geom::document::Table;
+use shared_geom::error::{Diagnostics, Place};
 use shared_geom::expression::{Names, written};
 use shared_geom::units::Dimension;
 
@@ -10,6 +11,7 @@ use super::Components;
 use super::numbers::{each, each_positive, matrix, slope};
 use super::problem::LawProblem;
 use crate::elements::laws::{Between, Bilinear, Cubic, Curve, ExpressionLaw, LawKind, Outside};
+use crate::input::drives::from_file;
 use crate::input::number::not_negative;
 
 /// The kinds of laws by name.
@@ -147,19 +149,29 @@ fn curves<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKi
         false => Some(0),
     };
     let outside = match table.has("outside") {
-        true => table.word("outside", &["extend", "hold"]),
+        true => table.word("outside", &["extend", "hold", "error"]),
         false => Some(0),
     };
     let points = by_component(table, "points", of, |table, key, i| {
         points(table, key, [of.strain[i], of.force[i]])
     });
     let between = [Between::Linear, Between::Spline][between?];
-    let outside = [Outside::Extend, Outside::Hold][outside?];
+    let outside = [Outside::Extend, Outside::Hold, Outside::Error][outside?];
+    let has_rest = |[strain, _]: &[Vec<f64>; 2]| {
+        let ends = [strain.first(), strain.last()];
+        matches!(ends, [Some(first), Some(last)] if *first <= 0.0 && *last >= 0.0)
+    };
+    let points = points?;
+    if outside == Outside::Error && !points.iter().flatten().all(has_rest) {
+        table.note("outside", &LawProblem::NoRest);
+        return None;
+    }
     let curve = |[strain, force]: [Vec<f64>; 2]| Curve::new(&strain, &force, between, outside);
-    Some(LawKind::Table(points?.map(|points| points.map(curve))))
+    Some(LawKind::Table(points.map(|points| points.map(curve))))
 }
 
-/// Rows of a strain and a force, by growing strain, in declared units.
+/// Rows of a strain and a force, by growing strain, in declared units: in place, or of a
+/// CSV file in a table with `file` and `columns`.
 fn points(
     table: &Table<'_>,
     key: &'static str,
@@ -169,6 +181,9 @@ fn points(
     if !table.has(key) {
         let _ = table.require_text(key, expected);
         return None;
+    }
+    if table.is_table(key) {
+        return points_of_file(&table.table(key)?, dimensions);
     }
     let count = match table.row_count(key) {
         Some(count) if count >= 2 => count,
@@ -183,9 +198,46 @@ fn points(
         table.note(key, &LawProblem::NotAscending { before, found });
         return None;
     }
+    Some(in_units(table, &rows, dimensions))
+}
+
+/// The columns of rows in declared units, in SI units.
+fn in_units<R: std::ops::Index<usize, Output = f64>>(
+    table: &Table<'_>,
+    rows: &[R],
+    dimensions: [Dimension; 2],
+) -> [Vec<f64>; 2] {
     let factors = dimensions.map(|dimension| table.document().factor(dimension));
-    let column = |k: usize| rows.iter().map(|row| row[k] * factors[k]).collect();
-    Some([column(0), column(1)])
+    [0, 1].map(|k| rows.iter().map(|row| row[k] * factors[k]).collect())
+}
+
+fn points_of_file(table: &Table<'_>, dimensions: [Dimension; 2]) -> Option<[Vec<f64>; 2]> {
+    if !table.has("file") {
+        let _ = table.require_text("file", "the name of a CSV file");
+        return None;
+    }
+    let found = from_file(table, ["strains", "forces"]);
+    table.finish();
+    let (file, rows) = found?;
+    let told = |line: usize, problem: &LawProblem| {
+        let problems = Diagnostics::one(Place::line(&file, line), problem);
+        let _ = table.document().keep::<()>(Err(problems));
+    };
+    if rows.len() < 2 {
+        let found = rows.len();
+        told(
+            rows.first().map_or(1, |row| row.0),
+            &LawProblem::FewPoints { found },
+        );
+        return None;
+    }
+    if let Some(pair) = rows.windows(2).find(|pair| pair[1].1[0] <= pair[0].1[0]) {
+        let (before, found) = (pair[0].1[0], pair[1].1[0]);
+        told(pair[1].0, &LawProblem::NotAscending { before, found });
+        return None;
+    }
+    let rows: Vec<_> = rows.iter().map(|row| row.1).collect();
+    Some(in_units(table, &rows, dimensions))
 }
 
 fn expressions<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {

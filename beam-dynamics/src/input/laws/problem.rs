@@ -69,6 +69,15 @@ pub enum LawProblem {
         /// The strain, as written.
         found: f64,
     },
+    /// Fewer than two points.
+    #[error("the table has {found} rows, expected at least two")]
+    FewPoints {
+        /// Number of rows.
+        found: usize,
+    },
+    /// A table without a value at rest.
+    #[error("the points do not reach the strain zero, beyond them there is no force")]
+    NoRest,
     /// The stiffness of a section where there is none.
     #[error("the law \"section\" is that of the properties of a beam, but there are none")]
     NoSection,
@@ -129,6 +138,10 @@ impl Explain for LawProblem {
             }
             Self::SoftBeam { .. } => {
                 "add a law that holds every component, such as { kind = \"section\" }"
+            }
+            Self::NoRest => {
+                "add a point, or take outside = \"extend\" or \"hold\"; a \"prestrain\" moves \
+                 the place of the zero"
             }
             Self::NoSection => "give the beam \"properties\", or another kind of law",
             Self::NothingDriven { .. } => {

@@ -298,3 +298,104 @@ fn wrong_laws_are_told_with_their_remedy() {
     );
     expect(&none, "rod \"r\" has no length");
 }
+
+/// As [`input`], with a CSV file beside it.
+fn input_beside(csv: &str, cards: &str) -> Result<Input, String> {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("curve.csv"), csv).unwrap();
+    let path = folder.path().join("a.dynamics.toml");
+    fs::write(&path, format!("units = \"SI\"\n{NODES}{cards}")).unwrap();
+    let prefix = format!("{}/", folder.path().display());
+    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+}
+
+fn rod(points: &str, rest: &str) -> String {
+    format!(
+        "{HOLD}[[rod]]\nname = \"rod\"\nnodes = [\"root\", \"tip\"]\nmeasure = \"elongation\"\n\
+         law = {{ kind = \"table\", points = {points}{rest} }}\n"
+    )
+}
+
+// 6 N/m up to 1 m, 1 N/m up to 2 m.
+#[test]
+fn tables_of_laws_come_from_files() {
+    let csv = "# Measured.\nload,u,f\n9,-1,-6\n9,0,0\n9,1,6\n9,2,7\n";
+    let file = "{ file = \"curve.csv\", columns = [\"u\", \"f\"] }";
+    let found = input_beside(csv, &rod(file, ", outside = \"error\"")).unwrap();
+    let pull = |elongation: f64| on_tip(&found, "rod", |tip| tip.position.x += elongation)[0].x;
+    for (elongation, expected) in [(0.5, -3.0), (1.5, -6.5), (-0.25, 1.5), (2.0, -7.0)] {
+        let force = pull(elongation);
+        assert!((force - expected).abs() < 1e-12, "{elongation} {force}");
+    }
+    assert!(pull(2.1).is_nan() && pull(-1.1).is_nan());
+    // In place or from a file, the law is the same.
+    let rows = "[[-1, -6], [0, 0], [1, 6], [2, 7]]";
+    let other = input(&rod(rows, ", outside = \"error\"")).unwrap();
+    assert_eq!(found.model.fingerprint(), other.model.fingerprint());
+    // Of one component of three.
+    let spring = "[[spring]]\nname = \"mount\"\nnodes = [\"root\", \"tip\"]\n\
+                  law = { kind = \"table\", points = { y = { file = \"curve.csv\" } } }\n";
+    let found = input_beside("u,f\n0,0\n1,6\n", &format!("{HOLD}{spring}")).unwrap();
+    let [force, _] = on_tip(&found, "mount", |tip| tip.position.y += 0.5);
+    assert!(
+        (force + Vector3::new(0.0, 3.0, 0.0)).amax() < 1e-12,
+        "{force}"
+    );
+}
+
+#[test]
+fn what_is_wrong_with_tables_of_laws_is_told_at_its_place() {
+    let file = "{ file = \"curve.csv\", columns = [\"u\", \"f\"] }";
+    for (csv, points, rest, expected) in [
+        ("u,g\n0,0\n1,1\n", file, "", "curve.csv:1: no column \"f\""),
+        (
+            "u,f\n0,0\n2,1\n1,1\n",
+            file,
+            "",
+            "curve.csv:4: the strain 1 follows 2, expected growing strains",
+        ),
+        (
+            "u,f\n0,0\n",
+            file,
+            "",
+            "curve.csv:2: the table has 1 rows, expected at least two",
+        ),
+        (
+            "u,f\n0,zero\n1,1\n",
+            file,
+            "",
+            "curve.csv:2: \"zero\" in column \"f\" is no number",
+        ),
+        (
+            "",
+            "{ file = \"curves.csv\" }",
+            "",
+            "no file \"curves.csv\"\n  help: did you mean \"curve.csv\"?",
+        ),
+        (
+            "",
+            "[[1, 1], [2, 2]]",
+            ", outside = \"error\"",
+            "the points do not reach the strain zero",
+        ),
+    ] {
+        let told = input_beside(csv, &rod(points, rest)).unwrap_err();
+        assert!(told.contains(expected), "{expected}\n---\n{told}");
+        assert_eq!(told.matches("error: ").count(), 1, "{told}");
+    }
+}
+
+#[test]
+fn drives_of_laws_must_have_values_during_the_run() {
+    let cards = "[drives.short]\nkind = \"table\"\nrows = [[0, 1], [0.5, 1]]\n\
+                 [[rod]]\nnodes = [\"root\", \"tip\"]\n\
+                 law = { kind = \"linear\", stiffness = 1, prestress = 2, \
+                 prestress_drive = \"short\", prestrain = 0.1, prestrain_drive = \"short\" }\n\
+                 [transient]\nto = 1\nstep = 0.1\n";
+    let told = input(&format!("{HOLD}{cards}")).unwrap_err();
+    for key in ["prestress_drive", "prestrain_drive"] {
+        let expected =
+            format!("\"{key}\" has values from 0 s to 0.5 s, and the run goes from 0 s to 1 s");
+        assert!(told.contains(&expected), "{told}");
+    }
+}

@@ -141,3 +141,90 @@ fn velocities_without_a_run_and_loose_nodes_are_told() {
     let idle = TransientProblem::IdleSpeed;
     assert!(shared_geom::error::Explain::help(&idle).is_some());
 }
+
+/// A crank and a spring, with ten slips.
+const TEN: &str = "units = \"SI\"
+include = \"part.toml\"
+[parameters]
+length = 2
+[drives.push]
+kind = \"ramp\"
+to = 5
+duration = 1
+[[frame]]
+name = \"tilted\"
+orientation = [0, 10, 0]
+[[node]]
+name = \"crank\"
+position = [\"= lenght\", 0, 0]
+[[node]]
+name = \"slider\"
+position = [\"4 metre\", 0, 0]
+[[node]]
+name = \"post\"
+in = \"tiltet\"
+position = [0, 1, 0]
+[[body]]
+node = \"slider\"
+mass = 1
+inertia = [1, 1, 1]
+[[joint]]
+name = \"pin\"
+kind = \"revolut\"
+nodes = [\"crank\"]
+axis = [0, 0, 1]
+[[joint]]
+name = \"guide\"
+kind = \"spherical\"
+nodes = [\"crank\", \"slidder\"]
+[[load]]
+node = \"slider\"
+force = [1, 0, 0]
+drive = \"pusch\"
+[[spring]]
+name = \"mount\"
+nodes = [\"crank\", \"slider\"]
+law = { kind = \"cubik\", cubic = 3 }
+[transient]
+to = 1
+step = 0.01
+scheme = \"bdf3\"
+[[output.column]]
+name = \"turn\"
+quantity = \"joint_angel\"
+of = \"pin\"
+";
+
+#[test]
+fn ten_slips_are_told_at_once_each_with_its_line_and_the_nearest_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dynamics.toml");
+    std::fs::write(&path, TEN).unwrap();
+    std::fs::write(folder.path().join("parts.toml"), "").unwrap();
+    let prefix = format!("{}/", folder.path().display());
+    let told = crate::input::read(&path).unwrap_err().to_string();
+    let told = told.replace(&prefix, "");
+    let expected = [
+        ("2", "no file \"part.toml\"", "parts.toml"),
+        ("14", "\"lenght\"", "length"),
+        ("17", "\"metre\"", "m"),
+        ("20", "unknown frame \"tiltet\"", "tilted"),
+        ("28", "\"revolut\"", "revolute"),
+        ("34", "unknown node \"slidder\"", "slider"),
+        ("38", "unknown drive \"pusch\"", "push"),
+        ("42", "\"cubik\"", "cubic"),
+        ("46", "\"bdf3\"", "bdf2"),
+        ("49", "\"joint_angel\"", "joint_angle"),
+    ];
+    for (line, slip, near) in expected {
+        let begin = format!("error: a.dynamics.toml:{line}: ");
+        let found = told
+            .split("error: ")
+            .find(|one| format!("error: {one}").starts_with(&begin) && one.contains(slip));
+        let found = found.unwrap_or_else(|| panic!("{begin}{slip}\n---\n{told}"));
+        let help = format!("did you mean \"{near}\"?");
+        assert!(found.contains(&help), "{help}\n---\n{found}");
+    }
+    // Nothing follows from them that is told as well.
+    assert_eq!(told.matches("error: ").count(), expected.len(), "{told}");
+}

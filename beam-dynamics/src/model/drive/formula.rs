@@ -31,8 +31,7 @@ impl Formula {
 
     /// The first corner or jump after `time` \[s\].
     pub fn next_corner(&self, time: f64) -> f64 {
-        let now = time / self.second;
-        let next = self.expression.next_corner(now, |_| Jet::variable(now));
-        next * self.second
+        let counted = |_, time| Jet::line(time / self.second, 1.0 / self.second);
+        self.expression.next_corner(time, counted)
     }
 }

@@ -173,6 +173,60 @@ fn corners_follow_each_other_and_end() {
     );
 }
 
+/// Corners of a formula with its own unit of time, up to `end`.
+fn corners_of(text: &str, unit: f64, end: f64) -> (Formula, Vec<f64>) {
+    let names = Names {
+        variables: &["t"],
+        constants: &[],
+    };
+    let formula = Formula::new(Expression::parse(text, &names).unwrap(), unit);
+    let mut all = vec![];
+    let mut time = 0.0;
+    while formula.next_corner(time) < end {
+        time = formula.next_corner(time);
+        all.push(time);
+    }
+    (formula, all)
+}
+
+// Numbers that are not exact in binary: the corner is the first time at which the new
+// piece holds, to the last bit, in whatever unit the formula counts time.
+#[test]
+fn a_jump_is_between_its_corner_and_the_number_before() {
+    let mut texts = vec![
+        "step((t + 1000) - 1000.3)".to_string(),
+        "floor(7*t + 0.1)".to_string(),
+        "floor(0.1 - 7*t)".to_string(),
+        "if(mod(t, 0.2) < 0.1, 1, 0)".to_string(),
+        "if(mod(t, 0.3) < 0.15, 1, 0)".to_string(),
+        "sign(0.7 - 3*t) + (t > 0.6)".to_string(),
+    ];
+    for a in [3, 7, 9, 11, 13] {
+        texts.extend([0.1, 0.3, 0.7, 0.9].map(|c| format!("step({a}*t - {c})")));
+        texts.extend([0.1, 0.3, 0.7, 0.9].map(|c| format!("step(t/{a} - {c}/{a})")));
+    }
+    for text in &texts {
+        for unit in [1.0, 0.1, 1.0 / 3.0, 60.0] {
+            let (formula, corners) = corners_of(text, unit, 0.97 * unit);
+            assert!(!corners.is_empty(), "{text}");
+            // mod and the comparison of it have corners of their own.
+            assert!(corners.len() < 14, "{text}: {corners:?}");
+            let mut before = formula.at(0.0).value;
+            for corner in corners {
+                assert_eq!(
+                    formula.at(corner.next_down()).value,
+                    before,
+                    "{text} {unit}"
+                );
+                let behind = formula.at(corner).value;
+                assert_ne!(behind, before, "{text} {unit} {corner}");
+                before = behind;
+            }
+            assert_eq!(formula.at(0.97 * unit).value, before, "{text} {unit}");
+        }
+    }
+}
+
 // A natural spline through points of a cubic with no bend at its ends is that cubic:
 // x^3 - 3 x^2 has y'' = 6 x - 6, zero at x = 1 only; (x - 1)^3 odd about 1 is not enough.
 // A straight line is, and so is each spline through its own points: here the known

@@ -39,6 +39,10 @@ pub struct RunFiles<'a> {
     /// Steps up to this one are written already.
     resumed: Option<usize>,
     row: Vec<f64>,
+    /// Step of the latest row.
+    written: Option<usize>,
+    /// By which the model is known again.
+    fingerprint: String,
     problem: Option<RunFileProblem>,
 }
 
@@ -67,6 +71,8 @@ impl<'a> RunFiles<'a> {
             end: f64::INFINITY,
             resumed: resumed.map(|snapshot| snapshot.step),
             row: vec![0.0; 1 + question.columns.len()],
+            written: None,
+            fingerprint: model.fingerprint(),
             problem: None,
             results,
         };
@@ -78,6 +84,7 @@ impl<'a> RunFiles<'a> {
                 files.results.remove_fields(FIELDS);
             }
             Some(snapshot) => {
+                files.values.go_on(&snapshot.angles);
                 if let Some((grids, _)) = &mut files.grids {
                     grids.resume(&files.results, snapshot.progress.time);
                 }
@@ -152,15 +159,12 @@ impl<'a> RunFiles<'a> {
     }
 
     fn write(&mut self, moment: &Moment<'_>) -> Result<(), RunFileProblem> {
+        self.values.follow(moment);
         let before = self.rows.last;
         if !self.rows.is_due(moment) && moment.time < self.end {
             return Ok(());
         }
-        self.row[0] = moment.time;
-        self.values.evaluate(moment, &mut self.row[1..]);
-        for table in &mut self.tables {
-            table.write(&self.row)?;
-        }
+        self.write_row(moment)?;
         if let Some((grids, each)) = &mut self.grids {
             let number = |row: u64| row / *each as u64;
             let is_due = before.map(number) != self.rows.last.map(number);
@@ -168,6 +172,16 @@ impl<'a> RunFiles<'a> {
                 grids.write(&mut self.results, moment)?;
             }
         }
+        Ok(())
+    }
+
+    fn write_row(&mut self, moment: &Moment<'_>) -> Result<(), RunFileProblem> {
+        self.row[0] = moment.time;
+        self.values.evaluate(moment, &mut self.row[1..]);
+        for table in &mut self.tables {
+            table.write(&self.row)?;
+        }
+        self.written = Some(moment.step);
         Ok(())
     }
 }
@@ -196,7 +210,12 @@ impl Recorder for RunFiles<'_> {
         if let Some(beat) = &mut self.restarts {
             beat.last = Some(beat.number(snapshot.step, snapshot.progress.time));
         }
-        match write_snapshot(snapshot, &path) {
+        let snapshot = Snapshot {
+            model: self.fingerprint.clone(),
+            angles: self.values.angles().clone(),
+            ..snapshot.clone()
+        };
+        match write_snapshot(&snapshot, &path) {
             Ok(()) => {
                 self.kept = Some(path);
                 true
@@ -206,6 +225,15 @@ impl Recorder for RunFiles<'_> {
                 false
             }
         }
+    }
+
+    fn stopped(&mut self, moment: &Moment<'_>, snapshot: &Snapshot) -> bool {
+        let is_written = self.written.or(self.resumed) == Some(moment.step);
+        if !is_written && let Err(problem) = self.write_row(moment) {
+            self.problem = Some(problem);
+            return false;
+        }
+        self.keep(snapshot)
     }
 }
 

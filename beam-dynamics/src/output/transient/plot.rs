@@ -17,6 +17,10 @@ const LINE: f64 = 3.5;
 /// Heights \[figure pixels\].
 const HEAD: f64 = 90.0;
 const FRAME: f64 = 340.0;
+/// Least and largest height of a path that is drawn in equal scales.
+const PATH: [f64; 2] = [FRAME, 1600.0];
+/// Left and right margin.
+const MARGINS: [f64; 2] = [210.0, 50.0];
 const GAP: f64 = 70.0;
 const FOOT: f64 = 120.0;
 const LEGEND_ROW: f64 = 1.4 * SMALL;
@@ -27,6 +31,9 @@ pub struct TimePlot {
     title: String,
     /// Name and unit of what goes to the right.
     across: String,
+    /// Unit of a place that goes to the right, over which a place of the same unit is drawn
+    /// as a path; empty over time.
+    path_unit: String,
     panels: Vec<Curves>,
 }
 
@@ -62,6 +69,7 @@ impl TimePlot {
         let mut plot = Self {
             title: title.to_owned(),
             across: String::new(),
+            path_unit: String::new(),
             panels: Vec::new(),
         };
         let names = short_names(tables);
@@ -73,6 +81,9 @@ impl TimePlot {
             }
             let x = table.find(across)?[0];
             plot.across = labeled(&table.headings[x]);
+            if table.headings[x].name != "time" {
+                plot.path_unit = table.headings[x].shown_unit().to_owned();
+            }
             for column in chosen(table, x, wanted)? {
                 let heading = &table.headings[column];
                 let curve = Curve {
@@ -110,12 +121,32 @@ impl TimePlot {
         }
     }
 
+    /// Height of the frame of a panel: a path has the scale of its other axis.
+    fn frame(&self, curves: &Curves) -> f64 {
+        if curves.unit != self.path_unit {
+            return FRAME;
+        }
+        let all = self.panels.iter().flat_map(Curves::points);
+        let [x, y] = [tight(all.map(|point| point[0])), curves.range()];
+        let width = f64::from(WIDTH) - MARGINS[0] - MARGINS[1];
+        (width * (y[1] - y[0]) / (x[1] - x[0])).clamp(PATH[0], PATH[1])
+    }
+
+    /// Height of a panel with its legend.
+    fn height(&self, curves: &Curves) -> f64 {
+        curves.legend_rows() * LEGEND_ROW + self.frame(curves) + GAP
+    }
+
     /// Writes the plot to `path`, as PNG or SVG by its ending.
     ///
     /// # Errors
     /// [`OutputProblem`]: another ending, or a file that cannot be written.
     pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        let panels = self.panels.iter().map(|panel| panel.height()).sum::<f64>();
+        let panels = self
+            .panels
+            .iter()
+            .map(|panel| self.height(panel))
+            .sum::<f64>();
         let height = HEAD + panels + FOOT - GAP;
         write_figure(path, (WIDTH, height.ceil() as u32), self)
     }
@@ -130,8 +161,8 @@ impl Curves {
         (all / (f64::from(WIDTH) - 400.0)).ceil().max(1.0)
     }
 
-    fn height(&self) -> f64 {
-        self.legend_rows() * LEGEND_ROW + FRAME + GAP
+    fn range(&self) -> [f64; 2] {
+        range(self.points().map(|point| point[1]), 0.0)
     }
 
     fn points(&self) -> impl Iterator<Item = &[f64; 2]> {
@@ -146,16 +177,17 @@ impl Drawing for TimePlot {
         draw_title(canvas, &self.title, [40.0, 44.0])?;
         let all = self.panels.iter().flat_map(Curves::points);
         let x = tight(all.map(|point| point[0]));
+        let [left, right] = MARGINS;
         let mut top = HEAD;
         for (number, curves) in self.panels.iter().enumerate() {
             let frame_top = top + curves.legend_rows() * LEGEND_ROW;
             let panel = Panel {
-                left: 210.0,
-                right: width - 50.0,
+                left,
+                right: width - right,
                 top: frame_top,
-                bottom: frame_top + FRAME,
+                bottom: frame_top + self.frame(curves),
                 x,
-                y: range(curves.points().map(|point| point[1]), 0.0),
+                y: curves.range(),
             };
             let entries: Vec<_> = curves
                 .curves
@@ -174,10 +206,10 @@ impl Drawing for TimePlot {
             let middle = 0.5 * (panel.top + panel.bottom);
             let label = Label::new(TEXT).anchored(Anchor::Middle).upward();
             canvas.text(&format!("[{}]", curves.unit), [44.0, middle], label)?;
-            top += curves.height();
+            top += self.height(curves);
         }
         let label = Label::new(TEXT).anchored(Anchor::Middle);
-        let middle = 0.5 * (210.0 + width - 50.0);
+        let middle = 0.5 * (left + width - right);
         canvas.text(&self.across, [middle, height - 36.0], label)
     }
 }

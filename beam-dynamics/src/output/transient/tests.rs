@@ -103,6 +103,8 @@ fn snapshot(step: usize) -> Snapshot {
         "lengths": { "from": 0.0, "points": step, "wish": STEP },
     });
     Snapshot {
+        model: model().fingerprint(),
+        angles: Default::default(),
         nodes: vec!["n0".to_owned()],
         multipliers: 0,
         step,

@@ -13,7 +13,7 @@
 //! References: [Masarati], the prestress matrix of the finite-volume beam.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::rotation::skew;
+use shared_geom::rotation::skew_times;
 
 use super::{ByNode, ElasticBeam, EvaluationPoint, Internal, NEIGHBORS};
 use crate::elements::beams::interpolation::NodalKinematics;
@@ -26,7 +26,7 @@ impl ElasticBeam {
             let internal = evaluation.internal(&nodal);
             let growth = evaluation.growth(&nodal, &internal, along);
             let variation = evaluation.prestress(&nodal, &growth);
-            super::add_tangent(&nodal, &growth, &variation, neighbors, out);
+            evaluation.add_tangent(&nodal, &growth, &variation, neighbors, out);
         }
     }
 }
@@ -38,7 +38,7 @@ impl EvaluationPoint {
         let theta = nodal.rotation_variation(&self.shape, &at.point, &relative);
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
         let mut turned = Vector3::zeros();
-        for (j, by) in self.variation(nodal, at).iter().enumerate() {
+        for (j, by) in self.variation(nodal, &relative, at).iter().enumerate() {
             let [displacement, rotation] = &along.nodes[j];
             force += by.force[0] * displacement + by.force[1] * rotation;
             moment += by.moment[0] * displacement + by.moment[1] * rotation;
@@ -56,13 +56,10 @@ impl EvaluationPoint {
     fn prestress(&self, nodal: &NodalKinematics, at: &Internal) -> [ByNode; 3] {
         let relative = nodal.relative_variation();
         let theta = nodal.rotation_variation(&self.shape, &at.point, &relative);
-        let offset = nodal.offset_skew();
         let zero = Matrix3::zeros();
         std::array::from_fn(|j| ByNode {
-            position: self.shape.n[j] * Matrix3::identity(),
-            force: [zero, -skew(&at.force) * theta[j]],
-            moment: [zero, -skew(&at.moment) * theta[j]],
-            point_by_rotation: -offset[j] * self.shape.n[j],
+            force: [zero, -skew_times(&at.force, &theta[j])],
+            moment: [zero, -skew_times(&at.moment, &theta[j])],
         })
     }
 }
