@@ -19,7 +19,7 @@ mod scheme;
 pub use advance::{Integrator, Progress, Stepped};
 pub use counters::Counters;
 pub use dae::Dae;
-pub use failure::{Reason, StepFailure};
+pub use failure::{LocalError, Reason, StepFailure};
 pub use formula::{Formula, STAGES};
 pub use limits::{Jacobians, StepLimits};
 pub use scheme::{Scheme, StepControl, Stepping};

@@ -155,18 +155,28 @@ impl Equations for Balance<'_> {
     fn size(&self, correction: &[f64]) -> f64 {
         let nodes = self.state.nodes.len();
         let of_nodes = correction[..NODE_UNKNOWNS * nodes].chunks(NODE_UNKNOWNS);
-        let size = |node: &[f64]| {
-            let part = |i: usize| Vector3::new(node[i], node[i + 1], node[i + 2]).norm();
-            (part(0) / self.size).max(part(3))
-        };
-        of_nodes
-            .map(size)
-            .fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
+        largest_motion(of_nodes, self.size)
     }
 
     fn correct(&mut self, correction: &[f64]) {
         self.state.correct(correction);
     }
+}
+
+/// Largest displacement in sizes of the model, and largest rotation in radians, of nodes
+/// by their displacements and rotations, whatever follows them; no number when one is none.
+pub(super) fn largest_motion<'a>(nodes: impl Iterator<Item = &'a [f64]>, size: f64) -> f64 {
+    let motions = nodes.flat_map(|node| {
+        let part = |i: usize| Vector3::new(node[i], node[i + 1], node[i + 2]).norm();
+        [part(0) / size, part(3)]
+    });
+    // The greater of a number and none is the number: none must be asked for.
+    motions.fold(0.0, |largest: f64, motion| {
+        match largest.is_nan() || motion.is_nan() {
+            true => f64::NAN,
+            false => largest.max(motion),
+        }
+    })
 }
 
 /// The worst equation: residual against the largest term of its kind. Moments, and
@@ -214,4 +224,23 @@ pub(super) fn worst(residual: &Residual, nodes: usize, arm: f64) -> Worst {
     places
         .max_by(|a, b| a.relative.total_cmp(&b.relative))
         .unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // A displacement of 3 in a model of size 2, rotations of 1; then no number at each place.
+    #[test]
+    fn a_motion_without_a_value_is_none() {
+        let motion = |nodes: &[f64]| largest_motion(nodes.chunks(6), 2.0);
+        let mut nodes = [0.0; 18];
+        (nodes[1], nodes[9]) = (3.0, 1.0);
+        assert!((motion(&nodes) - 1.5).abs() < 1e-15);
+        for place in 0..nodes.len() {
+            let mut nodes = nodes;
+            nodes[place] = f64::NAN;
+            assert!(motion(&nodes).is_nan(), "{place}");
+        }
+    }
 }

@@ -56,6 +56,8 @@ struct Run<'a> {
     /// Length [s] and iterations of the latest step.
     latest: (f64, usize),
     output_time: f64,
+    /// When the run began, if the parts before this one had been made at once before it [s].
+    began: f64,
 }
 
 /// Runs `model` in time as `question` asks, from its start or from where `resumed` was
@@ -104,10 +106,11 @@ pub fn transient(
             return outcome;
         }
     };
+    run.began = began - resumed.map_or(0.0, |snapshot| snapshot.total_time);
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
-    outcome.effort.total_time = clock() - began;
+    outcome.effort.total_time = clock() - run.began;
     outcome
 }
 
@@ -161,6 +164,7 @@ fn run<'a>(
         step: 0,
         latest: (0.0, 0),
         output_time: 0.0,
+        began: 0.0,
     })
 }
 
@@ -174,6 +178,7 @@ fn resume<'a>(
     let mut run = run(model, question, states)?;
     run.integrator.restore(&snapshot.progress);
     run.step = snapshot.step;
+    run.output_time = snapshot.output_time;
     Ok(run)
 }
 
@@ -194,7 +199,7 @@ impl Run<'_> {
             let stepped = match self.integrator.step(&mut self.dae, to, clock) {
                 Ok(stepped) => stepped,
                 Err(failure) => {
-                    self.tell_last(before, recorder);
+                    self.tell_last(before, recorder, clock);
                     return Err(self.trouble(failure));
                 }
             };
@@ -207,10 +212,12 @@ impl Run<'_> {
 
     /// Hands the latest accepted state to the recorder, at which the integrator had come to
     /// `progress`: the step after it could not be made.
-    fn tell_last(&self, progress: Progress, recorder: &mut dyn Recorder) {
+    fn tell_last(&self, progress: Progress, recorder: &mut dyn Recorder, clock: &dyn Fn() -> f64) {
         let conditions = self.model.conditions_at(progress.time);
         let moment = self.moment(&conditions);
-        let snapshot = snapshot::take(self.model, self.dae.states(), self.step, progress);
+        let times = [self.output_time, clock() - self.began];
+        let steps = (self.step, progress);
+        let snapshot = snapshot::take(self.model, self.dae.states(), steps, times);
         // What cannot be written is told with the files.
         let _ = recorder.stopped(&moment, &snapshot);
     }
@@ -241,8 +248,10 @@ impl Run<'_> {
         let mut goes_on = recorder.record(&moment);
         let is_wanted = goes_on && recorder.wants_snapshot(&moment);
         if is_wanted {
-            let progress = self.integrator.snapshot();
-            let snapshot = snapshot::take(self.model, self.dae.states(), self.step, progress);
+            let steps = (self.step, self.integrator.snapshot());
+            let now = clock();
+            let times = [self.output_time + now - began, now - self.began];
+            let snapshot = snapshot::take(self.model, self.dae.states(), steps, times);
             goes_on = recorder.keep(&snapshot);
         }
         self.output_time += clock() - began;

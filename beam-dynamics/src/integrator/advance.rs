@@ -6,7 +6,7 @@ use super::corrector::{Corrector, Meter};
 use super::formula::{Formula, STAGES};
 use super::lengths::{Accepted, Lengths, Plan, cut_by};
 use super::prediction::{Past, error_of_value};
-use super::{Counters, Dae, Reason, Scheme, StepFailure, StepLimits, Stepping};
+use super::{Counters, Dae, LocalError, Reason, Scheme, StepFailure, StepLimits, Stepping};
 
 /// An accepted step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -176,7 +176,7 @@ impl Integrator {
             let by = cut_by(error, formula.order.min(3), &self.stepping);
             let lengths = &mut self.progress.lengths;
             if !lengths.cut(&self.stepping, plan.length, by) {
-                return Err(self.failure(dae, reason, plan.length));
+                return Err(self.failure(dae, (reason, error), plan.length));
             }
         }
     }
@@ -343,8 +343,22 @@ impl Integrator {
             .follow(accepted, &self.stepping, &self.scheme, &self.limits);
     }
 
-    fn failure(&self, dae: &dyn Dae, reason: Reason, length: f64) -> StepFailure {
+    /// `error` is the local error by its tolerance, where one was found.
+    fn failure(
+        &self,
+        dae: &dyn Dae,
+        (reason, error): (Reason, Option<f64>),
+        length: f64,
+    ) -> StepFailure {
         let worst = self.corrector.worst();
+        let local_error = match (&self.stepping, error) {
+            (Stepping::Variable(control), Some(error)) => Some(LocalError {
+                error: error * control.tolerance,
+                tolerance: control.tolerance,
+                unknown: dae.describe_error(&self.difference),
+            }),
+            _ => None,
+        };
         StepFailure {
             reason,
             time: self.progress.time,
@@ -352,6 +366,7 @@ impl Integrator {
             least: self.progress.lengths.least(&self.stepping),
             worst,
             equation: dae.describe(worst.place),
+            local_error,
             history: self.corrector.history().to_vec(),
         }
     }

@@ -321,7 +321,12 @@ impl Corrector {
         let mut size = 0.0_f64;
         for stage in 0..stages {
             self.move_by(stage, weights, Moves::Last);
-            size = size.max(dae.size(&self.moved));
+            // The greater of a number and none is the number: none must be asked for.
+            let is_finite = self.moved.iter().all(|moved| moved.is_finite());
+            size = match is_finite {
+                true => size.max(dae.size(&self.moved)),
+                false => f64::INFINITY,
+            };
         }
         Ok(size)
     }

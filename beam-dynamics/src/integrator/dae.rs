@@ -66,6 +66,9 @@ pub trait Dae {
     /// Size of a local error, of positions and rotations alone [-].
     fn error(&self, difference: &[f64]) -> f64;
 
+    /// The unknown of the largest local error in words: what, whose, and its error.
+    fn describe_error(&self, difference: &[f64]) -> String;
+
     /// An equation in words: what and whose.
     fn describe(&self, place: usize) -> String;
 }

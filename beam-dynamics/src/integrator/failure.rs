@@ -53,8 +53,8 @@ impl Reason {
                 "allow shorter steps",
             ],
             Self::LocalError => &[
+                "allow a larger local error or shorter steps",
                 "look for a jump that no drive tells as a corner",
-                "allow shorter steps or a larger local error",
             ],
         }
     }
@@ -75,8 +75,21 @@ pub struct StepFailure {
     pub worst: Worst,
     /// The worst equation in words: what and whose.
     pub equation: String,
+    /// The local error of the step that was tried last, where it is what was too large.
+    pub local_error: Option<LocalError>,
     /// Iterations of the step that was tried last.
     pub history: Vec<Iteration>,
+}
+
+/// A local error that is too large.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LocalError {
+    /// The error, in sizes of the model and radians [-].
+    pub error: f64,
+    /// What was allowed of it [-].
+    pub tolerance: f64,
+    /// The unknown of the largest error in words: what, whose, and its error.
+    pub unknown: String,
 }
 
 impl fmt::Display for StepFailure {
@@ -85,10 +98,20 @@ impl fmt::Display for StepFailure {
         let (reason, equation) = (self.reason.words(), &self.equation);
         write!(
             f,
-            "no step from {time} s: {reason} at a step of {length:.3e} s (least {least:.3e} s); \
-             worst equation: {equation}, off by {:.3e} of its largest term",
-            self.worst.relative
-        )
+            "no step from {time} s: {reason} at a step of {length:.3e} s (least {least:.3e} s); "
+        )?;
+        match &self.local_error {
+            Some(local) => write!(
+                f,
+                "largest error: {}; {:.3e} of the size of the model or a radian, tolerance {:.3e}",
+                local.unknown, local.error, local.tolerance
+            ),
+            None => write!(
+                f,
+                "worst equation: {equation}, off by {:.3e} of its largest term",
+                self.worst.relative
+            ),
+        }
     }
 }
 

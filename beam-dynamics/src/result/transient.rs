@@ -60,6 +60,10 @@ pub struct Snapshot {
     pub step: usize,
     /// What the integrator knows of the steps so far.
     pub progress: Progress,
+    /// Time spent by the recorder so far [s].
+    pub output_time: f64,
+    /// Time of the run so far [s].
+    pub total_time: f64,
     /// The latest states, the last one first: thirty numbers a node, then the
     /// multipliers [unit of each].
     pub states: Vec<Vec<f64>>,

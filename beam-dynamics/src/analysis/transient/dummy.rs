@@ -6,7 +6,7 @@
 //! References: [Masarati], section 4.3.
 
 use crate::case::{Model, TransientQuestion};
-use crate::integrator::{Integrator, Scheme, StepLimits, Stepping};
+use crate::integrator::{Integrator, Scheme, Stepping};
 use crate::model::State;
 
 use super::failure::TransientFailure;
@@ -30,11 +30,11 @@ pub(super) fn dummy_rates(
     let step = PART * first;
     let mut dae = Multibody::new(model, [state.clone(), state.clone()], false);
     let (scheme, stepping) = (Scheme::Bdf2, Stepping::Constant { step });
-    let limits = StepLimits::default();
-    let mut integrator = Integrator::new(&dae, scheme, stepping, limits, question.from)
+    let mut integrator = Integrator::new(&dae, scheme, stepping, question.newton, question.from)
         .ok_or(TransientFailure::Structure)?;
     let end = question.from + STEPS as f64 * step;
-    for _ in 0..STEPS {
+    // More steps than that where one had to be cut.
+    while integrator.time() < end {
         integrator
             .step(&mut dae, end, &|| 0.0)
             .map_err(|failure| TransientFailure::Dummy(Box::new(failure)))?;

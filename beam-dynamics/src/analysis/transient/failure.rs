@@ -17,6 +17,8 @@ use super::start::StartChange;
 
 /// Rotation of a node in a step above which a formula is out of its depth \[rad\].
 const LARGE_TURN: f64 = 0.5;
+/// A local error, in sizes of the model and radians, that no step reaches.
+const ROUND_OFF: f64 = 1e-12;
 /// Iterations of the history that are told.
 const TOLD: usize = 8;
 
@@ -125,6 +127,10 @@ pub struct StepTrouble {
 impl std::fmt::Display for StepTrouble {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{}; {}", self.failure, self.cause)?;
+        if self.failure.local_error.is_some() {
+            // Its iterations converged.
+            return Ok(());
+        }
         let told = history(&self.failure.history);
         match told.is_empty() {
             true => Ok(()),
@@ -184,7 +190,15 @@ fn cause(failure: &StepFailure, model: &Model, state: &State, step: f64) -> Stri
             "likely cause: a mechanism that is locked or can go two ways here, or constraints \
              that say the same"
         }
-        Reason::LocalError => "likely cause: a jump of a load or of a stiffness",
+        Reason::LocalError => match failure.local_error.as_ref() {
+            Some(local) if local.tolerance < ROUND_OFF => {
+                "likely cause: a local error below what round-off leaves was asked for"
+            }
+            _ => {
+                "likely cause: steps that may not be as short as the motion is fast, or a jump \
+                 of a load or of a stiffness that no drive tells"
+            }
+        },
         _ => {
             "likely cause: a step too long for the fastest motion, or a mechanism near a position \
              where it is locked"

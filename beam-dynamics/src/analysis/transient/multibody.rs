@@ -23,7 +23,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::gibbs::{self, Attitude, Increment};
 use shared_geom::rotation::skew;
 
-use crate::analysis::balance::worst;
+use crate::analysis::balance::{largest_motion, worst};
 use crate::assembly::{Combination, Pattern, Residual, Variation, Workspace};
 use crate::case::Model;
 use crate::integrator::Dae;
@@ -91,18 +91,20 @@ impl<'a> Multibody<'a> {
             turn: Matrix3::identity(),
             spin: Matrix3::zeros(),
         };
-        let tangent = system.tangent(&states[0], &model.conditions_at(0.0));
+        // Of the model and not of a state: a run that is continued has the same.
+        let rest = system.rest();
+        let tangent = system.tangent(&rest, &model.conditions_at(0.0));
         Self {
             model,
             trials: (0..STAGES).map(|_| trial()).collect(),
             variations: vec![variation; nodes],
-            own_axes: own_axes::find(system, &states[0].nodes, &tangent),
+            own_axes: own_axes::find(system, &rest.nodes, &tangent),
             work: system.workspace(),
             algebraic: (0..numbering.unknowns())
                 .map(|place| place >= NODE_UNKNOWNS * nodes)
                 .collect(),
             is_simplified,
-            size: size(&states[0]),
+            size: size(&rest),
             states,
         }
     }
@@ -377,12 +379,32 @@ impl Dae for Multibody<'_> {
 
     fn size(&self, correction: &[f64]) -> f64 {
         let (nodes, _) = split(correction, self.states[0].nodes.len());
-        let sizes = nodes.map(|node| (part(node, 0).norm() / self.size).max(part(node, 1).norm()));
-        sizes.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
+        largest_motion(nodes, self.size)
     }
 
     fn error(&self, difference: &[f64]) -> f64 {
         self.size(difference)
+    }
+
+    fn describe_error(&self, difference: &[f64]) -> String {
+        let system = &self.model.system;
+        let scaled = |place: usize| match place % NODE_UNKNOWNS {
+            0..3 => (difference[place] / self.size).abs(),
+            3..6 => difference[place].abs(),
+            _ => 0.0,
+        };
+        let places = 0..NODE_UNKNOWNS * system.nodes().len();
+        let Some(place) = places.max_by(|a, b| scaled(*a).total_cmp(&scaled(*b))) else {
+            return String::new();
+        };
+        let (node, component) = (place / NODE_UNKNOWNS, place % NODE_UNKNOWNS);
+        let axis = ["x", "y", "z"][component % 3];
+        let (what, unit) = match component {
+            0..3 => ("position along", "m"),
+            _ => ("rotation about", "rad"),
+        };
+        let (label, off) = (&system.nodes()[node].label, difference[place].abs());
+        format!("{what} {axis} of node \"{label}\", by {off:.3e} {unit}")
     }
 
     fn describe(&self, place: usize) -> String {

@@ -11,6 +11,7 @@
 use nalgebra::Vector3;
 use shared_geom::rotation::{gibbs, vector};
 
+use crate::analysis::balance::largest_motion;
 use crate::assembly::{System, Tangent};
 use crate::case::InitialMotion;
 use crate::elements::Level;
@@ -27,6 +28,10 @@ const LARGEST: f64 = 0.5;
 const SMALL: f64 = 1e-10;
 /// Constraints that are fulfilled up to this part of the size of the model are left alone.
 const FULFILLED: f64 = 1e-12;
+/// What places, and terms of order one, leave of a constraint by round-off.
+const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
+/// A model does not move that is slower, in sizes of it a second \[1/s\].
+const SLOWEST: f64 = 1e-3;
 /// Weight of velocities of which nothing is said.
 const UNSAID: f64 = 1e-8;
 
@@ -90,7 +95,7 @@ pub(super) fn place(
     let first = NODE_UNKNOWNS * nodes;
     let mut now = still(state);
     let off = worst(&values(system, &now, conditions, Level::Position), first);
-    if off.value.abs() <= FULFILLED * size(state).max(1.0) {
+    if off.value.abs() <= fulfilled(FULFILLED, state) {
         return Ok(state.clone());
     }
     let start = now.clone();
@@ -99,7 +104,7 @@ pub(super) fn place(
         let Some(step) = place_step(system, (&start, &now), conditions, &weights) else {
             break;
         };
-        let largest = largest(&step[..MOTION * nodes], size(state));
+        let largest = largest_motion(step[..MOTION * nodes].chunks(MOTION), size(state));
         if !largest.is_finite() {
             break;
         }
@@ -108,7 +113,7 @@ pub(super) fn place(
         if largest <= SMALL {
             let off = worst(&values(system, &now, conditions, Level::Position), first);
             // Constraints that contradict each other come to rest between them.
-            return match off.value.abs() <= SMALL * size(state).max(1.0) {
+            return match off.value.abs() <= fulfilled(SMALL, state) {
                 true => Ok(with_motion_of(now, state)),
                 false => Err(off),
             };
@@ -118,6 +123,12 @@ pub(super) fn place(
         &values(system, &now, conditions, Level::Position),
         first,
     ))
+}
+
+/// What a constraint may be off by: a part of the size of the model, or round-off \[m\].
+fn fulfilled(part: f64, state: &State) -> f64 {
+    let places = state.nodes.iter().map(|node| node.position.amax());
+    f64::max(part * size(state), ROUND_OFF * places.fold(1.0, f64::max))
 }
 
 /// At rest, without multipliers.
@@ -150,16 +161,6 @@ fn move_by(state: &mut State, step: &[f64], part: f64) {
     for (zeta, change) in state.multipliers.iter_mut().zip(&step[MOTION * nodes..]) {
         *zeta += part * change;
     }
-}
-
-/// Largest displacement in sizes of the model, or rotation.
-fn largest(step: &[f64], size: f64) -> f64 {
-    let of_node = |step: &[f64]| {
-        let part = |i: usize| Vector3::from_column_slice(&step[i..i + 3]).norm();
-        (part(0) / size).max(part(3))
-    };
-    let sizes = step.chunks(MOTION).map(of_node);
-    sizes.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
 }
 
 /// One step to the extremum, from `now`, whose multipliers are those of the extremum.
@@ -274,7 +275,8 @@ pub(super) fn set_moving(
         off = velocity_constraints(system, &now, conditions);
         let after = worst(&off, place);
         // Round-off of large terms: no step makes it better.
-        if after.value.abs() <= 1e-9 * fastest(&now).max(1e-3) && after.value.abs() > 0.1 * before {
+        let speed = fastest(&now).max(SLOWEST * size(&now));
+        if after.value.abs() <= 1e-9 * speed && after.value.abs() > 0.1 * before {
             return Ok(now);
         }
     }

@@ -14,8 +14,14 @@ use super::failure::TransientFailure;
 /// Numbers of a node: position, orientation by columns, momenta, velocities, rates.
 const OF_NODE: usize = 30;
 
-/// All that is needed to go on from the accepted `states`, the latest first.
-pub(super) fn take(model: &Model, states: &[State], step: usize, progress: Progress) -> Snapshot {
+/// All that is needed to go on from the accepted `states`, the latest first; the times are
+/// those spent by the recorder and by the whole run \[s\].
+pub(super) fn take(
+    model: &Model,
+    states: &[State],
+    (step, progress): (usize, Progress),
+    [output_time, total_time]: [f64; 2],
+) -> Snapshot {
     let nodes = model.system.nodes();
     Snapshot {
         model: String::new(),
@@ -24,6 +30,8 @@ pub(super) fn take(model: &Model, states: &[State], step: usize, progress: Progr
         multipliers: model.system.numbering().multipliers(),
         step,
         progress,
+        output_time,
+        total_time,
         states: states.iter().map(numbers).collect(),
     }
 }

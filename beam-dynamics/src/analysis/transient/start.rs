@@ -194,8 +194,16 @@ fn find_rates(
                 *state = consistent;
                 return Ok(());
             }
-            let remark = "the second derivative of some constraint is not known: the first \
-                          accelerations and reactions were found by dummy steps";
+            let remark = match model.system.constraint_rates(state, conditions) {
+                None => {
+                    "the second derivative of some constraint is not known: the first \
+                     accelerations and reactions were found by dummy steps"
+                }
+                Some(_) => {
+                    "the equations of the first accelerations and reactions have no solution: \
+                     they were found by dummy steps"
+                }
+            };
             started.remarks.push(remark.to_owned());
         }
         StartAccelerations::Dummy => {}

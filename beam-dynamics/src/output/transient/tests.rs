@@ -109,6 +109,8 @@ fn snapshot(step: usize) -> Snapshot {
         multipliers: 0,
         step,
         progress: serde_json::from_value(progress).unwrap(),
+        output_time: 0.25,
+        total_time: 1.5,
         states: vec![vec![0.1, 1e-300, -1.0 / 3.0]],
     }
 }

@@ -64,7 +64,8 @@ pub(super) struct Following {
 }
 
 /// The nodes that are integrated in such axes: slender ones that other nodes, joints or
-/// springs act on; `None` for all others. `tangent` is that of the first state.
+/// springs act on; `None` for all others. `nodes` and `tangent` are those of the model at
+/// rest.
 pub(super) fn find(
     system: &System,
     nodes: &[NodeMotion],

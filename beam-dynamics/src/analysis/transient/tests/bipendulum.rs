@@ -1,8 +1,9 @@
 //! Two slender links on spherical joints (models.md, C).
 
-use super::models::{bipendulum, run, states};
+use super::models::{Kept, bipendulum, run, states};
+use crate::analysis::transient::transient;
 use crate::case::TransientQuestion;
-use crate::integrator::Scheme;
+use crate::integrator::{Jacobians, Scheme, StepControl, Stepping};
 use crate::model::State;
 
 /// Largest spin of a link about its own axis \[rad/s\].
@@ -106,4 +107,41 @@ fn the_first_reactions_do_not_oscillate() {
     }
     assert!((start[7].abs() - 14.608).abs() < 1e-9);
     assert!((start[8].abs() - 3.739630073).abs() < 1e-8);
+}
+
+// What measures steps and errors, and the long axes of the links, are of the model and not
+// of the state at which a run is continued: both parts have the same bits, wherever they
+// meet, with steps of one length and with variable ones.
+#[test]
+fn a_continued_run_of_slender_links_is_the_same_to_the_last_bit() {
+    let model = bipendulum();
+    let control = StepControl {
+        first: 1e-3,
+        least: 1e-8,
+        most: 0.02,
+        tolerance: 1e-5,
+    };
+    for (stepping, jacobians) in [
+        (Stepping::Constant { step: 0.005 }, Jacobians::Full),
+        (Stepping::Variable(control), Jacobians::Full),
+        (Stepping::Variable(control), Jacobians::Modified),
+    ] {
+        let mut question = TransientQuestion::new(0.4, 0.005);
+        question.stepping = stepping;
+        question.newton.jacobians = jacobians;
+        for at in [3, 17, 29] {
+            let mut whole = Kept {
+                wanted: Some(at),
+                ..Kept::default()
+            };
+            let outcome = transient(&model, &question, None, &mut whole, &|| 0.0);
+            assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+            let snapshot = whole.snapshot.take().unwrap();
+            let mut rest = Kept::default();
+            transient(&model, &question, Some(&snapshot), &mut rest, &|| 0.0);
+            assert!(!rest.times.is_empty());
+            assert_eq!(whole.times[at + 1..], rest.times, "{stepping:?} {at}");
+            assert_eq!(whole.states[at + 1..], rest.states, "{stepping:?} {at}");
+        }
+    }
 }

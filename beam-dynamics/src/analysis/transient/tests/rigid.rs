@@ -1,5 +1,7 @@
 //! Rigid bodies: start-up, closed forms, order, restart.
 
+use std::cell::Cell;
+
 use nalgebra::Vector3;
 
 use super::models::{Kept, free_body, pendulum, run, states, top};
@@ -8,6 +10,7 @@ use crate::case::{StartAccelerations, TransientQuestion};
 use crate::elements::joints::axes_along;
 use crate::integrator::Scheme;
 use crate::model::State;
+use crate::result::Effort;
 
 /// Tension of the rod of the pendulum: the pivot pulls the bob by the multipliers, which
 /// are along the axes of the joint.
@@ -154,6 +157,40 @@ fn a_continued_run_is_the_same_to_the_last_bit() {
             Some(TransientFailure::Resume { .. })
         ));
     }
+}
+
+// The effort of a continued run is that of both parts: no phase lasts longer than all. The
+// clock ticks once each time it is read.
+#[test]
+fn the_effort_of_a_continued_run_is_that_of_all_of_it() {
+    let model = top(Vector3::new(0.0, 0.9888, 7.5167));
+    let question = TransientQuestion::new(0.5, 0.01);
+    let ticks = Cell::new(0.0);
+    let clock = || {
+        ticks.set(ticks.get() + 1.0);
+        ticks.get()
+    };
+    let mut whole = Kept {
+        wanted: Some(40),
+        ..Kept::default()
+    };
+    let all = transient(&model, &question, None, &mut whole, &clock).effort;
+    let snapshot = whole.snapshot.take().unwrap();
+    ticks.set(0.0);
+    let mut rest = Kept::default();
+    let continued = transient(&model, &question, Some(&snapshot), &mut rest, &clock).effort;
+    let phases = |effort: &Effort| {
+        effort.residual_time
+            + effort.jacobian_time
+            + effort.factorization_time
+            + effort.solution_time
+            + effort.output_time
+    };
+    for effort in [all, continued] {
+        let (sum, total) = (phases(&effort), effort.total_time);
+        assert!(sum < total, "{sum} {total}");
+    }
+    assert!(continued.output_time >= 50.0, "{continued:?}");
 }
 
 // Both Jacobians belong to the same equations.

@@ -2,12 +2,13 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::models::{body, node, run, spherical, states};
+use super::models::{body, node, pendulum, run, spherical, states};
 use crate::analysis::transient::{Changed, StartChange, TransientFailure};
 use crate::assembly::System;
-use crate::case::{InitialMotion, Model, Redundant, TransientQuestion};
+use crate::case::{InitialMotion, Model, Redundant, StartAccelerations, TransientQuestion};
 use crate::elements::Element;
 use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing};
+use crate::integrator::{StepControl, Stepping};
 use crate::model::{Drive, Node, Ramp};
 
 fn distance(nodes: &[Node], b: usize, length: f64) -> Box<dyn Element> {
@@ -205,5 +206,61 @@ fn a_step_that_cannot_be_made_is_explained_and_the_rest_is_kept() {
         let length = 5.0_f64.sqrt() + (0.5 - 5.0_f64.sqrt()) * time;
         let x = state.nodes[0].position.x;
         assert!((x * x + 1.0 - length * length).abs() < 1e-9, "{time}: {x}");
+    }
+}
+
+// A rod of one millimeter that is given too short by a part of 5e-10: what counts as
+// fulfilled is measured by the model, which has nodes one millimeter apart, and not in
+// meters.
+#[test]
+fn small_models_are_placed_as_well_as_large_ones() {
+    let size = 1e-3;
+    let nodes = vec![
+        node("p", Vector3::zeros(), Matrix3::identity()),
+        node("q", size * Vector3::x(), Matrix3::identity()),
+    ];
+    let length = size * (1.0 + 5e-10);
+    let elements = vec![
+        body(0, 1.0, Vector3::zeros(), [1.0; 3]),
+        body(1, 1.0, Vector3::zeros(), [1.0; 3]),
+        distance(&nodes, 1, length),
+    ];
+    let model = Model::new("small", System::new(nodes, elements));
+    let found = states(&model, &TransientQuestion::new(0.01, 0.01));
+    let off = found[0].nodes[1].position.norm() / length - 1.0;
+    assert!(off.abs() < 1e-11, "{off:e}");
+}
+
+// Dummy steps are iterated as the steps of the run are.
+#[test]
+fn dummy_steps_keep_the_limits_of_the_run() {
+    let mut question = TransientQuestion::new(0.1, 0.01);
+    question.start_accelerations = StartAccelerations::Dummy;
+    question.newton.iterations = 1;
+    (question.newton.residual, question.newton.correction) = (1e-300, 1e-300);
+    let failure = run(&pendulum(), &question).1.failure.unwrap();
+    let text = failure.to_string();
+    assert!(matches!(failure, TransientFailure::Dummy(_)), "{text}");
+    assert!(text.contains("did not converge"), "{text}");
+    assert!(!failure.remedy().is_empty());
+}
+
+// A local error below round-off: the unknown is named, and what was asked for is the cause.
+#[test]
+fn a_local_error_is_told_by_its_unknown() {
+    let mut question = TransientQuestion::new(1.0, 0.01);
+    question.stepping = Stepping::Variable(StepControl {
+        first: 1e-3,
+        least: 1e-4,
+        most: 0.1,
+        tolerance: 1e-14,
+    });
+    let failure = run(&pendulum(), &question).1.failure.unwrap();
+    let text = failure.to_string();
+    for part in ["largest error: ", "of node \"bob\"", "tolerance 1.000e-14"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    for part in ["worst equation", "jump"] {
+        assert!(!text.contains(part), "{part}: {text}");
     }
 }
