@@ -63,10 +63,32 @@ const LEAST_CONSTANT: f64 = 1.0 / 720.0;
 /// The cubic through two states does not reach farther than this, in steps before.
 const REACH: f64 = 4.0;
 
-/// A jump of the rates that is a smaller part of their change in the step before, which is
+/// A jump of a rate that is a smaller part of its change in the step before, which is
 /// of the order of h, costs a two-step formula an error of the order of h^2, once: what it
 /// makes in a whole run.
 const SMALL_JUMP: f64 = 0.5;
+
+/// Jumps of a rate that are a smaller part of it do not count: where a rate has an
+/// extremum, the formula's own error is more than its change in a step.
+const SLIGHT_JUMP: f64 = 1e-3;
+
+/// Nor do those that are a smaller part of the largest rate: what the iteration leaves.
+const ROUND_OFF: f64 = 1e-6;
+
+/// Whether a rate jumps from those `now` to those `after` more than it did change from
+/// those of the state `before`. Each is looked at by itself: a light body's is not hidden
+/// by the motion of a heavy one.
+fn is_jump([before, now, after]: [&[f64]; 3]) -> bool {
+    let largest = |rates: &[f64]| rates.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    let least = ROUND_OFF * largest(now).max(largest(after));
+    let rates = before.iter().zip(now).zip(after);
+    let mut jumps = rates.map(|((before, now), after)| {
+        let slight = SLIGHT_JUMP * now.abs().max(after.abs());
+        let changed = SMALL_JUMP * (now - before).abs();
+        (after - now).abs() > changed.max(slight).max(least)
+    });
+    jumps.any(|is_jump| is_jump)
+}
 
 impl Integrator {
     /// An integrator of `dae`, whose latest accepted state is that at time `from` \[s\],
@@ -171,10 +193,7 @@ impl Integrator {
         dae.past(0, &mut self.predicted, after);
         if renewed && self.progress.known > 1 {
             dae.past(1, &mut self.predicted, before);
-            let pairs = |a: &[f64], b: &[f64]| -> f64 {
-                a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum()
-            };
-            if pairs(after, now) < SMALL_JUMP * SMALL_JUMP * pairs(now, before) {
+            if !is_jump([before, now, after]) {
                 return;
             }
         }
