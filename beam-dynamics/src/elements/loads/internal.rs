@@ -127,27 +127,30 @@ impl InternalForce {
         }
     }
 
-    /// Force and moment on each of the two nodes, for the factor and the signal one.
-    fn wrenches(&self, nodes: &[NodeMotion]) -> Vec<(usize, [Vector3<f64>; 2])> {
+    /// Tells `add` force and moment on each of the nodes, for the factor and the signal one.
+    fn wrenches(&self, nodes: &[NodeMotion], mut add: impl FnMut(usize, [Vector3<f64>; 2])) {
         match &self.acting {
-            Acting::Line { line, tension } => line.state(nodes).pulls(*tension).collect(),
+            Acting::Line { line, tension } => {
+                let state = line.state(nodes);
+                let pulls = state.pulls(*tension);
+                pulls.for_each(|(node, wrench)| add(node, wrench));
+            }
             Acting::Axes(axes) => {
                 let pair = axes.pair(1.0, nodes);
-                let on = |(node, sign): (usize, f64)| {
+                for (node, sign) in SIGNS.into_iter().enumerate() {
                     let moment = pair.moment + pair.arms[node].cross(&pair.force);
-                    (node, [sign * pair.force, sign * moment])
-                };
-                SIGNS.into_iter().enumerate().map(on).collect()
+                    add(node, [sign * pair.force, sign * moment]);
+                }
             }
         }
     }
 
     fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
         let size = factor * self.signal.value(at);
-        for (node, [force, moment]) in self.wrenches(at.nodes) {
+        self.wrenches(at.nodes, |node, [force, moment]| {
             out.add(node, Force, &(size * force));
             out.add(node, Moment, &(size * moment));
-        }
+        });
     }
 
     fn add_variation(&self, factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
@@ -163,13 +166,12 @@ impl InternalForce {
             }
             Acting::Axes(axes) => axes.pair(size, at.nodes).add_variation(out),
         }
-        let wrenches = self.wrenches(at.nodes);
         self.signal.gradient(at, |place, variable, row| {
             let row = factor * row.transpose();
-            for (node, [force, moment]) in &wrenches {
-                out.add((*node, Force), (place, variable), &(force * row));
-                out.add((*node, Moment), (place, variable), &(moment * row));
-            }
+            self.wrenches(at.nodes, |node, [force, moment]| {
+                out.add((node, Force), (place, variable), &(force * row));
+                out.add((node, Moment), (place, variable), &(moment * row));
+            });
         });
     }
 }
