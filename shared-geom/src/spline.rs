@@ -47,6 +47,11 @@ impl Spline {
         &self.x
     }
 
+    /// Values at the points.
+    pub fn values(&self) -> &[f64] {
+        &self.f
+    }
+
     /// The interval in which `x` is; beyond the ends the first or the last.
     pub fn interval(&self, x: f64) -> usize {
         let after = self.x.partition_point(|place| *place <= x);
@@ -69,6 +74,12 @@ impl Spline {
         let u = 1.0 - v;
         let bent = (3.0 * u * u - 1.0) * self.m[i] + (1.0 - 3.0 * v * v) * self.m[i + 1];
         (self.f[i + 1] - self.f[i]) / h - h / 6.0 * bent
+    }
+
+    /// Second derivative at `x` in the interval `i`.
+    pub fn bend(&self, i: usize, x: f64) -> f64 {
+        let v = (x - self.x[i]) / (self.x[i + 1] - self.x[i]);
+        (1.0 - v) * self.m[i] + v * self.m[i + 1]
     }
 
     /// Integral from the beginning of the interval `i` to `x` in it.

@@ -1,20 +1,7 @@
-//! Drives that are interpolated between given times.
-//!
-//! Between two times h apart, with `b = (t - t_k)/h`, `a = 1 - b` and the second
-//! derivatives M of the natural cubic spline (zero everywhere for straight pieces), the
-//! value is (D-192)
-//!
-//! ```text
-//! y = a y_k + b y_(k+1) + h^2/6 [(a^3 - a) M_k + (b^3 - b) M_(k+1)]
-//! ```
-//!
-//! and M follows from continuity of the slope, a tridiagonal system, solved by
-//! elimination (it is diagonally dominant):
-//!
-//! ```text
-//! h_(k-1) M_(k-1) + 2 (h_(k-1) + h_k) M_k + h_k M_(k+1)
-//!     = 6 [(y_(k+1) - y_k)/h_k - (y_k - y_(k-1))/h_(k-1)]
-//! ```
+//! Drives that are interpolated between given times: by the natural cubic spline (D-192),
+//! or straight.
+
+use shared_geom::spline::Spline;
 
 use super::DriveValue;
 
@@ -59,10 +46,7 @@ pub enum TableProblem {
 /// Values at given times.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DriveTable {
-    times: Vec<f64>,
-    values: Vec<f64>,
-    /// Second derivatives at the times.
-    bends: Vec<f64>,
+    line: Spline,
     interpolation: Interpolation,
     outside: Outside,
 }
@@ -92,21 +76,20 @@ impl DriveTable {
         }
         let times: Vec<_> = rows.iter().map(|row| row[0]).collect();
         let values: Vec<_> = rows.iter().map(|row| row[1]).collect();
-        let bends = match interpolation {
-            Interpolation::Linear => vec![0.0; found],
-            Interpolation::Spline => bends(&times, &values),
+        let line = match interpolation {
+            Interpolation::Linear => Spline::straight(&times, &values),
+            Interpolation::Spline => Spline::new(&times, &values),
         };
         Ok(Self {
-            times,
-            values,
-            bends,
+            line,
             interpolation,
             outside,
         })
     }
 
     fn ends(&self) -> [f64; 2] {
-        [self.times[0], self.times[self.times.len() - 1]]
+        let times = self.line.places();
+        [times[0], times[times.len() - 1]]
     }
 
     pub(super) fn domain(&self) -> [f64; 2] {
@@ -118,30 +101,19 @@ impl DriveTable {
 
     pub(super) fn at(&self, time: f64) -> DriveValue {
         let [first, last] = self.ends();
-        let end = self.times.len() - 1;
+        let values = self.line.values();
         if time < first || time > last || (time == last && self.outside == Outside::Hold) {
             return DriveValue::constant(match self.outside {
                 Outside::Error => f64::NAN,
-                Outside::Hold if time < first => self.values[0],
-                Outside::Hold => self.values[end],
+                Outside::Hold if time < first => values[0],
+                Outside::Hold => values[values.len() - 1],
             });
         }
-        let k = self.times.partition_point(|own| *own <= time);
-        self.inside(k.clamp(1, end) - 1, time)
-    }
-
-    fn inside(&self, k: usize, time: f64) -> DriveValue {
-        let h = self.times[k + 1] - self.times[k];
-        let b = (time - self.times[k]) / h;
-        let a = 1.0 - b;
-        let [y0, y1] = [self.values[k], self.values[k + 1]];
-        let [m0, m1] = [self.bends[k], self.bends[k + 1]];
-        let bend = (a * a * a - a) * m0 + (b * b * b - b) * m1;
-        let slope = (1.0 - 3.0 * a * a) * m0 + (3.0 * b * b - 1.0) * m1;
+        let k = self.line.interval(time);
         DriveValue {
-            value: a * y0 + b * y1 + h * h / 6.0 * bend,
-            rate: (y1 - y0) / h + h / 6.0 * slope,
-            acceleration: a * m0 + b * m1,
+            value: self.line.value(k, time),
+            rate: self.line.slope(k, time),
+            acceleration: self.line.bend(k, time),
         }
     }
 
@@ -149,34 +121,12 @@ impl DriveTable {
         let next = match self.interpolation {
             Interpolation::Spline => self.ends().into_iter().find(|own| *own > time),
             Interpolation::Linear => {
-                let k = self.times.partition_point(|own| *own <= time);
-                self.times.get(k).copied()
+                let times = self.line.places();
+                times
+                    .get(times.partition_point(|own| *own <= time))
+                    .copied()
             }
         };
         next.unwrap_or(f64::INFINITY)
     }
-}
-
-/// Second derivatives of the natural spline at its points.
-fn bends(x: &[f64], y: &[f64]) -> Vec<f64> {
-    let n = x.len();
-    let slope = |k: usize| (y[k + 1] - y[k]) / (x[k + 1] - x[k]);
-    let mut diagonal = vec![1.0; n];
-    let mut right = vec![0.0; n];
-    for k in 1..n - 1 {
-        let [before, after] = [x[k] - x[k - 1], x[k + 1] - x[k]];
-        // The row above has been divided out already; the first one is M_0 = 0.
-        let above = if k == 1 {
-            0.0
-        } else {
-            before / diagonal[k - 1]
-        };
-        diagonal[k] = 2.0 * (before + after) - above * before;
-        right[k] = 6.0 * (slope(k) - slope(k - 1)) - above * right[k - 1];
-    }
-    let mut bends = vec![0.0; n];
-    for k in (1..n - 1).rev() {
-        bends[k] = (right[k] - (x[k + 1] - x[k]) * bends[k + 1]) / diagonal[k];
-    }
-    bends
 }
