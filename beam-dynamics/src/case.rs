@@ -98,6 +98,7 @@ impl Model {
                 constant,
                 proportional,
                 time: 0.0,
+                turns: 1.0,
             },
         }
     }

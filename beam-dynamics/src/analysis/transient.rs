@@ -191,9 +191,24 @@ impl Run<'_> {
                 .step(&mut self.dae, self.question.to, clock)
                 .map_err(|failure| self.trouble(failure))?;
             self.step += 1;
+            self.check_attitudes()?;
             self.tell((stepped.length, stepped.iterations), recorder, clock)?;
         }
         Ok(())
+    }
+
+    /// No driven rotation must have come to be held half a turn off.
+    fn check_attitudes(&self) -> Result<(), TransientFailure> {
+        let time = self.integrator.time();
+        let conditions = self.model.conditions_at(time);
+        let system = &self.model.system;
+        match system.turned_over(self.dae.state(), &conditions) {
+            None => Ok(()),
+            Some(element) => Err(TransientFailure::TurnedOver {
+                constraint: format!("\"{}\"", element.label()),
+                time,
+            }),
+        }
     }
 
     /// Tells the recorder of the latest state.

@@ -44,6 +44,14 @@ pub enum TransientFailure {
         /// What it is off by [unit of the constraint].
         value: f64,
     },
+    /// A driven rotation is held where its constraints are fulfilled too.
+    #[error("at {time} s a driven rotation is held half a turn off: {constraint}")]
+    TurnedOver {
+        /// A constraint of the joint in words.
+        constraint: String,
+        /// When [s].
+        time: f64,
+    },
     /// No velocities fulfill the constraints.
     #[error(
         "start: no velocities of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e}"
@@ -96,6 +104,10 @@ impl TransientFailure {
             Self::Places { .. } => {
                 "look for lengths that cannot meet and for drives that start elsewhere, or place \
                  the nodes nearer to where they fit"
+            }
+            Self::TurnedOver { .. } => {
+                "let the drive start nearer to the attitude in which the nodes are given, or take \
+                 shorter steps"
             }
             Self::Velocities { .. } => {
                 "look for joints that say the same twice and for a position at which the \

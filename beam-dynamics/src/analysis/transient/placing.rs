@@ -13,7 +13,7 @@ use shared_geom::rotation::{gibbs, vector};
 
 use crate::assembly::{System, Tangent};
 use crate::case::InitialMotion;
-use crate::elements::Level;
+use crate::elements::{Element, Level};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
 
 use super::multibody::size;
@@ -30,6 +30,12 @@ const FULFILLED: f64 = 1e-12;
 /// Weight of velocities of which nothing is said.
 const UNSAID: f64 = 1e-8;
 
+/// Change of a constraint by driven rotations, in sizes of the model, above which they are
+/// applied in parts.
+const TURNED: f64 = 0.1;
+/// Parts in which driven rotations are applied: no more than pi/16 at a time.
+const PARTS: usize = 16;
+
 /// A constraint that cannot be fulfilled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unfulfilled {
@@ -37,6 +43,8 @@ pub(super) struct Unfulfilled {
     pub place: usize,
     /// What it is off by [unit of the constraint].
     pub value: f64,
+    /// Whether it is fulfilled, but half a turn from where it is driven.
+    pub is_turned_over: bool,
 }
 
 /// The constraint that is farthest from being fulfilled.
@@ -44,10 +52,12 @@ fn worst(values: &[f64], first: usize) -> Unfulfilled {
     let places = values.iter().enumerate().map(|(i, value)| Unfulfilled {
         place: first + i,
         value: *value,
+        is_turned_over: false,
     });
     let least = Unfulfilled {
         place: first,
         value: 0.0,
+        is_turned_over: false,
     };
     places.fold(least, |a, b| {
         match b.value.abs() > a.value.abs() || b.value.is_nan() {
@@ -80,7 +90,64 @@ fn weights(size: f64, initial: &[InitialMotion], of: fn(&InitialMotion) -> [f64;
 
 /// Moves the nodes of `state`, as little as their weights tell, until the constraints of
 /// positions are fulfilled. Velocities do not count.
+///
+/// Constraints cannot tell an attitude from that half a turn away: where driven rotations
+/// are large, they are applied little by little.
 pub(super) fn place(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+    initial: &[InitialMotion],
+) -> Result<State, Unfulfilled> {
+    let is_over = |state: &State| system.turned_over(state, conditions).is_some();
+    let mut now = state.clone();
+    if is_over(&now) || turns_far(system, state, conditions) {
+        for part in 0..PARTS {
+            let mut conditions = *conditions;
+            conditions.loading.turns = part as f64 / PARTS as f64;
+            // Where a mechanism passes no such place, its goal alone counts.
+            if let Ok(placed) = place_at_once(system, &now, &conditions, initial) {
+                now = placed;
+            }
+        }
+    }
+    let placed = place_at_once(system, &now, conditions, initial)?;
+    match system.turned_over(&placed, conditions) {
+        None => Ok(placed),
+        Some(element) => Err(half_a_turn_off(system, element)),
+    }
+}
+
+/// Whether driven rotations are far from where the nodes are.
+fn turns_far(system: &System, state: &State, conditions: &Conditions) -> bool {
+    let now = still(state);
+    let off = |turns: f64| {
+        let mut conditions = *conditions;
+        conditions.loading.turns = turns;
+        values(system, &now, &conditions, Level::Position)
+    };
+    let is_fulfilled = off(1.0)
+        .iter()
+        .all(|off| off.abs() <= FULFILLED * size(state).max(1.0));
+    let pairs = off(0.0).into_iter().zip(off(0.5));
+    let change = pairs.map(|(none, half)| (half - none).abs());
+    !is_fulfilled && change.fold(0.0, f64::max) > TURNED
+}
+
+/// The first constraint of an element that holds a rotation half a turn off.
+fn half_a_turn_off(system: &System, element: &dyn Element) -> Unfulfilled {
+    let all = system.elements();
+    let before = all.take_while(|other| !std::ptr::addr_eq(*other, element));
+    let constraints: usize = before.map(|other| other.multipliers()).sum();
+    Unfulfilled {
+        place: NODE_UNKNOWNS * system.nodes().len() + constraints,
+        value: 0.0,
+        is_turned_over: true,
+    }
+}
+
+/// The same, from where the nodes are straight to the goal.
+fn place_at_once(
     system: &System,
     state: &State,
     conditions: &Conditions,

@@ -7,7 +7,9 @@ use crate::analysis::transient::{Changed, StartChange, TransientFailure};
 use crate::assembly::System;
 use crate::case::{InitialMotion, Model, Redundant, TransientQuestion};
 use crate::elements::Element;
-use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing};
+use crate::elements::joints::{
+    Clamp, ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along,
+};
 use crate::model::{Drive, Node, Ramp};
 
 fn distance(nodes: &[Node], b: usize, length: f64) -> Box<dyn Element> {
@@ -205,5 +207,44 @@ fn a_step_that_cannot_be_made_is_explained_and_the_rest_is_kept() {
         let length = 5.0_f64.sqrt() + (0.5 - 5.0_f64.sqrt()) * time;
         let x = state.nodes[0].position.x;
         assert!((x * x + 1.0 - length * length).abs() < 1e-9, "{time}: {x}");
+    }
+}
+
+// A revolute joint about y turns (1, 0, 0) to (cos, 0, -sin) of its angle, at any angle; a
+// total joint with a driven rotation about z to (cos, sin, 0). The tolerance is that of
+// Newton's method.
+#[test]
+fn driven_rotations_start_at_their_angle_however_large() {
+    let rig = |joint: fn(&JointEnds<'_>, f64) -> ConstraintJoint, angle: f64| {
+        let nodes = vec![node("a", Vector3::x(), Matrix3::identity())];
+        let ends = JointEnds {
+            a: None,
+            b: (0, &nodes[0]),
+        };
+        let joint = joint(&ends, angle.to_radians());
+        let elements: Vec<Box<dyn Element>> =
+            vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(joint)];
+        let model = Model::new("turned", System::new(nodes, elements));
+        let (kept, outcome) = run(&model, &TransientQuestion::new(0.02, 0.01));
+        assert!(outcome.failure.is_none(), "{angle}: {:?}", outcome.failure);
+        kept.states[0].nodes[0]
+    };
+    let about_y = |ends: &JointEnds<'_>, angle: f64| {
+        let at = Placing::at(&Vector3::zeros(), &axes_along(&Vector3::y()));
+        let turning = Turning::Angle(Drive::Constant(angle));
+        ConstraintJoint::revolute("motor", ends, &at, Some(turning))
+    };
+    let about_z = |ends: &JointEnds<'_>, angle: f64| {
+        let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
+        let mut freedoms = [const { Freedom::Locked }; 6];
+        freedoms[5] = Freedom::Driven(Drive::Constant(angle));
+        ConstraintJoint::total("motor", ends, &at, freedoms)
+    };
+    for angle in [-170.0_f64, 45.0, 90.0, 120.0, 180.0, 200.0, 270.0, 3690.0] {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let off = rig(about_y, angle).rotation * Vector3::x() - Vector3::new(cos, 0.0, -sin);
+        assert!(off.amax() < 1e-9, "{angle}: {off}");
+        let off = rig(about_z, angle).rotation * Vector3::x() - Vector3::new(cos, sin, 0.0);
+        assert!(off.amax() < 1e-9, "{angle}: {off}");
     }
 }
