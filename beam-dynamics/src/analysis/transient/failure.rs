@@ -31,6 +31,9 @@ pub enum TransientFailure {
     /// Constraints that follow from others.
     #[error("redundant constraints: {}", in_words(.0))]
     Redundant(Vec<Redundant>),
+    /// Constraints that contradict others.
+    #[error("contradicting constraints: {0}")]
+    Contradicting(String),
     /// No equilibrium to start from.
     #[error("start: {0}")]
     Equilibrium(#[from] Box<NoEquilibrium>),
@@ -113,6 +116,7 @@ impl TransientFailure {
                 "look for joints that say the same twice and for a position at which the \
                  mechanism is locked"
             }
+            Self::Contradicting(_) => "drive one of them only, or both alike",
             Self::Held { .. } => {
                 "drive what holds the model at the speed of the start, for instance by a joint \
                  whose angle is a ramp"

@@ -359,6 +359,11 @@ fn fastest(state: &State) -> f64 {
     of.fold(0.0, f64::max)
 }
 
+/// How fast the constraints change with all nodes at rest.
+pub(super) fn own_rates(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
+    velocity_constraints(system, &still(state), conditions)
+}
+
 /// First derivative of the constraints of positions, and the constraints of velocities.
 fn velocity_constraints(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
     let mut off = values(system, state, conditions, Level::Velocity);

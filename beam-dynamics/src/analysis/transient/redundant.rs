@@ -1,7 +1,7 @@
 //! Constraints that follow from others, before a run: they are told, or taken out.
 
 use super::TransientFailure;
-use super::placing::place;
+use super::placing::{own_rates, place};
 use crate::assembly::redundancy::{self, Redundant};
 use crate::case::{self, Model, TransientQuestion};
 
@@ -26,6 +26,15 @@ pub(super) fn independent(
     if found.is_empty() {
         return Ok(None);
     }
+    let rates = own_rates(system, &placed, &conditions);
+    let contradicting = found.iter().filter_map(|found| {
+        let off = found.contradiction(&rates)?;
+        Some(found.contradicting(off))
+    });
+    let contradicting: Vec<_> = contradicting.collect();
+    if !contradicting.is_empty() {
+        return Err(TransientFailure::Contradicting(listed(&contradicting)));
+    }
     if question.redundant == case::Redundant::Error {
         return Err(TransientFailure::Redundant(found));
     }
@@ -40,12 +49,18 @@ pub(super) fn independent(
 
 /// Redundant constraints in words, the first few of them.
 pub(super) fn in_words(found: &[Redundant]) -> String {
+    let told: Vec<_> = found.iter().map(ToString::to_string).collect();
+    listed(&told)
+}
+
+/// The first few of many.
+fn listed(found: &[String]) -> String {
     const TOLD: usize = 10;
-    let told: Vec<_> = found.iter().take(TOLD).map(ToString::to_string).collect();
     let more = match found.len().saturating_sub(TOLD) {
         0 => String::new(),
         count => format!("; and {count} more"),
     };
+    let told = &found[..found.len().min(TOLD)];
     format!("{}{more}", told.join("; "))
 }
 

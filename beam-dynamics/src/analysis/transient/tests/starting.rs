@@ -248,3 +248,53 @@ fn driven_rotations_start_at_their_angle_however_large() {
         assert!(off.amax() < 1e-9, "{angle}: {off}");
     }
 }
+
+/// What a run says of a body at the origin under two joints, the redundant constraints of
+/// which are left out.
+fn refusal(joints: [Box<dyn Element>; 2], nodes: Vec<Node>) -> String {
+    let mut elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3])];
+    elements.extend(joints);
+    let model = Model::new("two", System::new(nodes, elements));
+    let mut question = TransientQuestion::new(0.02, 0.01);
+    question.redundant = Redundant::Remove;
+    let failure = run(&model, &question).1.failure;
+    failure.map_or_else(String::new, |failure| failure.to_string())
+}
+
+fn ramp(slope: f64) -> Drive {
+    Drive::Ramp(Ramp {
+        from: 0.0,
+        to: slope,
+        start: 0.0,
+        end: 1.0,
+        smooth: false,
+    })
+}
+
+// A clamp and a displacement of 1 m/s; motors of 100 and of 50 rad/s on one axis.
+#[test]
+fn constraints_that_contradict_are_never_left_out() {
+    let nodes = vec![node("a", Vector3::zeros(), Matrix3::identity())];
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
+    let mut freedoms = [const { Freedom::Free }; 6];
+    freedoms[0] = Freedom::Driven(ramp(1.0));
+    let moved = ConstraintJoint::total("moved", &ends, &at, freedoms);
+    let held = Clamp::new("clamp", 0, &nodes[0]);
+    let text = refusal([Box::new(held), Box::new(moved)], nodes.clone());
+    let expected = "contradicting constraints: constraint 1 (along x) of \"moved\" contradicts \
+        \"clamp\", by 1 m/s";
+    assert_eq!(text, expected);
+    let motor = |name: &str, slope: f64| -> Box<dyn Element> {
+        let turning = Some(Turning::Angle(ramp(slope)));
+        Box::new(ConstraintJoint::revolute(name, &ends, &at, turning))
+    };
+    let text = refusal([motor("fast", 100.0), motor("slow", 50.0)], nodes.clone());
+    let contradicts = text.contains("of \"slow\" contradicts \"fast\", by 50 rad/s");
+    assert!(contradicts, "{text}");
+    let alike = refusal([motor("one", 50.0), motor("two", 50.0)], nodes.clone());
+    assert_eq!(alike, "");
+}
