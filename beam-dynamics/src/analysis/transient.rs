@@ -5,7 +5,8 @@
 //! 2. The integrator makes one accepted step after the other, to the last instant.
 //! 3. What ends a run early is told with the equation that is worst and the likely cause.
 
-use crate::assembly::massless;
+use crate::assembly::redundancy::Redundant;
+use crate::assembly::{System, massless};
 use crate::case::{Model, TransientQuestion};
 use crate::integrator::{Counters, Integrator, Stepping};
 use crate::model::State;
@@ -54,6 +55,8 @@ struct Run<'a> {
     integrator: Integrator,
     step: usize,
     output_time: f64,
+    /// The system with all its constraints, and those that were taken out.
+    removed: (&'a System, &'a [Redundant]),
 }
 
 /// Runs `model` in time as `question` asks, from its start or from where `resumed` was
@@ -83,11 +86,12 @@ pub fn transient(
             return outcome;
         }
     };
-    let model = match &reduced {
-        None => model,
-        Some((reduced, remarks)) => {
-            outcome.remarks.extend_from_slice(remarks);
-            reduced
+    let full = &model.system;
+    let (model, removed) = match &reduced {
+        None => (model, &[][..]),
+        Some(reduced) => {
+            outcome.remarks.extend(reduced.remarks());
+            (&reduced.model, &reduced.removed[..])
         }
     };
     let run = match resumed {
@@ -102,6 +106,7 @@ pub fn transient(
             return outcome;
         }
     };
+    run.removed = (full, removed);
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
@@ -158,6 +163,7 @@ fn run<'a>(
         integrator,
         step: 0,
         output_time: 0.0,
+        removed: (&model.system, &[]),
     })
 }
 
@@ -192,6 +198,7 @@ impl Run<'_> {
                 .map_err(|failure| self.trouble(failure))?;
             self.step += 1;
             self.check_attitudes()?;
+            self.check_removed()?;
             self.tell((stepped.length, stepped.iterations), recorder, clock)?;
         }
         Ok(())
@@ -207,6 +214,21 @@ impl Run<'_> {
             Some(element) => Err(TransientFailure::TurnedOver {
                 constraint: format!("\"{}\"", element.label()),
                 time,
+            }),
+        }
+    }
+
+    /// The constraints that were taken out must still follow from the others.
+    fn check_removed(&self) -> Result<(), TransientFailure> {
+        let time = self.integrator.time();
+        let conditions = self.model.conditions_at(time);
+        let (full, removed) = self.removed;
+        match redundant::broken(full, (self.dae.state(), &conditions), removed) {
+            None => Ok(()),
+            Some((constraint, value)) => Err(TransientFailure::Broken {
+                constraint: constraint.to_string(),
+                time,
+                value,
             }),
         }
     }

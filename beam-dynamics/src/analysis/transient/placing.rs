@@ -36,6 +36,9 @@ const TURNED: f64 = 0.1;
 /// Parts in which driven rotations are applied: no more than pi/16 at a time.
 const PARTS: usize = 16;
 
+/// How far from a place it is looked beside it, in sizes of the model and radians.
+const BESIDE: f64 = 0.01;
+
 /// A constraint that cannot be fulfilled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unfulfilled {
@@ -357,6 +360,47 @@ fn fastest(state: &State) -> f64 {
             .max(size * node.angular_velocity.norm())
     });
     of.fold(0.0, f64::max)
+}
+
+/// Values of the constraints of positions; zero for the others.
+pub(super) fn position_values(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
+    values(system, &still(state), conditions, Level::Position)
+}
+
+/// `state` moved a little as the constraints leave it free, in one of several directions;
+/// `None` where it cannot be.
+pub(super) fn beside(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+    direction: usize,
+) -> Option<State> {
+    let mut now = still(state);
+    let nodes = now.nodes.len();
+    let size = size(state);
+    let tangent = system.tangent(&now, conditions);
+    let mut saddle = Saddle::default();
+    saddle.constraints(system, &tangent, By::Velocities);
+    let turn = size * size;
+    let weight = |i: usize| if i % MOTION < 3 { 1.0 } else { turn };
+    let diagonal = (0..MOTION * nodes).map(|i| (i, i, weight(i)));
+    saddle.entries.extend(diagonal);
+    // Numbers without order: no direction that a model is likely to be made in.
+    let any = |i: usize| (1.0 + 2.7 * direction as f64 + 1.3 * i as f64 + (i * i) as f64).sin();
+    let right = (0..MOTION * nodes).map(|i| match i % MOTION {
+        0..3 => size * any(i),
+        _ => weight(i) * any(i),
+    });
+    let mut right: Vec<_> = right.collect();
+    right.resize(MOTION * nodes + now.multipliers.len(), 0.0);
+    let step = saddle.solve(nodes, turn.max(1.0), &right)?;
+    let largest = largest(&step[..MOTION * nodes], size);
+    if largest <= FULFILLED || !largest.is_finite() {
+        return None;
+    }
+    move_by(&mut now, &step, BESIDE / largest);
+    now.multipliers.fill(0.0);
+    Some(now)
 }
 
 /// How fast the constraints change with all nodes at rest.

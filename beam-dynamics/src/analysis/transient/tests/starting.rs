@@ -298,3 +298,43 @@ fn constraints_that_contradict_are_never_left_out() {
     let alike = refusal([motor("one", 50.0), motor("two", 50.0)], nodes.clone());
     assert_eq!(alike, "");
 }
+
+// A point between two rods that are stretched out in one line: the second rod follows from the
+// first there only. Then two motors of one axis whose angles part later: t^2 against zero.
+#[test]
+fn constraints_that_follow_in_one_place_only_are_not_left_out() {
+    let nodes = vec![node("p", Vector3::x(), Matrix3::identity())];
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let rod = |name: &str, from: f64, length: f64| -> Box<dyn Element> {
+        let at = Placing {
+            points: [from * Vector3::x(), nodes[0].position],
+            axes: [Matrix3::identity(); 2],
+        };
+        let length = Drive::Constant(length);
+        Box::new(ConstraintJoint::distance(name, &ends, &at, length))
+    };
+    let text = refusal([rod("near", 0.0, 1.0), rod("far", 3.0, 2.0)], nodes.clone());
+    assert!(text.starts_with("singular position"), "{text}");
+    assert!(text.contains("\"far\" follows from \"near\""), "{text}");
+    let late = Drive::Ramp(Ramp {
+        from: 0.0,
+        to: 1.0,
+        start: 0.005,
+        end: 0.025,
+        smooth: false,
+    });
+    let motor = |name: &str, angle: Drive| -> Box<dyn Element> {
+        let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
+        let turning = Some(Turning::Angle(angle));
+        Box::new(ConstraintJoint::revolute(name, &ends, &at, turning))
+    };
+    let text = refusal(
+        [motor("rests", Drive::Constant(0.0)), motor("late", late)],
+        nodes.clone(),
+    );
+    assert!(text.starts_with("at 0.01 s "), "{text}");
+    assert!(text.contains("\"late\" follows from \"rests\""), "{text}");
+}
