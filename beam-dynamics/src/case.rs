@@ -113,6 +113,7 @@ impl Model {
                 constant,
                 proportional,
                 time: 0.0,
+                turns: 1.0,
             },
         }
     }

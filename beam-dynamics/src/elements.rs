@@ -99,6 +99,12 @@ pub trait Element: Debug + Send + Sync {
         Drive::ALWAYS
     }
 
+    /// Whether a rotation that it drives is held half a turn off: its constraints are
+    /// fulfilled there too.
+    fn is_turned_over(&self, _at: &Local<'_>) -> bool {
+        false
+    }
+
     /// Energy of the element.
     fn energy(&self, _at: &Local<'_>) -> Energy {
         Energy::default()

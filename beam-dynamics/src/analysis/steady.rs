@@ -89,6 +89,7 @@ fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
             constant: mix(a.constant, b.constant),
             proportional: mix(a.proportional, b.proportional),
             time: to.loading.time,
+            turns: to.loading.turns,
         },
     }
 }

@@ -5,7 +5,8 @@
 //! 2. The integrator makes one accepted step after the other, to the last instant.
 //! 3. What ends a run early is told with the equation that is worst and the likely cause.
 
-use crate::assembly::massless;
+use crate::assembly::redundancy::Redundant;
+use crate::assembly::{System, massless};
 use crate::case::{Model, TransientQuestion};
 use crate::integrator::{Counters, Integrator, Progress, Stepping};
 use crate::model::{Conditions, State};
@@ -58,6 +59,8 @@ struct Run<'a> {
     output_time: f64,
     /// When the run began, if the parts before this one had been made at once before it [s].
     began: f64,
+    /// The system with all its constraints, and those that were taken out.
+    removed: (&'a System, &'a [Redundant]),
 }
 
 /// Runs `model` in time as `question` asks, from its start or from where `resumed` was
@@ -87,11 +90,12 @@ pub fn transient(
             return outcome;
         }
     };
-    let model = match &reduced {
-        None => model,
-        Some((reduced, remarks)) => {
-            outcome.remarks.extend_from_slice(remarks);
-            reduced
+    let full = &model.system;
+    let (model, removed) = match &reduced {
+        None => (model, &[][..]),
+        Some(reduced) => {
+            outcome.remarks.extend(reduced.remarks());
+            (&reduced.model, &reduced.removed[..])
         }
     };
     let run = match resumed {
@@ -107,6 +111,7 @@ pub fn transient(
         }
     };
     run.began = began - resumed.map_or(0.0, |snapshot| snapshot.total_time);
+    run.removed = (full, removed);
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
@@ -165,6 +170,7 @@ fn run<'a>(
         latest: (0.0, 0),
         output_time: 0.0,
         began: 0.0,
+        removed: (&model.system, &[]),
     })
 }
 
@@ -205,9 +211,40 @@ impl Run<'_> {
             };
             self.step += 1;
             self.latest = (stepped.length, stepped.iterations);
+            self.check_attitudes()?;
+            self.check_removed()?;
             self.tell(recorder, clock)?;
         }
         Ok(())
+    }
+
+    /// No driven rotation must have come to be held half a turn off.
+    fn check_attitudes(&self) -> Result<(), TransientFailure> {
+        let time = self.integrator.time();
+        let conditions = self.model.conditions_at(time);
+        let system = &self.model.system;
+        match system.turned_over(self.dae.state(), &conditions) {
+            None => Ok(()),
+            Some(element) => Err(TransientFailure::TurnedOver {
+                constraint: format!("\"{}\"", element.label()),
+                time,
+            }),
+        }
+    }
+
+    /// The constraints that were taken out must still follow from the others.
+    fn check_removed(&self) -> Result<(), TransientFailure> {
+        let time = self.integrator.time();
+        let conditions = self.model.conditions_at(time);
+        let (full, removed) = self.removed;
+        match redundant::broken(full, (self.dae.state(), &conditions), removed) {
+            None => Ok(()),
+            Some((constraint, value)) => Err(TransientFailure::Broken {
+                constraint: constraint.to_string(),
+                time,
+                value,
+            }),
+        }
     }
 
     /// Hands the latest accepted state to the recorder, at which the integrator had come to

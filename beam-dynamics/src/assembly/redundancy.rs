@@ -15,8 +15,12 @@
 //! what is left of a redundant one is round-off. Work and room follow the fill: linear for
 //! chains and trees of any size, at worst cubic in the constraints of a closed net.
 //!
-//! Whether a redundant constraint agrees with the others at all is told by its residual;
-//! one that is driven otherwise than those it follows from cannot be fulfilled.
+//! Whether a redundant constraint agrees with the others now is told by its residual. One that
+//! is driven otherwise than those it follows from contradicts them:
+//!
+//! ```text
+//! Phi_t,i - sum_k c_k Phi_t,k != 0
+//! ```
 
 use std::collections::BTreeSet;
 
@@ -36,6 +40,11 @@ const PIVOT: f64 = 0.3;
 /// another follows.
 const SHARE: f64 = 1e-6;
 
+/// Part of the rates that is round-off.
+const UNLIKE: f64 = 1e-6;
+/// Rates below this are those of differences \[m/s or rad/s\].
+const STILL: f64 = 1e-8;
+
 /// A constraint that follows from others.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("constraint {number} ({direction}) of \"{joint}\" follows from {}", sources(.joint, .from))]
@@ -50,6 +59,38 @@ pub struct Redundant {
     pub direction: String,
     /// Names of the elements from whose constraints it follows, each once.
     pub from: Vec<String>,
+    /// The constraints from which it follows, with the coefficients of the sum.
+    pub combination: Vec<(usize, f64)>,
+}
+
+impl Redundant {
+    /// How much faster it is driven than those from which it follows, where they contradict;
+    /// `rates` are the constraints' own, `Phi_t` \[m/s or rad/s\].
+    pub fn contradiction(&self, rates: &[f64]) -> Option<f64> {
+        let own = rates[self.constraint];
+        let (mut off, mut size) = (own, own.abs());
+        for &(source, coefficient) in &self.combination {
+            off -= coefficient * rates[source];
+            size += (coefficient * rates[source]).abs();
+        }
+        (off.abs() > UNLIKE * size && off.abs() > STILL).then_some(off.abs())
+    }
+
+    /// A contradiction in words.
+    pub fn contradicting(&self, off: f64) -> String {
+        let unit = match self.direction.starts_with("rotation") {
+            true => "rad/s",
+            false => "m/s",
+        };
+        let off = format!("{off:.6e}").parse().unwrap_or(off);
+        format!(
+            "constraint {} ({}) of \"{}\" contradicts {}, by {off} {unit}",
+            self.number,
+            self.direction,
+            self.joint,
+            sources(&self.joint, &self.from)
+        )
+    }
 }
 
 fn sources(joint: &str, from: &[String]) -> String {
@@ -81,6 +122,8 @@ impl Explain for Redundant {
 struct Row {
     /// Entries (column, value), by ascending column, the largest of size one.
     entries: Vec<(usize, f64)>,
+    /// What they were divided by.
+    scale: f64,
     element: usize,
     number: usize,
 }
@@ -126,6 +169,7 @@ fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
         .flat_map(|(element, of)| (0..of.multipliers()).map(move |number| (element, number)))
         .map(|(element, number)| Row {
             entries: Vec::new(),
+            scale: 1.0,
             element,
             number,
         })
@@ -149,7 +193,7 @@ fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
         }
     }
     rows.iter_mut()
-        .for_each(|row| scale_to_one(&mut row.entries));
+        .for_each(|row| row.scale = scale_to_one(&mut row.entries));
     rows
 }
 
@@ -166,14 +210,17 @@ fn size(state: &State) -> f64 {
     if size > 0.0 { size } else { 1.0 }
 }
 
-fn scale_to_one(entries: &mut [(usize, f64)]) {
+/// What the entries are divided by for the largest to be of size one.
+fn scale_to_one(entries: &mut [(usize, f64)]) -> f64 {
     let largest = entries
         .iter()
         .map(|entry| entry.1.abs())
         .fold(0.0, f64::max);
-    if largest > 0.0 {
-        entries.iter_mut().for_each(|entry| entry.1 /= largest);
+    if largest == 0.0 {
+        return 1.0;
     }
+    entries.iter_mut().for_each(|entry| entry.1 /= largest);
+    largest
 }
 
 /// The decomposition as far as it has come.
@@ -303,6 +350,10 @@ fn describe(
         from: of
             .into_iter()
             .map(|of| elements[of].label().to_owned())
+            .collect(),
+        combination: sources
+            .iter()
+            .map(|&(source, part)| (source, part * row.scale / rows[source].scale))
             .collect(),
     }
 }

@@ -123,6 +123,7 @@ impl Model {
                 constant: 1.0,
                 proportional: 1.0,
                 time,
+                turns: 1.0,
             },
         }
     }

@@ -124,6 +124,7 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
                 constant: random.number(),
                 proportional: random.number(),
                 time: random.number(),
+                turns: 1.0,
             },
         };
         check_at(element, &motion, &multipliers, &conditions);

@@ -78,6 +78,10 @@ impl Element for ReducedElement {
         self.element.next_corner(time)
     }
 
+    fn is_turned_over(&self, at: &Local<'_>) -> bool {
+        self.element.is_turned_over(at)
+    }
+
     fn energy(&self, at: &Local<'_>) -> Energy {
         self.with(at, |at| self.element.energy(at))
     }

@@ -84,6 +84,7 @@ fn conditions(time: f64) -> Conditions {
             constant: 1.0,
             proportional: 1.0,
             time,
+            turns: 1.0,
         },
     }
 }

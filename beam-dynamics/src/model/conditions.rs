@@ -15,6 +15,9 @@ pub struct Loading {
     pub proportional: f64,
     /// Time; statics and modes are at the time zero [s].
     pub time: f64,
+    /// Part of the driven rotations that is applied: one, but while places are made to
+    /// fulfill the constraints \[-\].
+    pub turns: f64,
 }
 
 impl Loading {
@@ -25,6 +28,7 @@ impl Loading {
             constant: 0.0,
             proportional: 0.0,
             time: 0.0,
+            turns: 1.0,
         }
     }
 }

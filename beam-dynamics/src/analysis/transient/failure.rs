@@ -34,6 +34,27 @@ pub enum TransientFailure {
     /// Constraints that follow from others.
     #[error("redundant constraints: {}", in_words(.0))]
     Redundant(Vec<Redundant>),
+    /// Constraints that follow from others at the start only.
+    #[error(
+        "singular position: the mechanism starts where it is locked or can go two ways; there \
+         only, {0}"
+    )]
+    SingularPosition(String),
+    /// A constraint that was left out does not follow from the others any more.
+    #[error(
+        "at {time} s {constraint} at the start, but not any more: it was removed and is off by {value:.3e}"
+    )]
+    Broken {
+        /// The constraint and what it followed from, in words.
+        constraint: String,
+        /// When [s].
+        time: f64,
+        /// What it is off by [unit of the constraint].
+        value: f64,
+    },
+    /// Constraints that contradict others.
+    #[error("contradicting constraints: {0}")]
+    Contradicting(String),
     /// No equilibrium to start from.
     #[error("start: {0}")]
     Equilibrium(#[from] Box<NoEquilibrium>),
@@ -46,6 +67,14 @@ pub enum TransientFailure {
         constraint: String,
         /// What it is off by [unit of the constraint].
         value: f64,
+    },
+    /// A driven rotation is held where its constraints are fulfilled too.
+    #[error("at {time} s a driven rotation is held half a turn off: {constraint}")]
+    TurnedOver {
+        /// A constraint of the joint in words.
+        constraint: String,
+        /// When [s].
+        time: f64,
     },
     /// No velocities fulfill the constraints.
     #[error(
@@ -100,10 +129,19 @@ impl TransientFailure {
                 "look for lengths that cannot meet and for drives that start elsewhere, or place \
                  the nodes nearer to where they fit"
             }
+            Self::TurnedOver { .. } => {
+                "let the drive start nearer to the attitude in which the nodes are given, or take \
+                 shorter steps"
+            }
             Self::Velocities { .. } => {
                 "look for joints that say the same twice and for a position at which the \
                  mechanism is locked"
             }
+            Self::SingularPosition(_) => "start the mechanism a little beside this position",
+            Self::Broken { .. } => {
+                "take joints that hold each direction once, and leave out redundant = \"remove\""
+            }
+            Self::Contradicting(_) => "drive one of them only, or both alike",
             Self::Held { .. } => {
                 "drive what holds the model at the speed of the start, for instance by a joint \
                  whose angle is a ramp"

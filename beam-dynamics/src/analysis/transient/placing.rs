@@ -14,7 +14,7 @@ use shared_geom::rotation::{gibbs, vector};
 use crate::analysis::balance::largest_motion;
 use crate::assembly::{System, Tangent};
 use crate::case::InitialMotion;
-use crate::elements::Level;
+use crate::elements::{Element, Level};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
 
 use super::multibody::size;
@@ -35,6 +35,15 @@ const SLOWEST: f64 = 1e-3;
 /// Weight of velocities of which nothing is said.
 const UNSAID: f64 = 1e-8;
 
+/// Change of a constraint by driven rotations, in sizes of the model, above which they are
+/// applied in parts.
+const TURNED: f64 = 0.1;
+/// Parts in which driven rotations are applied: no more than pi/16 at a time.
+const PARTS: usize = 16;
+
+/// How far from a place it is looked beside it, in sizes of the model and radians.
+const BESIDE: f64 = 0.01;
+
 /// A constraint that cannot be fulfilled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unfulfilled {
@@ -42,6 +51,8 @@ pub(super) struct Unfulfilled {
     pub place: usize,
     /// What it is off by [unit of the constraint].
     pub value: f64,
+    /// Whether it is fulfilled, but half a turn from where it is driven.
+    pub is_turned_over: bool,
 }
 
 /// The constraint that is farthest from being fulfilled.
@@ -49,10 +60,12 @@ fn worst(values: &[f64], first: usize) -> Unfulfilled {
     let places = values.iter().enumerate().map(|(i, value)| Unfulfilled {
         place: first + i,
         value: *value,
+        is_turned_over: false,
     });
     let least = Unfulfilled {
         place: first,
         value: 0.0,
+        is_turned_over: false,
     };
     places.fold(least, |a, b| {
         match b.value.abs() > a.value.abs() || b.value.is_nan() {
@@ -85,7 +98,64 @@ fn weights(size: f64, initial: &[InitialMotion], of: fn(&InitialMotion) -> [f64;
 
 /// Moves the nodes of `state`, as little as their weights tell, until the constraints of
 /// positions are fulfilled. Velocities do not count.
+///
+/// Constraints cannot tell an attitude from that half a turn away: where driven rotations
+/// are large, they are applied little by little.
 pub(super) fn place(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+    initial: &[InitialMotion],
+) -> Result<State, Unfulfilled> {
+    let is_over = |state: &State| system.turned_over(state, conditions).is_some();
+    let mut now = state.clone();
+    if is_over(&now) || turns_far(system, state, conditions) {
+        for part in 0..PARTS {
+            let mut conditions = *conditions;
+            conditions.loading.turns = part as f64 / PARTS as f64;
+            // Where a mechanism passes no such place, its goal alone counts.
+            if let Ok(placed) = place_at_once(system, &now, &conditions, initial) {
+                now = placed;
+            }
+        }
+    }
+    let placed = place_at_once(system, &now, conditions, initial)?;
+    match system.turned_over(&placed, conditions) {
+        None => Ok(placed),
+        Some(element) => Err(half_a_turn_off(system, element)),
+    }
+}
+
+/// Whether driven rotations are far from where the nodes are.
+fn turns_far(system: &System, state: &State, conditions: &Conditions) -> bool {
+    let now = still(state);
+    let off = |turns: f64| {
+        let mut conditions = *conditions;
+        conditions.loading.turns = turns;
+        values(system, &now, &conditions, Level::Position)
+    };
+    let is_fulfilled = off(1.0)
+        .iter()
+        .all(|off| off.abs() <= FULFILLED * size(state).max(1.0));
+    let pairs = off(0.0).into_iter().zip(off(0.5));
+    let change = pairs.map(|(none, half)| (half - none).abs());
+    !is_fulfilled && change.fold(0.0, f64::max) > TURNED
+}
+
+/// The first constraint of an element that holds a rotation half a turn off.
+fn half_a_turn_off(system: &System, element: &dyn Element) -> Unfulfilled {
+    let all = system.elements();
+    let before = all.take_while(|other| !std::ptr::addr_eq(*other, element));
+    let constraints: usize = before.map(|other| other.multipliers()).sum();
+    Unfulfilled {
+        place: NODE_UNKNOWNS * system.nodes().len() + constraints,
+        value: 0.0,
+        is_turned_over: true,
+    }
+}
+
+/// The same, from where the nodes are straight to the goal.
+fn place_at_once(
     system: &System,
     state: &State,
     conditions: &Conditions,
@@ -292,6 +362,52 @@ fn fastest(state: &State) -> f64 {
             .max(size * node.angular_velocity.norm())
     });
     of.fold(0.0, f64::max)
+}
+
+/// Values of the constraints of positions; zero for the others.
+pub(super) fn position_values(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
+    values(system, &still(state), conditions, Level::Position)
+}
+
+/// `state` moved a little as the constraints leave it free, in one of several directions;
+/// `None` where it cannot be.
+pub(super) fn beside(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+    direction: usize,
+) -> Option<State> {
+    let mut now = still(state);
+    let nodes = now.nodes.len();
+    let size = size(state);
+    let tangent = system.tangent(&now, conditions);
+    let mut saddle = Saddle::default();
+    saddle.constraints(system, &tangent, By::Velocities);
+    let turn = size * size;
+    let weight = |i: usize| if i % MOTION < 3 { 1.0 } else { turn };
+    let diagonal = (0..MOTION * nodes).map(|i| (i, i, weight(i)));
+    saddle.entries.extend(diagonal);
+    // Numbers without order: no direction that a model is likely to be made in.
+    let any = |i: usize| (1.0 + 2.7 * direction as f64 + 1.3 * i as f64 + (i * i) as f64).sin();
+    let right = (0..MOTION * nodes).map(|i| match i % MOTION {
+        0..3 => size * any(i),
+        _ => weight(i) * any(i),
+    });
+    let mut right: Vec<_> = right.collect();
+    right.resize(MOTION * nodes + now.multipliers.len(), 0.0);
+    let step = saddle.solve(nodes, turn.max(1.0), &right)?;
+    let largest = largest_motion(step[..MOTION * nodes].chunks(MOTION), size);
+    if largest <= FULFILLED || !largest.is_finite() {
+        return None;
+    }
+    move_by(&mut now, &step, BESIDE / largest);
+    now.multipliers.fill(0.0);
+    Some(now)
+}
+
+/// How fast the constraints change with all nodes at rest.
+pub(super) fn own_rates(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
+    velocity_constraints(system, &still(state), conditions)
 }
 
 /// First derivative of the constraints of positions, and the constraints of velocities.

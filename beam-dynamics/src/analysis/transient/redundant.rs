@@ -1,19 +1,32 @@
 //! Constraints that follow from others, before a run: they are told, or taken out.
 
+use std::cmp::Ordering;
+
 use super::TransientFailure;
-use super::placing::place;
+use super::multibody::size;
+use super::placing::{beside, own_rates, place, position_values};
+use crate::assembly::System;
 use crate::assembly::redundancy::{self, Redundant};
 use crate::case::{self, Model, TransientQuestion};
+use crate::model::{Conditions, State};
 
-/// The model without its redundant constraints, and what was taken out in words; `None` where
-/// all constraints are independent.
+/// Directions in which constraints are tried beside the first place.
+const DIRECTIONS: usize = 2;
+/// What a constraint is off by, in sizes of the model, when it does not follow there: places
+/// are found to 1e-10, and a hundredth of the size away a dependence of second order is off
+/// by about 1e-4.
+const BROKEN_BESIDE: f64 = 1e-8;
+/// The same during a run, where constraints are fulfilled to the tolerance of its steps.
+const BROKEN: f64 = 1e-4;
+
+/// The model without its redundant constraints; `None` where all are independent.
 ///
 /// They are found where the undeformed nodes are brought by the constraints. Where these
 /// cannot be fulfilled, start-up says so.
 pub(super) fn independent(
     model: &Model,
     question: &TransientQuestion,
-) -> Result<Option<(Model, Vec<String>)>, TransientFailure> {
+) -> Result<Option<Reduced>, TransientFailure> {
     let system = &model.system;
     if system.numbering().multipliers() == 0 {
         return Ok(None);
@@ -26,26 +39,106 @@ pub(super) fn independent(
     if found.is_empty() {
         return Ok(None);
     }
-    if question.redundant == case::Redundant::Error {
-        return Err(TransientFailure::Redundant(found));
+    let rates = own_rates(system, &placed, &conditions);
+    let contradicting = found.iter().filter_map(|found| {
+        let off = found.contradiction(&rates)?;
+        Some(found.contradicting(off))
+    });
+    let contradicting: Vec<_> = contradicting.collect();
+    if !contradicting.is_empty() {
+        return Err(TransientFailure::Contradicting(listed(&contradicting)));
     }
     let constraints: Vec<_> = found.iter().map(|found| found.constraint).collect();
     let reduced = Model {
         system: system.without(&constraints),
         ..model.clone()
     };
-    let remarks = found.iter().map(|found| format!("{found}: removed"));
-    Ok(Some((reduced, remarks.collect())))
+    let broken = broken_beside(system, &reduced, (&placed, &conditions), &found);
+    if !broken.is_empty() {
+        return Err(TransientFailure::SingularPosition(listed(&broken)));
+    }
+    if question.redundant == case::Redundant::Error {
+        return Err(TransientFailure::Redundant(found));
+    }
+    Ok(Some(Reduced {
+        model: reduced,
+        removed: found,
+    }))
+}
+
+/// A model without its redundant constraints.
+pub(super) struct Reduced {
+    /// The model.
+    pub model: Model,
+    /// What was taken out.
+    pub removed: Vec<Redundant>,
+}
+
+impl Reduced {
+    /// What was taken out, in words.
+    pub fn remarks(&self) -> impl Iterator<Item = String> {
+        self.removed.iter().map(|found| format!("{found}: removed"))
+    }
+}
+
+/// The constraints of `found`, in words, that do not hold a little beside `placed`, where all
+/// others do: they follow from those in that place only.
+fn broken_beside(
+    system: &System,
+    reduced: &Model,
+    (placed, conditions): (&State, &Conditions),
+    found: &[Redundant],
+) -> Vec<String> {
+    let beside = (0..DIRECTIONS).filter_map(|direction| {
+        let moved = beside(&reduced.system, placed, conditions, direction)?;
+        place(&reduced.system, &moved, conditions, &reduced.initial).ok()
+    });
+    let mut broken = vec![false; found.len()];
+    for state in beside {
+        let off = position_values(system, &state, conditions);
+        let limit = BROKEN_BESIDE * size(&state);
+        for (broken, found) in broken.iter_mut().zip(found) {
+            *broken |= off[found.constraint].abs() > limit;
+        }
+    }
+    let pairs = found.iter().zip(broken);
+    pairs
+        .filter(|pair| pair.1)
+        .map(|pair| pair.0.to_string())
+        .collect()
+}
+
+/// The first constraint that was taken out of the full `system` and is broken at a state,
+/// with what it is off by.
+pub(super) fn broken<'a>(
+    system: &System,
+    (state, conditions): (&State, &Conditions),
+    removed: &'a [Redundant],
+) -> Option<(&'a Redundant, f64)> {
+    if removed.is_empty() {
+        return None;
+    }
+    let off = position_values(system, state, conditions);
+    let limit = BROKEN * size(state).max(1.0);
+    let off = removed.iter().map(|one| (one, off[one.constraint].abs()));
+    off.into_iter()
+        .find(|(_, off)| !matches!(off.partial_cmp(&limit), Some(Ordering::Less)))
 }
 
 /// Redundant constraints in words, the first few of them.
 pub(super) fn in_words(found: &[Redundant]) -> String {
+    let told: Vec<_> = found.iter().map(ToString::to_string).collect();
+    listed(&told)
+}
+
+/// The first few of many.
+fn listed(found: &[String]) -> String {
     const TOLD: usize = 10;
-    let told: Vec<_> = found.iter().take(TOLD).map(ToString::to_string).collect();
     let more = match found.len().saturating_sub(TOLD) {
         0 => String::new(),
         count => format!("; and {count} more"),
     };
+    let told = &found[..found.len().min(TOLD)];
     format!("{}{more}", told.join("; "))
 }
 
@@ -57,7 +150,6 @@ mod tests {
 
     use super::*;
     use crate::analysis::transient::{TransientOutcome, transient};
-    use crate::assembly::System;
     use crate::elements::Element;
     use crate::elements::bodies::{RigidBody, RigidInertia};
     use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, axes_along};

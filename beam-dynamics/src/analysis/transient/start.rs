@@ -100,9 +100,18 @@ pub(super) fn start(
         turns_as_a_whole(model, &conditions, &kind, speed)?;
     }
     let given = with_velocities(kind, &model.initial);
-    let not_placed = |off: Unfulfilled| TransientFailure::Places {
-        constraint: system.describe_equation(off.place),
-        value: off.value,
+    let not_placed = |off: Unfulfilled| {
+        let constraint = system.describe_equation(off.place);
+        match off.is_turned_over {
+            true => TransientFailure::TurnedOver {
+                constraint,
+                time: question.from,
+            },
+            false => TransientFailure::Places {
+                constraint,
+                value: off.value,
+            },
+        }
     };
     let placed = place(system, &given, &conditions, &model.initial).map_err(not_placed)?;
     let not_moving = |off: Unfulfilled| TransientFailure::Velocities {

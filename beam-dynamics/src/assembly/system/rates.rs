@@ -1,7 +1,7 @@
 //! How the constraints of a system change by themselves.
 
 use super::System;
-use crate::elements::ConstraintRates;
+use crate::elements::{ConstraintRates, Element};
 use crate::model::{Conditions, NodeMotion, State};
 
 impl System {
@@ -29,5 +29,23 @@ impl System {
             }
         }
         Some((by_time, convective))
+    }
+
+    /// The first element that holds a rotation that it drives half a turn off.
+    pub fn turned_over(&self, state: &State, conditions: &Conditions) -> Option<&dyn Element> {
+        let held = self.elements.iter().enumerate();
+        let mut held = held.filter(|(_, element)| element.multipliers() > 0);
+        let over = held.find(|(index, element)| match *element.nodes() {
+            [b] => {
+                let nodes = [state.nodes[b]];
+                element.is_turned_over(&self.seen_by(*index, &nodes, state, conditions))
+            }
+            [a, b] => {
+                let nodes = [a, b].map(|node| state.nodes[node]);
+                element.is_turned_over(&self.seen_by(*index, &nodes, state, conditions))
+            }
+            _ => false,
+        });
+        over.map(|(_, element)| element.as_ref())
     }
 }

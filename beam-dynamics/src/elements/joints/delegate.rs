@@ -36,6 +36,10 @@ macro_rules! is_a_joint {
                 self.joint.next_corner(time)
             }
 
+            fn is_turned_over(&self, at: &crate::elements::Local<'_>) -> bool {
+                self.joint.is_turned_over(at)
+            }
+
             fn residual(
                 &self,
                 at: &crate::elements::Local<'_>,

@@ -7,6 +7,7 @@
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
 use nalgebra::{Matrix3, Vector3};
+use shared_geom::rotation::vector;
 
 use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
@@ -156,7 +157,14 @@ impl ConstraintJoint {
         let scale = self.scale(loading);
         let turned = match &self.turn {
             None => Turned::fixed(&ends.a.axes),
-            Some(turn) => Turned::by(&ends.a.axes, &by_axis(turn, loading.time, &scale)),
+            Some(turn) => {
+                let mut by = by_axis(turn, loading.time, &scale);
+                if loading.turns != 1.0 {
+                    let shortest = vector::from_rotation(&vector::to_rotation(&by[0]));
+                    by = [loading.turns * shortest, Vector3::zeros(), Vector3::zeros()];
+                }
+                Turned::by(&ends.a.axes, &by)
+            }
         };
         Seen {
             ends,
@@ -250,6 +258,26 @@ impl Element for ConstraintJoint {
     fn next_corner(&self, time: f64) -> f64 {
         let corners = self.drives().map(|drive| drive.next_corner(time));
         corners.fold(f64::INFINITY, f64::min)
+    }
+
+    fn is_turned_over(&self, at: &Local<'_>) -> bool {
+        if self.turn.is_none() {
+            return false;
+        }
+        let seen = self.seen_at(at);
+        let against = seen.turned.axes.transpose() * seen.ends.b.axes;
+        let angles = self.rows.iter();
+        let angles = angles.filter(|row| matches!(row.held, Held::Across(..)));
+        match (angles.count(), self.angle_about) {
+            (3, _) => against.diagonal().min() < 0.0,
+            (2, Some(axis)) => against[(axis, axis)] < 0.0,
+            // Another joint keeps the axis.
+            (1, Some(axis)) => {
+                let across = (axis + 1) % 3;
+                against[(axis, axis)] > 0.5 && against[(across, across)] < 0.0
+            }
+            _ => false,
+        }
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

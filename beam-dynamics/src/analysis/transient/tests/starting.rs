@@ -7,7 +7,9 @@ use crate::analysis::transient::{Changed, StartChange, TransientFailure};
 use crate::assembly::System;
 use crate::case::{InitialMotion, Model, Redundant, StartAccelerations, TransientQuestion};
 use crate::elements::Element;
-use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing};
+use crate::elements::joints::{
+    Clamp, ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along,
+};
 use crate::integrator::{StepControl, Stepping};
 use crate::model::{Drive, Node, Ramp};
 
@@ -263,4 +265,133 @@ fn a_local_error_is_told_by_its_unknown() {
     for part in ["worst equation", "jump"] {
         assert!(!text.contains(part), "{part}: {text}");
     }
+}
+
+// A revolute joint about y turns (1, 0, 0) to (cos, 0, -sin) of its angle, at any angle; a
+// total joint with a driven rotation about z to (cos, sin, 0). The tolerance is that of
+// Newton's method.
+#[test]
+fn driven_rotations_start_at_their_angle_however_large() {
+    let rig = |joint: fn(&JointEnds<'_>, f64) -> ConstraintJoint, angle: f64| {
+        let nodes = vec![node("a", Vector3::x(), Matrix3::identity())];
+        let ends = JointEnds {
+            a: None,
+            b: (0, &nodes[0]),
+        };
+        let joint = joint(&ends, angle.to_radians());
+        let elements: Vec<Box<dyn Element>> =
+            vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(joint)];
+        let model = Model::new("turned", System::new(nodes, elements));
+        let (kept, outcome) = run(&model, &TransientQuestion::new(0.02, 0.01));
+        assert!(outcome.failure.is_none(), "{angle}: {:?}", outcome.failure);
+        kept.states[0].nodes[0]
+    };
+    let about_y = |ends: &JointEnds<'_>, angle: f64| {
+        let at = Placing::at(&Vector3::zeros(), &axes_along(&Vector3::y()));
+        let turning = Turning::Angle(Drive::Constant(angle));
+        ConstraintJoint::revolute("motor", ends, &at, Some(turning))
+    };
+    let about_z = |ends: &JointEnds<'_>, angle: f64| {
+        let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
+        let mut freedoms = [const { Freedom::Locked }; 6];
+        freedoms[5] = Freedom::Driven(Drive::Constant(angle));
+        ConstraintJoint::total("motor", ends, &at, freedoms)
+    };
+    for angle in [-170.0_f64, 45.0, 90.0, 120.0, 180.0, 200.0, 270.0, 3690.0] {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let off = rig(about_y, angle).rotation * Vector3::x() - Vector3::new(cos, 0.0, -sin);
+        assert!(off.amax() < 1e-9, "{angle}: {off}");
+        let off = rig(about_z, angle).rotation * Vector3::x() - Vector3::new(cos, sin, 0.0);
+        assert!(off.amax() < 1e-9, "{angle}: {off}");
+    }
+}
+
+/// What a run says of a body at the origin under two joints, the redundant constraints of
+/// which are left out.
+fn refusal(joints: [Box<dyn Element>; 2], nodes: Vec<Node>) -> String {
+    let mut elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3])];
+    elements.extend(joints);
+    let model = Model::new("two", System::new(nodes, elements));
+    let mut question = TransientQuestion::new(0.02, 0.01);
+    question.redundant = Redundant::Remove;
+    let failure = run(&model, &question).1.failure;
+    failure.map_or_else(String::new, |failure| failure.to_string())
+}
+
+fn ramp(slope: f64) -> Drive {
+    Drive::Ramp(Ramp {
+        from: 0.0,
+        to: slope,
+        start: 0.0,
+        end: 1.0,
+        smooth: false,
+    })
+}
+
+// A clamp and a displacement of 1 m/s; motors of 100 and of 50 rad/s on one axis.
+#[test]
+fn constraints_that_contradict_are_never_left_out() {
+    let nodes = vec![node("a", Vector3::zeros(), Matrix3::identity())];
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
+    let mut freedoms = [const { Freedom::Free }; 6];
+    freedoms[0] = Freedom::Driven(ramp(1.0));
+    let moved = ConstraintJoint::total("moved", &ends, &at, freedoms);
+    let held = Clamp::new("clamp", 0, &nodes[0]);
+    let text = refusal([Box::new(held), Box::new(moved)], nodes.clone());
+    let expected = "contradicting constraints: constraint 1 (along x) of \"moved\" contradicts \
+        \"clamp\", by 1 m/s";
+    assert_eq!(text, expected);
+    let motor = |name: &str, slope: f64| -> Box<dyn Element> {
+        let turning = Some(Turning::Angle(ramp(slope)));
+        Box::new(ConstraintJoint::revolute(name, &ends, &at, turning))
+    };
+    let text = refusal([motor("fast", 100.0), motor("slow", 50.0)], nodes.clone());
+    let contradicts = text.contains("of \"slow\" contradicts \"fast\", by 50 rad/s");
+    assert!(contradicts, "{text}");
+    let alike = refusal([motor("one", 50.0), motor("two", 50.0)], nodes.clone());
+    assert_eq!(alike, "");
+}
+
+// A point between two rods that are stretched out in one line: the second rod follows from the
+// first there only. Then two motors of one axis whose angles part later: t^2 against zero.
+#[test]
+fn constraints_that_follow_in_one_place_only_are_not_left_out() {
+    let nodes = vec![node("p", Vector3::x(), Matrix3::identity())];
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let rod = |name: &str, from: f64, length: f64| -> Box<dyn Element> {
+        let at = Placing {
+            points: [from * Vector3::x(), nodes[0].position],
+            axes: [Matrix3::identity(); 2],
+        };
+        let length = Drive::Constant(length);
+        Box::new(ConstraintJoint::distance(name, &ends, &at, length))
+    };
+    let text = refusal([rod("near", 0.0, 1.0), rod("far", 3.0, 2.0)], nodes.clone());
+    assert!(text.starts_with("singular position"), "{text}");
+    assert!(text.contains("\"far\" follows from \"near\""), "{text}");
+    let late = Drive::Ramp(Ramp {
+        from: 0.0,
+        to: 1.0,
+        start: 0.005,
+        end: 0.025,
+        smooth: false,
+    });
+    let motor = |name: &str, angle: Drive| -> Box<dyn Element> {
+        let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
+        let turning = Some(Turning::Angle(angle));
+        Box::new(ConstraintJoint::revolute(name, &ends, &at, turning))
+    };
+    let text = refusal(
+        [motor("rests", Drive::Constant(0.0)), motor("late", late)],
+        nodes.clone(),
+    );
+    assert!(text.starts_with("at 0.01 s "), "{text}");
+    assert!(text.contains("\"late\" follows from \"rests\""), "{text}");
 }
