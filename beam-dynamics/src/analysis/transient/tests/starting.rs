@@ -395,3 +395,47 @@ fn constraints_that_follow_in_one_place_only_are_not_left_out() {
     assert!(text.starts_with("at 0.01 s "), "{text}");
     assert!(text.contains("\"late\" follows from \"rests\""), "{text}");
 }
+
+// A plane parallelogram of revolutes has three redundant constraints everywhere, and a fourth
+// where its links lie in one line: there it can go two ways.
+#[test]
+fn a_parallelogram_at_its_dead_point_is_refused_and_beside_it_runs() {
+    let attempt = |angle: f64| {
+        let arm = Vector3::new(angle.cos(), angle.sin(), 0.0);
+        let base = 2.0 * Vector3::x();
+        let middles = [0.5 * arm, arm + 0.5 * base, base + 0.5 * arm];
+        let nodes = ["crank", "coupler", "rocker"].into_iter().zip(middles);
+        let nodes: Vec<_> = nodes
+            .map(|(label, place)| node(label, place, Matrix3::identity()))
+            .collect();
+        let mut elements: Vec<_> = (0..3)
+            .map(|i| body(i, 1.0, Vector3::zeros(), [1.0; 3]))
+            .collect();
+        for (name, a, b, place) in [
+            ("O", None, 0, Vector3::zeros()),
+            ("A", Some(0), 1, arm),
+            ("B", Some(1), 2, arm + base),
+            ("C", None, 2, base),
+        ] {
+            let ends = JointEnds {
+                a: a.map(|a: usize| (a, &nodes[a])),
+                b: (b, &nodes[b]),
+            };
+            let at = Placing::at(&place, &axes_along(&Vector3::z()));
+            elements.push(Box::new(ConstraintJoint::revolute(name, &ends, &at, None)));
+        }
+        let mut model = Model::new("parallelogram", System::new(nodes, elements));
+        model.gravity = -10.0 * Vector3::y();
+        let mut question = TransientQuestion::new(0.1, 0.01);
+        question.redundant = Redundant::Remove;
+        run(&model, &question).1
+    };
+    let failure = attempt(0.0).failure.unwrap();
+    assert!(
+        matches!(failure, TransientFailure::SingularPosition(_)),
+        "{failure}"
+    );
+    let beside = attempt(1.0);
+    assert!(beside.failure.is_none(), "{:?}", beside.failure);
+    assert_eq!(beside.remarks.len(), 3, "{:?}", beside.remarks);
+}
