@@ -141,3 +141,46 @@ fn velocities_without_a_run_and_loose_nodes_are_told() {
     let idle = TransientProblem::IdleSpeed;
     assert!(shared_geom::error::Explain::help(&idle).is_some());
 }
+
+#[test]
+fn what_is_not_finite_at_the_start_is_told_and_does_not_hang() {
+    let run = "[transient]\nto = 1\nstep = 0.1\n";
+    for force in [
+        "sqrt(x)",
+        "1/x",
+        "x^0.5",
+        "abs(x)^0.5",
+        "sqrt(abs(x))*sign(x)",
+    ] {
+        let law = format!("law = {{ kind = \"expression\", force = {{ x = \"= {force}\" }} }}");
+        let text = read(&format!("{BODY}[[spring]]\nnode = \"a\"\n{law}\n{run}"));
+        let text = text.map(|_| ()).unwrap_err();
+        assert!(text.contains("a.dynamics.toml:13: "), "{text}");
+        assert!(text.contains("at zero strain"), "{force}: {text}");
+    }
+    let loaded = |drive: &str| {
+        let load = format!("[[load]]\nnode = \"a\"\nforce = [1, 0, 0]\ndrive = \"= {drive}\"\n");
+        read(&format!("{BODY}{load}{run}")).map(|_| ())
+    };
+    let text = loaded("ln(t)").unwrap_err();
+    let expected = "a.dynamics.toml:14: \"drive\" has the value -inf at 0 s";
+    assert!(text.contains(expected), "{text}");
+    // A force may rise steeply, what moves may not.
+    loaded("sqrt(t)").unwrap();
+    let turned = |drive: &str| {
+        let joint = format!(
+            "[[joint]]\nkind = \"revolute\"\nnodes = [\"a\"]\nat = [1, 0, 0]\naxis = [0, 0, 1]\nangle = \"= {drive}\"\n"
+        );
+        read(&format!("{BODY}{joint}{run}")).map(|_| ())
+    };
+    for drive in ["1/t", "ln(t)", "1e20/(t+1e-300)", "sqrt(t)"] {
+        let text = turned(drive).unwrap_err();
+        assert!(text.contains("\"angle\" has the "), "{drive}: {text}");
+    }
+    let refused = |random: &str| {
+        let load = format!("[[load]]\nnode = \"a\"\nforce = [1, 0, 0]\ndrive = {random}\n");
+        read(&format!("{BODY}{load}{run}")).map(|_| ()).unwrap_err()
+    };
+    let text = refused("{ kind = \"random\", deviation = -1, seed = 1, interval = 0.1 }");
+    assert!(text.contains("\"deviation\""), "{text}");
+}
