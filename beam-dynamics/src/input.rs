@@ -206,9 +206,12 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
 
     draft.check(&root);
     transient::check(&root, &draft);
-    if let Some(times) = questions.as_ref().and_then(Questions::times) {
+    let times = questions.as_ref().and_then(Questions::times);
+    if let Some(times) = times {
         draft.drives().check(document, times);
     }
+    let start = times.map_or(0.0, |[start, _]| start);
+    draft.drives().check_start(document, start);
     let ((gravity, gravity_drive), questions) = (gravity?, questions?);
     questions.check(&root, &gravity, &draft.hub()?.spin());
     let mut input = finish(name, draft, questions, measured?)?;

@@ -12,6 +12,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
+use super::mechanism::finite;
 use super::{System, Tangent};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Variable};
 use shared_geom::error::Explain;
@@ -60,7 +61,7 @@ pub fn without_mass(system: &System, tangent: &Tangent, size: f64) -> Vec<DMatri
 }
 
 fn null(mass: Matrix6<f64>, largest: f64) -> DMatrix<f64> {
-    let parts = mass.symmetric_eigen();
+    let parts = mass.map(finite).symmetric_eigen();
     let found: Vec<DVector<f64>> = parts
         .eigenvalues
         .iter()
@@ -158,7 +159,7 @@ fn undetermined(basis: &DMatrix<f64>, rows: &[Row]) -> DMatrix<f64> {
             seen[(i, j)] = row.dot(&column);
         }
     }
-    let parts = seen.svd(false, true);
+    let parts = seen.map(finite).svd(false, true);
     let Some(v_t) = parts.v_t else {
         return DMatrix::zeros(MOTION, 0);
     };

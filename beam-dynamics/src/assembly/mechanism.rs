@@ -219,10 +219,16 @@ fn add_form(
 }
 
 fn scale_to_one(row: &mut RowDVector<f64>) {
+    row.apply(|value| *value = finite(*value));
     let size = row.amax();
     if size > 0.0 {
         *row /= size;
     }
+}
+
+/// The number; zero for one that is not finite, on which decompositions do not end.
+pub(super) fn finite(value: f64) -> f64 {
+    if value.is_finite() { value } else { 0.0 }
 }
 
 /// Orthonormal basis of the null space of rows of `columns` numbers, one column each.
@@ -232,7 +238,7 @@ fn null_space(rows: &[RowDVector<f64>], columns: usize) -> DMatrix<f64> {
     for (i, row) in rows.iter().enumerate() {
         matrix.set_row(i, row);
     }
-    let decomposition = matrix.svd(false, true);
+    let decomposition = matrix.map(finite).svd(false, true);
     let largest = decomposition.singular_values.amax();
     let Some(v_t) = decomposition.v_t else {
         return DMatrix::zeros(columns, 0);

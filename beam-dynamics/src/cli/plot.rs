@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use shared_geom::error::Explain;
 use shared_geom::files::OutputProblem;
 
 use super::terminal::Terminal;
@@ -19,6 +20,12 @@ pub(super) fn plot_files(
     out: Option<&Path>,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
+    if let Some(problem) = out.and_then(other_kind) {
+        terminal.tell(&problem);
+        return WRONG_INPUT;
+    }
+    let columns: Vec<_> = columns.iter().map(|name| name.trim().to_owned()).collect();
+    let columns = &columns[..];
     let Some(tables) = read(results, terminal) else {
         return WRONG_INPUT;
     };
@@ -35,7 +42,8 @@ pub(super) fn plot_files(
         return WRONG_INPUT;
     }
     let title = title(&tables);
-    let plot = match TimePlot::new(&title, &tables, across, columns) {
+    let plot = TimePlot::new(&title, &tables, across, columns);
+    let plot = match plot.and_then(|plot| plot.check_size().map(|()| plot)) {
         Ok(plot) => plot,
         Err(problem) => {
             terminal.tell(&problem);
@@ -51,6 +59,31 @@ pub(super) fn plot_files(
         terminal.show(&format!("  {}\n", path.display()));
     }
     DONE
+}
+
+/// A figure of a kind that is not written.
+#[derive(Debug, thiserror::Error)]
+#[error("\"{file}\" ends in \"{ending}\", expected png, svg or a name without such an ending")]
+struct OtherKind {
+    file: String,
+    ending: String,
+}
+
+impl Explain for OtherKind {
+    fn help(&self) -> Option<String> {
+        Some("write SVG, which other programs turn into further kinds".to_owned())
+    }
+}
+
+/// What is wrong with the ending of a figure.
+fn other_kind(out: &Path) -> Option<OtherKind> {
+    const OTHERS: [&str; 10] = [
+        "pdf", "eps", "ps", "jpg", "jpeg", "gif", "tif", "tiff", "bmp", "webp",
+    ];
+    let ending = out.extension()?.to_str()?.to_owned();
+    let is_other = OTHERS.contains(&ending.to_ascii_lowercase().as_str());
+    let file = out.display().to_string();
+    is_other.then_some(OtherKind { file, ending })
 }
 
 /// Reads all tables; tells what is wrong with any.

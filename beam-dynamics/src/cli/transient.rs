@@ -14,7 +14,7 @@ use crate::analysis::transient::{TransientOutcome, transient};
 use crate::case::{OutputQuestion, TransientQuestion};
 use crate::input::{Input, is_blade_file, short_number};
 use crate::integrator::{Scheme, Stepping};
-use crate::output::{RunFileProblem, RunFiles, effort_text, read_snapshot};
+use crate::output::{RunFileProblem, RunFiles, effort_text, not_drawn_text, read_snapshot};
 use crate::result::{Moment, Recorder, Snapshot};
 
 /// The table that asks for a run in time.
@@ -215,6 +215,7 @@ fn run(
             for file in &written.files {
                 terminal.show(&format!("  {}\n", file.display()));
             }
+            terminal.show(&not_drawn_text(&written.not_drawn));
         }
         Err(problem) => {
             terminal.tell(&problem);

@@ -32,6 +32,16 @@ struct Named {
     measure: Measure,
 }
 
+/// A drive where it is used.
+#[derive(Debug)]
+struct Used {
+    line: usize,
+    key: String,
+    drive: Drive,
+    /// Whether its slope counts too.
+    moves: bool,
+}
+
 /// The drives of an input by name; those that are wrong are `None`.
 #[derive(Debug, Default)]
 pub(super) struct Catalog {
@@ -39,6 +49,8 @@ pub(super) struct Catalog {
     /// Where a drive that does not have a value at all times is used: its line, its key
     /// and the times between which it has one.
     bounded: RefCell<Vec<(usize, String, [f64; 2])>>,
+    /// The drives of the model where they are used.
+    used: RefCell<Vec<Used>>,
     /// Names of what may be sensed, but not by a drive.
     sensors: Vec<String>,
 }
@@ -52,10 +64,32 @@ pub(super) fn read(
     dimension: Dimension,
     catalog: &Catalog,
 ) -> Option<Drive> {
-    read_item(&table.item(key)?, dimension, catalog)
+    used(&table.item(key)?, dimension, catalog, false)
 }
 
-/// As [`read`], of a value wherever it stands.
+/// As [`read`], of what moves: its slope counts too.
+pub(super) fn read_motion(
+    table: &Table<'_>,
+    key: &str,
+    dimension: Dimension,
+    catalog: &Catalog,
+) -> Option<Drive> {
+    used(&table.item(key)?, dimension, catalog, true)
+}
+
+/// A drive that must have a value where a run starts.
+fn used(item: &Item<'_>, dimension: Dimension, catalog: &Catalog, moves: bool) -> Option<Drive> {
+    let drive = read_item(item, dimension, catalog)?;
+    catalog.used.borrow_mut().push(Used {
+        line: item.line(),
+        key: item.key().to_owned(),
+        drive: drive.clone(),
+        moves,
+    });
+    Some(drive)
+}
+
+/// As [`read`], of a value wherever it stands, which is shown alone and may have gaps.
 pub(super) fn read_item(item: &Item<'_>, dimension: Dimension, catalog: &Catalog) -> Option<Drive> {
     let find = |name: &str| catalog.find(name, item);
     if let Some(name) = catalog.sensed(item) {
@@ -146,6 +180,7 @@ pub(super) fn read_named(root: &Table<'_>) -> Catalog {
     Catalog {
         named: reader.done.into_inner(),
         bounded: RefCell::default(),
+        used: RefCell::default(),
         sensors: super::sensors::names(root),
     }
 }
@@ -223,6 +258,33 @@ impl Catalog {
         let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         let mut sensed = words.filter(|word| self.sensors.iter().any(|own| own == word));
         sensed.next().map(str::to_owned)
+    }
+
+    /// Notes every drive of the model without a finite value at the time `start` \[s\], or
+    /// without a finite slope where something moves by it.
+    pub fn check_start(&self, document: &Document, start: f64) {
+        for used in self.used.borrow().iter() {
+            let [first, last] = used.drive.domain();
+            if start < first || start > last {
+                continue;
+            }
+            let now = used.drive.at(start);
+            let (what, found) = match now.value.is_finite() {
+                false => ("value", now.value),
+                true if used.moves => ("slope", now.rate),
+                true => continue,
+            };
+            if !found.is_finite() {
+                let key = used.key.clone();
+                let problem = DriveProblem::NoStart {
+                    key,
+                    what,
+                    found,
+                    start,
+                };
+                document.note(used.line, &problem);
+            }
+        }
     }
 
     /// Notes every drive that a card uses and that has no value at some time of a run.

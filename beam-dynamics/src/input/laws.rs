@@ -128,11 +128,39 @@ fn term<const N: usize>(table: &Table<'_>, of: &Components<N>, draft: &Draft) ->
     let prestrain = driven(table, ["prestrain", "prestrain_drive"], &of.strain, draft);
     let prestress = driven(table, ["prestress", "prestress_drive"], &of.force, draft);
     table.finish();
-    Some(Term {
+    let term = Term {
         kind: kind?,
         prestrain: prestrain?,
         prestress: prestress?,
-    })
+    };
+    if let Some(found) = not_finite_at_rest(&term) {
+        let has_told = table
+            .document()
+            .parameters()
+            .iter()
+            .any(|own| own.1.is_nan());
+        if !has_told {
+            table.note("kind", &LawProblem::NotFinite { found });
+        }
+        return None;
+    }
+    Some(term)
+}
+
+/// A force or a slope at zero strain and the time zero that is not finite. What drives
+/// give at that time is not looked at here.
+fn not_finite_at_rest<const N: usize>(term: &Term<N>) -> Option<f64> {
+    let mut term = Term {
+        prestress: None,
+        ..term.clone()
+    };
+    let has_value = |driven: &Driven<N>| driven.drive.at(0.0).value.is_finite();
+    term.prestrain = term.prestrain.filter(has_value);
+    let zero = SVector::zeros();
+    let found = Law::sum(vec![term]).at(&zero, &zero, 0.0);
+    let slopes = found.by_strain.iter().chain(&found.by_rate);
+    let mut all = found.force.iter().chain(slopes);
+    all.find(|value| !value.is_finite()).copied()
 }
 
 /// A vector times a drive, when the first of the keys is there; the drive is one without

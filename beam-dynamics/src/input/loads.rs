@@ -150,7 +150,9 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
         let motion = imposed(table);
         let frame = draft.frames().of(table);
         let drive = match table.has("drive") {
-            true => drives::read(table, "drive", Dimension::NUMBER, draft.drives()).map(Some),
+            true => {
+                drives::read_motion(table, "drive", Dimension::NUMBER, draft.drives()).map(Some)
+            }
             false => Some(None),
         };
         table.finish();

@@ -50,6 +50,10 @@ pub fn align(modes: &mut [ModeMotion], frequencies: &[f64], before: &[ModeMotion
         }
         let n = own.len();
         let overlaps = DMatrix::from_fn(n, n, |i, j| own[i].product(nearest[j].1));
+        // The decomposition does not end on numbers that are not finite.
+        if overlaps.iter().any(|value| !value.norm_sqr().is_finite()) {
+            continue;
+        }
         if let SVD {
             u: Some(x),
             v_t: Some(y),

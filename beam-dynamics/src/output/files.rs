@@ -25,6 +25,8 @@ pub struct Written {
     pub files: Vec<PathBuf>,
     /// Why there is no fan plot, if there is none.
     pub no_plot: Option<&'static str>,
+    /// Columns that the figure of a run leaves out.
+    pub not_drawn: Vec<String>,
 }
 
 /// The text of a result: the frequency table, the comparison with the measurements if

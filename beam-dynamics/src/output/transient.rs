@@ -18,7 +18,7 @@ mod table;
 mod tests;
 
 pub use effort::effort_text;
-pub use files::RunFiles;
+pub use files::{RunFiles, not_drawn_text};
 pub use plot::{Curve, TimePlot};
 pub use problem::RunFileProblem;
 pub use restart::{read_snapshot, write_snapshot};

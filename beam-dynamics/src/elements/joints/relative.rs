@@ -86,6 +86,8 @@ fn null_space(rows: &nalgebra::DMatrix<f64>) -> Vec<Vector6<f64>> {
     let square: Matrix6<f64> = (rows.transpose() * rows)
         .fixed_view::<6, 6>(0, 0)
         .into_owned();
+    // The decomposition does not end on numbers that are not finite.
+    let square = square.map(|value| if value.is_finite() { value } else { 0.0 });
     let found = square.symmetric_eigen();
     let largest = found.eigenvalues.amax();
     let values = found.eigenvalues.iter().enumerate();

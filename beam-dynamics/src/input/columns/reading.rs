@@ -376,7 +376,7 @@ impl Reading<'_> {
                 return None;
             }
         };
-        let drive = drives::read(self.table, "of", dimension, self.draft.drives())?;
+        let drive = drives::read_item(&self.table.item("of")?, dimension, self.draft.drives())?;
         Some(vec![Found {
             word: "",
             words: format!("drive {name}"),

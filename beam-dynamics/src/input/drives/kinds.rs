@@ -162,6 +162,10 @@ fn doublet(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
     let mean = value_or_zero(table, "mean", measure);
     let deviation = value(table, "deviation", measure);
+    if deviation.is_some_and(|deviation| deviation < 0.0) {
+        table.wrong("deviation", "a number that is zero or more");
+        return None;
+    }
     let seed = table.require_count("seed").map(|seed| seed as u64);
     let (has_band, has_interval) = (table.has("band"), table.has("interval"));
     if has_band == has_interval {

@@ -36,6 +36,21 @@ pub enum DriveProblem {
         /// First and last time of the run \[s\].
         run: [f64; 2],
     },
+    /// A drive without a finite value or slope at the first instant.
+    #[error(
+        "\"{key}\" has the {what} {found} at {} s, expected a finite number where it starts",
+        six(*.start)
+    )]
+    NoStart {
+        /// The key.
+        key: String,
+        /// Value or slope.
+        what: &'static str,
+        /// What it is [unit of the key].
+        found: f64,
+        /// The first instant \[s\].
+        start: f64,
+    },
     /// An end that does not come after the start.
     #[error("the drive ends at {} s, expected a time after its start at {} s", six(*.end), six(*.start))]
     Backward {
@@ -136,6 +151,10 @@ impl Explain for DriveProblem {
             }
             Self::Outside { .. } => {
                 "give more values, or outside = \"hold\" to go on with the first and the last"
+            }
+            Self::NoStart { .. } => {
+                "write it so that it is finite there, such as 1/(t + 0.1) for 1/t, or give \
+                 [transient] another \"from\""
             }
             Self::Measures { .. } => {
                 "give the drive another \"unit\", or none: it then counts in the unit of each key"

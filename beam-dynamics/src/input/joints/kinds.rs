@@ -179,7 +179,7 @@ fn drive(
     draft: &Draft,
 ) -> Option<Option<Drive>> {
     match table.has(key) {
-        true => drives::read(table, key, dimension, draft.drives()).map(Some),
+        true => drives::read_motion(table, key, dimension, draft.drives()).map(Some),
         false => Some(None),
     }
 }

@@ -48,6 +48,12 @@ pub enum LawProblem {
     /// A viscoelastic law without viscosity, or with two.
     #[error("the viscoelastic law needs a \"viscosity\" or a \"time\", and not both")]
     OneViscosity,
+    /// A force or a slope at rest that is not finite.
+    #[error("the law has a force or a slope of {found} at zero strain, expected finite numbers")]
+    NotFinite {
+        /// What it is [unit of force, or of force by that of strain].
+        found: f64,
+    },
     /// A polynomial without a coefficient.
     #[error(
         "the cubic law has no \"stiffness\", \"quadratic\" or \"cubic\", expected at least one"
@@ -142,6 +148,10 @@ impl Explain for LawProblem {
             Self::NoRest => {
                 "add a point, or take outside = \"extend\" or \"hold\"; a \"prestrain\" moves \
                  the place of the zero"
+            }
+            Self::NotFinite { .. } => {
+                "write it so that it is smooth at zero, such as x/sqrt(abs(x) + 1e-3) for the \
+                 root of x with its sign"
             }
             Self::NoSection => "give the beam \"properties\", or another kind of law",
             Self::NothingDriven { .. } => {

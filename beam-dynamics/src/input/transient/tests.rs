@@ -159,7 +159,7 @@ name = \"crank\"
 position = [\"= lenght\", 0, 0]
 [[node]]
 name = \"slider\"
-position = [\"4 metre\", 0, 0]
+position = [\"4 inn\", 0, 0]
 [[node]]
 name = \"post\"
 in = \"tiltet\"
@@ -207,7 +207,7 @@ fn ten_slips_are_told_at_once_each_with_its_line_and_the_nearest_name() {
     let expected = [
         ("2", "no file \"part.toml\"", "parts.toml"),
         ("14", "\"lenght\"", "length"),
-        ("17", "\"metre\"", "m"),
+        ("17", "\"inn\"", "in"),
         ("20", "unknown frame \"tiltet\"", "tilted"),
         ("28", "\"revolut\"", "revolute"),
         ("34", "unknown node \"slidder\"", "slider"),
@@ -227,4 +227,47 @@ fn ten_slips_are_told_at_once_each_with_its_line_and_the_nearest_name() {
     }
     // Nothing follows from them that is told as well.
     assert_eq!(told.matches("error: ").count(), expected.len(), "{told}");
+}
+
+#[test]
+fn what_is_not_finite_at_the_start_is_told_and_does_not_hang() {
+    let run = "[transient]\nto = 1\nstep = 0.1\n";
+    for force in [
+        "sqrt(x)",
+        "1/x",
+        "x^0.5",
+        "abs(x)^0.5",
+        "sqrt(abs(x))*sign(x)",
+    ] {
+        let law = format!("law = {{ kind = \"expression\", force = {{ x = \"= {force}\" }} }}");
+        let text = read(&format!("{BODY}[[spring]]\nnode = \"a\"\n{law}\n{run}"));
+        let text = text.map(|_| ()).unwrap_err();
+        assert!(text.contains("a.dynamics.toml:13: "), "{text}");
+        assert!(text.contains("at zero strain"), "{force}: {text}");
+    }
+    let loaded = |drive: &str| {
+        let load = format!("[[load]]\nnode = \"a\"\nforce = [1, 0, 0]\ndrive = \"= {drive}\"\n");
+        read(&format!("{BODY}{load}{run}")).map(|_| ())
+    };
+    let text = loaded("ln(t)").unwrap_err();
+    let expected = "a.dynamics.toml:14: \"drive\" has the value -inf at 0 s";
+    assert!(text.contains(expected), "{text}");
+    // A force may rise steeply, what moves may not.
+    loaded("sqrt(t)").unwrap();
+    let turned = |drive: &str| {
+        let joint = format!(
+            "[[joint]]\nkind = \"revolute\"\nnodes = [\"a\"]\nat = [1, 0, 0]\naxis = [0, 0, 1]\nangle = \"= {drive}\"\n"
+        );
+        read(&format!("{BODY}{joint}{run}")).map(|_| ())
+    };
+    for drive in ["1/t", "ln(t)", "1e20/(t+1e-300)", "sqrt(t)"] {
+        let text = turned(drive).unwrap_err();
+        assert!(text.contains("\"angle\" has the "), "{drive}: {text}");
+    }
+    let refused = |random: &str| {
+        let load = format!("[[load]]\nnode = \"a\"\nforce = [1, 0, 0]\ndrive = {random}\n");
+        read(&format!("{BODY}{load}{run}")).map(|_| ()).unwrap_err()
+    };
+    let text = refused("{ kind = \"random\", deviation = -1, seed = 1, interval = 0.1 }");
+    assert!(text.contains("\"deviation\""), "{text}");
 }

@@ -145,8 +145,12 @@ impl<'a> RunFiles<'a> {
         let paths = self.tables.iter().map(|table| table.path().to_owned());
         let paths: Vec<_> = paths.collect();
         self.results.written.files.extend(paths.iter().cloned());
-        self.results.text(TEXT, text)?;
-        if let Some(plot) = paths.last().and_then(|path| default_plot(title, path)) {
+        let mut plot = paths.last().and_then(|path| default_plot(title, path));
+        let not_drawn = plot.as_mut().map(TimePlot::shorten).unwrap_or_default();
+        self.results
+            .text(TEXT, &(text.to_owned() + &not_drawn_text(&not_drawn)))?;
+        self.results.written.not_drawn = not_drawn;
+        if let Some(plot) = plot {
             self.results.figures(PLOT, |path| plot.save(path))?;
         }
         if self.grids.is_some() && self.results.path(SERIES).exists() {
@@ -235,6 +239,23 @@ impl Recorder for RunFiles<'_> {
         }
         self.keep(snapshot)
     }
+}
+
+/// What the figure leaves out, in words; empty when it is nothing.
+pub fn not_drawn_text(not_drawn: &[String]) -> String {
+    const SHOWN: usize = 8;
+    if not_drawn.is_empty() {
+        return String::new();
+    }
+    let shown = not_drawn[..not_drawn.len().min(SHOWN)].join(", ");
+    let more = match not_drawn.len().saturating_sub(SHOWN) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!(
+        "\nnote: the figure leaves out the columns {shown}{more}; \
+         `plot` draws those given with --columns\n"
+    )
 }
 
 /// All columns of the table at `path`, when it can be drawn.

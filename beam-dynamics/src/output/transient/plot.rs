@@ -13,6 +13,10 @@ use crate::output::panel::{Panel, SMALL, draw_legend, draw_title, range};
 const MOST_CURVES: usize = 7;
 /// Parts of the width in each of which a curve shows its least and its largest value.
 const PARTS: usize = 1500;
+/// Panels of the figure of a run at most.
+const MOST_PANELS: usize = 12;
+/// Height of a figure at most \[figure pixels\].
+const MOST_HEIGHT: f64 = 20_000.0;
 const LINE: f64 = 3.5;
 /// Heights \[figure pixels\].
 const HEAD: f64 = 90.0;
@@ -121,6 +125,31 @@ impl TimePlot {
         }
     }
 
+    /// Leaves out panels after the first dozen; names of their curves.
+    pub fn shorten(&mut self) -> Vec<String> {
+        let kept = self.panels.len().min(MOST_PANELS);
+        let left_out = self.panels.drain(kept..).flat_map(|panel| panel.curves);
+        left_out.map(|curve| curve.name).collect()
+    }
+
+    /// Whether one figure can hold all panels.
+    ///
+    /// # Errors
+    /// [`RunFileProblem`]: there are too many.
+    pub fn check_size(&self) -> Result<(), RunFileProblem> {
+        if self.full_height() <= MOST_HEIGHT {
+            return Ok(());
+        }
+        let curves = self.panels.iter().map(|panel| panel.curves.len()).sum();
+        let panels = self.panels.len();
+        Err(RunFileProblem::ManyPanels { curves, panels })
+    }
+
+    fn full_height(&self) -> f64 {
+        let panels = self.panels.iter().map(|panel| self.height(panel));
+        HEAD + panels.sum::<f64>() + FOOT - GAP
+    }
+
     /// Height of the frame of a panel: a path has the scale of its other axis.
     fn frame(&self, curves: &Curves) -> f64 {
         if curves.unit != self.path_unit {
@@ -142,13 +171,7 @@ impl TimePlot {
     /// # Errors
     /// [`OutputProblem`]: another ending, or a file that cannot be written.
     pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        let panels = self
-            .panels
-            .iter()
-            .map(|panel| self.height(panel))
-            .sum::<f64>();
-        let height = HEAD + panels + FOOT - GAP;
-        write_figure(path, (WIDTH, height.ceil() as u32), self)
+        write_figure(path, (WIDTH, self.full_height().ceil() as u32), self)
     }
 }
 

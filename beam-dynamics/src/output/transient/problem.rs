@@ -40,6 +40,14 @@ pub enum RunFileProblem {
         /// Their number.
         rows: usize,
     },
+    /// More than a figure can hold.
+    #[error("{curves} curves in {panels} panels are more than one figure can hold")]
+    ManyPanels {
+        /// Number of curves.
+        curves: usize,
+        /// Number of panels.
+        panels: usize,
+    },
     /// A file that cannot be written.
     #[error(transparent)]
     Output(#[from] OutputProblem),
@@ -55,6 +63,9 @@ impl Explain for RunFileProblem {
             ),
             Self::NoColumn { name, known, .. } => Some(nearest_column(name, known)),
             Self::NoRows { .. } => None,
+            Self::ManyPanels { .. } => {
+                Some("choose columns with --columns, as in --columns 'tip*'".to_owned())
+            }
             Self::Output(problem) => problem.help(),
         }
     }

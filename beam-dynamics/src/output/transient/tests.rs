@@ -331,3 +331,28 @@ fn plots_have_a_panel_for_each_unit_and_all_names() {
             .contains("has 1 rows, expected at least two")
     );
 }
+
+#[test]
+fn figures_of_thousands_of_columns_are_shortened_or_refused() {
+    let mut many = table("a.csv", 3);
+    for k in 0..2000 {
+        many.headings.push(Heading {
+            name: format!("place_{k}"),
+            unit: "m".to_owned(),
+            words: String::new(),
+        });
+        many.columns.push(vec![0.0, 1.0, 2.0]);
+    }
+    let mut plot = TimePlot::new("many", &[many], "time", &[]).unwrap();
+    // Two of millimetres and one number, and seven in each of 286 panels.
+    let told = plot.check_size().unwrap_err().to_string();
+    assert!(told.contains("2003 curves in 288 panels"), "{told}");
+    let left_out = plot.shorten();
+    assert_eq!(left_out.len(), 2000 - 70);
+    assert_eq!(left_out[0], "place_70");
+    plot.check_size().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    plot.save(&folder.path().join("a.svg")).unwrap();
+    let text = super::not_drawn_text(&left_out);
+    assert!(text.contains("place_77 and 1922 more"), "{text}");
+}
