@@ -42,7 +42,8 @@ pub enum TransientFailure {
     SingularPosition(String),
     /// A constraint that was left out does not follow from the others any more.
     #[error(
-        "at {time} s {constraint} at the start, but not any more: it was removed and is off by {value:.3e}"
+        "at {time} s {constraint} at the start, but not any more: it was removed and is off by \
+         {value:.3e}"
     )]
     Broken {
         /// The constraint and what it followed from, in words.

@@ -439,3 +439,30 @@ fn a_parallelogram_at_its_dead_point_is_refused_and_beside_it_runs() {
     assert!(beside.failure.is_none(), "{:?}", beside.failure);
     assert_eq!(beside.remarks.len(), 3, "{:?}", beside.remarks);
 }
+
+// A motor that turns by half a turn within a step, which ends with the ramp: at rest its
+// constraints are fulfilled too.
+#[test]
+fn a_rotation_that_a_step_leaves_half_a_turn_off_ends_the_run() {
+    let nodes = vec![node("a", Vector3::x(), Matrix3::identity())];
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
+    let jump = Drive::Ramp(Ramp {
+        from: 0.0,
+        to: std::f64::consts::PI,
+        start: 0.011,
+        end: 0.012,
+        smooth: false,
+    });
+    let motor = ConstraintJoint::revolute("motor", &ends, &at, Some(Turning::Angle(jump)));
+    let elements: Vec<Box<dyn Element>> =
+        vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(motor)];
+    let model = Model::new("jump", System::new(nodes, elements));
+    let failure = run(&model, &TransientQuestion::new(0.05, 0.01)).1.failure;
+    let text = failure.map_or_else(String::new, |failure| failure.to_string());
+    let expected = "at 0.012 s a driven rotation is held half a turn off: \"motor\"";
+    assert_eq!(text, expected);
+}
