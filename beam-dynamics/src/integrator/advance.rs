@@ -352,11 +352,11 @@ impl Integrator {
     ) -> StepFailure {
         let worst = self.corrector.worst();
         let local_error = match (&self.stepping, error) {
-            (Stepping::Variable(control), Some(error)) => Some(LocalError {
+            (Stepping::Variable(control), Some(error)) => Some(Box::new(LocalError {
                 error: error * control.tolerance,
                 tolerance: control.tolerance,
                 unknown: dae.describe_error(&self.difference),
-            }),
+            })),
             _ => None,
         };
         StepFailure {

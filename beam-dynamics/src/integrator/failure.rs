@@ -76,7 +76,7 @@ pub struct StepFailure {
     /// The worst equation in words: what and whose.
     pub equation: String,
     /// The local error of the step that was tried last, where it is what was too large.
-    pub local_error: Option<LocalError>,
+    pub local_error: Option<Box<LocalError>>,
     /// Iterations of the step that was tried last.
     pub history: Vec<Iteration>,
 }
