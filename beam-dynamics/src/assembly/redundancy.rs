@@ -59,8 +59,8 @@ pub struct Redundant {
     pub direction: String,
     /// Names of the elements from whose constraints it follows, each once.
     pub from: Vec<String>,
-    /// The constraints from which it follows, with the coefficients of the sum.
-    pub combination: Vec<(usize, f64)>,
+    /// The constraints from which it follows, with the coefficients of the sum [-].
+    combination: Vec<(usize, f64)>,
 }
 
 impl Redundant {
