@@ -172,6 +172,12 @@ impl<E: Equations> Dae for System<E> {
         sizes.fold(0.0, |size, (value, _)| size.max(value.abs()))
     }
 
+    fn describe_error(&self, difference: &[f64]) -> String {
+        let sizes = difference.iter().map(|value| value.abs()).enumerate();
+        let largest = sizes.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+        format!("unknown {}, off by {:.3e}", largest.0, largest.1)
+    }
+
     fn error(&self, difference: &[f64]) -> f64 {
         let sizes = E::POSITIONS.iter().map(|&i| difference[i].abs());
         sizes.fold(0.0, f64::max)
