@@ -209,20 +209,25 @@ fn run(
         code = NOT_REACHED;
     }
     let title = format!("{}: run in time", input.model.name);
-    match watched.files.finish(&title, &(head + &text)) {
+    code.max(finish(watched.files, (&title, &(head + &text)), terminal))
+}
+
+/// Ends the files of a run and names them.
+fn finish(files: RunFiles<'_>, (title, text): (&str, &str), terminal: &mut Terminal<'_>) -> u8 {
+    match files.finish(title, text) {
         Ok(written) => {
             terminal.show("\nWritten\n");
             for file in &written.files {
                 terminal.show(&format!("  {}\n", file.display()));
             }
             terminal.show(&not_drawn_text(&written.not_drawn));
+            DONE
         }
         Err(problem) => {
             terminal.tell(&problem);
-            code = NOT_REACHED;
+            NOT_REACHED
         }
     }
-    code
 }
 
 /// What is run, told before it is.

@@ -111,29 +111,20 @@ pub(in crate::input) fn from_file(table: &Table<'_>, of: [&str; 2]) -> Option<(S
     Some((file, table.document().keep(rows)?))
 }
 
-/// The two columns of a CSV text with a heading; the first two unless they are named.
-/// Empty lines and lines that begin with `#` do not count.
-fn rows(
-    text: &str,
-    file: &str,
+/// Where the two columns stand in the heading, on line `first` of `file`.
+fn places(
+    heading: &[String],
     columns: Option<&[String]>,
+    (file, first): (&str, usize),
     of: [&str; 2],
-) -> Result<Vec<Row>, Diagnostics> {
-    let mut reader = csv::ReaderBuilder::new()
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_reader(text.as_bytes());
-    let headers = reader.headers().cloned().unwrap_or_default();
-    let heading: Vec<_> = headers.iter().map(str::to_owned).collect();
-    let first = line(text, &headers);
+) -> Result<[usize; 2], Diagnostics> {
     let mut problems = Diagnostics::new();
     let mut place = |i: usize| match columns {
         None => (i < heading.len()).then_some(i),
         Some(names) => {
             let found = heading.iter().position(|own| *own == names[i]);
             if found.is_none() {
-                let (name, known) = (names[i].clone(), heading.clone());
+                let (name, known) = (names[i].clone(), heading.to_vec());
                 let problem = DriveProblem::NoColumn { name, known };
                 problems.push(Place::line(file, first), &problem);
             }
@@ -154,6 +145,27 @@ fn rows(
         }
         return Err(problems);
     };
+    Ok([time, value])
+}
+
+/// The two columns of a CSV text with a heading; the first two unless they are named.
+/// Empty lines and lines that begin with `#` do not count.
+fn rows(
+    text: &str,
+    file: &str,
+    columns: Option<&[String]>,
+    of: [&str; 2],
+) -> Result<Vec<Row>, Diagnostics> {
+    let mut reader = csv::ReaderBuilder::new()
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .from_reader(text.as_bytes());
+    let headers = reader.headers().cloned().unwrap_or_default();
+    let heading: Vec<_> = headers.iter().map(str::to_owned).collect();
+    let first = line(text, &headers);
+    let [time, value] = places(&heading, columns, (file, first), of)?;
+    let mut problems = Diagnostics::new();
     let mut rows = Vec::new();
     let mut wrong = Vec::new();
     // Reading text from memory and with rows of any length, nothing can fail.
