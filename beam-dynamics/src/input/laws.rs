@@ -127,7 +127,9 @@ fn term<const N: usize>(table: &Table<'_>, of: &Components<N>, draft: &Draft) ->
     let kind = kinds::read(table, of);
     let prestrain = driven(table, ["prestrain", "prestrain_drive"], &of.strain, draft);
     let prestress = driven(table, ["prestress", "prestress_drive"], &of.force, draft);
-    table.finish();
+    if kinds::is_known(table) {
+        table.finish();
+    }
     let term = Term {
         kind: kind?,
         prestrain: prestrain?,

@@ -16,7 +16,9 @@ pub(super) fn read(output: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
     let mut lines: Vec<usize> = Vec::new();
     for table in output.tables("column") {
         let found = card(&table, draft);
-        table.finish();
+        if is_known(&table) {
+            table.finish();
+        }
         complete &= found.is_some();
         for column in found.into_iter().flatten() {
             let name = &column.name;
@@ -99,6 +101,12 @@ fn kind(table: &Table<'_>) -> Option<&'static Kind> {
     let words = KINDS.map(|kind| kind.0);
     table.require_text("quantity", "a quantity such as \"position\"")?;
     Some(&KINDS[table.word("quantity", &words)?])
+}
+
+/// Whether the keys of a card are those of a quantity: of an unknown one none is wrong.
+fn is_known(table: &Table<'_>) -> bool {
+    let is_one = |word: String| KINDS.iter().any(|kind| kind.0 == word);
+    !table.is_text("quantity") || table.text("quantity").is_some_and(is_one)
 }
 
 fn factor(table: &Table<'_>, unit: &str, dimension: Dimension) -> Option<f64> {

@@ -237,11 +237,10 @@ fn all_that_is_wrong_is_told_with_the_nearest_name() {
     }
 }
 
-// The arm is turned by 0.5 rad about the pin and moved by 3 mm, which the pin sees.
-#[test]
-fn joints_and_drives_are_found_at_a_state() {
+/// An arm on a pin at the tip, and columns of both.
+fn arm() -> String {
     let column = card;
-    let cards = [
+    [
         "[[node]]\nname = \"arm\"\nposition = [2, 0, 0]\n".to_owned(),
         "[[body]]\nnode = \"arm\"\nmass = 1\ninertia = [1, 1, 1]\n".to_owned(),
         "[[hinge]]\nname = \"pin\"\nnodes = [\"the tip\", \"arm\"]\naxis = [0, 0, 1]\n".to_owned(),
@@ -272,8 +271,14 @@ fn joints_and_drives_are_found_at_a_state() {
             "in = \"second\"\ncomponent = \"y\"",
         ),
         column("push", "drive", "= 2*t", "unit = \"kN\""),
-    ];
-    let input = input(&cards.concat()).unwrap();
+    ]
+    .concat()
+}
+
+// The arm is turned by 0.5 rad about the pin and moved by 3 mm, which the pin sees.
+#[test]
+fn joints_and_drives_are_found_at_a_state() {
+    let input = input(&arm()).unwrap();
     let mut state = input.model.system.rest();
     state.nodes[3].rotation = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.5));
     state.nodes[3].position.y += 3e-3;
@@ -291,15 +296,15 @@ fn joints_and_drives_are_found_at_a_state() {
     };
     let mut out = [0.0; 7];
     ColumnValues::new(&input.model, &input.output).evaluate(&moment, &mut out);
-    let [angle, turned, slip, force, plain, side, push] = out;
+    let [angle, turned, slip, side, up, force, push] = out;
     assert_relative_eq!(angle, 0.5, epsilon = 1e-14);
-    // The axes of the pin: x along its axis, z of the model; y against y of the model.
+    // The axes of the pin: x along its axis, z of the model.
     assert_relative_eq!(turned, 0.5_f64.to_degrees(), epsilon = 1e-12);
-    assert_relative_eq!(slip, -3.0, epsilon = 1e-12);
-    // Those of the second end are turned by the angle.
+    assert_relative_eq!(slip, 3.0, epsilon = 1e-12);
+    // Those of the second end are turned by the angle about x.
     let (sine, cosine) = 0.5_f64.sin_cos();
-    assert!(plain.hypot(side) > 0.5, "{plain} {side}");
-    assert_relative_eq!(force, sine * plain - cosine * side, epsilon = 1e-12);
+    assert!(side.hypot(up) > 0.5, "{side} {up}");
+    assert_relative_eq!(force, cosine * side + sine * up, epsilon = 1e-12);
     // A drive of plain numbers counts in the units of the file: 14 N.
     assert_relative_eq!(push, 14e-3, epsilon = 1e-15);
 }

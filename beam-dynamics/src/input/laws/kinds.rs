@@ -26,6 +26,14 @@ const KINDS: [&str; 8] = [
     "section",
 ];
 
+/// Whether the keys of a term are those of a kind: of an unknown one none is wrong.
+pub(super) fn is_known(table: &Table<'_>) -> bool {
+    !table.is_text("kind")
+        || table
+            .text("kind")
+            .is_some_and(|kind| KINDS.contains(&&*kind))
+}
+
 /// The function of a term.
 pub(super) fn read<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
     if !table.has("kind") {

@@ -71,7 +71,14 @@ impl<'a> Grids<'a> {
         let file = format!("step_{:07}.vtu", moment.step);
         let file = results.field(FIELDS, &file, grid)?;
         self.series.add(moment.time, file);
-        write_text(&results.path(SERIES), &self.series.text())
+        // Replaced when it is complete, so that a run that is killed leaves a whole one.
+        let path = results.path(SERIES);
+        let new = path.with_extension("pvd.new");
+        write_text(&new, &self.series.text())?;
+        std::fs::rename(&new, &path).map_err(|error| OutputProblem::File {
+            file: path.display().to_string(),
+            reason: error.to_string(),
+        })
     }
 }
 
