@@ -198,9 +198,13 @@ fn find_rates(
             state.multipliers.fill(0.0);
             return Ok(());
         }
-        StartAccelerations::Consistent => {
-            if let Some(consistent) = consistent_rates(&model.system, state, conditions) {
-                *state = consistent;
+        StartAccelerations::Consistent | StartAccelerations::AtRest => {
+            let seen = match question.start_accelerations {
+                StartAccelerations::AtRest => at_rest(state),
+                _ => state.clone(),
+            };
+            if let Some(found) = consistent_rates(&model.system, &seen, conditions) {
+                take_rates(state, &found);
                 return Ok(());
             }
             let remark = match model.system.constraint_rates(state, conditions) {
@@ -219,6 +223,27 @@ fn find_rates(
     }
     *state = dummy_rates(model, question, state)?;
     Ok(())
+}
+
+/// The same places without motion.
+fn at_rest(state: &State) -> State {
+    let mut state = state.clone();
+    for node in &mut state.nodes {
+        node.velocity.fill(0.0);
+        node.angular_velocity.fill(0.0);
+        node.momentum.fill(0.0);
+        node.angular_momentum.fill(0.0);
+    }
+    state
+}
+
+/// Takes over rates and multipliers, and nothing else.
+fn take_rates(state: &mut State, found: &State) {
+    for (node, found) in state.nodes.iter_mut().zip(&found.nodes) {
+        node.momentum_rate = found.momentum_rate;
+        node.angular_momentum_rate = found.angular_momentum_rate;
+    }
+    state.multipliers.clone_from(&found.multipliers);
 }
 
 /// Every component that start-up changed visibly.
