@@ -8,7 +8,7 @@
 use crate::assembly::redundancy::Redundant;
 use crate::assembly::{System, massless};
 use crate::case::{Model, TransientQuestion};
-use crate::integrator::{Counters, Integrator, Progress, Stepping};
+use crate::integrator::{Counters, Integrator, Progress};
 use crate::model::{Conditions, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
@@ -26,9 +26,9 @@ mod start;
 mod tests;
 
 pub use failure::{StepTrouble, TransientFailure};
+pub use snapshot::difference;
 pub use start::{Changed, StartChange};
 
-use failure::trouble;
 use multibody::Multibody;
 use start::{Started, start};
 
@@ -299,11 +299,8 @@ impl Run<'_> {
     }
 
     fn trouble(&self, failure: crate::integrator::StepFailure) -> TransientFailure {
-        let wanted = match self.question.stepping {
-            Stepping::Constant { step } => step,
-            Stepping::Variable(_) => failure.length,
-        };
-        let trouble = trouble(failure, self.model, self.dae.state(), wanted);
+        let asked = (self.model, self.question);
+        let trouble = StepTrouble::new(failure, asked, &self.dae);
         TransientFailure::Step(Box::new(trouble))
     }
 }

@@ -26,8 +26,9 @@ use shared_geom::rotation::skew;
 use crate::analysis::balance::{largest_motion, worst};
 use crate::assembly::{Combination, Pattern, Residual, Variation, Workspace};
 use crate::case::Model;
+use crate::elements::Element;
 use crate::integrator::Dae;
-use crate::model::{Conditions, NODE_UNKNOWNS, NodeMotion, State};
+use crate::model::{Conditions, NODE_UNKNOWNS, Name, NodeMotion, State};
 use crate::solver::Worst;
 
 use super::rates::consistent_rates;
@@ -112,6 +113,18 @@ impl<'a> Multibody<'a> {
     /// The latest accepted state.
     pub fn state(&self) -> &State {
         &self.states[0]
+    }
+
+    /// An element without a value at a state that was tried last, and whether it has none at
+    /// the latest accepted state either, at that time.
+    pub fn without_value(&self) -> Option<(&dyn Element, bool)> {
+        let system = &self.model.system;
+        self.trials.iter().find_map(|trial| {
+            let (state, conditions) = (&trial.state, &trial.conditions);
+            let (index, element) = system.without_value(state, conditions)?;
+            let then = system.has_value(index, &self.states[0], conditions);
+            Some((element, !then))
+        })
     }
 
     /// The accepted states, the latest first.
@@ -397,17 +410,14 @@ impl Dae for Multibody<'_> {
         let Some(place) = places.max_by(|a, b| scaled(*a).total_cmp(&scaled(*b))) else {
             return String::new();
         };
-        let (node, component) = (place / NODE_UNKNOWNS, place % NODE_UNKNOWNS);
-        let axis = ["x", "y", "z"][component % 3];
-        let (what, unit) = match component {
-            0..3 => ("position along", "m"),
-            _ => ("rotation about", "rad"),
+        let scale = match place % NODE_UNKNOWNS {
+            0..3 => self.size,
+            _ => 1.0,
         };
-        let (label, off) = (&system.nodes()[node].label, difference[place].abs());
-        format!("{what} {axis} of node \"{label}\", by {off:.3e} {unit}")
+        system.unknown(place).off_by(scaled(place), scale)
     }
 
-    fn describe(&self, place: usize) -> String {
-        self.model.system.describe_equation(place)
+    fn name(&self, place: usize) -> Name {
+        self.model.system.equation(place)
     }
 }

@@ -101,10 +101,10 @@ pub(super) fn start(
     }
     let given = with_velocities(kind, &model.initial);
     let not_placed = |off: Unfulfilled| {
-        let constraint = system.describe_equation(off.place);
+        let constraint = system.equation(off.place);
         match off.is_turned_over {
             true => TransientFailure::TurnedOver {
-                constraint,
+                constraint: constraint.to_string(),
                 time: question.from,
             },
             false => TransientFailure::Places {
@@ -115,7 +115,7 @@ pub(super) fn start(
     };
     let placed = place(system, &given, &conditions, &model.initial).map_err(not_placed)?;
     let not_moving = |off: Unfulfilled| TransientFailure::Velocities {
-        constraint: system.describe_equation(off.place),
+        constraint: system.equation(off.place),
         value: off.value,
     };
     let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;

@@ -219,6 +219,10 @@ impl Element for DistributedLoad {
         &self.nodes
     }
 
+    fn senses(&self) -> bool {
+        self.signal.senses()
+    }
+
     fn domain(&self) -> [f64; 2] {
         self.signal.domain()
     }

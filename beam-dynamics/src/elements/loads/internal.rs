@@ -213,6 +213,10 @@ impl Element for InternalForce {
         &self.nodes
     }
 
+    fn senses(&self) -> bool {
+        self.signal.senses()
+    }
+
     fn domain(&self) -> [f64; 2] {
         self.signal.domain()
     }

@@ -132,6 +132,10 @@ impl Element for NodalLoad {
         &self.nodes
     }
 
+    fn senses(&self) -> bool {
+        self.signal.senses()
+    }
+
     fn domain(&self) -> [f64; 2] {
         self.signal.domain()
     }
