@@ -12,6 +12,7 @@ use crate::integrator::{Counters, Integrator, Progress};
 use crate::model::{Conditions, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
+mod corner;
 mod dummy;
 mod failure;
 mod multibody;
@@ -31,6 +32,10 @@ pub use start::{Changed, StartChange};
 
 use multibody::Multibody;
 use start::{Started, start};
+
+/// Rotation of a node in a step above which it is told: half a percent of a rotation is then
+/// left to the error of the formula \[rad\].
+const FAR_TURN: f64 = 0.3;
 
 /// What a run in time came to; its steps are with the recorder.
 #[derive(Debug)]
@@ -59,6 +64,8 @@ struct Run<'a> {
     output_time: f64,
     /// When the run began, if the parts before this one had been made at once before it [s].
     began: f64,
+    /// The first node that turned far in a step, in words.
+    far_turn: Option<String>,
     /// The system with all its constraints, and those that were taken out.
     removed: (&'a System, &'a [Redundant]),
 }
@@ -113,6 +120,8 @@ pub fn transient(
     run.began = began - resumed.map_or(0.0, |snapshot| snapshot.total_time);
     run.removed = (full, removed);
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
+    outcome.remarks.extend(run.dae.impulses.remarks());
+    outcome.remarks.extend(run.far_turn.take());
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
     outcome.effort.total_time = clock() - run.began;
@@ -135,6 +144,7 @@ fn begin<'a>(
     if let Some(node) = massless::find(&model.system).into_iter().next() {
         return Err(node.into());
     }
+    corner::check_places(model, [question.from, question.to])?;
     let Started {
         state,
         changes,
@@ -160,7 +170,7 @@ fn run<'a>(
         ..
     } = *question;
     let integrator =
-        Integrator::new(&dae, scheme, stepping, newton, from).ok_or(TransientFailure::Structure)?;
+        Integrator::new(&dae, scheme, stepping, newton, from).ok_or(TransientFailure::Memory)?;
     Ok(Run {
         model,
         question,
@@ -170,6 +180,7 @@ fn run<'a>(
         latest: (0.0, 0),
         output_time: 0.0,
         began: 0.0,
+        far_turn: None,
         removed: (&model.system, &[]),
     })
 }
@@ -211,7 +222,16 @@ impl Run<'_> {
             };
             self.step += 1;
             self.latest = (stepped.length, stepped.iterations);
+            if let Some(corner) = self.integrator.corner()
+                && let Err(failure) = corner::place_jump(self.model, &corner)
+            {
+                // The state just before it is sound.
+                self.tell(recorder, clock)?;
+                return Err(failure);
+            }
             self.check_attitudes()?;
+            self.check_springs()?;
+            self.watch_turns(stepped.length);
             self.check_removed()?;
             self.tell(recorder, clock)?;
         }
@@ -230,6 +250,42 @@ impl Run<'_> {
                 time,
             }),
         }
+    }
+
+    /// No spring must have turned by half a turn.
+    fn check_springs(&self) -> Result<(), TransientFailure> {
+        let time = self.integrator.time();
+        let conditions = self.model.conditions_at(time);
+        let states = self.dae.states();
+        match self
+            .model
+            .system
+            .wound([&states[1], &states[0]], &conditions)
+        {
+            None => Ok(()),
+            Some(element) => Err(TransientFailure::Wound {
+                spring: element.label().to_owned(),
+                time,
+            }),
+        }
+    }
+
+    /// Notes the first node that turns far in a step of `length` \[s\].
+    fn watch_turns(&mut self, length: f64) {
+        if self.far_turn.is_some() {
+            return;
+        }
+        let nodes = self.dae.state().nodes.iter();
+        let turns = nodes.map(|node| length * node.angular_velocity.norm());
+        let far = turns.enumerate().find(|(_, turn)| *turn > FAR_TURN);
+        let time = self.integrator.time();
+        self.far_turn = far.map(|(node, turn)| {
+            let label = &self.model.system.nodes()[node].label;
+            format!(
+                "node \"{label}\" turns by {turn:.2} rad in a step at t = {time} s: take steps of \
+                 {FAR_TURN} rad at most, the error of rotations grows with the square"
+            )
+        });
     }
 
     /// The constraints that were taken out must still follow from the others.

@@ -27,11 +27,11 @@ use crate::analysis::balance::{largest_motion, worst};
 use crate::assembly::{Combination, Pattern, Residual, Variation, Workspace};
 use crate::case::Model;
 use crate::elements::Element;
-use crate::integrator::Dae;
+use crate::integrator::{Corner, Dae, Renewal};
 use crate::model::{Conditions, NODE_UNKNOWNS, Name, NodeMotion, State};
 use crate::solver::Worst;
 
-use super::rates::consistent_rates;
+use super::corner::Impulses;
 
 mod own_axes;
 
@@ -57,9 +57,11 @@ struct Trial {
 /// A multibody model as integrators see it.
 #[derive(Debug)]
 pub(super) struct Multibody<'a> {
-    model: &'a Model,
+    pub(super) model: &'a Model,
     /// Accepted states, the latest first.
-    states: [State; KEPT],
+    pub(super) states: [State; KEPT],
+    /// The impulses so far.
+    pub(super) impulses: Impulses,
     trials: Vec<Trial>,
     variations: Vec<Variation>,
     /// Nodes whose angular momentum is integrated in axes that follow their long axis.
@@ -106,6 +108,7 @@ impl<'a> Multibody<'a> {
                 .collect(),
             is_simplified,
             size: size(&rest),
+            impulses: Impulses::default(),
             states,
         }
     }
@@ -269,15 +272,8 @@ impl Dae for Multibody<'_> {
         rates[first..].fill(0.0);
     }
 
-    fn renew(&mut self, time: f64) -> bool {
-        let conditions = self.model.conditions_at(time);
-        match consistent_rates(&self.model.system, &self.states[0], &conditions) {
-            Some(state) => {
-                self.states[0] = state;
-                true
-            }
-            None => false,
-        }
+    fn renew(&mut self, corner: &Corner, step: f64) -> Renewal {
+        self.pass(corner, step)
     }
 
     fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]) {
