@@ -183,5 +183,7 @@ fn data_set(title: &str, headings: &[Heading]) -> Result<DataSet, InvalidDataSet
         set.add_var_attr_string(&heading.name, "units", &heading.unit)?;
         set.add_var_attr_string(&heading.name, "long_name", &heading.words)?;
     }
+    // The convention for axes of time ("CF").
+    set.add_var_attr_string("time", "axis", "T")?;
     Ok(set)
 }
