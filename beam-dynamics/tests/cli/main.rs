@@ -18,6 +18,7 @@ use shared_geom::section::{
 use tempfile::TempDir;
 
 mod loads;
+mod netcdf;
 mod transient;
 
 /// A blade of a strip whose properties are in a file.

@@ -186,6 +186,8 @@ impl TimePlot {
                 let curves = curves.map(|curve| Curve { column, ..curve });
                 panel.curves.extend(curves);
             }
+            // Later runs are drawn upon all curves of earlier ones.
+            panel.curves.sort_by_key(|curve| curve.run);
         }
     }
 

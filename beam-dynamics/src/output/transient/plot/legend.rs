@@ -11,11 +11,11 @@ const ROW: f64 = 1.4 * SMALL;
 /// Length of the line before a name \[figure pixels\].
 const SAMPLE: f64 = 70.0;
 /// Between line, name and next line \[figure pixels\].
-const GAPS: [f64; 2] = [14.0, 36.0];
-/// Width of a letter in its height, a wide one.
-const LETTER: f64 = 0.66;
+const GAPS: [f64; 2] = [14.0, 30.0];
+/// Width of a letter in its height, a wide one: what is wider still is cut off.
+const LETTER: f64 = 0.64;
 
-/// Names in a grid, each with the line it stands for.
+/// Names in rows, each with the line it stands for.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Legend {
     /// Names; without a line where the name is that of all curves.
@@ -25,20 +25,23 @@ pub(super) struct Legend {
 impl Legend {
     /// Height in a figure that has `room` from left to right \[figure pixels\].
     pub fn height(&self, room: f64) -> f64 {
-        let rows = self.entries.len().div_ceil(self.across(room));
-        rows as f64 * ROW
+        let last = self.places(room).last().copied();
+        last.map_or(0.0, |[_, row]| (row + 1.0) * ROW)
     }
 
-    /// Width of an entry \[figure pixels\].
-    fn cell(&self, room: f64) -> f64 {
-        let letters = |(name, _): &(String, Option<Stroke>)| name.chars().count();
-        let most = self.entries.iter().map(letters).max().unwrap_or(0);
-        (SAMPLE + GAPS[0] + GAPS[1] + LETTER * SMALL * most as f64).min(room)
-    }
-
-    /// Entries of a row.
-    fn across(&self, room: f64) -> usize {
-        ((room / self.cell(room)) as usize).max(1)
+    /// From where each entry begins \[figure pixels\], and its row.
+    fn places(&self, room: f64) -> Vec<[f64; 2]> {
+        let (mut x, mut row) = (0.0, 0.0);
+        let mut places = Vec::new();
+        for entry in &self.entries {
+            let width = width(entry);
+            if x > 0.0 && x + width > room {
+                (x, row) = (0.0, row + 1.0);
+            }
+            places.push([x, row]);
+            x += width + GAPS[1];
+        }
+        places
     }
 
     /// Draws the entries from the upper left corner to the right and downward.
@@ -48,11 +51,11 @@ impl Legend {
         [left, top]: [f64; 2],
         room: f64,
     ) -> Result<(), FigureProblem> {
-        let (cell, across) = (self.cell(room), self.across(room));
-        for (k, (name, stroke)) in self.entries.iter().enumerate() {
-            let mut x = left + cell * (k % across) as f64;
-            let y = top + ROW * ((k / across) as f64 + 0.5);
-            let mut rest = cell - GAPS[1];
+        for (entry, [place, row]) in self.entries.iter().zip(self.places(room)) {
+            let (name, stroke) = entry;
+            let mut x = left + place;
+            let y = top + ROW * (row + 0.5);
+            let mut rest = width(entry).min(room - place);
             if let Some(stroke) = stroke {
                 stroke.draw(canvas, &[[x, y], [x + SAMPLE, y]])?;
                 x += SAMPLE + GAPS[0];
@@ -64,4 +67,10 @@ impl Legend {
         }
         Ok(())
     }
+}
+
+/// Width of an entry without the gap behind it \[figure pixels\].
+fn width((name, stroke): &(String, Option<Stroke>)) -> f64 {
+    let letters = LETTER * SMALL * name.chars().count() as f64;
+    letters + stroke.map_or(0.0, |_| SAMPLE + GAPS[0])
 }

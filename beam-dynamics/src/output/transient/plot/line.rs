@@ -43,7 +43,7 @@ impl Stroke {
             false => 0,
         };
         let stroke = Self::of_color(run);
-        let width = stroke.width + 2.5 * above as f64;
+        let width = stroke.width + 1.5 * above as f64;
         Self { width, ..stroke }
     }
 
