@@ -12,7 +12,6 @@ use crate::solver::LinearSolver;
 
 use super::dummy::dummy_rates;
 use super::failure::TransientFailure;
-use super::multibody::size;
 use super::placing::{Unfulfilled, place, set_moving};
 use super::rates::consistent_rates;
 
@@ -137,6 +136,17 @@ fn given(
     conditions: &Conditions,
 ) -> Result<State, TransientFailure> {
     let rest = model.system.rest();
+    let alone;
+    let model = match model.system.independent() {
+        None => model,
+        Some(system) => {
+            alone = Model {
+                system,
+                ..model.clone()
+            };
+            &alone
+        }
+    };
     let speed = match question.start {
         Start::Given => return Ok(rest),
         Start::Equilibrium => 0.0,
@@ -223,7 +233,7 @@ fn find_rates(
 
 /// Every component that start-up changed visibly.
 fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
-    let size = size(given);
+    let size = given.size();
     let fastest = |state: &State| {
         let of = state.nodes.iter().map(|node| {
             node.velocity
@@ -282,7 +292,7 @@ fn turns_as_a_whole(
     speed: f64,
 ) -> Result<(), TransientFailure> {
     let all = vec![InitialMotion::default(); turning.nodes.len()];
-    let fastest = (speed * size(turning)).abs();
+    let fastest = (speed * turning.size()).abs();
     let Ok(held) = set_moving(&model.system, turning, conditions, &all) else {
         return Ok(());
     };
