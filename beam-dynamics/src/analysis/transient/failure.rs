@@ -39,9 +39,9 @@ pub enum TransientFailure {
          only, {0}"
     )]
     SingularPosition(String),
-    /// A constraint that was left out does not follow from the others any more.
+    /// A constraint does not follow from the others any more.
     #[error(
-        "at {time} s {constraint} at the start, but not any more: it was removed and is off by \
+        "at {time} s {constraint} at the start, but not any more: together they are off by \
          {value:.3e}"
     )]
     Broken {

@@ -14,7 +14,6 @@ use crate::solver::LinearSolver;
 
 use super::dummy::dummy_rates;
 use super::failure::TransientFailure;
-use super::multibody::size;
 use super::placing::{Unfulfilled, place, set_moving};
 use super::rates::consistent_rates;
 
@@ -143,6 +142,17 @@ fn given(
     conditions: &Conditions,
 ) -> Result<State, TransientFailure> {
     let rest = model.system.rest();
+    let alone;
+    let model = match model.system.independent() {
+        None => model,
+        Some(system) => {
+            alone = Model {
+                system,
+                ..model.clone()
+            };
+            &alone
+        }
+    };
     let speed = match question.start {
         Start::Given => return Ok(rest),
         Start::Equilibrium => 0.0,
@@ -193,7 +203,7 @@ fn driven_otherwise(
         node.velocity = omega.cross(&(node.position - frame.center));
         node.angular_velocity = omega;
     }
-    let least = FAR * omega.norm() * size(&state).max(1.0);
+    let least = FAR * omega.norm() * state.size().max(1.0);
     let off = system.residual(&state, conditions).values;
     let first = NODE_UNKNOWNS * state.nodes.len();
     let mut off = off[first..].iter();
@@ -290,7 +300,7 @@ fn take_rates(state: &mut State, found: &State) {
 
 /// Every component that start-up changed visibly.
 fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
-    let size = size(given);
+    let size = given.size();
     let fastest = |state: &State| {
         let of = state.nodes.iter().map(|node| {
             node.velocity
@@ -349,7 +359,7 @@ fn turns_as_a_whole(
     speed: f64,
 ) -> Result<(), TransientFailure> {
     let all = vec![InitialMotion::default(); turning.nodes.len()];
-    let fastest = (speed * size(turning)).abs();
+    let fastest = (speed * turning.size()).abs();
     let Ok(held) = set_moving(&model.system, turning, conditions, &all) else {
         return Ok(());
     };

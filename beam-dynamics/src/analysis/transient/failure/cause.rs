@@ -4,7 +4,7 @@
 //! times at which drives have values, and the elements without a value at the state that was
 //! tried last.
 
-use crate::analysis::transient::multibody::{Multibody, size};
+use crate::analysis::transient::multibody::Multibody;
 use crate::case::{Model, TransientQuestion};
 use crate::elements::Element;
 use crate::integrator::{Jacobians, LocalError, Reason, Scheme, StepFailure, StepLimits, Stepping};
@@ -160,7 +160,7 @@ impl<'a> Scene<'a> {
 
     /// A motion that has grown beyond the model.
     fn grown(&self) -> Option<Cause> {
-        let size = size(&self.model.system.rest());
+        let size = self.model.system.rest().size();
         let nodes = self.state.nodes.iter().zip(self.model.system.nodes());
         let far = nodes.map(|(motion, node)| {
             let way = (motion.position - node.position).norm() / size;
