@@ -37,12 +37,15 @@ pub struct Recipe {
     pub is_held: bool,
     /// Angular velocity of all about the first node.
     pub spin: Vector3<f64>,
+    /// Whether the masses have their centers at the nodes.
+    pub is_centered: bool,
     /// Length of the rod between the ends without strain, of that which it has.
     pub relaxed: f64,
 }
 
 /// A mechanism.
 pub struct Parts {
+    is_centered: bool,
     pub chain: Chain,
     /// The last node of each link.
     pub ends: Vec<usize>,
@@ -117,6 +120,7 @@ impl Recipe {
     /// The mechanism, turned about the origin and shifted.
     pub fn parts(&self, turn: &Matrix3<f64>, shift: &Vector3<f64>) -> Parts {
         let mut parts = Parts {
+            is_centered: self.is_centered,
             chain: Chain::new(),
             ends: Vec::new(),
             mass: 0.0,
@@ -170,7 +174,10 @@ impl Parts {
     }
 
     /// Gives a node the mass of a rigid body.
-    fn add_mass(&mut self, node: usize, inertia: RigidInertia) {
+    fn add_mass(&mut self, node: usize, mut inertia: RigidInertia) {
+        if self.is_centered {
+            inertia.first_moment.fill(0.0);
+        }
         self.mass += inertia.mass;
         let body = RigidBody::new(format!("mass {}", self.chain.elements.len()), node, inertia);
         self.chain.elements.push(Box::new(body));

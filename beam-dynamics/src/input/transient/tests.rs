@@ -69,6 +69,20 @@ fn every_key_of_the_card_is_read() {
 }
 
 #[test]
+fn every_word_for_the_first_accelerations_is_known() {
+    for (word, expected) in [
+        ("consistent", StartAccelerations::Consistent),
+        ("zero", StartAccelerations::Zero),
+        ("dummy", StartAccelerations::Dummy),
+        ("at-rest", StartAccelerations::AtRest),
+    ] {
+        let card = format!("to = 1\nstep = 0.1\nstart_accelerations = \"{word}\"\n");
+        let input = read(&format!("{BODY}[transient]\n{card}")).unwrap();
+        assert_eq!(input.transient.unwrap().start_accelerations, expected);
+    }
+}
+
+#[test]
 fn what_is_wrong_is_told_at_once_with_its_line() {
     let text = refused("from = 2\nto = 1\nstep = -1\nscheme = \"bdf3\"\nzeta = 1\nradios = 1");
     for part in [

@@ -40,6 +40,10 @@ fn a_pendulum_starts_without_oscillation() {
     let [start, step] = first(StartAccelerations::Dummy);
     assert!((start - 1.0).abs() < 1e-3, "{start}");
     assert!((step - 1.02).abs() < 2e-4, "{step}");
+    // Without the centripetal term gravity, across the rod, leaves the tension zero.
+    let [start, step] = first(StartAccelerations::AtRest);
+    assert!(start < 1e-12, "{start}");
+    assert!((step - 2.02).abs() < 1e-3, "{step}");
     let [start, step] = first(StartAccelerations::Zero);
     assert!(start == 0.0 && (step - 1.02).abs() > 0.5, "{start} {step}");
 }
