@@ -191,7 +191,11 @@ fn save_svg(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(),
         canvas.area().present()?;
     }
     let drawn = format!("<svg width=\"{}\" height=\"{}\"", fine.0, fine.1);
-    let shown = format!("<svg width=\"{}\" height=\"{}\"", size.0, size.1);
+    // Sharp corners of dense curves are no spikes.
+    let shown = format!(
+        "<svg width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"",
+        size.0, size.1
+    );
     let text = text.replacen(&drawn, &shown, 1);
     std::fs::write(path, text).map_err(|error| unwritable(path, error))
 }

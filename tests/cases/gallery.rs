@@ -11,7 +11,7 @@ use crate::workplace::{Workplace, root};
 const PAGE: &str = "docs/src/gallery.md";
 
 /// The blocks of a page: what each is marked with, its first line (from one), its text.
-fn blocks(page: &str) -> Vec<(&str, usize, String)> {
+pub fn blocks(page: &str) -> Vec<(&str, usize, String)> {
     let mut blocks = Vec::new();
     let mut open = None;
     for (number, line) in page.lines().enumerate() {
@@ -29,7 +29,7 @@ fn blocks(page: &str) -> Vec<(&str, usize, String)> {
 }
 
 /// The commands of a block, with lines that end in a backslash joined.
-fn commands(block: &str) -> Vec<String> {
+pub fn commands(block: &str) -> Vec<String> {
     let joined = block.replace("\\\n", " ");
     let lines = joined.lines().map(str::trim);
     let commands = lines.filter(|line| !line.is_empty() && !line.starts_with('#'));

@@ -1,10 +1,11 @@
-//! The cases of the sections, run as their pages say: `cases/section/<name>` and the
-//! gallery of the book.
+//! The cases, run as their pages say: `cases/section/<name>`, `cases/dynamics/<name>` and
+//! the gallery of the book.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod expected;
 mod gallery;
+mod motions;
 #[path = "../common/record.rs"]
 mod record;
 mod workplace;

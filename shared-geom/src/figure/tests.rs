@@ -33,7 +33,9 @@ fn png_has_its_size_and_svg_its_text() {
     save(&svg, (60, 40), &Sample).unwrap();
     let text = std::fs::read_to_string(&svg).unwrap();
     assert!(
-        text.starts_with("<svg width=\"60\" height=\"40\" viewBox=\"0 0 480 320\""),
+        text.starts_with(
+            "<svg width=\"60\" height=\"40\" stroke-linejoin=\"round\" viewBox=\"0 0 480 320\""
+        ),
         "{text}"
     );
     assert!(text.contains("a &lt; b"));

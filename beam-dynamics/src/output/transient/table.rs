@@ -43,7 +43,7 @@ impl TimeTable {
         self.columns.first().map_or(0, Vec::len)
     }
 
-    /// Leaves the rows between two times [s].
+    /// Leaves the rows between two times \[s\].
     pub fn between(&mut self, from: f64, to: f64) {
         let Some(place) = self.headings.iter().position(|h| h.name == "time") else {
             return;
