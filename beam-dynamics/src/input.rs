@@ -222,6 +222,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let times = questions.as_ref().and_then(Questions::times);
     if let Some(times) = times {
         draft.drives().check(document, times);
+        draft.drives().check_corners(document, times);
     }
     let start = times.map_or(0.0, |[start, _]| start);
     draft.drives().check_start(document, start);

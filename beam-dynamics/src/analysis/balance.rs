@@ -29,16 +29,12 @@ impl<'a> Balance<'a> {
         conditions: Conditions,
         state: State,
     ) -> Self {
-        let nodes = system.nodes();
-        let first = nodes.first().map_or_else(Vector3::zeros, |n| n.position);
-        let reach = nodes.iter().map(|node| (node.position - first).norm());
-        let size = reach.fold(0.0, f64::max);
         Self {
             system,
             solver,
             conditions,
             state,
-            size: if size > 0.0 { size } else { 1.0 },
+            size: system.rest().size(),
         }
     }
 

@@ -4,17 +4,22 @@ use std::sync::Arc;
 
 use layout::Layout;
 pub use layout::Workspace;
+pub use loops::Loop;
+pub use sharing::Sharing;
 
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
 use crate::elements::{Element, Local, LocalJacobian, Observations};
 use crate::model::{Conditions, Node, NodeMotion, Numbering, State};
 
+mod constraints;
 mod growth;
 mod layout;
+mod loops;
 mod names;
 mod rates;
 mod removal;
+mod sharing;
 mod step;
 mod told;
 
@@ -29,6 +34,9 @@ pub struct System {
     layouts: Vec<Layout>,
     /// Numbers of nodes and of multipliers that elements have.
     sizes: Vec<(usize, usize)>,
+    /// Loops in which constraints share their loads, and their compliance [m/N].
+    loops: Vec<Loop>,
+    compliance: f64,
 }
 
 /// Residual, and what each equation is to be measured against.
@@ -69,6 +77,8 @@ impl System {
             pattern: Arc::new(Pattern::new(0, Vec::new())),
             layouts: Vec::new(),
             sizes: Vec::new(),
+            loops: Vec::new(),
+            compliance: 0.0,
             nodes,
             elements,
             numbering,
@@ -97,6 +107,7 @@ impl System {
             entries.extend(marked.map(place));
             evaluated.push((rows, jacobian));
         }
+        entries.extend(self.shared_entries());
         let pattern = Pattern::new(n, entries);
         for (element, (rows, jacobian)) in self.elements.iter().zip(evaluated) {
             let size = (element.nodes().len(), element.multipliers());

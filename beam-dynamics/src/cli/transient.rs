@@ -196,8 +196,8 @@ fn run(
         ));
         code = NOT_REACHED;
     }
-    let title = format!("{}: run in time", input.model.name);
-    code.max(finish(watched.files, (&title, &(head + &text)), terminal))
+    let title = &input.model.name;
+    code.max(finish(watched.files, (title, &(head + &text)), terminal))
 }
 
 /// Ends the files of a run and names them.

@@ -35,6 +35,19 @@ impl ConstraintWords {
     }
 }
 
+/// A jump of what a drive holds in place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaceJump {
+    /// What is held, in words.
+    pub what: String,
+    /// Its value before the jump [`Self::unit`].
+    pub from: f64,
+    /// Its value after the jump [`Self::unit`].
+    pub to: f64,
+    /// The unit of both.
+    pub unit: &'static str,
+}
+
 /// How the constraints of an element change by themselves.
 ///
 /// With `Phi_y` the derivatives by spatial variations of position and rotation, the

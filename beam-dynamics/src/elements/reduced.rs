@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
+use nalgebra::Vector3;
+
 use super::{
     Along, ConstraintRates, ConstraintWords, Element, Energy, Level, Local, LocalJacobian,
-    LocalResidual, Motion, Observations,
+    LocalResidual, Motion, Observations, PlaceJump,
 };
+use crate::model::{Loading, NodeMotion};
 
 /// Number of multipliers of all but unusual elements.
 const FEW: usize = 16;
@@ -84,6 +87,20 @@ impl Element for ReducedElement {
 
     fn next_corner(&self, time: f64) -> f64 {
         self.element.next_corner(time)
+    }
+
+    fn jump(&self, between: [&Loading; 2]) -> Option<PlaceJump> {
+        self.element.jump(between)
+    }
+
+    fn held(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
+        let held = self.element.held(undeformed)?;
+        let reduced = Self::new(Arc::from(held), self.removed.clone());
+        Some(Box::new(reduced))
+    }
+
+    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        self.element.winding(at)
     }
 
     fn is_turned_over(&self, at: &Local<'_>) -> bool {

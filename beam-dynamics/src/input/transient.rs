@@ -145,7 +145,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
     let accelerations = word(
         table,
         "start_accelerations",
-        &["consistent", "zero", "dummy"],
+        &["consistent", "zero", "dummy", "at-rest"],
     );
     let redundant = word(table, "redundant", &["error", "remove"]);
     let [from, to] = times?;
@@ -161,6 +161,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
             StartAccelerations::Consistent,
             StartAccelerations::Zero,
             StartAccelerations::Dummy,
+            StartAccelerations::AtRest,
         ][accelerations?],
         redundant: [Redundant::Error, Redundant::Remove][redundant?],
     })

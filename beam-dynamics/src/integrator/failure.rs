@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::advance::MOST_CROWDED;
 use crate::model::Name;
 use crate::solver::{Iteration, Worst};
 
@@ -18,6 +19,8 @@ pub enum Reason {
     NotFinite,
     /// The local error stayed too large.
     LocalError,
+    /// Corners of drives follow one another without end.
+    Corners,
 }
 
 impl Reason {
@@ -29,6 +32,7 @@ impl Reason {
             Self::Singular => "the Jacobian is singular",
             Self::NotFinite => "a residual or a derivative is not a finite number",
             Self::LocalError => "the local error is too large",
+            Self::Corners => "corners of drives follow one another without end",
         }
     }
 
@@ -52,6 +56,11 @@ impl Reason {
             Self::NotFinite => &[
                 "look for drives and laws that are not defined at this time or strain",
                 "allow shorter steps",
+            ],
+            Self::Corners => &[
+                "take a drive with fewer corners: longer intervals, or a random drive with a \
+                 \"band\", which has none",
+                "take shorter steps, if this is what is meant",
             ],
             Self::LocalError => &[
                 "allow a larger local error or shorter steps",
@@ -102,6 +111,9 @@ impl fmt::Display for StepFailure {
             f,
             "no step from {time} s: {reason} at a step of {length:.3e} s (least {least:.3e} s); "
         )?;
+        if self.reason == Reason::Corners {
+            return write!(f, "the last {MOST_CROWDED} steps ended at one each");
+        }
         match &self.local_error {
             Some(local) => write!(
                 f,

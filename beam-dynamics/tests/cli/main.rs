@@ -20,6 +20,7 @@ use tempfile::TempDir;
 
 mod loads;
 mod messages;
+mod netcdf;
 mod transient;
 
 /// A blade of a strip whose properties are in a file.

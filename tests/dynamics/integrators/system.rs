@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use beam_dynamics::assembly::{Combination, Pattern, Residual};
-use beam_dynamics::integrator::Dae;
+use beam_dynamics::integrator::{Corner, Dae, Renewal};
 use beam_dynamics::model::Name;
 use beam_dynamics::solver::Worst;
 use nalgebra::DMatrix;
@@ -100,9 +100,12 @@ impl<E: Equations> Dae for System<E> {
         }
     }
 
-    fn renew(&mut self, time: f64) -> bool {
+    fn renew(&mut self, corner: &Corner, _step: f64) -> Renewal {
         let State { y, rates } = &mut self.latest;
-        self.equations.renew(time, y, rates)
+        match self.equations.renew(corner.after, y, rates) {
+            true => Renewal::Rates,
+            false => Renewal::Unknown,
+        }
     }
 
     fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]) {

@@ -1,8 +1,9 @@
 //! Why a run in time ended before its last instant, in words.
 
-use crate::analysis::steady::NoEquilibrium;
+use crate::analysis::steady::{NoEquilibrium, rpm};
 use crate::assembly::massless::MasslessNode;
 use crate::assembly::redundancy::Redundant;
+use crate::elements::PlaceJump;
 use crate::integrator::StepFailure;
 use crate::model::Name;
 use shared_geom::error::Explain;
@@ -15,12 +16,17 @@ mod step;
 
 pub use step::StepTrouble;
 
+/// A number as it was given, without the digits that round-off adds.
+fn short(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value)
+}
+
 /// Why a run in time ended before its last instant.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum TransientFailure {
-    /// The equations cannot be solved for structural reasons.
-    #[error("the equations of the model have no solution: some unknown is in none of them")]
-    Structure,
+    /// The equations cannot be ordered for their solution.
+    #[error("there is not enough memory for the equations of the model")]
+    Memory,
     /// A node can move, although nothing says how.
     #[error(transparent)]
     Massless(#[from] MasslessNode),
@@ -33,9 +39,9 @@ pub enum TransientFailure {
          only, {0}"
     )]
     SingularPosition(String),
-    /// A constraint that was left out does not follow from the others any more.
+    /// A constraint does not follow from the others any more.
     #[error(
-        "at {time} s {constraint} at the start, but not any more: it was removed and is off by \
+        "at {time} s {constraint} at the start, but not any more: together they are off by \
          {value:.3e}"
     )]
     Broken {
@@ -71,6 +77,17 @@ pub enum TransientFailure {
         /// When [s].
         time: f64,
     },
+    /// The angle of a spring has passed half a turn.
+    #[error(
+        "at {time} s the spring \"{spring}\" has turned by half a turn: its moment would jump to \
+         the other side"
+    )]
+    Wound {
+        /// The spring or hinge.
+        spring: String,
+        /// When [s].
+        time: f64,
+    },
     /// No velocities fulfill the constraints.
     #[error(
         "start: no velocities of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e} {}{}",
@@ -83,11 +100,38 @@ pub enum TransientFailure {
         /// What it is off by [unit of the constraint/s].
         value: f64,
     },
+    /// A velocity is driven at which the model does not turn as a whole.
+    #[error(
+        "start: the model does not turn as a whole at {}: \"{joint}\" drives a velocity that is \
+         off by {off:.3e} rad/s or m/s",
+        rpm(*.speed)
+    )]
+    DrivenOtherwise {
+        /// The joint.
+        joint: String,
+        /// What its velocity is off by [rad/s or m/s].
+        off: f64,
+        /// The speed of rotation [rad/s].
+        speed: f64,
+    },
     /// A part of a model that is to turn as a whole is held, or driven otherwise.
     #[error("start: the model does not go on to turn as a whole: {change}")]
     Held {
         /// The largest change that the constraints ask for.
         change: StartChange,
+    },
+    /// A drive jumps in what it holds in place.
+    #[error(
+        "the drive of \"{joint}\" jumps at {time} s: its {} from {} to {} {}",
+        .jump.what, short(.jump.from), short(.jump.to), .jump.unit
+    )]
+    Jump {
+        /// The joint.
+        joint: String,
+        /// What jumps, from where to where.
+        jump: PlaceJump,
+        /// When [s].
+        time: f64,
     },
     /// A dummy step could not be made.
     #[error("start: dummy steps: {0}")]
@@ -119,7 +163,8 @@ impl TransientFailure {
             Self::Redundant(found) => {
                 return found.first().and_then(Explain::help).unwrap_or_default();
             }
-            Self::Structure | Self::Equilibrium(_) => {
+            Self::Memory => "take fewer elements",
+            Self::Equilibrium(_) => {
                 "hold what is free, or take away the load that nothing can carry"
             }
             Self::Places { .. } => {
@@ -130,6 +175,10 @@ impl TransientFailure {
                 "let the drive start nearer to the attitude in which the nodes are given, or take \
                  shorter steps"
             }
+            Self::Wound { .. } => {
+                "hold the part from turning so far, by a stiffer spring or a stop; the angle of a \
+                 spring is known from half a turn back to half a turn ahead of its undeformed state"
+            }
             Self::Velocities { .. } => {
                 "look for joints that say the same twice and for a position at which the \
                  mechanism is locked"
@@ -139,9 +188,17 @@ impl TransientFailure {
                 "take joints that hold each direction once, and leave out redundant = \"remove\""
             }
             Self::Contradicting(_) => "drive one of them only, or both alike",
+            Self::DrivenOtherwise { .. } => {
+                "drive the joint at the speed of the start, with its sign, or give the start \
+                 another \"speed\"; joints inside the model have the speed zero there"
+            }
             Self::Held { .. } => {
                 "drive what holds the model at the speed of the start, for instance by a joint \
                  whose angle is a ramp"
+            }
+            Self::Jump { .. } => {
+                "no motion follows a jump of a place: let the drive get there by a ramp, which \
+                 may be steep, or drive the speed, which may jump"
             }
             Self::Resume { .. } => "continue with the model and the file that were run before",
             Self::Recorder { .. } => "look at what output says",

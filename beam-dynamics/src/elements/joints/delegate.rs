@@ -40,6 +40,13 @@ macro_rules! is_a_joint {
                 self.joint.next_corner(time)
             }
 
+            fn jump(
+                &self,
+                between: [&crate::model::Loading; 2],
+            ) -> Option<crate::elements::PlaceJump> {
+                self.joint.jump(between)
+            }
+
             fn is_turned_over(&self, at: &crate::elements::Local<'_>) -> bool {
                 self.joint.is_turned_over(at)
             }

@@ -198,6 +198,11 @@ impl Element for Hinge {
         self.joint.constraint_rates(at, out)
     }
 
+    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        let is_loaded = self.spring.stiffness != 0.0;
+        is_loaded.then(|| self.angle(at.nodes) * Vector3::x())
+    }
+
     fn energy(&self, at: &Local<'_>) -> Energy {
         let HingeSpring {
             stiffness, angle, ..

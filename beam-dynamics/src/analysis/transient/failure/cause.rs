@@ -4,8 +4,9 @@
 //! times at which drives have values, and the elements without a value at the state that was
 //! tried last.
 
-use crate::analysis::transient::multibody::{Multibody, size};
+use crate::analysis::transient::multibody::Multibody;
 use crate::case::{Model, TransientQuestion};
+use crate::elements::Element;
 use crate::integrator::{Jacobians, LocalError, Reason, Scheme, StepFailure, StepLimits, Stepping};
 use crate::model::{NodeMotion, State};
 use crate::solver::Iteration;
@@ -87,6 +88,9 @@ impl<'a> Scene<'a> {
 
     /// The likely cause.
     pub fn cause(&self) -> Cause {
+        if self.failure.reason == Reason::Corners {
+            return self.corners();
+        }
         let is_without_value = self.failure.reason == Reason::NotFinite;
         let beyond_table = || is_without_value.then(|| self.beyond_table()).flatten();
         let without_value = || is_without_value.then(|| self.without_value());
@@ -100,6 +104,21 @@ impl<'a> Scene<'a> {
                 (Reason::Singular, _) => singular(),
                 _ => self.not_converged(),
             })
+    }
+
+    /// Corners without end.
+    fn corners(&self) -> Cause {
+        let next = self.model.next_corner(self.failure.time);
+        let mut elements = self.model.system.elements();
+        let has_next = |element: &&dyn Element| element.next_corner(self.failure.time) <= next;
+        let whose = match elements.find(has_next) {
+            Some(element) => format!("\"{}\"", element.label()),
+            None => "gravity".to_owned(),
+        };
+        Cause::new(
+            format!("a drive of {whose}, which has its next corner at {next} s"),
+            self.failure.reason.remedies(),
+        )
     }
 
     /// A drive that has left its table.
@@ -141,7 +160,7 @@ impl<'a> Scene<'a> {
 
     /// A motion that has grown beyond the model.
     fn grown(&self) -> Option<Cause> {
-        let size = size(&self.model.system.rest());
+        let size = self.model.system.rest().size();
         let nodes = self.state.nodes.iter().zip(self.model.system.nodes());
         let far = nodes.map(|(motion, node)| {
             let way = (motion.position - node.position).norm() / size;

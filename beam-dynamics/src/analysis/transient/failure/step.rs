@@ -7,7 +7,7 @@ use super::cause::{Cause, Scene, listed};
 use crate::analysis::transient::multibody::Multibody;
 use crate::assembly::System;
 use crate::case::{Model, TransientQuestion};
-use crate::integrator::StepFailure;
+use crate::integrator::{Reason, StepFailure};
 use crate::model::NODE_UNKNOWNS;
 use crate::solver::Iteration;
 
@@ -37,7 +37,7 @@ impl StepTrouble {
         dae: &Multibody<'_>,
     ) -> Self {
         let Cause { words, remedies } = Scene::new(&failure, (model, question), dae).cause();
-        let is_inexact = failure.local_error.is_some();
+        let is_inexact = failure.local_error.is_some() || failure.reason == Reason::Corners;
         Self {
             acting: match is_inexact {
                 true => Vec::new(),
