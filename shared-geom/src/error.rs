@@ -216,14 +216,18 @@ impl fmt::Display for Diagnostics {
 impl std::error::Error for Diagnostics {}
 
 /// The name of `known` nearest to `found`, if it is near enough to be a slip of
-/// the pen: at most a third of the letters differ, or one begins with the other.
+/// the pen: at most a third of the letters differ, and not all; or one begins with the
+/// other.
 pub fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = found.to_lowercase();
     known
         .into_iter()
         .map(|name| (distance(&lower, &name.to_lowercase()), name))
         .min_by_key(|(distance, _)| *distance)
-        .filter(|(distance, name)| distance * 3 <= name.len().max(found.len()).max(3))
+        .filter(|(distance, name)| {
+            let letters = name.len().max(found.len());
+            *distance < letters && distance * 3 <= letters.max(3)
+        })
         .map(|(_, name)| name)
 }
 
@@ -322,5 +326,7 @@ mod tests {
         assert_eq!(nearest_name("inch", ["in", "ft", "m"]), Some("in"));
         assert_eq!(nearest_name("steal", ["steel", "alu"]), Some("steel"));
         assert_eq!(nearest_name("carbon", ["steel", "alu"]), None);
+        assert_eq!(nearest_name("q", ["n", "m"]), None);
+        assert_eq!(nearest_name("M", ["n", "m"]), Some("m"));
     }
 }

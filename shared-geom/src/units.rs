@@ -106,6 +106,7 @@ impl fmt::Display for Dimension {
             Self::STRESS => "a stress",
             Self::DENSITY => "a density",
             Self::VELOCITY => "a velocity",
+            Self::ACCELERATION => "an acceleration",
             Self::ROTATION_SPEED => "a rotation speed",
             Self::FREQUENCY => "a frequency",
             Self::BENDING_STIFFNESS => "a bending or torsional stiffness",
@@ -214,12 +215,12 @@ pub enum UnitProblem {
         found: String,
     },
     /// A quantity that is not a number and a unit.
-    #[error(
-        "\"{found}\" cannot be read, expected a number, a space and a unit, as in \"73.1 GPa\""
-    )]
+    #[error("\"{found}\" cannot be read, expected {}", quantity_words(*.expected))]
     Quantity {
         /// The quantity as written.
         found: String,
+        /// What was to be measured, where that is known.
+        expected: Option<Dimension>,
     },
     /// A unit of another quantity.
     #[error("\"{found}\" measures {measures}, expected {expected}")]
@@ -231,6 +232,17 @@ pub enum UnitProblem {
         /// What was to be measured.
         expected: Dimension,
     },
+}
+
+/// How a quantity is written, with an example of its kind.
+fn quantity_words(expected: Option<Dimension>) -> String {
+    if expected == Some(Dimension::NUMBER) {
+        return "a number".to_owned();
+    }
+    let unit = expected.filter(|expected| *expected != Dimension::STRESS);
+    let unit = unit.and_then(|expected| NAMES.iter().find(|unit| unit.1 == expected));
+    let example = unit.map_or("73.1 GPa".to_owned(), |unit| format!("3 {}", unit.0));
+    format!("a number, a space and a unit, as in \"{example}\"")
 }
 
 impl Explain for UnitProblem {
@@ -458,7 +470,10 @@ impl Units {
 /// # Errors
 /// [`UnitProblem`]; [`UnitProblem::Quantity`] for a text without a number or a unit.
 pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, UnitProblem> {
-    let malformed = || UnitProblem::Quantity { found: text.into() };
+    let malformed = || UnitProblem::Quantity {
+        found: text.into(),
+        expected: Some(expected),
+    };
     let trimmed = text.trim();
     let (number, unit) = trimmed.split_once(' ').ok_or_else(malformed)?;
     let number: f64 = number.parse().map_err(|_| malformed())?;
@@ -470,7 +485,10 @@ pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, UnitProble
 /// # Errors
 /// As [`parse_quantity`].
 pub fn parse_any(text: &str) -> Result<(f64, Dimension), UnitProblem> {
-    let malformed = || UnitProblem::Quantity { found: text.into() };
+    let malformed = || UnitProblem::Quantity {
+        found: text.into(),
+        expected: None,
+    };
     let (number, unit) = text.trim().split_once(' ').ok_or_else(malformed)?;
     let number: f64 = number.parse().map_err(|_| malformed())?;
     let unit = parse(unit)?;

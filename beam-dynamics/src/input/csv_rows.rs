@@ -16,6 +16,8 @@ pub(super) fn records(text: &str) -> impl Iterator<Item = (usize, csv::StringRec
         .from_reader(text.as_bytes());
     // Reading text from memory and with rows of any length, nothing can fail.
     let records = reader.into_records().filter_map(Result::ok);
+    let is_empty = |record: &csv::StringRecord| record.len() == 1 && record[0].is_empty();
+    let records = records.filter(move |record| !is_empty(record));
     records.map(move |record| (line(text, &record), record))
 }
 

@@ -417,6 +417,7 @@ fn six(value: f64) -> String {
 fn nearest(kind: &str, found: &str, known: &[String]) -> String {
     match nearest_name(found, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"?"),
+        None if known.is_empty() => format!("the file has no {kind}"),
         None => format!("{kind}: {}", shortened(known)),
     }
 }

@@ -84,7 +84,7 @@ pub struct StepFailure {
     /// The worst equation of the last iteration.
     pub worst: Worst,
     /// Its name.
-    pub equation: Name,
+    pub equation: Box<Name>,
     /// The local error of the step that was tried last, where it is what was too large.
     pub local_error: Option<Box<LocalError>>,
     /// Iterations of the step that was tried last.

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Folder;
+use super::messages::page;
 
 /// A key that no card has, nor one like it.
 const STRANGE: &str = "zqj";
@@ -14,11 +15,6 @@ const PAGES: [&str; 5] = [
     "joints.md",
     "time-output.md",
 ];
-
-fn page(name: &str) -> String {
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/src/");
-    std::fs::read_to_string(format!("{root}{name}")).unwrap()
-}
 
 /// Keys that the cards of a file know, as they tell where they find a strange one.
 fn known(folder: &Folder, cards: &str) -> BTreeSet<String> {
@@ -46,7 +42,7 @@ const CARDS: &[&str] = &[
     "[hub]\nZQJ",
     "[sensors.s]\nquantity = \"position\"\nnode = \"a\"\nZQJ",
     "[[repeat]]\nZQJ",
-    "[[frame]]\nZQJ",
+    "[[frame]]\nname = \"f\"\nZQJ",
     "[[node]]\nZQJ",
     "[[blade]]\nZQJ",
     "[[blade]]\nfile = \"b\"\nZQJ",
@@ -173,6 +169,7 @@ fn every_key_of_the_cards_is_in_the_book() {
             format!("`{key}`"),
             format!("{key} ="),
             format!("[{key}"),
+            format!(".{key}]"),
             format!(", {key}, "),
             format!("{{ {key}, "),
             format!(", {key} }}"),

@@ -367,7 +367,7 @@ fn a_free_mechanism_is_told_by_node_and_direction() {
     );
     let run = folder.run(&["modes", "a.dynamics.toml"]);
     assert_eq!((run.code, run.out.as_str()), (2, ""));
-    let expected = "error: a.dynamics.toml: free mechanism: node \"blade/";
+    let expected = "error: a.dynamics.toml:5: free mechanism: node \"blade/";
     assert!(run.err.starts_with(expected), "{}", run.err);
     for motion in ["translation along x", "rotation about z"] {
         assert!(run.err.contains(motion), "{motion} is not in {}", run.err);

@@ -4,7 +4,7 @@
 use super::Folder;
 
 /// A page of the book.
-fn page(name: &str) -> String {
+pub fn page(name: &str) -> String {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/src/");
     std::fs::read_to_string(format!("{root}{name}")).unwrap()
 }
@@ -12,13 +12,9 @@ fn page(name: &str) -> String {
 /// The block of a page that begins with `head`, and the next one.
 fn blocks(page: &str, head: &str) -> [String; 2] {
     let from = page.find(&format!("\n{head}")).unwrap() + 1;
-    let mut parts = page[from..].split("\n```");
-    let first = parts.next().unwrap();
-    let second = parts.nth(1).unwrap();
-    let (_, second) = second.split_once("\n```text\n").unwrap_or_else(|| {
-        let (_, text) = second.split_once('\n').unwrap();
-        ("", text)
-    });
+    let (first, rest) = page[from..].split_once("\n```\n").unwrap();
+    let (_, second) = rest.split_once("```text\n").unwrap();
+    let (second, _) = second.split_once("\n```").unwrap();
     [format!("{first}\n"), second.to_owned()]
 }
 
@@ -55,8 +51,17 @@ fn the_failure_of_the_book_is_told() {
     folder.write("rod.dynamics.toml", &file);
     let run = folder.run(&["transient", "rod.dynamics.toml"]);
     assert_eq!(run.code, 1);
-    let [found, expected] = [&run.err, &told].map(|text| without_numbers(text.trim_end()));
-    assert_eq!(found, expected, "{}", run.err);
+    // Where the mechanism is locked, iterations are as good as chance.
+    let comparable = |text: &str| -> Vec<String> {
+        let text = text.replace("the iteration diverged", "the iteration did not converge");
+        let lines = text.trim_end().lines().map(without_numbers);
+        let lines = lines.map(|line| match line.split_once("and correction: ") {
+            Some((head, _)) => head.to_owned(),
+            None => line,
+        });
+        lines.collect()
+    };
+    assert_eq!(comparable(&run.err), comparable(&told), "{}", run.err);
 }
 
 /// A cart of 1 kg on a rail along x at 1 m/s, and what its place is called.
@@ -159,6 +164,15 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
     (
         "[[load]]\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= if(place > 0.3, -1e5, 1)\"",
         "to = 1\nstep = { first = 0.01, least = 0.002, tolerance = 1e-9 }",
+        &[
+            "the iteration goes to and fro",
+            "\"load 1\"",
+            "make the law smoother",
+        ],
+    ),
+    (
+        "[[load]]\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= if(place > 0.3, -1000, 1)\"",
+        "to = 1\nstep = { first = 0.01, least = 0.0005, tolerance = 1e-10 }",
         &[
             "a force or a stiffness jumps within the step",
             "\"load 1\" acts on what it senses",
@@ -348,4 +362,22 @@ fn files_may_be_written_elsewhere() {
     let run = folder.run(&["transient", "a.dynamics.toml"]);
     assert_eq!(run.code, 2);
     assert!(run.err.contains("not a text file"), "{}", run.err);
+}
+
+// A pin takes away the velocity along the arm and gives the bob the rotation that goes with
+// the other; weights of 1e-8 of what is not said leave as much.
+#[test]
+fn changes_of_a_start_that_does_not_fit_are_told() {
+    let folder = Folder::new();
+    let thrown = BOB.replace("[[body]]", "velocity = [1, -1, 0]\n[[body]]");
+    folder.write("a.dynamics.toml", &thrown);
+    let run = folder.run(&["transient", "a.dynamics.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    for part in [
+        "\nChanged at the start, for the joints to be fulfilled\n",
+        "  velocity of node \"bob\" along x: from 1 to 0 m/s\n",
+        "  angular velocity of node \"bob\" about z: from 0 to -0.99999",
+    ] {
+        assert!(run.out.contains(part), "{part}\n{}", run.out);
+    }
 }

@@ -284,6 +284,10 @@ impl<'a> Table<'a> {
 
     /// Three quantities under `key`, in SI units.
     pub fn vector(&self, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
+        if !self.is_list(key) {
+            self.wrong(key, &format!("an array of 3, each {dimension}"));
+            return None;
+        }
         let numbers = self.quantities(key, dimension)?;
         match numbers[..] {
             [x, y, z] => Some(Vector3::new(x, y, z)),

@@ -270,11 +270,11 @@ impl<'a> Scene<'a> {
                 &["ask for a \"tolerance\" of 1e-10 or more"],
             );
         }
-        // The error falls at least as the square of the step where the motion is smooth.
-        let part = (local.tolerance / local.error).cbrt();
+        // The error falls as the square of the step at a jump of a force, else faster.
+        let part = (local.tolerance / local.error).sqrt();
         let larger = format!("or allow a \"tolerance\" of {:.1e}", 2.0 * local.error);
         if part > MUCH_SHORTER && part.is_finite() {
-            let needed = 0.5 * part * self.failure.length;
+            let needed = part * self.failure.length;
             return Cause {
                 words: format!(
                     "the least step, {least:.3e} s, is too long for the fastest motion: some \
@@ -325,6 +325,10 @@ impl<'a> Scene<'a> {
                 &["leave out \"tolerance\" of newton, or make it larger"],
             );
         }
+        let has_joints = self.model.system.numbering().multipliers() > 0;
+        if has_joints && self.failure.length < CUT * self.wished {
+            return self.locked();
+        }
         if used_up && is_to_and_fro(history) {
             return Cause::new(
                 "the iteration goes to and fro: a law, a drive or what is sensed has a kink or a \
@@ -335,23 +339,20 @@ impl<'a> Scene<'a> {
                 ],
             );
         }
-        match self.failure.length < CUT * self.wished {
-            true => self.locked(),
-            false => self.too_long(),
-        }
+        self.too_long()
     }
 
     /// A state from which no step goes on.
     fn locked(&self) -> Cause {
         let words = "however short the step, it is not made: the mechanism is near a position at \
                      which it is locked or can go two ways, it is driven where it cannot go, or a \
-                     force jumps there";
+                     force has a jump or a kink there, as a contact has";
         Cause::new(
             words.to_owned() + &self.or_feedback(),
             &[
                 "look at the mechanism at this time: joints in line, a rod at its full stretch, a \
                  drive beyond the reach of what it drives",
-                "end the run before, or change the lengths or the drive",
+                "end the run before, or change the lengths or the drive; smooth a law that jumps",
             ],
         )
     }
