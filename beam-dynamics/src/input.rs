@@ -41,6 +41,7 @@ mod modal_damping;
 mod naming;
 mod nodes;
 mod number;
+mod origins;
 mod problem;
 mod properties;
 mod questions;
@@ -68,6 +69,7 @@ pub use joints::JointProblem;
 pub use laws::LawProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
+pub use origins::Origins;
 pub use problem::InputProblem;
 pub use summary::Summary;
 pub use transient::TransientProblem;
@@ -99,6 +101,8 @@ pub struct Input {
     pub free_hinges: Vec<String>,
     /// What the model consists of.
     pub summary: Summary,
+    /// Where the cards of nodes and joints stand.
+    pub origins: Origins,
     /// What the reader must know of the files: defaults that were taken, plausibility.
     pub remarks: Vec<String>,
 }
@@ -128,17 +132,23 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
         && input.modes.is_none()
         && input.statics.is_none()
         && input.buckling.is_none();
+    let place = |node: &str| match input.origins.node(node) {
+        Some(place) => place.clone(),
+        None => Place::file(file),
+    };
     for found in mobility.mechanisms.iter().filter(|_| !only_in_time) {
-        problems.push(Place::file(file), found);
+        problems.push(place(&found.node), found);
     }
     let massless = match input.transient {
         Some(_) => massless::find(&input.model.system),
         None => Vec::new(),
     };
     for found in &massless {
-        problems.push(Place::file(file), found);
+        problems.push(place(&found.node), found);
     }
-    input.remarks.extend(free_hinges(&mobility.free_hinges));
+    if !only_in_time {
+        input.remarks.extend(free_hinges(&mobility.free_hinges));
+    }
     input.free_hinges = mobility.free_hinges;
     problems.into_result(input)
 }
@@ -214,7 +224,9 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     draft.drives().check_start(document, start);
     let ((gravity, gravity_drive), questions) = (gravity?, questions?);
     questions.check(&root, &gravity, &draft.hub()?.spin());
+    let origins = draft.origins(document);
     let mut input = finish(name, draft, questions, measured?)?;
+    input.origins = origins;
     input.model.gravity = gravity;
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
@@ -236,6 +248,7 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         transient: questions.transient,
         measured,
         free_hinges: Vec::new(),
+        origins: Origins::default(),
         summary,
         remarks,
     })

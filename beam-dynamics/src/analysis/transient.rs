@@ -251,6 +251,7 @@ impl Run<'_> {
             constraint: found.map_or_else(String::new, ToString::to_string),
             time: self.integrator.time(),
             value,
+            unit: self.model.system.unit_of_constraint(constraint),
         })
     }
 

@@ -38,8 +38,8 @@ pub struct MasslessNode {
 
 impl Explain for MasslessNode {
     fn help(&self) -> Option<String> {
-        let text = "give the node a [[body]] with mass and inertia, or hold it by a joint, a \
-                    beam or a spring";
+        let text = "give the node mass and inertia by a [[body]], or make it part of a [[beam]], \
+                    or hold it by a joint or a spring";
         Some(text.to_owned())
     }
 }

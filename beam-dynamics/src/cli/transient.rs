@@ -10,7 +10,7 @@ use shared_geom::error::Explain;
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
 use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
-use crate::analysis::transient::{TransientOutcome, transient};
+use crate::analysis::transient::{TransientFailure, TransientOutcome, transient};
 use crate::case::{OutputQuestion, TransientQuestion};
 use crate::input::{Input, is_blade_file, short_number};
 use crate::integrator::{Scheme, Stepping};
@@ -202,7 +202,8 @@ fn run(
     let mut code = DONE;
     if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {
         terminal.tell_text(&format!(
-            "error: {name}: {failure}\n  help: {}; all up to {} s is written",
+            "error: {name}: {failure}{}\n  help: {}; all up to {} s is written",
+            cards_of(input, failure),
             failure.remedy(),
             short_number(outcome.time, 9)
         ));
@@ -210,6 +211,14 @@ fn run(
     }
     let title = format!("{}: run in time", input.model.name);
     code.max(finish(watched.files, (&title, &(head + &text)), terminal))
+}
+
+/// Where the joints stand that a failure is about.
+fn cards_of(input: &Input, failure: &TransientFailure) -> String {
+    let joints = failure.joints().into_iter();
+    let places = joints.filter_map(|joint| Some((input.origins.joint(joint)?, joint)));
+    let lines = places.map(|(place, joint)| format!("\n  {place}: \"{joint}\""));
+    lines.collect()
 }
 
 /// Ends the files of a run and names them.

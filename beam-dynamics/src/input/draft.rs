@@ -6,12 +6,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::{Document, Table};
 
 use super::along::Along;
 use super::drives;
 use super::frames::Frames;
 use super::hub::Hub;
+use super::origins::Origins;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
 use super::sensors::Sensors;
@@ -269,6 +270,15 @@ impl Draft {
         }
         self.labels.insert(key, table.line_of("name"));
         true
+    }
+
+    /// Where the cards of nodes and joints stand.
+    pub fn origins(&self, document: &Document) -> Origins {
+        let nodes = self.names.iter();
+        let nodes = nodes.map(|(name, named)| (name.as_str(), named.line));
+        let joints = self.labels.iter().filter(|((kind, _), _)| *kind == "joint");
+        let joints = joints.map(|((_, name), line)| (name.as_str(), *line));
+        Origins::new(document, nodes, joints)
     }
 
     /// Adds a beam, whose geometry has been checked.

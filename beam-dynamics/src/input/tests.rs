@@ -427,7 +427,9 @@ fn a_list_of_no_blades_is_an_empty_model() {
 #[test]
 fn the_model_as_a_whole_is_checked() {
     assert!(
-        refused(MODES).contains("the model is empty, expected [[blade]], or [[node]] and [[beam]]")
+        refused(MODES).contains(
+            "the model is empty, expected [[blade]], or [[node]] with [[beam]] or [[body]]"
+        )
     );
     let massless = format!(
         "{BLADE}{MODES}[properties.light]\nea = 1\ngay = 1\ngaz = 1\ngj = 1\n\
@@ -457,7 +459,7 @@ fn the_model_as_a_whole_is_checked() {
 fn free_mechanisms_name_node_and_direction() {
     let shown = refused(&format!("{BEAM}{MODES}").replace("[[clamp]]\nnode = \"root\"\n", ""));
     assert!(
-        shown.contains("a.dynamics.toml: free mechanism: node"),
+        shown.contains("a.dynamics.toml:21: free mechanism: node \"tip\""),
         "{shown}"
     );
     assert!(shown.contains("rotation about z"), "{shown}");

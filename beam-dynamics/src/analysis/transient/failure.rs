@@ -43,7 +43,7 @@ pub enum TransientFailure {
     /// A constraint does not follow from the others any more.
     #[error(
         "at {time} s {constraint} at the start, but not any more: together they are off by \
-         {value:.3e}"
+         {value:.3e} {unit}"
     )]
     Broken {
         /// The constraint and what it followed from, in words.
@@ -52,6 +52,8 @@ pub enum TransientFailure {
         time: f64,
         /// What it is off by [unit of the constraint].
         value: f64,
+        /// The unit.
+        unit: &'static str,
     },
     /// Constraints that contradict others.
     #[error("contradicting constraints: {0}")]
@@ -61,13 +63,15 @@ pub enum TransientFailure {
     Equilibrium(#[from] Box<NoEquilibrium>),
     /// No places fulfill the constraints.
     #[error(
-        "start: no places of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e}"
+        "start: no places of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e} {unit}"
     )]
     Places {
         /// The worst constraint in words.
         constraint: String,
         /// What it is off by [unit of the constraint].
         value: f64,
+        /// The unit.
+        unit: &'static str,
     },
     /// A driven rotation is held where its constraints are fulfilled too.
     #[error("at {time} s a driven rotation is held half a turn off: {constraint}")]
@@ -79,13 +83,15 @@ pub enum TransientFailure {
     },
     /// No velocities fulfill the constraints.
     #[error(
-        "start: no velocities of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e}"
+        "start: no velocities of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e} {unit}"
     )]
     Velocities {
         /// The worst constraint in words.
         constraint: String,
         /// What it is off by [unit of the constraint/s].
         value: f64,
+        /// The unit.
+        unit: &'static str,
     },
     /// A part of a model that is to turn as a whole is held, or driven otherwise.
     #[error("start: the model does not go on to turn as a whole: {change}")]
@@ -114,6 +120,23 @@ pub enum TransientFailure {
 }
 
 impl TransientFailure {
+    /// Names of the joints that it is about, each once, where it tells of several.
+    pub fn joints(&self) -> Vec<&str> {
+        let Self::Redundant(found) = self else {
+            return Vec::new();
+        };
+        let mut names = Vec::new();
+        for found in found {
+            let all = std::iter::once(&found.joint).chain(&found.from);
+            for name in all.map(String::as_str) {
+                if !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+        }
+        names
+    }
+
     /// What to do about it.
     pub fn remedy(&self) -> String {
         let fixed = match self {

@@ -99,6 +99,7 @@ pub(super) fn start(
         turns_as_a_whole(model, &conditions, &kind, speed)?;
     }
     let given = with_velocities(kind, &model.initial);
+    let first = NODE_UNKNOWNS * system.nodes().len();
     let not_placed = |off: Unfulfilled| {
         let constraint = system.describe_equation(off.place);
         match off.is_turned_over {
@@ -109,6 +110,7 @@ pub(super) fn start(
             false => TransientFailure::Places {
                 constraint,
                 value: off.value,
+                unit: system.unit_of_constraint(off.place.saturating_sub(first)),
             },
         }
     };
@@ -116,6 +118,10 @@ pub(super) fn start(
     let not_moving = |off: Unfulfilled| TransientFailure::Velocities {
         constraint: system.describe_equation(off.place),
         value: off.value,
+        unit: match system.unit_of_constraint(off.place.saturating_sub(first)) {
+            "m" | "m/s" => "m/s",
+            _ => "rad/s",
+        },
     };
     let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;
     let changes = changes(model, &given, &state);

@@ -6,6 +6,7 @@ mod bipendulum;
 mod failing;
 mod flexible;
 mod jacobian;
+mod linkages;
 mod models;
 mod rigid;
 mod starting;
