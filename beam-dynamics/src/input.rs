@@ -4,6 +4,7 @@
 //! Every card has its own file, which reads the card and adds what it means to the
 //! model. All problems of a file are told at once, each with file, line and remedy.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use shared_geom::document::{Document, Table, read_text};
@@ -24,9 +25,11 @@ mod blades;
 mod bodies;
 mod clamps;
 mod columns;
+mod csv_rows;
 mod damping;
 mod draft;
 mod drives;
+mod elsewhere;
 mod ends;
 mod frames;
 mod hub;
@@ -41,7 +44,6 @@ mod modal_damping;
 mod naming;
 mod nodes;
 mod number;
-mod origins;
 mod problem;
 mod properties;
 mod questions;
@@ -58,6 +60,8 @@ mod frame_tests;
 #[cfg(test)]
 mod joint_tests;
 #[cfg(test)]
+mod test_files;
+#[cfg(test)]
 mod tests;
 
 pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
@@ -69,7 +73,6 @@ pub use joints::JointProblem;
 pub use laws::LawProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
-pub use origins::Origins;
 pub use problem::InputProblem;
 pub use summary::Summary;
 pub use transient::TransientProblem;
@@ -99,10 +102,12 @@ pub struct Input {
     pub measured: Measured,
     /// Names of the joints that nothing but motion and loads holds.
     pub free_hinges: Vec<String>,
+    /// Where each node is given.
+    pub node_places: Vec<Place>,
     /// What the model consists of.
     pub summary: Summary,
-    /// Where the cards of nodes and joints stand.
-    pub origins: Origins,
+    /// Where each joint is given.
+    pub joint_places: BTreeMap<String, Place>,
     /// What the reader must know of the files: defaults that were taken, plausibility.
     pub remarks: Vec<String>,
 }
@@ -122,7 +127,9 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
 fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
     declare(&document, &document.root());
-    frames::repeat(&mut document);
+    if !frames::repeat(&mut document) {
+        return document.finish(None);
+    }
     let input = cards(&document, name);
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
@@ -132,9 +139,10 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
         && input.modes.is_none()
         && input.statics.is_none()
         && input.buckling.is_none();
-    let place = |node: &str| match input.origins.node(node) {
-        Some(place) => place.clone(),
-        None => Place::file(file),
+    let place = |node: &str| {
+        let mut nodes = input.model.system.nodes().iter().zip(&input.node_places);
+        let found = nodes.find(|(own, _)| own.label == node);
+        found.map_or_else(|| Place::file(file), |(_, place)| place.clone())
     };
     for found in mobility.mechanisms.iter().filter(|_| !only_in_time) {
         problems.push(place(&found.node), found);
@@ -212,21 +220,30 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let questions = questions::read(&root);
     let measured = measured::read(&root);
     let output = columns::read(&root, &draft);
-    root.finish();
+    root.finish_beside(&elsewhere::OF_FILE);
 
     draft.check(&root);
     transient::check(&root, &draft);
     let times = questions.as_ref().and_then(Questions::times);
     if let Some(times) = times {
         draft.drives().check(document, times);
+        draft.drives().check_corners(document, times);
     }
     let start = times.map_or(0.0, |[start, _]| start);
     draft.drives().check_start(document, start);
+    if let (Some(output), Some(questions)) = (&output, &questions) {
+        columns::check(&root, output, questions.transient.as_ref());
+    }
     let ((gravity, gravity_drive), questions) = (gravity?, questions?);
     questions.check(&root, &gravity, &draft.hub()?.spin());
-    let origins = draft.origins(document);
+    let places = draft.initial().map(|(_, _, line)| document.place(line));
+    let node_places = places.collect();
+    let joint_places = draft.joint_lines();
+    let joint_places = joint_places.map(|(name, line)| (name.to_owned(), document.place(line)));
+    let joint_places = joint_places.collect();
     let mut input = finish(name, draft, questions, measured?)?;
-    input.origins = origins;
+    input.node_places = node_places;
+    input.joint_places = joint_places;
     input.model.gravity = gravity;
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
@@ -248,7 +265,8 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         transient: questions.transient,
         measured,
         free_hinges: Vec::new(),
-        origins: Origins::default(),
+        node_places: Vec::new(),
+        joint_places: BTreeMap::new(),
         summary,
         remarks,
     })

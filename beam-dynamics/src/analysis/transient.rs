@@ -8,10 +8,11 @@
 use crate::assembly::massless;
 use crate::assembly::redundancy::Redundant;
 use crate::case::{Model, TransientQuestion};
-use crate::integrator::{Counters, Integrator, Progress, Stepping};
-use crate::model::{Conditions, State};
+use crate::integrator::{Counters, Integrator, Progress};
+use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
+mod corner;
 mod dummy;
 mod failure;
 mod multibody;
@@ -26,11 +27,15 @@ mod start;
 mod tests;
 
 pub use failure::{StepTrouble, TransientFailure};
+pub use snapshot::difference;
 pub use start::{Changed, StartChange};
 
-use failure::trouble;
 use multibody::Multibody;
 use start::{Started, start};
+
+/// Rotation of a node in a step above which it is told: half a percent of a rotation is then
+/// left to the error of the formula \[rad\].
+const FAR_TURN: f64 = 0.3;
 
 /// What a run in time came to; its steps are with the recorder.
 #[derive(Debug)]
@@ -59,6 +64,8 @@ struct Run<'a> {
     output_time: f64,
     /// When the run began, if the parts before this one had been made at once before it [s].
     began: f64,
+    /// The first node that turned far in a step, in words.
+    far_turn: Option<String>,
     /// Constraints that follow from others.
     redundant: &'a [Redundant],
 }
@@ -112,6 +119,8 @@ pub fn transient(
     run.began = began - resumed.map_or(0.0, |snapshot| snapshot.total_time);
     run.redundant = redundant;
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
+    outcome.remarks.extend(run.dae.impulses.remarks());
+    outcome.remarks.extend(run.far_turn.take());
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
     outcome.effort.total_time = clock() - run.began;
@@ -134,6 +143,7 @@ fn begin<'a>(
     if let Some(node) = massless::find(&model.system).into_iter().next() {
         return Err(node.into());
     }
+    corner::check_places(model, [question.from, question.to])?;
     let Started {
         state,
         changes,
@@ -159,7 +169,7 @@ fn run<'a>(
         ..
     } = *question;
     let integrator =
-        Integrator::new(&dae, scheme, stepping, newton, from).ok_or(TransientFailure::Structure)?;
+        Integrator::new(&dae, scheme, stepping, newton, from).ok_or(TransientFailure::Memory)?;
     Ok(Run {
         model,
         question,
@@ -169,6 +179,7 @@ fn run<'a>(
         latest: (0.0, 0),
         output_time: 0.0,
         began: 0.0,
+        far_turn: None,
         redundant: &[],
     })
 }
@@ -211,7 +222,16 @@ impl Run<'_> {
             self.step += 1;
             self.latest = (stepped.length, stepped.iterations);
             let conditions = self.conditions();
+            if let Some(corner) = self.integrator.corner()
+                && let Err(failure) = corner::place_jump(self.model, &corner)
+            {
+                // The state just before it is sound.
+                self.tell(&conditions, recorder, clock)?;
+                return Err(failure);
+            }
             self.check_attitudes(&conditions)?;
+            self.check_springs(&conditions)?;
+            self.watch_turns(stepped.length);
             self.check_redundant()?;
             self.tell(&conditions, recorder, clock)?;
         }
@@ -235,6 +255,41 @@ impl Run<'_> {
         }
     }
 
+    /// No spring must have turned by half a turn.
+    fn check_springs(&self, conditions: &Conditions) -> Result<(), TransientFailure> {
+        let time = self.integrator.time();
+        let states = self.dae.states();
+        match self
+            .model
+            .system
+            .wound([&states[1], &states[0]], conditions)
+        {
+            None => Ok(()),
+            Some(element) => Err(TransientFailure::Wound {
+                spring: element.label().to_owned(),
+                time,
+            }),
+        }
+    }
+
+    /// Notes the first node that turns far in a step of `length` \[s\].
+    fn watch_turns(&mut self, length: f64) {
+        if self.far_turn.is_some() {
+            return;
+        }
+        let nodes = self.dae.state().nodes.iter();
+        let turns = nodes.map(|node| length * node.angular_velocity.norm());
+        let far = turns.enumerate().find(|(_, turn)| *turn > FAR_TURN);
+        let time = self.integrator.time();
+        self.far_turn = far.map(|(node, turn)| {
+            let label = &self.model.system.nodes()[node].label;
+            format!(
+                "node \"{label}\" turns by {turn:.2} rad in a step at t = {time} s: take steps of \
+                 {FAR_TURN} rad at most, the error of rotations grows with the square"
+            )
+        });
+    }
+
     /// Constraints that follow from others must go on to do so.
     fn check_redundant(&self) -> Result<(), TransientFailure> {
         let broken = (self.dae.slack()).filter(|slack| {
@@ -244,6 +299,8 @@ impl Run<'_> {
         let Some((constraint, value)) = broken else {
             return Ok(());
         };
+        let system = &self.model.system;
+        let first = NODE_UNKNOWNS * system.nodes().len();
         let of_it = |one: &&Redundant| one.group().contains(&constraint);
         let found = self.redundant.iter().find(of_it);
         let found = found.or(self.redundant.first());
@@ -251,7 +308,7 @@ impl Run<'_> {
             constraint: found.map_or_else(String::new, ToString::to_string),
             time: self.integrator.time(),
             value,
-            unit: self.model.system.unit_of_constraint(constraint),
+            unit: system.equation(first + constraint).unit,
         })
     }
 
@@ -307,11 +364,8 @@ impl Run<'_> {
     }
 
     fn trouble(&self, failure: crate::integrator::StepFailure) -> TransientFailure {
-        let wanted = match self.question.stepping {
-            Stepping::Constant { step } => step,
-            Stepping::Variable(_) => failure.length,
-        };
-        let trouble = trouble(failure, self.model, self.dae.state(), wanted);
+        let asked = (self.model, self.question);
+        let trouble = StepTrouble::new(failure, asked, &self.dae);
         TransientFailure::Step(Box::new(trouble))
     }
 }

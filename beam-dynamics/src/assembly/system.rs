@@ -10,12 +10,13 @@ pub use sharing::Sharing;
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
 use crate::elements::{Element, Local, LocalJacobian, Observations};
-use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
+use crate::model::{Conditions, Node, NodeMotion, Numbering, State};
 
 mod constraints;
 mod growth;
 mod layout;
 mod loops;
+mod names;
 mod rates;
 mod removal;
 mod sharing;
@@ -201,28 +202,5 @@ impl System {
             element.observe(&at, &mut observations);
         }
         observations
-    }
-
-    /// The equation at a place of the residual, in words: what and whose.
-    pub fn describe_equation(&self, place: usize) -> String {
-        if place < NODE_UNKNOWNS * self.nodes.len() {
-            let node = &self.nodes[place / NODE_UNKNOWNS].label;
-            let row = place % NODE_UNKNOWNS;
-            let equation = Equation::ALL[row / 3].words();
-            let axis = ["x", "y", "z"][row % 3];
-            return format!("{equation} along {axis} of node \"{node}\"");
-        }
-        let of_element = |index: &usize| {
-            let first = self.numbering.first_multiplier_of(*index);
-            (first..first + self.elements[*index].multipliers()).contains(&place)
-        };
-        match (0..self.elements.len()).find(of_element) {
-            Some(index) => {
-                let number = place - self.numbering.first_multiplier_of(index) + 1;
-                let label = self.elements[index].label();
-                format!("constraint {number} of \"{label}\"")
-            }
-            None => format!("equation {place}"),
-        }
     }
 }

@@ -6,13 +6,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::{Document, Table};
+use shared_geom::document::Table;
+use shared_geom::error::nearest_name;
 
 use super::along::Along;
 use super::drives;
 use super::frames::Frames;
 use super::hub::Hub;
-use super::origins::Origins;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
 use super::sensors::Sensors;
@@ -226,6 +226,13 @@ impl Draft {
         let of_broken_blade = name
             .split_once('/')
             .is_some_and(|(blade, _)| self.broken_blades.contains(blade));
+        let known = self.names.keys().map(String::as_str);
+        match nearest_name(name, known).filter(|_| found.is_none()) {
+            // The node that is likely meant has its user.
+            Some(meant) => self.used.extend(self.names[meant].node),
+            None if found.is_none() => self.loose_ends = true,
+            None => {}
+        }
         if found.is_none() && !of_broken_blade {
             let problem = InputProblem::UnknownName {
                 kind: "node",
@@ -237,9 +244,7 @@ impl Draft {
         }
         let node = found.and_then(|named| named.node);
         self.used.extend(node);
-        if node.is_none() {
-            self.note_loose_end();
-        }
+        self.broken |= node.is_none();
         node
     }
 
@@ -272,13 +277,10 @@ impl Draft {
         true
     }
 
-    /// Where the cards of nodes and joints stand.
-    pub fn origins(&self, document: &Document) -> Origins {
-        let nodes = self.names.iter();
-        let nodes = nodes.map(|(name, named)| (name.as_str(), named.line));
+    /// Names of the joints with the lines of their cards.
+    pub fn joint_lines(&self) -> impl Iterator<Item = (&str, usize)> {
         let joints = self.labels.iter().filter(|((kind, _), _)| *kind == "joint");
-        let joints = joints.map(|((_, name), line)| (name.as_str(), *line));
-        Origins::new(document, nodes, joints)
+        joints.map(|((_, name), line)| (name.as_str(), *line))
     }
 
     /// Adds a beam, whose geometry has been checked.

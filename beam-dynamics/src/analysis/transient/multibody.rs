@@ -26,11 +26,12 @@ use shared_geom::rotation::skew;
 use crate::analysis::balance::{largest_motion, worst};
 use crate::assembly::{Combination, Pattern, Residual, Sharing, Variation, Workspace};
 use crate::case::Model;
-use crate::integrator::Dae;
-use crate::model::{Conditions, NODE_UNKNOWNS, NodeMotion, State};
+use crate::elements::Element;
+use crate::integrator::{Corner, Dae, Renewal};
+use crate::model::{Conditions, NODE_UNKNOWNS, Name, NodeMotion, State};
 use crate::solver::Worst;
 
-use super::rates::consistent_rates;
+use super::corner::Impulses;
 
 mod own_axes;
 
@@ -58,9 +59,11 @@ struct Trial {
 /// A multibody model as integrators see it.
 #[derive(Debug)]
 pub(super) struct Multibody<'a> {
-    model: &'a Model,
+    pub(super) model: &'a Model,
     /// Accepted states, the latest first.
-    states: [State; KEPT],
+    pub(super) states: [State; KEPT],
+    /// The impulses so far.
+    pub(super) impulses: Impulses,
     trials: Vec<Trial>,
     variations: Vec<Variation>,
     /// Nodes whose angular momentum is integrated in axes that follow their long axis.
@@ -112,6 +115,7 @@ impl<'a> Multibody<'a> {
                 .collect(),
             is_simplified,
             size: rest.size(),
+            impulses: Impulses::default(),
             slack: None,
             states,
         }
@@ -126,6 +130,18 @@ impl<'a> Multibody<'a> {
     /// The latest accepted state.
     pub fn state(&self) -> &State {
         &self.states[0]
+    }
+
+    /// An element without a value at a state that was tried last, and whether it has none at
+    /// the latest accepted state either, at that time.
+    pub fn without_value(&self) -> Option<(&dyn Element, bool)> {
+        let system = &self.model.system;
+        self.trials.iter().find_map(|trial| {
+            let (state, conditions) = (&trial.state, &trial.conditions);
+            let (index, element) = system.without_value(state, conditions)?;
+            let then = system.has_value(index, &self.states[0], conditions);
+            Some((element, !then))
+        })
     }
 
     /// The accepted states, the latest first.
@@ -256,15 +272,8 @@ impl Dae for Multibody<'_> {
         rates[first..].fill(0.0);
     }
 
-    fn renew(&mut self, time: f64) -> bool {
-        let conditions = self.model.conditions_at(time);
-        match consistent_rates(&self.model.system, &self.states[0], &conditions) {
-            Some(state) => {
-                self.states[0] = state;
-                true
-            }
-            None => false,
-        }
+    fn renew(&mut self, corner: &Corner, step: f64) -> Renewal {
+        self.pass(corner, step)
     }
 
     fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]) {
@@ -407,17 +416,14 @@ impl Dae for Multibody<'_> {
         let Some(place) = places.max_by(|a, b| scaled(*a).total_cmp(&scaled(*b))) else {
             return String::new();
         };
-        let (node, component) = (place / NODE_UNKNOWNS, place % NODE_UNKNOWNS);
-        let axis = ["x", "y", "z"][component % 3];
-        let (what, unit) = match component {
-            0..3 => ("position along", "m"),
-            _ => ("rotation about", "rad"),
+        let scale = match place % NODE_UNKNOWNS {
+            0..3 => self.size,
+            _ => 1.0,
         };
-        let (label, off) = (&system.nodes()[node].label, difference[place].abs());
-        format!("{what} {axis} of node \"{label}\", by {off:.3e} {unit}")
+        system.unknown(place).off_by(scaled(place), scale)
     }
 
-    fn describe(&self, place: usize) -> String {
-        self.model.system.describe_equation(place)
+    fn name(&self, place: usize) -> Name {
+        self.model.system.equation(place)
     }
 }

@@ -401,7 +401,11 @@ pub(super) fn own_rates(system: &System, state: &State, conditions: &Conditions)
 }
 
 /// First derivative of the constraints of positions, and the constraints of velocities.
-fn velocity_constraints(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
+pub(super) fn velocity_constraints(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+) -> Vec<f64> {
     let mut off = values(system, state, conditions, Level::Velocity);
     let by_time = by_time(system, state, conditions);
     let levels = system.levels();

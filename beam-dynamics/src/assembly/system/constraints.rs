@@ -2,7 +2,7 @@
 
 use super::{System, Tangent};
 use crate::elements::{Element, Level};
-use crate::model::{Conditions, NODE_UNKNOWNS, Variable};
+use crate::model::{NODE_UNKNOWNS, Variable};
 
 impl System {
     /// Level of each constraint, in the order of the multipliers.
@@ -13,21 +13,6 @@ impl System {
                 .collect()
         };
         self.elements().flat_map(of).collect()
-    }
-
-    /// Unit of a constraint: that of a length or of an angle, or of its rate.
-    pub fn unit_of_constraint(&self, constraint: usize) -> &'static str {
-        let tangent = self.tangent(&self.rest(), &Conditions::at_rest());
-        let levels = [Level::Position, Level::Velocity];
-        let entries = self.constraint_rows(&tangent, &levels).into_iter();
-        let mut of_it = entries.filter(|entry| entry.0 == constraint && entry.2 != 0.0);
-        let is_length = of_it.any(|entry| entry.1 % NODE_UNKNOWNS < Variable::Rotation.column());
-        match (is_length, self.levels().get(constraint)) {
-            (true, Some(Level::Velocity)) => "m/s",
-            (false, Some(Level::Velocity)) => "rad/s",
-            (true, _) => "m",
-            (false, _) => "rad",
-        }
     }
 
     /// `Phi_y` by its entries: constraint, place of the unknown, value. Constraints of

@@ -1,4 +1,5 @@
-//! A system without some of its constraints, or in which constraints share their loads.
+//! A system without some of its constraints, with others, or in which constraints share
+//! their loads.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -34,6 +35,24 @@ impl System {
         });
         let elements = elements.collect();
         Self::of(self.nodes.clone(), elements)
+    }
+
+    /// The same system with what is driven by velocities held in its undeformed place, see
+    /// [`Element::held`]; the order of the unknowns is the same. `None` where nothing is.
+    #[must_use]
+    pub fn held(&self) -> Option<Self> {
+        let rest = self.rest();
+        let held = self.elements.iter().enumerate().map(|(index, element)| {
+            let nodes = self.motions(index, &rest);
+            element.held(&nodes).map(Arc::<dyn Element>::from)
+        });
+        let held: Vec<_> = held.collect();
+        if held.iter().all(Option::is_none) {
+            return None;
+        }
+        let pairs = self.elements.iter().zip(held);
+        let elements = pairs.map(|(own, held)| held.unwrap_or_else(|| Arc::clone(own)));
+        Some(Self::of(self.nodes.clone(), elements.collect()))
     }
 
     /// The same system, with constraints of which `redundant` follow from others: those of
