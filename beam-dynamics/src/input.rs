@@ -4,6 +4,7 @@
 //! Every card has its own file, which reads the card and adds what it means to the
 //! model. All problems of a file are told at once, each with file, line and remedy.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use shared_geom::document::{Document, Table, read_text};
@@ -105,6 +106,8 @@ pub struct Input {
     pub node_places: Vec<Place>,
     /// What the model consists of.
     pub summary: Summary,
+    /// Where each joint is given.
+    pub joint_places: BTreeMap<String, Place>,
     /// What the reader must know of the files: defaults that were taken, plausibility.
     pub remarks: Vec<String>,
 }
@@ -151,7 +154,9 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     for found in &massless {
         problems.push(place(&found.node), found);
     }
-    input.remarks.extend(free_hinges(&mobility.free_hinges));
+    if !only_in_time {
+        input.remarks.extend(free_hinges(&mobility.free_hinges));
+    }
     input.free_hinges = mobility.free_hinges;
     problems.into_result(input)
 }
@@ -233,8 +238,12 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     questions.check(&root, &gravity, &draft.hub()?.spin());
     let places = draft.initial().map(|(_, _, line)| document.place(line));
     let node_places = places.collect();
+    let joint_places = draft.joint_lines();
+    let joint_places = joint_places.map(|(name, line)| (name.to_owned(), document.place(line)));
+    let joint_places = joint_places.collect();
     let mut input = finish(name, draft, questions, measured?)?;
     input.node_places = node_places;
+    input.joint_places = joint_places;
     input.model.gravity = gravity;
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
@@ -257,6 +266,7 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         measured,
         free_hinges: Vec::new(),
         node_places: Vec::new(),
+        joint_places: BTreeMap::new(),
         summary,
         remarks,
     })

@@ -18,5 +18,5 @@ pub use drive::{
 pub use frame::TurningFrame;
 pub use name::Name;
 pub use node::Node;
-pub use numbering::{Equation, NODE_UNKNOWNS, Numbering, Variable};
+pub use numbering::{Equation, MOTION_WORDS, NODE_UNKNOWNS, Numbering, Variable};
 pub use state::{NodeMotion, State};

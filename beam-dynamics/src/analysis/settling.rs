@@ -13,7 +13,7 @@
 //! References: [KelleyKeyes1998], pseudo-transient continuation.
 
 use super::balance::Balance;
-use crate::model::NODE_UNKNOWNS;
+use crate::model::{MOTION_WORDS, NODE_UNKNOWNS};
 use crate::solver::{Equations, Iteration, Newton, NewtonReport, NewtonStatus, solve};
 
 /// Largest correction of one step, in sizes of the model or radians.
@@ -79,14 +79,6 @@ fn step(balance: &Balance<'_>, sigma: f64, residual: &[f64]) -> Option<Vec<f64>>
 
 /// The node that moves most, and how, in the motion that masses alone resist.
 pub(super) fn free_motion(balance: &Balance<'_>) -> Option<String> {
-    const WORDS: [&str; 6] = [
-        "displacement along x",
-        "displacement along y",
-        "displacement along z",
-        "rotation about x",
-        "rotation about y",
-        "rotation about z",
-    ];
     let system = balance.system;
     let nodes = system.nodes().len();
     let (residual, _) = balance.clone().residual();
@@ -103,5 +95,8 @@ pub(super) fn free_motion(balance: &Balance<'_>) -> Option<String> {
     let most = (0..NODE_UNKNOWNS * nodes).max_by(|a, b| part(a).total_cmp(&part(b)))?;
     let (node, unknown) = (most / NODE_UNKNOWNS, most % NODE_UNKNOWNS);
     let label = &system.nodes()[node].label;
-    Some(format!("{} of node \"{label}\"", WORDS.get(unknown)?))
+    Some(format!(
+        "{} of node \"{label}\"",
+        MOTION_WORDS.get(unknown)?
+    ))
 }

@@ -9,7 +9,7 @@ use crate::assembly::massless;
 use crate::assembly::redundancy::Redundant;
 use crate::case::{Model, TransientQuestion};
 use crate::integrator::{Counters, Integrator, Progress};
-use crate::model::{Conditions, State};
+use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
 mod corner;
@@ -299,6 +299,8 @@ impl Run<'_> {
         let Some((constraint, value)) = broken else {
             return Ok(());
         };
+        let system = &self.model.system;
+        let first = NODE_UNKNOWNS * system.nodes().len();
         let of_it = |one: &&Redundant| one.group().contains(&constraint);
         let found = self.redundant.iter().find(of_it);
         let found = found.or(self.redundant.first());
@@ -306,6 +308,7 @@ impl Run<'_> {
             constraint: found.map_or_else(String::new, ToString::to_string),
             time: self.integrator.time(),
             value,
+            unit: system.equation(first + constraint).unit,
         })
     }
 

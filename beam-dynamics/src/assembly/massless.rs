@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
 use super::mechanism::finite;
 use super::{System, Tangent};
-use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Variable};
+use crate::model::{Conditions, Equation, MOTION_WORDS, NODE_UNKNOWNS, Variable};
 use shared_geom::error::Explain;
 
 /// A mass below this part of the largest is none.
@@ -38,8 +38,8 @@ pub struct MasslessNode {
 
 impl Explain for MasslessNode {
     fn help(&self) -> Option<String> {
-        let text = "give the node a [[body]] with mass and inertia, or hold it by a joint, a \
-                    beam or a spring";
+        let text = "give the node mass and inertia by a [[body]], or make it part of a [[beam]], \
+                    or hold it by a joint or a spring";
         Some(text.to_owned())
     }
 }
@@ -163,15 +163,7 @@ fn undetermined(basis: &DMatrix<f64>, rows: &[Row]) -> DMatrix<f64> {
 }
 
 fn words(free: &DMatrix<f64>) -> Vec<String> {
-    const WORDS: [&str; MOTION] = [
-        "displacement along x",
-        "displacement along y",
-        "displacement along z",
-        "rotation about x",
-        "rotation about y",
-        "rotation about z",
-    ];
-    let parts = free.row_iter().zip(WORDS);
+    let parts = free.row_iter().zip(MOTION_WORDS);
     parts
         .filter(|(row, _)| row.norm() > 1e-6)
         .map(|(_, word)| word.to_owned())

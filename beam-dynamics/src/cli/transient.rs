@@ -10,7 +10,7 @@ use shared_geom::error::Explain;
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
 use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
-use crate::analysis::transient::{TransientOutcome, difference, transient};
+use crate::analysis::transient::{TransientFailure, TransientOutcome, difference, transient};
 use crate::case::{OutputQuestion, TransientQuestion};
 use crate::input::{Input, is_blade_file, short_number};
 use crate::integrator::{Scheme, Stepping};
@@ -190,7 +190,8 @@ fn run(
     let mut code = DONE;
     if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {
         terminal.tell_text(&format!(
-            "error: {name}: {failure}\n  help: {}; all up to {} s is written",
+            "error: {name}: {failure}{}\n  help: {}; all up to {} s is written",
+            cards_of(input, failure),
             failure.remedy(),
             short_number(outcome.time, 9)
         ));
@@ -198,6 +199,14 @@ fn run(
     }
     let title = &input.model.name;
     code.max(finish(watched.files, (title, &(head + &text)), terminal))
+}
+
+/// Where the joints stand that a failure is about.
+fn cards_of(input: &Input, failure: &TransientFailure) -> String {
+    let joints = failure.joints().into_iter();
+    let places = joints.filter_map(|joint| Some((input.joint_places.get(joint)?, joint)));
+    let lines = places.map(|(place, joint)| format!("\n  {place}: \"{joint}\""));
+    lines.collect()
 }
 
 /// Ends the files of a run and names them.

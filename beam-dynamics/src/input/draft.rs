@@ -277,6 +277,12 @@ impl Draft {
         true
     }
 
+    /// Names of the joints with the lines of their cards.
+    pub fn joint_lines(&self) -> impl Iterator<Item = (&str, usize)> {
+        let joints = self.labels.iter().filter(|((kind, _), _)| *kind == "joint");
+        joints.map(|((_, name), line)| (name.as_str(), *line))
+    }
+
     /// Adds a beam, whose geometry has been checked.
     pub fn add_beam(&mut self, beam: Beam) {
         self.used.extend(beam.nodes);

@@ -32,7 +32,7 @@ pub enum InputProblem {
         line: String,
     },
     /// No beam and no body at all.
-    #[error("the model is empty, expected [[blade]], or [[node]] and [[beam]]")]
+    #[error("the model is empty, expected [[blade]], or [[node]] with [[beam]] or [[body]]")]
     EmptyModel,
     /// Nothing has a mass, or only what is clamped.
     #[error("the model has no mass that can move, expected a mass per length or a body")]

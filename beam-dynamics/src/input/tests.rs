@@ -405,7 +405,9 @@ fn a_list_of_no_blades_is_an_empty_model() {
 #[test]
 fn the_model_as_a_whole_is_checked() {
     assert!(
-        refused(MODES).contains("the model is empty, expected [[blade]], or [[node]] and [[beam]]")
+        refused(MODES).contains(
+            "the model is empty, expected [[blade]], or [[node]] with [[beam]] or [[body]]"
+        )
     );
     let massless = format!(
         "{BLADE}{MODES}[properties.light]\nea = 1\ngay = 1\ngaz = 1\ngj = 1\n\

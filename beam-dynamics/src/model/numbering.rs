@@ -3,6 +3,16 @@
 /// Unknowns, and equations, of a node.
 pub const NODE_UNKNOWNS: usize = 12;
 
+/// The six motions of a node, in the order of its unknowns.
+pub const MOTION_WORDS: [&str; 6] = [
+    "displacement along x",
+    "displacement along y",
+    "displacement along z",
+    "rotation about x",
+    "rotation about y",
+    "rotation about z",
+];
+
 /// Vector equations of a node, in the order of its rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Equation {

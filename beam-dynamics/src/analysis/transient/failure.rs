@@ -42,7 +42,7 @@ pub enum TransientFailure {
     /// A constraint does not follow from the others any more.
     #[error(
         "at {time} s {constraint} at the start, but not any more: together they are off by \
-         {value:.3e}"
+         {value:.3e} {unit}"
     )]
     Broken {
         /// The constraint and what it followed from, in words.
@@ -51,6 +51,8 @@ pub enum TransientFailure {
         time: f64,
         /// What it is off by [unit of the constraint].
         value: f64,
+        /// The unit.
+        unit: &'static str,
     },
     /// Constraints that contradict others.
     #[error("contradicting constraints: {0}")]
@@ -154,6 +156,23 @@ pub enum TransientFailure {
 }
 
 impl TransientFailure {
+    /// Names of the joints that it is about, each once, where it tells of several.
+    pub fn joints(&self) -> Vec<&str> {
+        let Self::Redundant(found) = self else {
+            return Vec::new();
+        };
+        let mut names = Vec::new();
+        for found in found {
+            let all = std::iter::once(&found.joint).chain(&found.from);
+            for name in all.map(String::as_str) {
+                if !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+        }
+        names
+    }
+
     /// What to do about it.
     pub fn remedy(&self) -> String {
         let fixed = match self {

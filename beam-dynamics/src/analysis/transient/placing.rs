@@ -244,11 +244,7 @@ fn place_step(
     let tangent = system.tangent(now, conditions);
     let mut saddle = Saddle::default();
     saddle.constraints(system, &tangent, By::Positions);
-    let diagonal = weights
-        .iter()
-        .enumerate()
-        .map(|(i, weight)| (i, i, *weight));
-    saddle.entries.extend(diagonal);
+    saddle.diagonal(weights.iter().copied());
     saddle
         .entries
         .extend(curvature(system, now, conditions, &tangent));
@@ -326,11 +322,7 @@ pub(super) fn set_moving(
         let tangent = system.tangent(&now, conditions);
         let mut saddle = Saddle::default();
         saddle.constraints(system, &tangent, By::Velocities);
-        let diagonal = weights
-            .iter()
-            .enumerate()
-            .map(|(i, weight)| (i, i, *weight));
-        saddle.entries.extend(diagonal);
+        saddle.diagonal(weights.iter().copied());
         let mut right = vec![0.0; MOTION * nodes];
         right.extend(off.iter().map(|off| -off));
         let step = saddle
@@ -384,8 +376,7 @@ pub(super) fn beside(
     saddle.constraints(system, &tangent, By::Velocities);
     let turn = size * size;
     let weight = |i: usize| if i % MOTION < 3 { 1.0 } else { turn };
-    let diagonal = (0..MOTION * nodes).map(|i| (i, i, weight(i)));
-    saddle.entries.extend(diagonal);
+    saddle.diagonal((0..MOTION * nodes).map(weight));
     // Numbers without order: no direction that a model is likely to be made in.
     let any = |i: usize| (1.0 + 2.7 * direction as f64 + 1.3 * i as f64 + (i * i) as f64).sin();
     let right = (0..MOTION * nodes).map(|i| match i % MOTION {

@@ -48,6 +48,12 @@ impl Saddle {
         }
     }
 
+    /// Adds weights to the diagonal of K.
+    pub fn diagonal(&mut self, weights: impl Iterator<Item = f64>) {
+        let entries = weights.enumerate().map(|(i, weight)| (i, i, weight));
+        self.entries.extend(entries);
+    }
+
     /// Solves for all unknowns, of which the first `nodes` times six are motions; `None`
     /// when the matrix is singular. `stiffness` is the size of K.
     pub fn solve(&self, nodes: usize, stiffness: f64, right: &[f64]) -> Option<Vec<f64>> {

@@ -7,6 +7,7 @@ mod corners;
 mod failing;
 mod flexible;
 mod jacobian;
+mod linkages;
 mod models;
 mod rigid;
 mod speeds;

@@ -208,3 +208,22 @@ fn thousands_of_constraints_are_searched() {
     let found = find_at_rest(&system);
     assert_eq!(found.len(), 3 * count);
 }
+
+// Two links that lie in one place, far from the origin, where places have a round-off of
+// 1e-8 m: their size is not that, and no constraint of the chain follows from others.
+#[test]
+fn nothing_is_redundant_far_from_the_origin() {
+    let far = Vector3::new(1e8, 1e8, 0.0);
+    let mut nodes = vec![link("1", [far, far]), link("2", [far, far])];
+    nodes[1].position.x += 1.5e-8;
+    let arm = Vector3::new(0.0, 0.0, 1.0);
+    let (y, z) = (Vector3::y(), Vector3::z());
+    let system = system(
+        &nodes,
+        &[
+            ("A", None, 0, far + arm, y),
+            ("B", Some(0), 1, far + 0.5 * arm, z),
+        ],
+    );
+    assert_eq!(find_at_rest(&system), []);
+}

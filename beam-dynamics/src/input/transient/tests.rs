@@ -149,8 +149,13 @@ fn velocities_without_a_run_and_loose_nodes_are_told() {
         Ok(_) => panic!("accepted"),
         Err(text) => text,
     };
-    assert!(text.contains("node \"a\" has no mass, and nothing holds it: rotation about x"));
-    assert!(text.contains("help: give the node a [[body]]"), "{text}");
+    assert!(text.contains(
+        "a.dynamics.toml:3: node \"a\" has no mass, and nothing holds it: rotation about x"
+    ));
+    assert!(
+        text.contains("help: give the node mass and inertia by a [[body]]"),
+        "{text}"
+    );
     // Every problem explains itself, or needs no more words.
     let idle = TransientProblem::IdleSpeed;
     assert!(shared_geom::error::Explain::help(&idle).is_some());

@@ -114,8 +114,8 @@ fn places_that_do_not_exist_are_told() {
     assert!(text.contains("\"rod\""), "{text}");
 }
 
-// A body that is clamped twice: six constraints say nothing new. Left out, the other clamp
-// carries the weight.
+// A body that is clamped twice: six constraints say nothing new. Each clamp then
+// carries half of the weight, 20 N.
 #[test]
 fn constraints_that_follow_from_others_are_refused_or_left_out() {
     let nodes = vec![node("p", Vector3::zeros(), Matrix3::identity())];
@@ -138,7 +138,8 @@ fn constraints_that_follow_from_others_are_refused_or_left_out() {
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     assert!(!outcome.remarks.is_empty());
     for state in &kept.states {
-        assert!((state.multipliers[2].abs() - 20.0).abs() < 1e-9);
+        assert!((state.multipliers[8].abs() - 10.0).abs() < 1e-9);
+        assert!((state.multipliers[2].abs() - 10.0).abs() < 1e-9);
     }
 }
 
