@@ -27,7 +27,7 @@ mod jacobian_tests;
 #[cfg(test)]
 mod rates_tests;
 
-pub use constraint::{ConstraintRates, Energy, Level, PlaceJump};
+pub use constraint::{ConstraintRates, ConstraintWords, Energy, Level, PlaceJump};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
 pub use observation::{
@@ -81,6 +81,11 @@ pub trait Element: Debug + Send + Sync {
         Level::Position
     }
 
+    /// What the constraint number `constraint` holds, and what its multiplier is.
+    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
+        ConstraintWords::numbered(constraint)
+    }
+
     /// Tells how the constraints change by themselves: what start-up needs to find
     /// velocities and accelerations that agree with them. `false` when the element
     /// does not know.
@@ -97,6 +102,11 @@ pub trait Element: Debug + Send + Sync {
     /// The first and the last time at which all drives of the element have a value \[s\].
     fn domain(&self) -> [f64; 2] {
         Drive::ALWAYS
+    }
+
+    /// Whether it acts on what it senses of nodes.
+    fn senses(&self) -> bool {
+        false
     }
 
     /// What its drives hold in place and jumps between two instants: no motion follows that.

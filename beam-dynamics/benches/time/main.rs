@@ -1,8 +1,11 @@
-//! Runs in time: processor time per beam and Newton iteration, by phase, and how it
-//! grows with the number of beams: a swinging cantilever of 20, 100 and 400 beams, and a
-//! rotor of four blades of 20 beams. Ratios within the run are what counts.
+//! Runs in time: processor time per beam and Newton iteration, by phase, and how it grows
+//! with the number of beams: a swinging cantilever of 20, 100 and 400 beams (model M), and
+//! a rotor of four blades of 20 beams (model T), with lumped and with consistent inertia.
 //!
-//! `cargo bench -p beam-dynamics --bench time`
+//! The models take turns, and of each the fastest of many runs counts. Ratios within the
+//! run are what means something elsewhere.
+//!
+//! `cargo bench -p beam-dynamics --bench time`, with another number of rounds behind `--`
 
 mod models;
 
@@ -11,8 +14,14 @@ use beam_dynamics::case::{Model, TransientQuestion};
 use beam_dynamics::result::{Effort, Moment, Recorder};
 use cpu_time::ThreadTime;
 
-/// Repetitions; the fastest counts, as on a machine that does other things as well.
-const REPETITIONS: usize = 3;
+use models::Inertia;
+
+/// Rounds in which each model has its turn, unless it is said.
+const ROUNDS: usize = 7;
+/// Numbers of beams of the cantilever.
+const BEAMS: [usize; 3] = [20, 100, 400];
+/// Phases of a run, and all of it.
+const PHASES: usize = 5;
 
 /// Keeps nothing.
 struct Silent;
@@ -23,23 +32,39 @@ impl Recorder for Silent {
     }
 }
 
-fn run(model: &Model, question: &TransientQuestion) -> Option<Effort> {
-    let begin = ThreadTime::now();
-    let clock = || begin.elapsed().as_secs_f64();
-    let outcome = transient(model, question, None, &mut Silent, &clock);
-    if let Some(failure) = &outcome.failure {
-        println!("{failure}");
-    }
-    outcome.failure.is_none().then_some(outcome.effort)
+/// A model, what is asked, and the least times so far.
+struct Candidate {
+    name: String,
+    beams: usize,
+    model: Model,
+    question: TransientQuestion,
+    effort: Effort,
+    /// Microseconds per beam and iteration: residual, Jacobian, factorization, solution,
+    /// all of the run.
+    least: [f64; PHASES],
 }
 
-/// Microseconds per beam and iteration: residual, Jacobian, factorization, solution, the
-/// whole run.
-fn measure(model: &Model, beams: usize, question: &TransientQuestion) -> Option<[f64; 5]> {
-    let mut least = [f64::INFINITY; 5];
-    let mut last = Effort::default();
-    for _ in 0..REPETITIONS {
-        let effort = run(model, question)?;
+impl Candidate {
+    fn new(name: &str, beams: usize, model: Model, question: TransientQuestion) -> Self {
+        Self {
+            name: name.to_owned(),
+            beams,
+            model,
+            question,
+            effort: Effort::default(),
+            least: [f64::INFINITY; PHASES],
+        }
+    }
+
+    fn run(&mut self) {
+        let begin = ThreadTime::now();
+        let clock = || begin.elapsed().as_secs_f64();
+        let outcome = transient(&self.model, &self.question, None, &mut Silent, &clock);
+        if let Some(failure) = &outcome.failure {
+            println!("{}: {failure}", self.name);
+            return;
+        }
+        let effort = outcome.effort;
         let times = [
             effort.residual_time,
             effort.jacobian_time,
@@ -47,24 +72,61 @@ fn measure(model: &Model, beams: usize, question: &TransientQuestion) -> Option<
             effort.solution_time,
             effort.total_time,
         ];
-        for (least, time) in least.iter_mut().zip(times) {
-            *least = least.min(1e6 * time / (beams * effort.iterations) as f64);
+        let count = (self.beams * effort.iterations) as f64;
+        for (least, time) in self.least.iter_mut().zip(times) {
+            *least = least.min(1e6 * time / count);
         }
-        last = effort;
+        self.effort = effort;
     }
-    let [residual, jacobian, factorization, solution, total] = least;
-    println!(
-        "{:<12} {beams:>5} {:>5} {:>5} {:>4} {residual:>8.2} {jacobian:>8.2} \
-         {factorization:>13.2} {solution:>8.2} {total:>8.2}",
-        model.name, last.steps, last.iterations, last.pivotings,
-    );
-    Some(least)
+
+    fn print(&self) {
+        let [residual, jacobian, factorization, solution, total] = self.least;
+        let share = 100.0 * (factorization + solution) / total;
+        println!(
+            "{:<22} {:>5} {:>5} {:>5} {:>4} {residual:>8.2} {jacobian:>8.2} \
+             {factorization:>13.2} {solution:>8.2} {total:>8.2} {share:>5.0} %",
+            self.name, self.beams, self.effort.steps, self.effort.iterations, self.effort.pivotings,
+        );
+    }
+}
+
+/// The cantilevers, then the rotor.
+fn candidates(inertia: Inertia) -> Vec<Candidate> {
+    let word = match inertia {
+        Inertia::Lumped => "lumped",
+        Inertia::Consistent => "consistent",
+    };
+    let question = TransientQuestion::new(0.1, 1e-3);
+    let cantilever = |beams: usize| {
+        let name = format!("cantilever, {word}");
+        Candidate::new(&name, beams, models::cantilever(beams, inertia), question)
+    };
+    let mut all: Vec<_> = BEAMS.into_iter().map(cantilever).collect();
+    let revolution = std::f64::consts::TAU / models::SPEED;
+    let question = TransientQuestion::new(revolution, revolution / 256.0);
+    let beams = 4 * models::BEAMS_OF_A_BLADE;
+    let name = format!("rotor, {word}");
+    let rotor = Candidate::new(&name, beams, models::rotor(inertia), question);
+    all.push(rotor);
+    all
+}
+
+/// Exponent by which the whole time grows from the fewest beams to the most.
+fn exponent(of: &[Candidate]) -> f64 {
+    let (few, many) = (&of[0], &of[BEAMS.len() - 1]);
+    let ratio = many.beams as f64 / few.beams as f64;
+    1.0 + (many.least[PHASES - 1] / few.least[PHASES - 1]).ln() / ratio.ln()
 }
 
 fn main() {
+    let rounds = std::env::args().find_map(|word| word.parse().ok());
+    let mut all = [Inertia::Lumped, Inertia::Consistent].map(candidates);
+    for _ in 0..rounds.unwrap_or(ROUNDS) {
+        all.iter_mut().flatten().for_each(Candidate::run);
+    }
     println!("processor time per beam and Newton iteration [us]");
     println!(
-        "{:<12} {:>5} {:>5} {:>5} {:>4} {:>8} {:>8} {:>13} {:>8} {:>8}",
+        "{:<22} {:>5} {:>5} {:>5} {:>4} {:>8} {:>8} {:>13} {:>8} {:>8} {:>7}",
         "model",
         "beams",
         "steps",
@@ -74,20 +136,14 @@ fn main() {
         "Jacobian",
         "factorization",
         "solution",
-        "total"
+        "total",
+        "LU"
     );
-    let question = TransientQuestion::new(0.1, 1e-3);
-    let mut totals = Vec::new();
-    for beams in [20, 100, 400] {
-        if let Some(least) = measure(&models::cantilever(beams), beams, &question) {
-            totals.push((beams as f64, beams as f64 * least[4]));
-        }
+    for of in &all {
+        of.iter().for_each(Candidate::print);
+        println!(
+            "growth exponent with the number of beams: {:.2}",
+            exponent(of)
+        );
     }
-    if let [(few, short), .., (many, long)] = totals[..] {
-        let exponent = (long / short).ln() / (many / few).ln();
-        println!("growth exponent with the number of beams: {exponent:.2}");
-    }
-    let revolution = std::f64::consts::TAU / models::SPEED;
-    let question = TransientQuestion::new(revolution, revolution / 256.0);
-    measure(&models::rotor(), 4 * models::BEAMS_OF_A_BLADE, &question);
 }

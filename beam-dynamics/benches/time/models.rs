@@ -1,10 +1,10 @@
-//! A swinging cantilever, and a rotor of four blades on flap hinges.
+//! Model M, a swinging cantilever, and model T, a rotor of four blades on flap hinges.
 
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::Model;
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
-    BeamGeometry, BeamNode, ElasticBeam, MassAlong, lumped_bodies,
+    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, MassAlong, lumped_bodies,
 };
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::{
@@ -20,11 +20,19 @@ pub const SPEED: f64 = 44.4;
 pub const BEAMS_OF_A_BLADE: usize = 20;
 const BLADES: usize = 4;
 
+/// Inertia of the beams.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Inertia {
+    Lumped,
+    Consistent,
+}
+
 /// Stiffness and mass of a beam.
 struct Section {
     stiffness: [f64; 6],
     mass: f64,
-    inertia: [f64; 3],
+    moments: [f64; 3],
+    inertia: Inertia,
 }
 
 /// Nodes and elements so far.
@@ -49,7 +57,7 @@ impl Parts {
         self.elements.push(Box::new(element));
     }
 
-    /// Straight beams with lumped inertia along the first of `axes`; their first and
+    /// Straight beams along the first of `axes`; their first and
     /// last node.
     fn line(
         &mut self,
@@ -67,14 +75,19 @@ impl Parts {
             nodes: [BeamNode::aligned(); 3],
         };
         let stiffness = Matrix6::from_diagonal(&Vector6::from(section.stiffness));
-        let (m, [x, y, z]) = (section.mass, section.inertia);
+        let (m, [x, y, z]) = (section.mass, section.moments);
         let mass = Matrix6::from_diagonal(&Vector6::new(m, m, m, x, y, z));
+        let nodes = self.nodes.clone();
         for beam in 0..beams {
             let on = [0, 1, 2].map(|i| first + 2 * beam + i);
-            let at = on.map(|i| &self.nodes[i]);
+            let at = on.map(|i| &nodes[i]);
             let elastic = ElasticBeam::new("beam", on, geometry, at, [stiffness; 2]);
-            let bodies = lumped_bodies(&geometry, at, &MassAlong::smooth(&|_| mass));
             self.add(elastic);
+            if section.inertia == Inertia::Consistent {
+                self.add(BeamInertia::new("inertia", on, geometry, at, |_| mass));
+                continue;
+            }
+            let bodies = lumped_bodies(&geometry, at, &MassAlong::smooth(&|_| mass));
             for (node, inertia) in on.into_iter().zip(bodies) {
                 self.add(RigidBody::new("portion", node, inertia));
             }
@@ -84,12 +97,13 @@ impl Parts {
 }
 
 /// Clamped along x, under its weight and a force at its tip.
-pub fn cantilever(beams: usize) -> Model {
+pub fn cantilever(beams: usize, inertia: Inertia) -> Model {
     let mut parts = Parts::default();
     let section = Section {
         stiffness: [1e5, 4e4, 4e4, 1.2, 1.0, 3.0],
         mass: 0.6,
-        inertia: [2.4e-5, 6e-6, 1.8e-5],
+        moments: [2.4e-5, 6e-6, 1.8e-5],
+        inertia,
     };
     let axes = Matrix3::identity();
     let (root, tip) = parts.line(Vector3::zeros(), &axes, (1.0, beams), &section);
@@ -110,7 +124,7 @@ pub fn cantilever(beams: usize) -> Model {
 }
 
 /// Four blades on flap hinges at a hub that is driven at constant speed about z.
-pub fn rotor() -> Model {
+pub fn rotor(inertia: Inertia) -> Model {
     let mut parts = Parts::default();
     let hub = parts.node(Vector3::zeros(), Matrix3::identity());
     parts.add(RigidBody::new(
@@ -129,7 +143,8 @@ pub fn rotor() -> Model {
     let section = Section {
         stiffness: [1e8, 3e7, 3e7, 5e3, 9e3, 1.2e5],
         mass: 5.5,
-        inertia: [0.08, 0.002, 0.078],
+        moments: [0.08, 0.002, 0.078],
+        inertia,
     };
     for blade in 0..BLADES {
         let (sine, cosine) = (std::f64::consts::FRAC_PI_2 * blade as f64).sin_cos();

@@ -6,6 +6,7 @@ mod elastic;
 mod geometry;
 mod inertia;
 mod interpolation;
+mod portions;
 mod strain_rate;
 mod viscous;
 

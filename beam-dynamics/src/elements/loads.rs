@@ -5,9 +5,11 @@
 mod factor;
 mod imposed;
 mod internal;
+mod load;
 mod nodal;
 
 pub use factor::{LoadFactor, Turning};
 pub use imposed::{Imposed, ImposedMotion};
 pub use internal::{Between, InternalForce};
+pub(in crate::elements) use load::{Head, Load};
 pub use nodal::{NodalForce, NodalLoad};

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::{
-    Along, ConstraintRates, Element, Energy, Level, Local, LocalJacobian, LocalResidual, Motion,
-    Observations, PlaceJump,
+    Along, ConstraintRates, ConstraintWords, Element, Energy, Level, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, PlaceJump,
 };
 use crate::model::{Loading, NodeMotion};
 
@@ -64,6 +64,10 @@ impl Element for ReducedElement {
         self.element.level(constraint)
     }
 
+    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
+        self.element.constraint_words(constraint)
+    }
+
     fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
         let knows = self.element.constraint_rates(at, out);
         for &constraint in &self.removed {
@@ -71,6 +75,10 @@ impl Element for ReducedElement {
             out.convective[constraint] = 0.0;
         }
         knows
+    }
+
+    fn senses(&self) -> bool {
+        self.element.senses()
     }
 
     fn domain(&self) -> [f64; 2] {

@@ -391,7 +391,7 @@ impl Integrator {
             length,
             least: self.progress.lengths.least(&self.stepping),
             worst,
-            equation: dae.describe(worst.place),
+            equation: dae.name(worst.place),
             local_error,
             history: self.corrector.history().to_vec(),
         }

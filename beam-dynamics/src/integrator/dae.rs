@@ -5,6 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::{Combination, Pattern, Residual};
+use crate::model::Name;
 use crate::solver::Worst;
 
 /// A corner of a system, or several at almost the same time.
@@ -91,9 +92,10 @@ pub trait Dae {
     /// Size of a local error, of positions and rotations alone [-].
     fn error(&self, difference: &[f64]) -> f64;
 
-    /// The unknown of the largest local error in words: what, whose, and its error.
+    /// The unknown of the largest local error in words: what, whose, its error, and by what
+    /// that is measured.
     fn describe_error(&self, difference: &[f64]) -> String;
 
-    /// An equation in words: what and whose.
-    fn describe(&self, place: usize) -> String;
+    /// An equation in words: what, whose, and its unit.
+    fn name(&self, place: usize) -> Name;
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::advance::MOST_CROWDED;
+use crate::model::Name;
 use crate::solver::{Iteration, Worst};
 
 /// What stood in the way of the shortest step that was tried.
@@ -14,7 +15,7 @@ pub enum Reason {
     Diverged,
     /// The Jacobian is singular.
     Singular,
-    /// A residual is no finite number.
+    /// A residual or a derivative is no finite number.
     NotFinite,
     /// The local error stayed too large.
     LocalError,
@@ -29,7 +30,7 @@ impl Reason {
             Self::NotConverged => "the iteration did not converge",
             Self::Diverged => "the iteration diverged",
             Self::Singular => "the Jacobian is singular",
-            Self::NotFinite => "a residual is not a finite number",
+            Self::NotFinite => "a residual or a derivative is not a finite number",
             Self::LocalError => "the local error is too large",
             Self::Corners => "corners of drives follow one another without end",
         }
@@ -82,8 +83,8 @@ pub struct StepFailure {
     pub least: f64,
     /// The worst equation of the last iteration.
     pub worst: Worst,
-    /// The worst equation in words: what and whose.
-    pub equation: String,
+    /// Its name.
+    pub equation: Name,
     /// The local error of the step that was tried last, where it is what was too large.
     pub local_error: Option<Box<LocalError>>,
     /// Iterations of the step that was tried last.
@@ -97,7 +98,8 @@ pub struct LocalError {
     pub error: f64,
     /// What was allowed of it [-].
     pub tolerance: f64,
-    /// The unknown of the largest error in words: what, whose, and its error.
+    /// The unknown of the largest error in words: what, whose, its error, and by what that
+    /// is measured.
     pub unknown: String,
 }
 
@@ -115,14 +117,13 @@ impl fmt::Display for StepFailure {
         match &self.local_error {
             Some(local) => write!(
                 f,
-                "largest error: {}; {:.3e} of the size of the model or a radian, tolerance {:.3e}",
-                local.unknown, local.error, local.tolerance
+                "largest error: {}, tolerance {:.3e}",
+                local.unknown, local.tolerance
             ),
-            None => write!(
-                f,
-                "worst equation: {equation}, off by {:.3e} of its largest term",
-                self.worst.relative
-            ),
+            None => {
+                let off = equation.off_by(self.worst.relative, self.worst.scale);
+                write!(f, "worst equation: {off}")
+            }
         }
     }
 }

@@ -19,10 +19,10 @@ use crate::integrator::{Corner, Renewal};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
 
 use super::failure::TransientFailure;
-use super::multibody::{Multibody, size};
+use super::multibody::Multibody;
 use super::placing::velocity_constraints;
 use super::rates::{Accelerated, consistent_rates};
-use super::saddle::{MOTION, levels};
+use super::saddle::MOTION;
 use super::start::find_momenta;
 
 /// What the iteration of a step leaves of places, in sizes of the model and radians: a
@@ -60,8 +60,8 @@ pub(super) fn jump(
     let (by_time_before, left_before) = system.constraint_rates(state, before)?;
     let (by_time_after, left_after) = system.constraint_rates(state, after)?;
     let first = NODE_UNKNOWNS * state.nodes.len();
-    let least = LEFT * size(state).min(1.0) / step;
-    let levels = levels(system).into_iter().enumerate();
+    let least = LEFT * state.size().min(1.0) / step;
+    let levels = system.levels().into_iter().enumerate();
     let rates = levels.filter(|&(i, level)| {
         let jump = match level {
             Level::Position => by_time_after[i] - by_time_before[i],

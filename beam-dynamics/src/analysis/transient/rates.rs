@@ -16,10 +16,9 @@
 //! again of the rates.
 
 use crate::assembly::massless::without_mass;
-use crate::assembly::{System, Tangent};
+use crate::assembly::{Sharing, System, Tangent};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
 
-use super::multibody::size;
 use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
 
 /// Mass of what has none, as a part of the largest mass.
@@ -59,6 +58,7 @@ pub(super) fn consistent_rates(
     }
     let solution = equations.solve(nodes, &right)?;
     state.multipliers.copy_from_slice(&solution[first..]);
+    Sharing::new(system, &state, conditions).apply(&mut state.multipliers);
     let mut rates = carried;
     for (row, column, mass) in equations.masses {
         rates[row] += mass * solution[column];
@@ -163,7 +163,7 @@ fn soften(
     (state, tangent): (&State, &Tangent),
     heaviest: f64,
 ) {
-    let size = size(state);
+    let size = state.size();
     let scale = |i: usize| if i < 3 { 1.0 } else { size };
     for (node, basis) in without_mass(system, tangent, size).iter().enumerate() {
         let mass = NEXT_TO_NOTHING * heaviest * basis * basis.transpose();

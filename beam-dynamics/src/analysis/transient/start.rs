@@ -14,7 +14,6 @@ use crate::solver::LinearSolver;
 
 use super::dummy::dummy_rates;
 use super::failure::TransientFailure;
-use super::multibody::size;
 use super::placing::{Unfulfilled, place, set_moving};
 use super::rates::consistent_rates;
 
@@ -107,10 +106,10 @@ pub(super) fn start(
     }
     let given = with_velocities(kind, &model.initial);
     let not_placed = |off: Unfulfilled| {
-        let constraint = system.describe_equation(off.place);
+        let constraint = system.equation(off.place);
         match off.is_turned_over {
             true => TransientFailure::TurnedOver {
-                constraint,
+                constraint: constraint.to_string(),
                 time: question.from,
             },
             false => TransientFailure::Places {
@@ -121,7 +120,7 @@ pub(super) fn start(
     };
     let placed = place(system, &given, &conditions, &model.initial).map_err(not_placed)?;
     let not_moving = |off: Unfulfilled| TransientFailure::Velocities {
-        constraint: system.describe_equation(off.place),
+        constraint: system.equation(off.place),
         value: off.value,
     };
     let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;
@@ -143,6 +142,17 @@ fn given(
     conditions: &Conditions,
 ) -> Result<State, TransientFailure> {
     let rest = model.system.rest();
+    let alone;
+    let model = match model.system.independent() {
+        None => model,
+        Some(system) => {
+            alone = Model {
+                system,
+                ..model.clone()
+            };
+            &alone
+        }
+    };
     let speed = match question.start {
         Start::Given => return Ok(rest),
         Start::Equilibrium => 0.0,
@@ -193,7 +203,7 @@ fn driven_otherwise(
         node.velocity = omega.cross(&(node.position - frame.center));
         node.angular_velocity = omega;
     }
-    let least = FAR * omega.norm() * size(&state).max(1.0);
+    let least = FAR * omega.norm() * state.size().max(1.0);
     let off = system.residual(&state, conditions).values;
     let first = NODE_UNKNOWNS * state.nodes.len();
     let mut off = off[first..].iter();
@@ -240,9 +250,13 @@ fn find_rates(
             state.multipliers.fill(0.0);
             return Ok(());
         }
-        StartAccelerations::Consistent => {
-            if let Some(consistent) = consistent_rates(&model.system, state, conditions) {
-                *state = consistent;
+        StartAccelerations::Consistent | StartAccelerations::AtRest => {
+            let seen = match question.start_accelerations {
+                StartAccelerations::AtRest => at_rest(state),
+                _ => state.clone(),
+            };
+            if let Some(found) = consistent_rates(&model.system, &seen, conditions) {
+                take_rates(state, &found);
                 return Ok(());
             }
             let remark = match model.system.constraint_rates(state, conditions) {
@@ -263,9 +277,30 @@ fn find_rates(
     Ok(())
 }
 
+/// The same places without motion.
+fn at_rest(state: &State) -> State {
+    let mut state = state.clone();
+    for node in &mut state.nodes {
+        node.velocity.fill(0.0);
+        node.angular_velocity.fill(0.0);
+        node.momentum.fill(0.0);
+        node.angular_momentum.fill(0.0);
+    }
+    state
+}
+
+/// Takes over rates and multipliers, and nothing else.
+fn take_rates(state: &mut State, found: &State) {
+    for (node, found) in state.nodes.iter_mut().zip(&found.nodes) {
+        node.momentum_rate = found.momentum_rate;
+        node.angular_momentum_rate = found.angular_momentum_rate;
+    }
+    state.multipliers.clone_from(&found.multipliers);
+}
+
 /// Every component that start-up changed visibly.
 fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
-    let size = size(given);
+    let size = given.size();
     let fastest = |state: &State| {
         let of = state.nodes.iter().map(|node| {
             node.velocity
@@ -324,7 +359,7 @@ fn turns_as_a_whole(
     speed: f64,
 ) -> Result<(), TransientFailure> {
     let all = vec![InitialMotion::default(); turning.nodes.len()];
-    let fastest = (speed * size(turning)).abs();
+    let fastest = (speed * turning.size()).abs();
     let Ok(held) = set_moving(&model.system, turning, conditions, &all) else {
         return Ok(());
     };

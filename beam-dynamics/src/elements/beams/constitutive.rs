@@ -12,29 +12,25 @@
 //!
 //! ```text
 //! d F = R d F~ - [F]x theta               d M = R d M~ - [M]x theta
-//! d[(P - x) x F] = [P - x]x d F - [F]x (d P - d x)
 //! ```
 //!
 //! The elastic energy is taken by the same two points, `sum W(eps) J0`.
 //!
 //! References: [Masarati], the three-node finite-volume beam.
 
-use nalgebra::{Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
-use shared_geom::rotation::skew;
+use nalgebra::{Matrix6x3, Vector3, Vector6};
+use shared_geom::rotation::skew_times;
 
-use super::elastic::{ElasticBeam, NEIGHBORS, add_forces};
+use super::elastic::ElasticBeam;
 use super::geometry::{BeamGeometry, ReferencePoint};
-use super::interpolation::{NodalKinematics, PointKinematics, Shape};
+use super::interpolation::{NodalKinematics, Shape};
+use super::portions::{ByNode, Internal, NEIGHBORS};
 use super::strain_rate::{ByNodes, StrainPoint};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Element, Energy, Local, LocalJacobian, LocalResidual, Observations, SectionState,
 };
-use crate::model::Equation::{Force, Moment};
-use crate::model::{Drive, Node, NodeMotion, Variable};
-
-const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
-const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
+use crate::model::{Drive, Node, NodeMotion};
 
 /// A geometrically exact beam through three nodes, of any law.
 #[derive(Debug, Clone)]
@@ -58,14 +54,6 @@ struct At<'a> {
     strain: StrainPoint<'a>,
     variation: ByNodes,
     response: Response<6>,
-}
-
-/// Variations of the section's forces by one variable of one node, model axes, and of the
-/// arm of the force.
-struct ByVariable {
-    force: Matrix3<f64>,
-    moment: Matrix3<f64>,
-    point: Matrix3<f64>,
 }
 
 impl LawBeam {
@@ -94,32 +82,36 @@ impl LawBeam {
         }
     }
 
+    /// Rates of the generalized strains at the two evaluation points, section axes, for
+    /// the given motion of the three nodes [1/s, 1/(m s)].
+    pub fn strain_rates(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
+        let nodal = NodalKinematics::new(&self.geometry, nodes);
+        self.points.each_ref().map(|point| {
+            let strain = StrainPoint::new(&nodal, &point.shape, point.reference.j0);
+            StrainPoint::rate(&strain.variation(), nodes)
+        })
+    }
+
     /// Generalized strains at the two evaluation points, section axes, for the given
     /// motion of the three nodes [-, 1/m].
     pub fn strains(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
         let nodal = NodalKinematics::new(&self.geometry, nodes);
         std::array::from_fn(|i| {
             let point = &self.points[i];
-            point.strain(&nodal.at(&point.shape, point.reference.j0))
+            point
+                .reference
+                .strain(&nodal.at(&point.shape, point.reference.j0))
         })
     }
 }
 
 impl LawPoint {
-    fn strain(&self, point: &PointKinematics) -> Vector6<f64> {
-        let (slope, curvature) = point.strain_measures();
-        let nu = slope - self.reference.slope;
-        let kappa = curvature - self.reference.curvature;
-        Vector6::new(nu.x, nu.y, nu.z, kappa.x, kappa.y, kappa.z)
-    }
-
     fn at<'a>(&'a self, nodal: &'a NodalKinematics, at: &Local<'_>) -> At<'a> {
         let strain = StrainPoint::new(nodal, &self.shape, self.reference.j0);
         let variation = strain.variation();
         let rate = StrainPoint::rate(&variation, at.nodes);
-        let response = self
-            .law
-            .at(&self.strain(&strain.point), &rate, at.loading.time);
+        let now = self.reference.strain(&strain.point);
+        let response = self.law.at(&now, &rate, at.loading.time);
         At {
             strain,
             variation,
@@ -130,39 +122,49 @@ impl LawPoint {
 
 impl At<'_> {
     /// Force and moment in the model's axes.
-    fn internal(&self, section: &Vector6<f64>) -> [Vector3<f64>; 2] {
-        let r = &self.strain.point.r;
-        [
-            r * section.fixed_rows::<3>(0),
-            r * section.fixed_rows::<3>(3),
-        ]
+    fn internal(&self, section: &Vector6<f64>) -> Internal {
+        let point = self.strain.point;
+        Internal {
+            point,
+            force: point.r * section.fixed_rows::<3>(0),
+            moment: point.r * section.fixed_rows::<3>(3),
+        }
     }
 
-    /// `R` times a variation of the section's forces, split into force and moment.
-    fn turned(&self, section: &Matrix6x3<f64>) -> [Matrix3<f64>; 2] {
-        [0, 3].map(|row| self.strain.point.r * section.fixed_view::<3, 3>(row, 0))
+    /// `R` times variations of the section's forces.
+    fn turned(&self, sections: &[Matrix6x3<f64>; 2]) -> ByNode {
+        let part = |row: usize| {
+            sections
+                .each_ref()
+                .map(|section| self.strain.point.r * section.fixed_view::<3, 3>(row, 0))
+        };
+        ByNode {
+            force: part(0),
+            moment: part(3),
+        }
     }
 
-    /// Variations by position and rotation of node `j`: what the law gives, `section`, and
-    /// what comes with the turning of `internal`.
-    fn by_unknowns(
-        &self,
-        (j, n): (usize, f64),
-        offset: &Matrix3<f64>,
-        section: [Matrix6x3<f64>; 2],
-        [force, moment]: &[Vector3<f64>; 2],
-    ) -> [ByVariable; 2] {
-        let zero = Matrix3::zeros();
-        let turns = [zero, self.strain.theta[j]];
-        let points = [n * Matrix3::identity(), -n * offset];
-        std::array::from_fn(|k| {
-            let [f, m] = self.turned(&section[k]);
-            ByVariable {
-                force: f - skew(force) * turns[k],
-                moment: m - skew(moment) * turns[k],
-                point: points[k],
-            }
-        })
+    /// Variations by position and rotation of node `j`: what the law gives, `sections`,
+    /// and what comes with the turning of `internal`.
+    fn by_unknowns(&self, j: usize, sections: &[Matrix6x3<f64>; 2], internal: &Internal) -> ByNode {
+        let mut by = self.turned(sections);
+        let theta = &self.strain.theta[j];
+        by.force[1] -= skew_times(&internal.force, theta);
+        by.moment[1] -= skew_times(&internal.moment, theta);
+        by
+    }
+
+    /// What the law gives by position and rotation of each node.
+    fn sections(&self, is_viscous: bool, nodes: &[NodeMotion]) -> ByNodes {
+        let Response {
+            by_strain, by_rate, ..
+        } = &self.response;
+        let elastic = self.variation.map(|by| by.map(|by| by_strain * by));
+        if !is_viscous {
+            return elastic;
+        }
+        let rates = self.strain.rate_variation(nodes);
+        std::array::from_fn(|j| std::array::from_fn(|k| elastic[j][k] + by_rate * rates[j][k]))
     }
 }
 
@@ -204,14 +206,8 @@ impl Element for LawBeam {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         for (point, neighbors) in self.points.iter().zip(NEIGHBORS) {
             let state = point.at(&nodal, at);
-            let [force, moment] = state.internal(&state.response.force);
-            add_forces(
-                &nodal,
-                &state.strain.point.p,
-                [&force, &moment],
-                neighbors,
-                out,
-            );
+            let internal = state.internal(&state.response.force);
+            internal.add_forces(&nodal, neighbors, out);
         }
     }
 
@@ -219,31 +215,17 @@ impl Element for LawBeam {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         for (point, neighbors) in self.points.iter().zip(NEIGHBORS) {
             let state = point.at(&nodal, at);
-            let Response {
-                force,
-                by_strain,
-                by_rate,
-            } = &state.response;
-            let place = Place {
-                nodal: &nodal,
-                p: state.strain.point.p,
-                neighbors,
-                internal: state.internal(force),
-            };
+            let internal = state.internal(&state.response.force);
             let is_viscous = point.law.is_viscous();
-            let rates = is_viscous.then(|| state.strain.rate_variation(at.nodes));
-            for j in 0..3 {
-                let section = std::array::from_fn(|k| {
-                    let elastic = by_strain * state.variation[j][k];
-                    match &rates {
-                        Some(rates) => elastic + by_rate * rates[j][k],
-                        None => elastic,
-                    }
-                });
-                place.add_unknowns(&state, (j, point.shape.n[j]), section, out);
-                if is_viscous {
-                    place.add_rates(&state, j, by_rate, out);
-                }
+            let sections = state.sections(is_viscous, at.nodes);
+            let by = std::array::from_fn(|j| state.by_unknowns(j, &sections[j], &internal));
+            internal.add_tangent(&nodal, &point.shape, &by, neighbors, out);
+            if is_viscous {
+                let by_rate = &state.response.by_rate;
+                let by = state
+                    .variation
+                    .map(|by| state.turned(&by.map(|by| by_rate * by)));
+                internal.add_rates(&nodal, &by, neighbors, out);
             }
         }
     }
@@ -258,16 +240,10 @@ impl Element for LawBeam {
                 by[0] * moved[0] + by[1] * moved[1]
             };
             let strain: Vector6<f64> = state.variation.iter().zip(along.nodes).map(of_node).sum();
-            let place = Place {
-                nodal: &nodal,
-                p: state.strain.point.p,
-                neighbors,
-                internal: state.internal(&(state.response.by_strain * strain)),
-            };
-            for j in 0..3 {
-                let none = [Matrix6x3::zeros(); 2];
-                place.add_unknowns(&state, (j, point.shape.n[j]), none, out);
-            }
+            let growth = state.internal(&(state.response.by_strain * strain));
+            let none = [Matrix6x3::zeros(); 2];
+            let by = std::array::from_fn(|j| state.by_unknowns(j, &none, &growth));
+            growth.add_tangent(&nodal, &point.shape, &by, neighbors, out);
         }
     }
 
@@ -280,61 +256,9 @@ impl Element for LawBeam {
                 xi: point.xi,
                 position: state.strain.point.p,
                 axes: state.strain.point.r,
-                strain: point.strain(&state.strain.point),
+                strain: point.reference.strain(&state.strain.point),
                 internal_force: state.response.force,
             });
-        }
-    }
-}
-
-/// An evaluation point with the nodes beside it, and force and moment there.
-struct Place<'a> {
-    nodal: &'a NodalKinematics,
-    p: Vector3<f64>,
-    neighbors: (usize, usize),
-    internal: [Vector3<f64>; 2],
-}
-
-impl Place<'_> {
-    /// Adds the variations of the forces on the two nodes by position and rotation of node
-    /// `j`, whose shape function is `n`.
-    fn add_unknowns(
-        &self,
-        state: &At<'_>,
-        (j, n): (usize, f64),
-        section: [Matrix6x3<f64>; 2],
-        out: &mut LocalJacobian,
-    ) {
-        let offset = skew(&self.nodal.f[j]);
-        let by = state.by_unknowns((j, n), &offset, section, &self.internal);
-        let force = skew(&self.internal[0]);
-        for (node, sign) in [(self.neighbors.0, 1.0), (self.neighbors.1, -1.0)] {
-            let arm = skew(&(self.p - self.nodal.x[node]));
-            for (variable, by) in UNKNOWNS.into_iter().zip(&by) {
-                let own = match j == node && variable == Variable::Position {
-                    true => Matrix3::identity(),
-                    false => Matrix3::zeros(),
-                };
-                let moment = by.moment + arm * by.force - force * (by.point - own);
-                out.add((node, Force), (j, variable), &(sign * by.force));
-                out.add((node, Moment), (j, variable), &(sign * moment));
-            }
-        }
-    }
-
-    /// The same by velocity and angular velocity of node `j`.
-    fn add_rates(&self, state: &At<'_>, j: usize, by_rate: &Matrix6<f64>, out: &mut LocalJacobian) {
-        for (variable, by) in RATES.into_iter().zip(&state.variation[j]) {
-            let [force, moment] = state.turned(&(by_rate * by));
-            for (node, sign) in [(self.neighbors.0, 1.0), (self.neighbors.1, -1.0)] {
-                let arm = skew(&(self.p - self.nodal.x[node]));
-                out.add((node, Force), (j, variable), &(sign * force));
-                out.add(
-                    (node, Moment),
-                    (j, variable),
-                    &(sign * (moment + arm * force)),
-                );
-            }
         }
     }
 }

@@ -27,8 +27,8 @@ use shared_geom::rotation::skew;
 use super::elastic::ElasticBeam;
 use super::geometry::BeamGeometry;
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
-use crate::elements::loads::{LoadFactor, Turning};
-use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual, Signal};
+use crate::elements::loads::{Head, Load, LoadFactor, Turning};
+use crate::elements::{Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, Variable};
 
@@ -43,13 +43,9 @@ pub type LineLoad = [Vector3<f64>; 2];
 /// A load along a beam.
 #[derive(Debug, Clone)]
 pub struct DistributedLoad {
-    label: String,
-    /// The nodes of the beam, then those that are sensed.
-    nodes: Vec<usize>,
+    head: Head,
     geometry: BeamGeometry,
     turning: Turning,
-    factor: LoadFactor,
-    signal: Signal,
     points: Vec<LoadPoint>,
 }
 
@@ -111,12 +107,14 @@ impl DistributedLoad {
             }
         }
         Self {
-            label: label.into(),
-            nodes: nodes.to_vec(),
+            head: Head {
+                label: label.into(),
+                nodes: nodes.to_vec(),
+                factor,
+                signal: Signal::default(),
+            },
             geometry,
             turning,
-            factor,
-            signal: Signal::default(),
             points,
         }
     }
@@ -124,7 +122,7 @@ impl DistributedLoad {
     /// The load times a signal.
     #[must_use]
     pub fn driven(mut self, signal: Signal) -> Self {
-        self.signal = signal.seated(&mut self.nodes);
+        self.head.signal = signal.seated(&mut self.head.nodes);
         self
     }
 
@@ -141,9 +139,40 @@ impl DistributedLoad {
         }
     }
 
-    fn add(&self, at: &Local<'_>, factor: f64, out: &mut LocalResidual) {
+    /// Adds what the change of the signal does.
+    fn add_signal(
+        &self,
+        at: &Local<'_>,
+        load_factor: f64,
+        nodal: &NodalKinematics,
+        out: &mut LocalJacobian,
+    ) {
+        let mut sums = [[Vector3::zeros(); 2]; 3];
+        for piece in &self.points {
+            let acting = self.acting(piece, nodal);
+            let arm = acting.point.p - nodal.x[piece.portion];
+            let [force, moment] = &mut sums[piece.portion];
+            *force += acting.force;
+            *moment += acting.moment + arm.cross(&acting.force);
+        }
+        self.head.signal.gradient(at, |place, variable, row| {
+            let row = load_factor * row.transpose();
+            for (node, [force, moment]) in sums.iter().enumerate() {
+                out.add((node, Force), (place, variable), &(force * row));
+                out.add((node, Moment), (place, variable), &(moment * row));
+            }
+        });
+    }
+}
+
+impl Load for DistributedLoad {
+    fn head(&self) -> &Head {
+        &self.head
+    }
+
+    fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
-        let factor = factor * self.signal.value(at);
+        let factor = factor * self.head.signal.value(at);
         for piece in &self.points {
             let node = piece.portion;
             let acting = self.acting(piece, &nodal);
@@ -154,9 +183,9 @@ impl DistributedLoad {
         }
     }
 
-    fn add_stiffness(&self, at: &Local<'_>, load_factor: f64, out: &mut LocalJacobian) {
+    fn add_variation(&self, load_factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
-        let factor = load_factor * self.signal.value(at);
+        let factor = load_factor * self.head.signal.value(at);
         let relative = nodal.relative_variation();
         let offset = nodal.offset_skew();
         for piece in &self.points {
@@ -182,64 +211,5 @@ impl DistributedLoad {
             }
         }
         self.add_signal(at, load_factor, &nodal, out);
-    }
-
-    /// Adds what the change of the signal does.
-    fn add_signal(
-        &self,
-        at: &Local<'_>,
-        load_factor: f64,
-        nodal: &NodalKinematics,
-        out: &mut LocalJacobian,
-    ) {
-        let mut sums = [[Vector3::zeros(); 2]; 3];
-        for piece in &self.points {
-            let acting = self.acting(piece, nodal);
-            let arm = acting.point.p - nodal.x[piece.portion];
-            let [force, moment] = &mut sums[piece.portion];
-            *force += acting.force;
-            *moment += acting.moment + arm.cross(&acting.force);
-        }
-        self.signal.gradient(at, |place, variable, row| {
-            let row = load_factor * row.transpose();
-            for (node, [force, moment]) in sums.iter().enumerate() {
-                out.add((node, Force), (place, variable), &(force * row));
-                out.add((node, Moment), (place, variable), &(moment * row));
-            }
-        });
-    }
-}
-
-impl Element for DistributedLoad {
-    fn label(&self) -> &str {
-        &self.label
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn domain(&self) -> [f64; 2] {
-        self.signal.domain()
-    }
-
-    fn next_corner(&self, time: f64) -> f64 {
-        self.signal.next_corner(time)
-    }
-
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(at, self.factor.value(at.loading), out);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        self.add_stiffness(at, self.factor.value(at.loading), out);
-    }
-
-    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(at, self.factor.derivative(), out);
-    }
-
-    fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
-        self.add_stiffness(at, self.factor.derivative(), out);
     }
 }

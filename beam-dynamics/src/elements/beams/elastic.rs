@@ -36,26 +36,22 @@
 //!
 //! References: [Masarati], the three-node finite-volume beam (5.2-5.4).
 
-use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
-use shared_geom::rotation::{gibbs, skew, skew_skew, skew_times, times_skew};
+use nalgebra::{Matrix3, Matrix6, Vector6};
+use shared_geom::rotation::{gibbs, skew, times_skew};
 
 use super::geometry::{BeamGeometry, ReferencePoint};
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
+use super::portions::{ByNode, Internal, NEIGHBORS};
 use crate::elements::{
     Along, Element, Energy, Local, LocalJacobian, LocalResidual, Observations, SectionState,
 };
-use crate::model::Equation::{Force, Moment};
-use crate::model::{Node, NodeMotion, Variable};
+use crate::model::{Node, NodeMotion};
 
 mod prestress;
 
 /// xi of the evaluation points: the Gauss points, which make the beam of constant
 /// properties exact at its ends.
 const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
-
-/// Nodes whose portions meet at each evaluation point: the force of the point acts
-/// with plus on the first and with minus on the second.
-pub(super) const NEIGHBORS: [(usize, usize); 2] = [(0, 1), (1, 2)];
 
 /// A geometrically exact elastic beam through three nodes.
 #[derive(Debug, Clone)]
@@ -72,21 +68,6 @@ struct EvaluationPoint {
     reference: ReferencePoint,
     /// Section stiffness, section axes [N, N m, N m^2].
     stiffness: Matrix6<f64>,
-}
-
-/// Force and moment at an evaluation point, model axes, and what they hang on.
-struct Internal {
-    point: PointKinematics,
-    /// Force [N] and moment [N m] in model axes.
-    force: Vector3<f64>,
-    moment: Vector3<f64>,
-}
-
-/// Derivatives at an evaluation point by position and rotation of one node.
-#[derive(Clone, Copy)]
-struct ByNode {
-    force: [Matrix3<f64>; 2],
-    moment: [Matrix3<f64>; 2],
 }
 
 impl ElasticBeam {
@@ -129,7 +110,10 @@ impl ElasticBeam {
     /// motion of the three nodes [-, 1/m].
     pub fn strains(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
         let nodal = NodalKinematics::new(&self.geometry, nodes);
-        std::array::from_fn(|i| self.points[i].strain(&nodal.at_point(&self.points[i])))
+        std::array::from_fn(|i| {
+            let point = &self.points[i];
+            point.reference.strain(&nodal.at_point(point))
+        })
     }
 
     /// Internal forces at the two evaluation points, section axes [N, N m].
@@ -146,16 +130,9 @@ impl NodalKinematics {
 }
 
 impl EvaluationPoint {
-    fn strain(&self, point: &PointKinematics) -> Vector6<f64> {
-        let (slope, curvature) = point.strain_measures();
-        let nu = slope - self.reference.slope;
-        let kappa = curvature - self.reference.curvature;
-        Vector6::new(nu.x, nu.y, nu.z, kappa.x, kappa.y, kappa.z)
-    }
-
     fn internal(&self, nodal: &NodalKinematics) -> Internal {
         let point = nodal.at_point(self);
-        let section = self.stiffness * self.strain(&point);
+        let section = self.stiffness * self.reference.strain(&point);
         Internal {
             point,
             force: point.r * section.fixed_rows::<3>(0),
@@ -230,12 +207,9 @@ impl Element for ElasticBeam {
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         for (evaluation, neighbors) in self.points.iter().zip(NEIGHBORS) {
-            let Internal {
-                point,
-                force,
-                moment,
-            } = evaluation.internal(&nodal);
-            add_forces(&nodal, &point.p, [&force, &moment], neighbors, out);
+            evaluation
+                .internal(&nodal)
+                .add_forces(&nodal, neighbors, out);
         }
     }
 
@@ -245,7 +219,7 @@ impl Element for ElasticBeam {
         for (evaluation, neighbors) in self.points.iter().zip(NEIGHBORS) {
             let internal = evaluation.internal(&nodal);
             let variation = evaluation.variation(&nodal, &relative, &internal);
-            evaluation.add_tangent(&nodal, &internal, &variation, neighbors, out);
+            internal.add_tangent(&nodal, &evaluation.shape, &variation, neighbors, out);
         }
     }
 
@@ -257,7 +231,7 @@ impl Element for ElasticBeam {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         for (evaluation, xi) in self.points.iter().zip(EVALUATION_POINTS) {
             let point = nodal.at_point(evaluation);
-            let strain = evaluation.strain(&point);
+            let strain = evaluation.reference.strain(&point);
             out.sections.push(SectionState {
                 beam: self.label.clone(),
                 xi,
@@ -266,56 +240,6 @@ impl Element for ElasticBeam {
                 strain,
                 internal_force: evaluation.stiffness * strain,
             });
-        }
-    }
-}
-
-/// Adds the force and the moment at the evaluation point `p` to the two nodes beside it.
-pub(super) fn add_forces(
-    nodal: &NodalKinematics,
-    p: &Vector3<f64>,
-    [force, moment]: [&Vector3<f64>; 2],
-    (plus, minus): (usize, usize),
-    out: &mut LocalResidual,
-) {
-    for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
-        let arm = p - nodal.x[node];
-        out.add(node, Force, &(sign * force));
-        out.add(node, Moment, &(sign * moment));
-        out.add(node, Moment, &(sign * arm.cross(force)));
-    }
-}
-
-impl EvaluationPoint {
-    /// Adds the variations of the forces on the two nodes beside the point.
-    fn add_tangent(
-        &self,
-        nodal: &NodalKinematics,
-        internal: &Internal,
-        variation: &[ByNode; 3],
-        (plus, minus): (usize, usize),
-        out: &mut LocalJacobian,
-    ) {
-        let skew_force = skew(&internal.force);
-        for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
-            let arm = sign * (internal.point.p - nodal.x[node]);
-            for (j, by) in variation.iter().enumerate() {
-                let n = self.shape.n[j];
-                let own = if j == node { 1.0 } else { 0.0 };
-                // [F]x (d P - d x), d P = N_j (d x_j - [f_j]x theta_j)
-                let lever = [
-                    sign * (n - own) * skew_force,
-                    (-sign * n) * skew_skew(&internal.force, &nodal.f[j]),
-                ];
-                for (k, variable) in [Variable::Position, Variable::Rotation]
-                    .into_iter()
-                    .enumerate()
-                {
-                    let moment = sign * by.moment[k] + skew_times(&arm, &by.force[k]) - lever[k];
-                    out.add((node, Force), (j, variable), &(sign * by.force[k]));
-                    out.add((node, Moment), (j, variable), &moment);
-                }
-            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Undeformed geometry of a three-node beam.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector3, Vector6};
 
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::model::{Node, NodeMotion};
@@ -48,6 +48,16 @@ pub(super) struct ReferencePoint {
     pub slope: Vector3<f64>,
     /// Curvature in section axes [1/m].
     pub curvature: Vector3<f64>,
+}
+
+impl ReferencePoint {
+    /// Generalized strain `[nu; kappa]` of a point, section axes [-, 1/m].
+    pub(super) fn strain(&self, point: &PointKinematics) -> Vector6<f64> {
+        let (slope, curvature) = point.strain_measures();
+        let nu = slope - self.slope;
+        let kappa = curvature - self.curvature;
+        Vector6::new(nu.x, nu.y, nu.z, kappa.x, kappa.y, kappa.z)
+    }
 }
 
 impl BeamGeometry {

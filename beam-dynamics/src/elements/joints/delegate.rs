@@ -20,6 +20,10 @@ macro_rules! is_a_joint {
                 self.joint.level(constraint)
             }
 
+            fn constraint_words(&self, constraint: usize) -> crate::elements::ConstraintWords {
+                self.joint.constraint_words(constraint)
+            }
+
             fn constraint_rates(
                 &self,
                 at: &crate::elements::Local<'_>,

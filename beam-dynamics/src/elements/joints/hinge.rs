@@ -35,8 +35,8 @@ use shared_geom::rotation::skew;
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
 use crate::elements::{
-    Along, ConstraintRates, Element, Energy, Local, LocalJacobian, LocalResidual, Motion,
-    Observations, prestress_of_multipliers,
+    Along, ConstraintRates, ConstraintWords, Element, Energy, Local, LocalJacobian, LocalResidual,
+    Motion, Observations, prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Node, NodeMotion, Variable};
@@ -188,6 +188,10 @@ impl Element for Hinge {
 
     fn multipliers(&self) -> usize {
         self.joint.multipliers()
+    }
+
+    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
+        self.joint.constraint_words(constraint)
     }
 
     fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {

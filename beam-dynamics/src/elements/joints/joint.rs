@@ -13,8 +13,8 @@ use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
 use crate::elements::loads::LoadFactor;
 use crate::elements::{
-    ConstraintRates, Element, Level, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    PlaceJump, Reaction,
+    ConstraintRates, ConstraintWords, Element, Level, Local, LocalJacobian, LocalResidual, Motion,
+    Observations, PlaceJump, Reaction,
 };
 use crate::model::{Drive, DriveValue, Loading, Node, NodeMotion};
 
@@ -244,6 +244,13 @@ impl Element for ConstraintJoint {
         self.rows
             .get(constraint)
             .map_or(Level::Position, Row::level)
+    }
+
+    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
+        match self.rows.get(constraint) {
+            Some(row) => row.held.words(),
+            None => ConstraintWords::numbered(constraint),
+        }
     }
 
     fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {

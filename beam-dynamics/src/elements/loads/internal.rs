@@ -24,9 +24,10 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
 use super::factor::LoadFactor;
+use super::load::{Head, Load};
 use crate::elements::springs::End;
 use crate::elements::springs::line::{Line, PullVariation};
-use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual, Signal};
+use crate::elements::{Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
 
@@ -56,12 +57,9 @@ pub enum Between {
 /// A force between two nodes.
 #[derive(Debug, Clone)]
 pub struct InternalForce {
-    label: String,
-    /// The two nodes, then those that are sensed.
-    nodes: Vec<usize>,
+    /// Its nodes are the two.
+    head: Head,
     acting: Acting,
-    factor: LoadFactor,
-    signal: Signal,
 }
 
 #[derive(Debug, Clone)]
@@ -119,11 +117,13 @@ impl InternalForce {
             }
         };
         Self {
-            label: label.into(),
-            signal: signal.seated(&mut on),
-            nodes: on,
+            head: Head {
+                label: label.into(),
+                signal: signal.seated(&mut on),
+                nodes: on,
+                factor,
+            },
             acting,
-            factor,
         }
     }
 
@@ -144,9 +144,15 @@ impl InternalForce {
             }
         }
     }
+}
+
+impl Load for InternalForce {
+    fn head(&self) -> &Head {
+        &self.head
+    }
 
     fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
-        let size = factor * self.signal.value(at);
+        let size = factor * self.head.signal.value(at);
         self.wrenches(at.nodes, |node, [force, moment]| {
             out.add(node, Force, &(size * force));
             out.add(node, Moment, &(size * moment));
@@ -154,7 +160,7 @@ impl InternalForce {
     }
 
     fn add_variation(&self, factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
-        let size = factor * self.signal.value(at);
+        let size = factor * self.head.signal.value(at);
         match &self.acting {
             Acting::Line { line, tension } => {
                 let state = line.state(at.nodes);
@@ -166,7 +172,7 @@ impl InternalForce {
             }
             Acting::Axes(axes) => axes.pair(size, at.nodes).add_variation(out),
         }
-        self.signal.gradient(at, |place, variable, row| {
+        self.head.signal.gradient(at, |place, variable, row| {
             let row = factor * row.transpose();
             self.wrenches(at.nodes, |node, [force, moment]| {
                 out.add((node, Force), (place, variable), &(force * row));
@@ -201,39 +207,5 @@ impl Pair {
         out.add((0, Moment), (0, Variable::Position), &-force);
         out.add((0, Moment), (1, Variable::Position), &force);
         out.add((0, Moment), (1, Variable::Rotation), &-(force * f));
-    }
-}
-
-impl Element for InternalForce {
-    fn label(&self) -> &str {
-        &self.label
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn domain(&self) -> [f64; 2] {
-        self.signal.domain()
-    }
-
-    fn next_corner(&self, time: f64) -> f64 {
-        self.signal.next_corner(time)
-    }
-
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(self.factor.value(at.loading), at, out);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        self.add_variation(self.factor.value(at.loading), at, out);
-    }
-
-    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(self.factor.derivative(), at, out);
-    }
-
-    fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
-        self.add_variation(self.factor.derivative(), at, out);
     }
 }

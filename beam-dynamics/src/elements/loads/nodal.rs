@@ -22,7 +22,8 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
 use super::factor::{LoadFactor, Turning};
-use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual, Signal};
+use super::load::{Head, Load};
+use crate::elements::{Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
 
@@ -44,11 +45,8 @@ pub struct NodalForce {
 /// A force and a moment on a node.
 #[derive(Debug, Clone)]
 pub struct NodalLoad {
-    label: String,
-    /// The node, then those that are sensed.
-    nodes: Vec<usize>,
+    head: Head,
     load: NodalForce,
-    signal: Signal,
     /// Undeformed attitude of the node.
     rotation: Matrix3<f64>,
 }
@@ -65,10 +63,13 @@ impl NodalLoad {
     /// `load` on node number `index`.
     pub fn new(label: impl Into<String>, index: usize, node: &Node, load: NodalForce) -> Self {
         Self {
-            label: label.into(),
-            nodes: vec![index],
+            head: Head {
+                label: label.into(),
+                nodes: vec![index],
+                factor: load.factor,
+                signal: Signal::default(),
+            },
             load,
-            signal: Signal::default(),
             rotation: node.rotation,
         }
     }
@@ -76,7 +77,7 @@ impl NodalLoad {
     /// The load times a signal.
     #[must_use]
     pub fn driven(mut self, signal: Signal) -> Self {
-        self.signal = signal.seated(&mut self.nodes);
+        self.head.signal = signal.seated(&mut self.head.nodes);
         self
     }
 
@@ -93,17 +94,23 @@ impl NodalLoad {
             moment: turn * self.load.moment + arm.cross(&force),
         }
     }
+}
 
-    fn add(&self, at: &Local<'_>, factor: f64, out: &mut LocalResidual) {
+impl Load for NodalLoad {
+    fn head(&self) -> &Head {
+        &self.head
+    }
+
+    fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
         let acting = self.acting(&at.nodes[0]);
-        let factor = factor * self.signal.value(at);
+        let factor = factor * self.head.signal.value(at);
         out.add(0, Force, &(factor * acting.force));
         out.add(0, Moment, &(factor * acting.moment));
     }
 
-    fn add_stiffness(&self, at: &Local<'_>, load_factor: f64, out: &mut LocalJacobian) {
+    fn add_variation(&self, load_factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
         let Acting { force, arm, moment } = self.acting(&at.nodes[0]);
-        let factor = load_factor * self.signal.value(at);
+        let factor = load_factor * self.head.signal.value(at);
         let column = (0, Variable::Rotation);
         match self.load.turning {
             Turning::Dead => {
@@ -115,44 +122,10 @@ impl NodalLoad {
                 out.add((0, Moment), column, &(-factor * skew(&moment)));
             }
         }
-        self.signal.gradient(at, |place, variable, row| {
+        self.head.signal.gradient(at, |place, variable, row| {
             let row = load_factor * row.transpose();
             out.add((0, Force), (place, variable), &(force * row));
             out.add((0, Moment), (place, variable), &(moment * row));
         });
-    }
-}
-
-impl Element for NodalLoad {
-    fn label(&self) -> &str {
-        &self.label
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn domain(&self) -> [f64; 2] {
-        self.signal.domain()
-    }
-
-    fn next_corner(&self, time: f64) -> f64 {
-        self.signal.next_corner(time)
-    }
-
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(at, self.load.factor.value(at.loading), out);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        self.add_stiffness(at, self.load.factor.value(at.loading), out);
-    }
-
-    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(at, self.load.factor.derivative(), out);
-    }
-
-    fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
-        self.add_stiffness(at, self.load.factor.derivative(), out);
     }
 }

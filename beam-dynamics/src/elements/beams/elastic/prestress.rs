@@ -15,8 +15,9 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew_times;
 
-use super::{ByNode, ElasticBeam, EvaluationPoint, Internal, NEIGHBORS};
+use super::{ElasticBeam, EvaluationPoint};
 use crate::elements::beams::interpolation::NodalKinematics;
+use crate::elements::beams::portions::{ByNode, Internal, NEIGHBORS};
 use crate::elements::{Along, Local, LocalJacobian};
 
 impl ElasticBeam {
@@ -26,7 +27,7 @@ impl ElasticBeam {
             let internal = evaluation.internal(&nodal);
             let growth = evaluation.growth(&nodal, &internal, along);
             let variation = evaluation.prestress(&nodal, &growth);
-            evaluation.add_tangent(&nodal, &growth, &variation, neighbors, out);
+            growth.add_tangent(&nodal, &evaluation.shape, &variation, neighbors, out);
         }
     }
 }

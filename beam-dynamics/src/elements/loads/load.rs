@@ -1,0 +1,66 @@
+//! Loads as elements: forces and moments that a factor and a signal multiply.
+
+use std::fmt::Debug;
+
+use super::factor::LoadFactor;
+use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual, Signal};
+
+/// What all loads have.
+#[derive(Debug, Clone)]
+pub(in crate::elements) struct Head {
+    pub label: String,
+    /// The nodes that carry the load, then those that are sensed.
+    pub nodes: Vec<usize>,
+    pub factor: LoadFactor,
+    pub signal: Signal,
+}
+
+/// Forces and moments that are proportional to a factor.
+pub(in crate::elements) trait Load: Debug + Send + Sync {
+    /// What it has as all loads have it.
+    fn head(&self) -> &Head;
+
+    /// Adds the load times `factor`, and times its signal.
+    fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual);
+
+    /// Adds its variation likewise, that of the signal included.
+    fn add_variation(&self, factor: f64, at: &Local<'_>, out: &mut LocalJacobian);
+}
+
+impl<T: Load> Element for T {
+    fn label(&self) -> &str {
+        &self.head().label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.head().nodes
+    }
+
+    fn senses(&self) -> bool {
+        self.head().signal.senses()
+    }
+
+    fn domain(&self) -> [f64; 2] {
+        self.head().signal.domain()
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        self.head().signal.next_corner(time)
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.add(self.head().factor.value(at.loading), at, out);
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        self.add_variation(self.head().factor.value(at.loading), at, out);
+    }
+
+    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.add(self.head().factor.derivative(), at, out);
+    }
+
+    fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
+        self.add_variation(self.head().factor.derivative(), at, out);
+    }
+}
