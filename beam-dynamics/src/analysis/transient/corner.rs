@@ -164,8 +164,10 @@ impl fmt::Display for Struck {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { joint, time, count } = self;
         write!(f, "the drive of \"{joint}\" jumps in rate at t = {time} s")?;
-        if *count > 1 {
-            write!(f, " and {} more times", count - 1)?;
+        match *count {
+            0 | 1 => {}
+            2 => write!(f, " and once more")?,
+            _ => write!(f, " and {} more times", count - 1)?,
         }
         write!(f, ": an impulse; velocities were set to follow it")
     }

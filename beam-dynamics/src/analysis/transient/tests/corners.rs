@@ -151,7 +151,7 @@ fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
                 .iter()
                 .filter(|r| r.contains("impulse"))
                 .collect();
-            let expected = "the drive of \"hinge 0\" jumps in rate at t = 0.103 s and 1 more times: \
+            let expected = "the drive of \"hinge 0\" jumps in rate at t = 0.103 s and once more: \
                 an impulse; velocities were set to follow it";
             assert_eq!(told, [expected]);
         }
