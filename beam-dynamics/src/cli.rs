@@ -131,12 +131,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
             out,
             restart,
         } => transient::transient_of_files(&files, out.as_deref(), restart.as_deref(), terminal),
-        Command::Plot {
-            results,
-            columns,
-            across,
-            out,
-        } => plot::plot_files(&results, &columns, &across, out.as_deref(), terminal),
+        Command::Plot { results, options } => plot::plot_files(&results, &options, terminal),
         Command::Check { files } => check_files(&files, terminal),
         Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
         Command::Convert {

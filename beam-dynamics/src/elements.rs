@@ -27,7 +27,7 @@ mod jacobian_tests;
 #[cfg(test)]
 mod rates_tests;
 
-pub use constraint::{ConstraintRates, Energy, Level};
+pub use constraint::{ConstraintRates, ConstraintWords, Energy, Level, PlaceJump};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
 pub use observation::{
@@ -81,6 +81,11 @@ pub trait Element: Debug + Send + Sync {
         Level::Position
     }
 
+    /// What the constraint number `constraint` holds, and what its multiplier is.
+    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
+        ConstraintWords::numbered(constraint)
+    }
+
     /// Tells how the constraints change by themselves: what start-up needs to find
     /// velocities and accelerations that agree with them. `false` when the element
     /// does not know.
@@ -97,6 +102,29 @@ pub trait Element: Debug + Send + Sync {
     /// The first and the last time at which all drives of the element have a value \[s\].
     fn domain(&self) -> [f64; 2] {
         Drive::ALWAYS
+    }
+
+    /// Whether it acts on what it senses of nodes.
+    fn senses(&self) -> bool {
+        false
+    }
+
+    /// What its drives hold in place and jumps between two instants: no motion follows that.
+    fn jump(&self, _between: [&Loading; 2]) -> Option<PlaceJump> {
+        None
+    }
+
+    /// The element with what it drives by velocities held in the place that it has in the
+    /// undeformed model, by as many constraints; `None` when it drives nothing so. Equilibria
+    /// are found with it: a velocity says nothing of a state at rest.
+    fn held(&self, _undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
+        None
+    }
+
+    /// The rotation by which it is loaded and which is known up to whole turns only, where
+    /// there is one \[rad\]: it must not pass half a turn.
+    fn winding(&self, _at: &Local<'_>) -> Option<Vector3<f64>> {
+        None
     }
 
     /// Whether a rotation that it drives is held half a turn off: its constraints are

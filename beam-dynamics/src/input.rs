@@ -24,9 +24,11 @@ mod blades;
 mod bodies;
 mod clamps;
 mod columns;
+mod csv_rows;
 mod damping;
 mod draft;
 mod drives;
+mod elsewhere;
 mod ends;
 mod frames;
 mod hub;
@@ -56,6 +58,8 @@ mod transient;
 mod frame_tests;
 #[cfg(test)]
 mod joint_tests;
+#[cfg(test)]
+mod test_files;
 #[cfg(test)]
 mod tests;
 
@@ -97,6 +101,8 @@ pub struct Input {
     pub measured: Measured,
     /// Names of the joints that nothing but motion and loads holds.
     pub free_hinges: Vec<String>,
+    /// Where each node is given.
+    pub node_places: Vec<Place>,
     /// What the model consists of.
     pub summary: Summary,
     /// What the reader must know of the files: defaults that were taken, plausibility.
@@ -118,7 +124,9 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
 fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
     declare(&document, &document.root());
-    frames::repeat(&mut document);
+    if !frames::repeat(&mut document) {
+        return document.finish(None);
+    }
     let input = cards(&document, name);
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
@@ -128,15 +136,20 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
         && input.modes.is_none()
         && input.statics.is_none()
         && input.buckling.is_none();
+    let place = |node: &str| {
+        let mut nodes = input.model.system.nodes().iter().zip(&input.node_places);
+        let found = nodes.find(|(own, _)| own.label == node);
+        found.map_or_else(|| Place::file(file), |(_, place)| place.clone())
+    };
     for found in mobility.mechanisms.iter().filter(|_| !only_in_time) {
-        problems.push(Place::file(file), found);
+        problems.push(place(&found.node), found);
     }
     let massless = match input.transient {
         Some(_) => massless::find(&input.model.system),
         None => Vec::new(),
     };
     for found in &massless {
-        problems.push(Place::file(file), found);
+        problems.push(place(&found.node), found);
     }
     input.remarks.extend(free_hinges(&mobility.free_hinges));
     input.free_hinges = mobility.free_hinges;
@@ -202,19 +215,26 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let questions = questions::read(&root);
     let measured = measured::read(&root);
     let output = columns::read(&root, &draft);
-    root.finish();
+    root.finish_beside(&elsewhere::OF_FILE);
 
     draft.check(&root);
     transient::check(&root, &draft);
     let times = questions.as_ref().and_then(Questions::times);
     if let Some(times) = times {
         draft.drives().check(document, times);
+        draft.drives().check_corners(document, times);
     }
     let start = times.map_or(0.0, |[start, _]| start);
     draft.drives().check_start(document, start);
+    if let (Some(output), Some(questions)) = (&output, &questions) {
+        columns::check(&root, output, questions.transient.as_ref());
+    }
     let ((gravity, gravity_drive), questions) = (gravity?, questions?);
     questions.check(&root, &gravity, &draft.hub()?.spin());
+    let places = draft.initial().map(|(_, _, line)| document.place(line));
+    let node_places = places.collect();
     let mut input = finish(name, draft, questions, measured?)?;
+    input.node_places = node_places;
     input.model.gravity = gravity;
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
@@ -236,6 +256,7 @@ fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) 
         transient: questions.transient,
         measured,
         free_hinges: Vec::new(),
+        node_places: Vec::new(),
         summary,
         remarks,
     })

@@ -18,7 +18,7 @@ mod scheme;
 
 pub use advance::{Integrator, Progress, Stepped};
 pub use counters::Counters;
-pub use dae::Dae;
+pub use dae::{Corner, Dae, Renewal};
 pub use failure::{LocalError, Reason, StepFailure};
 pub use formula::{Formula, STAGES};
 pub use limits::{Jacobians, StepLimits};

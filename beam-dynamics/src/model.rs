@@ -4,6 +4,7 @@ mod axes;
 mod conditions;
 mod drive;
 mod frame;
+mod name;
 mod node;
 mod numbering;
 mod state;
@@ -15,6 +16,7 @@ pub use drive::{
     Ramp, Step, SteppedNoise, TableProblem,
 };
 pub use frame::TurningFrame;
+pub use name::Name;
 pub use node::Node;
 pub use numbering::{Equation, NODE_UNKNOWNS, Numbering, Variable};
 pub use state::{NodeMotion, State};

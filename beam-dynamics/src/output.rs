@@ -39,6 +39,6 @@ pub use table_csv::frequency_csv;
 pub use table_modes::mode_csv;
 pub use table_text::{CONVENTION, convention, frequency_text};
 pub use transient::{
-    Curve, Heading, RunFileProblem, RunFiles, TimePlot, TimeTable, effort_text, not_drawn_text,
+    Heading, RunFileProblem, RunFiles, TimePlot, TimeTable, effort_text, not_drawn_text,
     read_snapshot, write_snapshot,
 };

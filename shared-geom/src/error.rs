@@ -7,6 +7,10 @@
 use std::collections::{BTreeMap, VecDeque};
 use std::fmt;
 
+/// Problems of a file that are shown one by one: the others are counted, as many of them
+/// come from the first.
+const SHOWN: usize = 50;
+
 /// A typed problem that may know its remedy.
 pub trait Explain: std::error::Error {
     /// The remedy in one line, shown behind `help:`; `None` where none is known.
@@ -189,11 +193,21 @@ impl Diagnostics {
 
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
         for (i, item) in self.items.iter().enumerate() {
+            let count = counts.entry(&item.place.file).or_default();
+            *count += 1;
+            if *count > SHOWN {
+                continue;
+            }
             if i > 0 {
                 writeln!(f)?;
             }
             write!(f, "error: {item}")?;
+        }
+        for (file, count) in counts.into_iter().filter(|(_, count)| *count > SHOWN) {
+            let more = count - SHOWN;
+            write!(f, "\nerror: {file}: and {more} more problems")?;
         }
         Ok(())
     }
@@ -245,6 +259,26 @@ mod tests {
              error: b.toml: unknown key \"zzz\""
         );
         assert!(all.into_result(()).is_err());
+    }
+
+    #[test]
+    fn many_problems_of_a_file_are_counted() {
+        let mut all = Diagnostics::new();
+        for line in 1..=60 {
+            all.push(Place::line("a.toml", line), &Unknown("zzz".into()));
+        }
+        all.push(Place::line("b.toml", 7), &Unknown("zzz".into()));
+        let shown = all.to_string();
+        assert_eq!(shown.lines().count(), SHOWN + 2);
+        for part in [
+            "error: a.toml:50: ",
+            "error: b.toml:7: unknown key \"zzz\"\n",
+            "error: a.toml: and 10 more problems",
+        ] {
+            assert!(shown.contains(part), "{part}: {shown}");
+        }
+        assert!(!shown.contains("a.toml:51"));
+        assert_eq!(all.iter().count(), 61);
     }
 
     #[test]

@@ -7,11 +7,11 @@ use serde_json::Value;
 
 use self::system::{Equations, System};
 
-mod orders;
+pub mod orders;
 mod stability;
 mod stepping;
 mod system;
-mod tables;
+pub mod tables;
 
 /// A data file of `tests/reference/dynamics`.
 fn reference(name: &str) -> Value {

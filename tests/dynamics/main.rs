@@ -23,9 +23,11 @@ mod mbdyn_model;
 mod mechanisms;
 mod pendulum;
 mod postbuckling;
+mod random_mechanisms;
 #[path = "../common/record.rs"]
 mod record;
 mod rotating_beam;
+mod rotating_in_time;
 mod rotor;
 mod rotor_in_time;
 mod spinning_top;

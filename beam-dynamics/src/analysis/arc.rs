@@ -17,7 +17,7 @@
 use crate::model::State;
 use crate::solver::{Equations, Newton, NewtonStatus, Worst, solve};
 
-use super::balance::Balance;
+use super::balance::{Balance, worst_equation};
 use super::path::{PathEnd, Point, Walk, Walker};
 
 /// First step where none is asked for, as a part of the whole way.
@@ -238,11 +238,7 @@ impl Arc<'_, '_> {
                 true => "the tangent is singular",
                 false => "the path is not found however short the step",
             },
-            equation: self
-                .walker
-                .balance
-                .system
-                .describe_equation(tried.worst.place),
+            equation: worst_equation(self.walker.balance.system, &tried.worst),
         }
     }
 }

@@ -29,16 +29,12 @@ impl<'a> Balance<'a> {
         conditions: Conditions,
         state: State,
     ) -> Self {
-        let nodes = system.nodes();
-        let first = nodes.first().map_or_else(Vector3::zeros, |n| n.position);
-        let reach = nodes.iter().map(|node| (node.position - first).norm());
-        let size = reach.fold(0.0, f64::max);
         Self {
             system,
             solver,
             conditions,
             state,
-            size: if size > 0.0 { size } else { 1.0 },
+            size: system.rest().size(),
         }
     }
 
@@ -179,6 +175,12 @@ pub(super) fn largest_motion<'a>(nodes: impl Iterator<Item = &'a [f64]>, size: f
     })
 }
 
+/// An equation in words, and how far it is off.
+pub(super) fn worst_equation(system: &System, worst: &Worst) -> String {
+    let name = system.equation(worst.place);
+    name.off_by(worst.relative, worst.scale)
+}
+
 /// The worst equation: residual against the largest term of its kind. Moments, and
 /// angular momenta, have the largest force, or momentum, on a lever of `arm` \[m\] among
 /// their terms, and forces the largest moment over it: on a straight blade that turns
@@ -220,6 +222,7 @@ pub(super) fn worst(residual: &Residual, nodes: usize, arm: f64) -> Worst {
     let places = (0..residual.values.len()).map(|place| Worst {
         relative: relative(place),
         place,
+        scale: largest[kind(place)],
     });
     places
         .max_by(|a, b| a.relative.total_cmp(&b.relative))

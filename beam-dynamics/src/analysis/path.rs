@@ -14,7 +14,7 @@
 use crate::model::{Conditions, State};
 use crate::solver::{Equations, Newton, NewtonReport, NewtonStatus, solve};
 
-use super::balance::Balance;
+use super::balance::{Balance, worst_equation};
 use super::settling::free_motion;
 
 /// Part of a way that the rates at its ends may leave unexplained.
@@ -251,7 +251,7 @@ impl<'a> Walker<'a> {
     }
 
     fn end(&self, here: &Here, rates: &Rates, report: &NewtonReport) -> PathEnd {
-        let equation = self.balance.system.describe_equation(report.worst.place);
+        let equation = worst_equation(self.balance.system, &report.worst);
         if let Some(factor) = rates.limit() {
             return PathEnd::LimitPoint { factor, equation };
         }

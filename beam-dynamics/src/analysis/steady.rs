@@ -9,7 +9,7 @@ use crate::case::Model;
 use crate::model::{Conditions, Loading, State, TurningFrame};
 use crate::solver::{LinearSolver, Newton, NewtonReport, NewtonStatus, solve};
 
-use super::balance::Balance;
+use super::balance::{Balance, worst_equation};
 use super::settling::{free_motion, settle};
 
 /// Smallest step, as a part of the way to the wanted conditions, before giving up.
@@ -33,7 +33,7 @@ pub struct Equilibrium {
 /// Why no equilibrium was found.
 #[derive(Debug, Clone, thiserror::Error)]
 #[error(
-    "no steady equilibrium at {}{}: {reason}; worst equation: {equation}, relative residual {residual:.1e}",
+    "no steady equilibrium at {}{}: {reason}; worst equation: {equation}",
     rpm(*speed),
     part_of_loads(*part)
 )]
@@ -44,7 +44,7 @@ pub struct NoEquilibrium {
     pub part: f64,
     /// How the iteration ended, in words.
     pub reason: String,
-    /// The worst equation in words.
+    /// The worst equation in words, with its residual.
     pub equation: String,
     /// Its residual relative to the largest term of its kind [-].
     pub residual: f64,
@@ -239,7 +239,7 @@ fn no_equilibrium(balance: &Balance<'_>, part: f64, report: NewtonReport) -> NoE
         speed: balance.conditions.frame.angular_velocity.norm(),
         part,
         reason,
-        equation: balance.system.describe_equation(report.worst.place),
+        equation: worst_equation(balance.system, &report.worst),
         residual: report.worst.relative,
         report,
     }

@@ -5,13 +5,14 @@
 //! 2. The integrator makes one accepted step after the other, to the last instant.
 //! 3. What ends a run early is told with the equation that is worst and the likely cause.
 
+use crate::assembly::massless;
 use crate::assembly::redundancy::Redundant;
-use crate::assembly::{System, massless};
 use crate::case::{Model, TransientQuestion};
-use crate::integrator::{Counters, Integrator, Progress, Stepping};
+use crate::integrator::{Counters, Integrator, Progress};
 use crate::model::{Conditions, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
+mod corner;
 mod dummy;
 mod failure;
 mod multibody;
@@ -26,11 +27,15 @@ mod start;
 mod tests;
 
 pub use failure::{StepTrouble, TransientFailure};
+pub use snapshot::difference;
 pub use start::{Changed, StartChange};
 
-use failure::trouble;
 use multibody::Multibody;
 use start::{Started, start};
+
+/// Rotation of a node in a step above which it is told: half a percent of a rotation is then
+/// left to the error of the formula \[rad\].
+const FAR_TURN: f64 = 0.3;
 
 /// What a run in time came to; its steps are with the recorder.
 #[derive(Debug)]
@@ -59,8 +64,10 @@ struct Run<'a> {
     output_time: f64,
     /// When the run began, if the parts before this one had been made at once before it [s].
     began: f64,
-    /// The system with all its constraints, and those that were taken out.
-    removed: (&'a System, &'a [Redundant]),
+    /// The first node that turned far in a step, in words.
+    far_turn: Option<String>,
+    /// Constraints that follow from others.
+    redundant: &'a [Redundant],
 }
 
 /// Runs `model` in time as `question` asks, from its start or from where `resumed` was
@@ -82,20 +89,19 @@ pub fn transient(
         remarks: doubts(model, question),
         failure: None,
     };
-    let reduced = match redundant::independent(model, question) {
-        Ok(reduced) => reduced,
+    let shared = match redundant::independent(model, question) {
+        Ok(shared) => shared,
         Err(failure) => {
             outcome.failure = Some(failure);
             outcome.effort.total_time = clock() - began;
             return outcome;
         }
     };
-    let full = &model.system;
-    let (model, removed) = match &reduced {
+    let (model, redundant) = match &shared {
         None => (model, &[][..]),
-        Some(reduced) => {
-            outcome.remarks.extend(reduced.remarks());
-            (&reduced.model, &reduced.removed[..])
+        Some(shared) => {
+            outcome.remarks.extend(shared.remarks());
+            (&shared.model, &shared.redundant[..])
         }
     };
     let run = match resumed {
@@ -111,8 +117,10 @@ pub fn transient(
         }
     };
     run.began = began - resumed.map_or(0.0, |snapshot| snapshot.total_time);
-    run.removed = (full, removed);
+    run.redundant = redundant;
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
+    outcome.remarks.extend(run.dae.impulses.remarks());
+    outcome.remarks.extend(run.far_turn.take());
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
     outcome.effort.total_time = clock() - run.began;
@@ -135,6 +143,7 @@ fn begin<'a>(
     if let Some(node) = massless::find(&model.system).into_iter().next() {
         return Err(node.into());
     }
+    corner::check_places(model, [question.from, question.to])?;
     let Started {
         state,
         changes,
@@ -160,7 +169,7 @@ fn run<'a>(
         ..
     } = *question;
     let integrator =
-        Integrator::new(&dae, scheme, stepping, newton, from).ok_or(TransientFailure::Structure)?;
+        Integrator::new(&dae, scheme, stepping, newton, from).ok_or(TransientFailure::Memory)?;
     Ok(Run {
         model,
         question,
@@ -170,7 +179,8 @@ fn run<'a>(
         latest: (0.0, 0),
         output_time: 0.0,
         began: 0.0,
-        removed: (&model.system, &[]),
+        far_turn: None,
+        redundant: &[],
     })
 }
 
@@ -197,7 +207,7 @@ impl Run<'_> {
         clock: &dyn Fn() -> f64,
     ) -> Result<(), TransientFailure> {
         if tell_start {
-            self.tell(recorder, clock)?;
+            self.tell(&self.conditions(), recorder, clock)?;
         }
         while self.integrator.time() < self.question.to {
             let before = self.integrator.progress();
@@ -211,40 +221,92 @@ impl Run<'_> {
             };
             self.step += 1;
             self.latest = (stepped.length, stepped.iterations);
-            self.check_attitudes()?;
-            self.check_removed()?;
-            self.tell(recorder, clock)?;
+            let conditions = self.conditions();
+            if let Some(corner) = self.integrator.corner()
+                && let Err(failure) = corner::place_jump(self.model, &corner)
+            {
+                // The state just before it is sound.
+                self.tell(&conditions, recorder, clock)?;
+                return Err(failure);
+            }
+            self.check_attitudes(&conditions)?;
+            self.check_springs(&conditions)?;
+            self.watch_turns(stepped.length);
+            self.check_redundant()?;
+            self.tell(&conditions, recorder, clock)?;
         }
         Ok(())
     }
 
+    /// What acts at the latest accepted state.
+    fn conditions(&self) -> Conditions {
+        self.model.conditions_at(self.integrator.time())
+    }
+
     /// No driven rotation must have come to be held half a turn off.
-    fn check_attitudes(&self) -> Result<(), TransientFailure> {
-        let time = self.integrator.time();
-        let conditions = self.model.conditions_at(time);
+    fn check_attitudes(&self, conditions: &Conditions) -> Result<(), TransientFailure> {
         let system = &self.model.system;
-        match system.turned_over(self.dae.state(), &conditions) {
+        match system.turned_over(self.dae.state(), conditions) {
             None => Ok(()),
             Some(element) => Err(TransientFailure::TurnedOver {
                 constraint: format!("\"{}\"", element.label()),
+                time: self.integrator.time(),
+            }),
+        }
+    }
+
+    /// No spring must have turned by half a turn.
+    fn check_springs(&self, conditions: &Conditions) -> Result<(), TransientFailure> {
+        let time = self.integrator.time();
+        let states = self.dae.states();
+        match self
+            .model
+            .system
+            .wound([&states[1], &states[0]], conditions)
+        {
+            None => Ok(()),
+            Some(element) => Err(TransientFailure::Wound {
+                spring: element.label().to_owned(),
                 time,
             }),
         }
     }
 
-    /// The constraints that were taken out must still follow from the others.
-    fn check_removed(&self) -> Result<(), TransientFailure> {
-        let time = self.integrator.time();
-        let conditions = self.model.conditions_at(time);
-        let (full, removed) = self.removed;
-        match redundant::broken(full, (self.dae.state(), &conditions), removed) {
-            None => Ok(()),
-            Some((constraint, value)) => Err(TransientFailure::Broken {
-                constraint: constraint.to_string(),
-                time,
-                value,
-            }),
+    /// Notes the first node that turns far in a step of `length` \[s\].
+    fn watch_turns(&mut self, length: f64) {
+        if self.far_turn.is_some() {
+            return;
         }
+        let nodes = self.dae.state().nodes.iter();
+        let turns = nodes.map(|node| length * node.angular_velocity.norm());
+        let far = turns.enumerate().find(|(_, turn)| *turn > FAR_TURN);
+        let time = self.integrator.time();
+        self.far_turn = far.map(|(node, turn)| {
+            let label = &self.model.system.nodes()[node].label;
+            format!(
+                "node \"{label}\" turns by {turn:.2} rad in a step at t = {time} s: take steps of \
+                 {FAR_TURN} rad at most, the error of rotations grows with the square"
+            )
+        });
+    }
+
+    /// Constraints that follow from others must go on to do so.
+    fn check_redundant(&self) -> Result<(), TransientFailure> {
+        let broken = (self.dae.slack()).filter(|slack| {
+            let size = self.dae.state().size();
+            redundant::is_broken(slack.1, size)
+        });
+        let Some((constraint, value)) = broken else {
+            return Ok(());
+        };
+        let of_it = |one: &&Redundant| one.group().contains(&constraint);
+        let found = self.redundant.iter().find(of_it);
+        let found = found.or(self.redundant.first());
+        Err(TransientFailure::Broken {
+            constraint: found.map_or_else(String::new, ToString::to_string),
+            time: self.integrator.time(),
+            value,
+        })
     }
 
     /// Hands the latest accepted state to the recorder, at which the integrator had come to
@@ -275,13 +337,13 @@ impl Run<'_> {
     /// Tells the recorder of the latest state.
     fn tell(
         &mut self,
+        conditions: &Conditions,
         recorder: &mut dyn Recorder,
         clock: &dyn Fn() -> f64,
     ) -> Result<(), TransientFailure> {
         let began = clock();
         let time = self.integrator.time();
-        let conditions = self.model.conditions_at(time);
-        let moment = self.moment(&conditions);
+        let moment = self.moment(conditions);
         let mut goes_on = recorder.record(&moment);
         let is_wanted = goes_on && recorder.wants_snapshot(&moment);
         if is_wanted {
@@ -299,11 +361,8 @@ impl Run<'_> {
     }
 
     fn trouble(&self, failure: crate::integrator::StepFailure) -> TransientFailure {
-        let wanted = match self.question.stepping {
-            Stepping::Constant { step } => step,
-            Stepping::Variable(_) => failure.length,
-        };
-        let trouble = trouble(failure, self.model, self.dae.state(), wanted);
+        let asked = (self.model, self.question);
+        let trouble = StepTrouble::new(failure, asked, &self.dae);
         TransientFailure::Step(Box::new(trouble))
     }
 }

@@ -87,8 +87,9 @@ fn scale(size: f64) -> Vector6<f64> {
 
 /// Nodes of the undeformed model whose motion nothing determines.
 pub fn find(system: &System) -> Vec<MasslessNode> {
-    let tangent = system.tangent(&system.rest(), &Conditions::at_rest());
-    let size = size(system);
+    let rest = system.rest();
+    let tangent = system.tangent(&rest, &Conditions::at_rest());
+    let size = rest.size();
     let motions = without_mass(system, &tangent, size);
     if motions.iter().all(|basis| basis.ncols() == 0) {
         return Vec::new();
@@ -104,16 +105,6 @@ pub fn find(system: &System) -> Vec<MasslessNode> {
             })
         })
         .collect()
-}
-
-/// Largest distance of a node from the first, or one \[m\].
-fn size(system: &System) -> f64 {
-    let nodes = system.nodes();
-    let reach = nodes
-        .iter()
-        .map(|node| (node.position - nodes[0].position).norm());
-    let size = reach.fold(0.0, f64::max);
-    if size > 0.0 { size } else { 1.0 }
 }
 
 /// A row of derivatives by the six motions of a node.

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! Its multiplier and those of the others then share a load in no unique way, and the
-//! equations are singular. Rotations are scaled by the size of the model and each row to
+//! equations are singular. Rotations are scaled by the size of the model, or by the longest
+//! arm at which a constraint holds a node, and each row to
 //! one. In the order of the elements, each row is reduced by the rows before it, as the
 //! columns of `Phi_y^T` in a sparse LU decomposition with partial pivoting (pivots of at least
 //! `PIVOT` of the largest entry, in the column with fewest entries, which keeps it sparse):
@@ -64,6 +65,16 @@ pub struct Redundant {
 }
 
 impl Redundant {
+    /// The constraint, and those from which it follows.
+    pub fn group(&self) -> Vec<usize> {
+        let parts = || self.combination.iter();
+        let largest = parts().map(|part| part.1.abs()).fold(0.0, f64::max);
+        let from = parts().filter(|part| part.1.abs() > SHARE * largest);
+        std::iter::once(self.constraint)
+            .chain(from.map(|part| part.0))
+            .collect()
+    }
+
     /// How much faster it is driven than those from which it follows, where they contradict;
     /// `rates` are the constraints' own, `Phi_t` \[m/s or rad/s\].
     pub fn contradiction(&self, rates: &[f64]) -> Option<f64> {
@@ -149,20 +160,14 @@ pub fn find(system: &System, state: &State, conditions: &Conditions) -> Vec<Redu
         if search.take(constraint, &made_with) {
             continue;
         }
-        found.push(describe(
-            system,
-            state,
-            &rows,
-            constraint,
-            &search.sources(made_with),
-        ));
+        let sources = search.sources(made_with);
+        found.push(describe(system, &rows, constraint, &sources));
     }
     found
 }
 
 /// The rows of `Phi_y`, scaled; empty where the constraint was removed.
 fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
-    let first = NODE_UNKNOWNS * system.nodes().len();
     let mut rows: Vec<_> = system
         .elements()
         .enumerate()
@@ -174,40 +179,43 @@ fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
             number,
         })
         .collect();
-    let levels: Vec<_> = system.elements().flat_map(levels).collect();
     let tangent = system.tangent(state, conditions);
-    let size = size(state);
-    for (level, matrix) in [
-        (Level::Position, &tangent.by_unknowns),
-        (Level::Velocity, &tangent.by_rates),
-    ] {
-        for (row, column, value) in matrix.triplets() {
-            let place = column % NODE_UNKNOWNS;
-            let moves = column < first && place < Variable::Momentum.column();
-            if row < first || !moves || levels[row - first] != level || value == 0.0 {
-                continue;
-            }
-            let turns = place >= Variable::Rotation.column();
-            let value = if turns { value / size } else { value };
-            rows[row - first].entries.push((column, value));
+    let entries = system.constraint_rows(&tangent, &[Level::Position, Level::Velocity]);
+    for (constraint, column, value) in entries {
+        if value != 0.0 {
+            rows[constraint].entries.push((column, value));
         }
+    }
+    let lever = lever(&rows, state.size());
+    for row in &mut rows {
+        let turns = row.entries.iter_mut().filter(|entry| is_turn(entry.0));
+        turns.for_each(|entry| entry.1 /= lever);
     }
     rows.iter_mut()
         .for_each(|row| row.scale = scale_to_one(&mut row.entries));
     rows
 }
 
-fn levels(element: &dyn Element) -> impl Iterator<Item = Level> {
-    (0..element.multipliers()).map(|number| element.level(number))
+/// Whether an unknown of a node is one of its rotation.
+fn is_turn(column: usize) -> bool {
+    column % NODE_UNKNOWNS >= Variable::Rotation.column()
 }
 
-/// Largest distance of a node from their middle, or one \[m\].
-fn size(state: &State) -> f64 {
-    let places = state.nodes.iter().map(|node| node.position);
-    let middle = places.clone().sum::<Vector3<f64>>() / state.nodes.len().max(1) as f64;
-    let reach = places.map(|place| (place - middle).norm());
-    let size = reach.fold(0.0, f64::max);
-    if size > 0.0 { size } else { 1.0 }
+/// What rotations are scaled by: the size of the model, or the longest arm at which a
+/// constraint holds a node \[m\].
+fn lever(rows: &[Row], size: f64) -> f64 {
+    let largest = |row: &Row, of_turns: bool| {
+        let of_kind = row
+            .entries
+            .iter()
+            .filter(|entry| is_turn(entry.0) == of_turns);
+        of_kind.map(|entry| entry.1.abs()).fold(0.0, f64::max)
+    };
+    let arms = rows.iter().filter_map(|row| {
+        let along = largest(row, false);
+        (along > 0.0).then(|| largest(row, true) / along)
+    });
+    arms.fold(size, f64::max)
 }
 
 /// What the entries are divided by for the largest to be of size one.
@@ -327,7 +335,6 @@ impl Search {
 
 fn describe(
     system: &System,
-    state: &State,
     rows: &[Row],
     constraint: usize,
     sources: &[(usize, f64)],
@@ -346,7 +353,7 @@ fn describe(
         constraint,
         joint: elements[row.element].label().to_owned(),
         number: row.number + 1,
-        direction: direction(row, elements[row.element], size(state)),
+        direction: direction(row, elements[row.element]),
         from: of
             .into_iter()
             .map(|of| elements[of].label().to_owned())
@@ -360,7 +367,7 @@ fn describe(
 
 /// What a constraint holds, in words: the direction of its force on the last node of the
 /// element, or of its moment.
-fn direction(row: &Row, element: &dyn Element, size: f64) -> String {
+fn direction(row: &Row, element: &dyn Element) -> String {
     let last = element.nodes().last().copied().unwrap_or(0);
     let part = |variable: Variable| {
         let first = NODE_UNKNOWNS * last + variable.column();
@@ -378,7 +385,7 @@ fn direction(row: &Row, element: &dyn Element, size: f64) -> String {
     let (along, about) = (part(Variable::Position), part(Variable::Rotation));
     match along.amax() > ZERO {
         true => format!("along {}", in_words(&along)),
-        false => format!("rotation about {}", in_words(&(size * about))),
+        false => format!("rotation about {}", in_words(&about)),
     }
 }
 

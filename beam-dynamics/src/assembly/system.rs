@@ -4,16 +4,22 @@ use std::sync::Arc;
 
 use layout::Layout;
 pub use layout::Workspace;
+pub use loops::Loop;
+pub use sharing::Sharing;
 
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
 use crate::elements::{Element, Local, LocalJacobian, Observations};
-use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Numbering, State};
+use crate::model::{Conditions, Node, NodeMotion, Numbering, State};
 
+mod constraints;
 mod growth;
 mod layout;
+mod loops;
+mod names;
 mod rates;
 mod removal;
+mod sharing;
 mod step;
 mod told;
 
@@ -28,6 +34,9 @@ pub struct System {
     layouts: Vec<Layout>,
     /// Numbers of nodes and of multipliers that elements have.
     sizes: Vec<(usize, usize)>,
+    /// Loops in which constraints share their loads, and their compliance [m/N].
+    loops: Vec<Loop>,
+    compliance: f64,
 }
 
 /// Residual, and what each equation is to be measured against.
@@ -68,6 +77,8 @@ impl System {
             pattern: Arc::new(Pattern::new(0, Vec::new())),
             layouts: Vec::new(),
             sizes: Vec::new(),
+            loops: Vec::new(),
+            compliance: 0.0,
             nodes,
             elements,
             numbering,
@@ -96,6 +107,7 @@ impl System {
             entries.extend(marked.map(place));
             evaluated.push((rows, jacobian));
         }
+        entries.extend(self.shared_entries());
         let pattern = Pattern::new(n, entries);
         for (element, (rows, jacobian)) in self.elements.iter().zip(evaluated) {
             let size = (element.nodes().len(), element.multipliers());
@@ -190,28 +202,5 @@ impl System {
             element.observe(&at, &mut observations);
         }
         observations
-    }
-
-    /// The equation at a place of the residual, in words: what and whose.
-    pub fn describe_equation(&self, place: usize) -> String {
-        if place < NODE_UNKNOWNS * self.nodes.len() {
-            let node = &self.nodes[place / NODE_UNKNOWNS].label;
-            let row = place % NODE_UNKNOWNS;
-            let equation = Equation::ALL[row / 3].words();
-            let axis = ["x", "y", "z"][row % 3];
-            return format!("{equation} along {axis} of node \"{node}\"");
-        }
-        let of_element = |index: &usize| {
-            let first = self.numbering.first_multiplier_of(*index);
-            (first..first + self.elements[*index].multipliers()).contains(&place)
-        };
-        match (0..self.elements.len()).find(of_element) {
-            Some(index) => {
-                let number = place - self.numbering.first_multiplier_of(index) + 1;
-                let label = self.elements[index].label();
-                format!("constraint {number} of \"{label}\"")
-            }
-            None => format!("equation {place}"),
-        }
     }
 }

@@ -55,6 +55,9 @@ pub enum StartAccelerations {
     Consistent,
     /// They are zero.
     Zero,
+    /// From the same equations with everything at rest: without the terms that are
+    /// quadratic in the velocities, as in the source of the two-step formula.
+    AtRest,
     /// By a few very short steps of which only they are kept.
     Dummy,
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use super::blade_options::BladeOptions;
+use super::plot::PlotOptions;
 
 const ABOUT: &str = "\
 Analyzes blades, rotors and mechanisms: frequencies, loads, buckling, motion in time
@@ -148,6 +149,7 @@ const PLOT_EXAMPLE: &str = "\
 Examples:
   beam-dynamics plot results/top.transient.csv
   beam-dynamics plot results/top.transient.nc --columns tip_x,tip_y --out figures/tip
+  beam-dynamics plot results/top.transient.nc --columns 'tip*' --from 0.6 --to 0.8
   beam-dynamics plot results/top.transient.csv --x tip_x --columns tip_y --out path.svg
   beam-dynamics plot coarse.transient.csv fine.transient.csv --columns 'energy*'";
 
@@ -258,17 +260,8 @@ pub(super) enum Command {
         /// Tables of runs in time, NAME.transient.csv or NAME.transient.nc
         #[arg(required = true, value_name = "RESULT")]
         results: Vec<PathBuf>,
-        /// Columns to draw, joined by commas, all that begin so with * at the end; all
-        /// columns if not given
-        #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-        columns: Vec<String>,
-        /// Column over which the others are drawn
-        #[arg(long = "x", value_name = "NAME", id = "x", default_value = "time")]
-        across: String,
-        /// Figure to write: PNG and SVG, or one of them by its ending; NAME.plot beside the
-        /// first RESULT if not given
-        #[arg(long, value_name = "FIGURE")]
-        out: Option<PathBuf>,
+        #[command(flatten)]
+        options: PlotOptions,
     },
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
     Check {

@@ -12,41 +12,58 @@ use crate::output::{RunFileProblem, TimePlot, TimeTable};
 /// Endings of the figures.
 const ENDINGS: [&str; 2] = ["png", "svg"];
 
+/// What is drawn, and where it goes.
+#[derive(Debug, Clone, clap::Args)]
+pub(super) struct PlotOptions {
+    /// Columns to draw, joined by commas, all that begin so with * at the end; all
+    /// columns if not given
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    columns: Vec<String>,
+    /// Column over which the others are drawn
+    #[arg(long = "x", value_name = "NAME", id = "x", default_value = "time")]
+    across: String,
+    /// Time from which on rows are drawn; from the first if not given
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
+    from: Option<f64>,
+    /// Time up to which rows are drawn; to the last if not given
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
+    to: Option<f64>,
+    /// Title of the figure; the names of the models if not given
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
+    /// Figure to write: PNG and SVG, or one of them by its ending; NAME.plot beside the
+    /// first RESULT if not given
+    #[arg(long, value_name = "FIGURE")]
+    out: Option<PathBuf>,
+}
+
+/// A time.
+fn seconds(text: &str) -> Result<f64, String> {
+    let value: Option<f64> = text.trim().trim_end_matches('s').trim_end().parse().ok();
+    let value = value.filter(|value| value.is_finite());
+    value.ok_or_else(|| "expected a number of seconds".to_owned())
+}
+
 /// `plot RESULT...`
 pub(super) fn plot_files(
     results: &[PathBuf],
-    columns: &[String],
-    across: &str,
-    out: Option<&Path>,
+    options: &PlotOptions,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
+    let out = options.out.as_deref();
     if let Some(problem) = out.and_then(other_kind) {
         terminal.tell(&problem);
         return WRONG_INPUT;
     }
-    let columns: Vec<_> = columns.iter().map(|name| name.trim().to_owned()).collect();
-    let columns = &columns[..];
-    let Some(tables) = read(results, terminal) else {
+    let Some(tables) = read(results, options, terminal) else {
         return WRONG_INPUT;
     };
-    // Every wrong name is told, and not only the first.
-    let wanted = columns.iter().map(String::as_str).chain([across]);
-    let checks = tables
-        .iter()
-        .flat_map(|table| wanted.clone().map(|name| table.find(name)));
-    let wrong: Vec<_> = checks.filter_map(Result::err).collect();
-    for problem in &wrong {
-        terminal.tell(problem);
-    }
-    if !wrong.is_empty() {
-        return WRONG_INPUT;
-    }
-    let title = title(&tables);
-    let plot = TimePlot::new(&title, &tables, across, columns);
-    let plot = match plot.and_then(|plot| plot.check_size().map(|()| plot)) {
+    let plot = match plot_of(&tables, options) {
         Ok(plot) => plot,
-        Err(problem) => {
-            terminal.tell(&problem);
+        Err(problems) => {
+            for problem in &problems {
+                terminal.tell(problem);
+            }
             return WRONG_INPUT;
         }
     };
@@ -59,6 +76,27 @@ pub(super) fn plot_files(
         terminal.show(&format!("  {}\n", path.display()));
     }
     DONE
+}
+
+/// The figure, or every wrong name and not only the first.
+fn plot_of(tables: &[TimeTable], options: &PlotOptions) -> Result<TimePlot, Vec<RunFileProblem>> {
+    let columns = options.columns.iter().map(|name| name.trim().to_owned());
+    let columns: Vec<_> = columns.collect();
+    let across = options.across.as_str();
+    let wanted = columns.iter().map(String::as_str).chain([across]);
+    let checks = tables
+        .iter()
+        .flat_map(|table| wanted.clone().map(|name| table.find(name)));
+    let wrong: Vec<_> = checks.filter_map(Result::err).collect();
+    if !wrong.is_empty() {
+        return Err(wrong);
+    }
+    let plot = TimePlot::new(tables, across, &columns).map_err(|problem| vec![problem])?;
+    plot.check_size().map_err(|problem| vec![problem])?;
+    Ok(match &options.title {
+        Some(title) => plot.titled(title),
+        None => plot,
+    })
 }
 
 /// A figure of a kind that is not written.
@@ -86,14 +124,26 @@ fn other_kind(out: &Path) -> Option<OtherKind> {
     is_other.then_some(OtherKind { file, ending })
 }
 
-/// Reads all tables; tells what is wrong with any.
-fn read(results: &[PathBuf], terminal: &mut Terminal<'_>) -> Option<Vec<TimeTable>> {
+/// Reads the rows of all tables that are drawn; tells what is wrong with any.
+fn read(
+    results: &[PathBuf],
+    options: &PlotOptions,
+    terminal: &mut Terminal<'_>,
+) -> Option<Vec<TimeTable>> {
     let tables = results.iter().map(|path| {
         let table: Result<TimeTable, RunFileProblem> = TimeTable::read(path);
         table.map_err(|problem| terminal.tell(&problem)).ok()
     });
     let tables: Vec<_> = tables.collect();
-    tables.into_iter().collect()
+    let mut tables: Vec<TimeTable> = tables.into_iter().collect::<Option<_>>()?;
+    if options.from.is_some() || options.to.is_some() {
+        let from = options.from.unwrap_or(f64::NEG_INFINITY);
+        let to = options.to.unwrap_or(f64::INFINITY);
+        for table in &mut tables {
+            table.between(from, to);
+        }
+    }
+    Some(tables)
 }
 
 fn save(plot: &TimePlot, path: &Path) -> Result<(), OutputProblem> {
@@ -126,15 +176,4 @@ fn targets(result: &Path, out: Option<&Path>) -> Vec<PathBuf> {
     ENDINGS
         .map(|ending| out.with_file_name(format!("{name}.{ending}")))
         .to_vec()
-}
-
-fn title(tables: &[TimeTable]) -> String {
-    let names: Vec<_> = tables
-        .iter()
-        .map(|table| {
-            let name = Path::new(&table.file).file_name().unwrap_or_default();
-            name.to_string_lossy().into_owned()
-        })
-        .collect();
-    names.join(", ")
 }

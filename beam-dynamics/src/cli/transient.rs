@@ -10,7 +10,7 @@ use shared_geom::error::Explain;
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
 use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
-use crate::analysis::transient::{TransientOutcome, transient};
+use crate::analysis::transient::{TransientOutcome, difference, transient};
 use crate::case::{OutputQuestion, TransientQuestion};
 use crate::input::{Input, is_blade_file, short_number};
 use crate::integrator::{Scheme, Stepping};
@@ -123,7 +123,7 @@ fn resumed(
         }
     };
     let file = path.display().to_string();
-    let problem = match difference(&snapshot, input) {
+    let problem = match other_model(&snapshot, input) {
         Some(difference) => RestartProblem::OtherModel { file, difference },
         None if snapshot.progress.time >= question.to => RestartProblem::AtEnd {
             file,
@@ -136,30 +136,18 @@ fn resumed(
     None
 }
 
-/// In what a state is not one of the model.
-fn difference(snapshot: &Snapshot, input: &Input) -> Option<String> {
-    let system = &input.model.system;
-    let nodes = system.nodes();
-    if snapshot.nodes.len() != nodes.len() {
-        return Some(format!(
-            "it has {} nodes, the model {}",
-            snapshot.nodes.len(),
-            nodes.len()
-        ));
+/// In what a state is not one of the model. Another law of the same joints is told by the
+/// fingerprint alone; a model without what was redundant has other constraints.
+fn other_model(snapshot: &Snapshot, input: &Input) -> Option<String> {
+    if snapshot.model == input.model.fingerprint() {
+        return None;
     }
-    let mut pairs = snapshot.nodes.iter().zip(nodes);
-    if let Some((found, node)) = pairs.find(|(found, node)| **found != node.label) {
-        return Some(format!(
-            "it has node \"{found}\", the model \"{}\"",
-            node.label
-        ));
-    }
-    let is_same = snapshot.model == input.model.fingerprint();
-    (!is_same).then(|| {
+    let told = difference(&input.model, snapshot);
+    Some(told.unwrap_or_else(|| {
         "its nodes have the same names, but some element, law, drive, gravity or the hub is \
          another"
             .to_owned()
-    })
+    }))
 }
 
 /// Runs one model, writes its results and tells them.
@@ -208,8 +196,8 @@ fn run(
         ));
         code = NOT_REACHED;
     }
-    let title = format!("{}: run in time", input.model.name);
-    code.max(finish(watched.files, (&title, &(head + &text)), terminal))
+    let title = &input.model.name;
+    code.max(finish(watched.files, (title, &(head + &text)), terminal))
 }
 
 /// Ends the files of a run and names them.

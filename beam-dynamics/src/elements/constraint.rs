@@ -9,6 +9,45 @@ pub enum Level {
     Velocity,
 }
 
+/// A constraint of an element and its multiplier in words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ConstraintWords {
+    /// What it holds: `offset along y of axes a`.
+    pub held: String,
+    /// In which unit that counts.
+    pub unit: &'static str,
+    /// What its multiplier is: `force along y of axes a`.
+    pub reaction: String,
+    /// In which unit the multiplier counts.
+    pub reaction_unit: &'static str,
+}
+
+impl ConstraintWords {
+    /// Those of a constraint of which no more is known than its number, from zero.
+    pub fn numbered(constraint: usize) -> Self {
+        let number = constraint + 1;
+        Self {
+            held: format!("constraint {number}"),
+            unit: "-",
+            reaction: format!("multiplier {number}"),
+            reaction_unit: "-",
+        }
+    }
+}
+
+/// A jump of what a drive holds in place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaceJump {
+    /// What is held, in words.
+    pub what: String,
+    /// Its value before the jump [`Self::unit`].
+    pub from: f64,
+    /// Its value after the jump [`Self::unit`].
+    pub to: f64,
+    /// The unit of both.
+    pub unit: &'static str,
+}
+
 /// How the constraints of an element change by themselves.
 ///
 /// With `Phi_y` the derivatives by spatial variations of position and rotation, the

@@ -24,3 +24,5 @@ mod kinds_tests;
 pub(super) mod samples;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod words_tests;

@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
+use nalgebra::Vector3;
+
 use super::{
-    Along, ConstraintRates, Element, Energy, Level, Local, LocalJacobian, LocalResidual, Motion,
-    Observations,
+    Along, ConstraintRates, ConstraintWords, Element, Energy, Level, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, PlaceJump,
 };
+use crate::model::{Loading, NodeMotion};
 
 /// Number of multipliers of all but unusual elements.
 const FEW: usize = 16;
@@ -61,6 +64,10 @@ impl Element for ReducedElement {
         self.element.level(constraint)
     }
 
+    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
+        self.element.constraint_words(constraint)
+    }
+
     fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
         let knows = self.element.constraint_rates(at, out);
         for &constraint in &self.removed {
@@ -70,12 +77,30 @@ impl Element for ReducedElement {
         knows
     }
 
+    fn senses(&self) -> bool {
+        self.element.senses()
+    }
+
     fn domain(&self) -> [f64; 2] {
         self.element.domain()
     }
 
     fn next_corner(&self, time: f64) -> f64 {
         self.element.next_corner(time)
+    }
+
+    fn jump(&self, between: [&Loading; 2]) -> Option<PlaceJump> {
+        self.element.jump(between)
+    }
+
+    fn held(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
+        let held = self.element.held(undeformed)?;
+        let reduced = Self::new(Arc::from(held), self.removed.clone());
+        Some(Box::new(reduced))
+    }
+
+    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        self.element.winding(at)
     }
 
     fn is_turned_over(&self, at: &Local<'_>) -> bool {

@@ -234,6 +234,11 @@ impl Signal {
         Self::Sensing(Arc::new(sensing))
     }
 
+    /// Whether it depends on what is sensed.
+    pub fn senses(&self) -> bool {
+        matches!(self, Self::Sensing(_))
+    }
+
     /// The nodes that it senses.
     pub fn nodes(&self) -> Vec<usize> {
         match self {

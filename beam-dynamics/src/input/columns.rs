@@ -4,7 +4,8 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
-use crate::case::{Every, OutputQuestion};
+use crate::case::{Every, OutputQuestion, TransientQuestion};
+use crate::integrator::Stepping;
 
 mod column;
 mod kind;
@@ -17,6 +18,11 @@ mod tests;
 
 pub use problem::ColumnProblem;
 
+/// Numbers of a table at most: some thirty gigabytes of text and binary.
+const MOST_NUMBERS: f64 = 1e9;
+/// Field files at most.
+const MOST_FIELDS: f64 = 1e5;
+
 /// Reads `[output]`; without it, and without columns in it, there are those that most
 /// look for first.
 pub(super) fn read(root: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {
@@ -28,6 +34,35 @@ pub(super) fn read(root: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {
         question.columns = preset::columns(draft);
     }
     Some(question)
+}
+
+/// Notes more output of a run than a disk holds.
+pub(super) fn check(root: &Table<'_>, output: &OutputQuestion, run: Option<&TransientQuestion>) {
+    let Some(run) = run else { return };
+    let longest = match run.stepping {
+        Stepping::Constant { step } => step,
+        Stepping::Variable(control) => control.most,
+    };
+    let rows = match output.every {
+        Every::Steps(steps) => (run.to - run.from) / (longest * steps as f64),
+        Every::Time(time) => (run.to - run.from) / time.max(longest),
+    };
+    let note = |key: &str, problem: ColumnProblem| match root
+        .table("output")
+        .filter(|_| root.has("output"))
+    {
+        Some(table) => table.note(key, &problem),
+        None => root.note("transient", &problem),
+    };
+    let numbers = output.columns.len() + 1;
+    if rows * numbers as f64 > MOST_NUMBERS && (output.csv || output.netcdf) {
+        note("every", ColumnProblem::ManyRows { rows, numbers });
+    }
+    let Some(one_of) = output.vtu else { return };
+    let fields = rows / one_of as f64;
+    if fields > MOST_FIELDS {
+        note("vtu", ColumnProblem::ManyFields { fields });
+    }
 }
 
 fn card(table: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {

@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
+use shared_geom::error::nearest_name;
 
 use super::along::Along;
 use super::drives;
@@ -225,6 +226,13 @@ impl Draft {
         let of_broken_blade = name
             .split_once('/')
             .is_some_and(|(blade, _)| self.broken_blades.contains(blade));
+        let known = self.names.keys().map(String::as_str);
+        match nearest_name(name, known).filter(|_| found.is_none()) {
+            // The node that is likely meant has its user.
+            Some(meant) => self.used.extend(self.names[meant].node),
+            None if found.is_none() => self.loose_ends = true,
+            None => {}
+        }
         if found.is_none() && !of_broken_blade {
             let problem = InputProblem::UnknownName {
                 kind: "node",
@@ -236,9 +244,7 @@ impl Draft {
         }
         let node = found.and_then(|named| named.node);
         self.used.extend(node);
-        if node.is_none() {
-            self.note_loose_end();
-        }
+        self.broken |= node.is_none();
         node
     }
 

@@ -25,6 +25,9 @@ use super::problem::InputProblem;
 use crate::model::{Drive, Formula};
 use measure::Measure;
 
+/// Corners of a drive in a run at most: a step ends at each of them.
+const MOST_CORNERS: usize = 500_000;
+
 /// A drive with a name.
 #[derive(Debug, Clone)]
 struct Named {
@@ -233,6 +236,20 @@ impl Reader<'_, '_> {
     }
 }
 
+/// Whether a drive has more corners in a run than are allowed.
+fn has_many_corners(drive: &Drive, [from, to]: [f64; 2]) -> bool {
+    let mut time = from;
+    for _ in 0..=MOST_CORNERS {
+        let next = drive.next_corner(time);
+        // Beyond the end, or none.
+        if next.is_nan() || next > to {
+            return false;
+        }
+        time = next.max(time);
+    }
+    true
+}
+
 fn unknown(name: &str, user: &str, known: Vec<String>) -> InputProblem {
     InputProblem::UnknownName {
         kind: "drive",
@@ -283,6 +300,16 @@ impl Catalog {
                     start,
                 };
                 document.note(used.line, &problem);
+            }
+        }
+    }
+
+    /// Notes every drive of the model with more corners in a run than steps can land on.
+    pub fn check_corners(&self, document: &Document, run: [f64; 2]) {
+        for used in self.used.borrow().iter() {
+            if has_many_corners(&used.drive, run) {
+                let (key, most) = (used.key.clone(), MOST_CORNERS);
+                document.note(used.line, &DriveProblem::ManyCorners { key, most, run });
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::Table;
+use shared_geom::error::Explain;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
@@ -23,6 +24,53 @@ pub(super) fn nodes(
     words: &str,
     may_be_frame: bool,
 ) -> Option<Vec<usize>> {
+    if !may_be_frame {
+        return Some(pair(table, draft, words)?.to_vec());
+    }
+    one_or_two(table, draft, words, |found| LawProblem::Ends { found })
+}
+
+/// The two nodes under `nodes` of a card that is `words`.
+pub(super) fn pair(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 2]> {
+    let found = listed(table, draft, words)?;
+    let [first, second] = found[..] else {
+        table.note("nodes", &count(found.len(), "two"));
+        draft.note_loose_end();
+        return None;
+    };
+    let nodes = [first?, second?];
+    are_two(table, draft, words, &nodes).then_some(nodes)
+}
+
+/// One node or two under `nodes` of a card that is `words`; `wrong` is what is noted of
+/// another number.
+pub(super) fn one_or_two<P: Explain>(
+    table: &Table<'_>,
+    draft: &mut Draft,
+    words: &str,
+    wrong: impl Fn(usize) -> P,
+) -> Option<Vec<usize>> {
+    let found = listed(table, draft, words)?;
+    if !(1..=2).contains(&found.len()) {
+        table.note("nodes", &wrong(found.len()));
+        draft.note_loose_end();
+        return None;
+    }
+    let nodes: Option<Vec<_>> = found.into_iter().collect();
+    nodes.filter(|nodes| are_two(table, draft, words, nodes))
+}
+
+/// Another number of nodes than is expected.
+pub(super) fn count(found: usize, expected: &'static str) -> InputProblem {
+    InputProblem::Count {
+        key: "nodes",
+        found,
+        expected,
+    }
+}
+
+/// The nodes listed under `nodes`; `None` for each that is unknown.
+fn listed(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<Option<usize>>> {
     if !table.has("nodes") {
         let _ = table.require_text("nodes", "the names of two nodes");
     }
@@ -30,36 +78,19 @@ pub(super) fn nodes(
         draft.note_loose_end();
         return None;
     };
-    let mut find = |name: &String| draft.find_node(name, table, "nodes", words);
-    let found: Vec<_> = names.iter().map(&mut find).collect();
-    match (found.len(), may_be_frame) {
-        (2, _) | (1, true) => {}
-        (found, true) => {
-            table.note("nodes", &LawProblem::Ends { found });
-            draft.note_loose_end();
-            return None;
-        }
-        (found, false) => {
-            let (key, expected) = ("nodes", "two");
-            let problem = InputProblem::Count {
-                key,
-                found,
-                expected,
-            };
-            table.note(key, &problem);
-            draft.note_loose_end();
-            return None;
-        }
+    let find = |name: &String| draft.find_node(name, table, "nodes", words);
+    Some(names.iter().map(find).collect())
+}
+
+/// Whether the nodes are different ones; notes if not.
+fn are_two(table: &Table<'_>, draft: &Draft, words: &str, nodes: &[usize]) -> bool {
+    if nodes.len() < 2 || nodes[0] != nodes[1] {
+        return true;
     }
-    let nodes: Option<Vec<_>> = found.into_iter().collect();
-    let nodes = nodes?;
-    if nodes.len() == 2 && nodes[0] == nodes[1] {
-        let node = draft.nodes()[nodes[0]].label.clone();
-        let joint = words.to_owned();
-        table.note("nodes", &InputProblem::JoinedToItself { joint, node });
-        return None;
-    }
-    Some(nodes)
+    let node = draft.nodes()[nodes[0]].label.clone();
+    let joint = words.to_owned();
+    table.note("nodes", &InputProblem::JoinedToItself { joint, node });
+    false
 }
 
 /// Points on two nodes at `offsets` from them, in their axes.

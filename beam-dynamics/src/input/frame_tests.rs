@@ -6,49 +6,20 @@
     reason = "helpers of tests unwrap what the tests write"
 )]
 
-use std::fs;
-
 use nalgebra::Vector3;
 
-use super::{Input, read};
+use super::Input;
+use super::test_files::{STRIP, read_beside, told};
 use crate::elements::Element;
 use crate::model::{Conditions, Loading, TurningFrame};
 
-const STRIP: &str = "
-[properties.strip]
-ea = 7e6
-gay = 2e6
-gaz = 1e6
-gj = 30
-eiy = 40
-eiz = 900
-m = 2
-iy = 0.01
-iz = 0.04
-";
-
-/// Reads `text` behind the units and the strip, with further files beside it.
-fn input_with(text: &str, files: &[(&str, &str)]) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        fs::create_dir_all(folder.path().join(name).parent().unwrap()).unwrap();
-        fs::write(folder.path().join(name), text).unwrap();
-    }
-    let path = folder.path().join("a.dynamics.toml");
-    fs::write(&path, text).unwrap();
-    let prefix = format!("{}/", folder.path().display());
-    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
-}
-
 fn input(cards: &str) -> Result<Input, String> {
-    input_with(&format!("units = \"SI\"\n{STRIP}{cards}"), &[])
+    read_beside(&format!("units = \"SI\"\n{STRIP}{cards}"), &[])
 }
 
+#[track_caller]
 fn refused(cards: &str) -> String {
-    match input(cards) {
-        Err(shown) => shown,
-        Ok(_) => panic!("accepted: {cards}"),
-    }
+    told(input(cards))
 }
 
 /// Places and axes of the nodes, and the residual at rest under loads, of two inputs.
@@ -324,7 +295,7 @@ fn included_files_count_from_their_own_folder_and_tell_their_own_lines() {
         ("parts/arms.toml", arms.as_str()),
         ("parts/strip.toml", STRIP),
     ];
-    let found = input_with(&rest, &files).unwrap();
+    let found = read_beside(&rest, &files).unwrap();
     assert_same(&found, &input(ARMS).unwrap());
     // A mistake in an included file.
     let wrong = arms.replacen("name = \"mid\"\n", "name = \"root\"\n", 1);
@@ -332,11 +303,11 @@ fn included_files_count_from_their_own_folder_and_tell_their_own_lines() {
         ("parts/arms.toml", wrong.as_str()),
         ("parts/strip.toml", STRIP),
     ];
-    let shown = input_with(&rest, &files).unwrap_err();
+    let shown = read_beside(&rest, &files).unwrap_err();
     let expected = "parts/arms.toml:11: node \"root 1\" is already defined on line 8 of";
     assert!(shown.contains(expected), "{shown}");
     let refused = |main: &str, other: &str| {
-        input_with(
+        read_beside(
             main,
             &[("b.toml", other), ("c.toml", "include = \"b.toml\"\n")],
         )

@@ -139,9 +139,9 @@ impl Frames {
     }
 }
 
-/// Makes the copies of `[[repeat]]`.
-pub(super) fn repeat(document: &mut Document) {
-    document.repeat(&FRAMED);
+/// Makes the copies of `[[repeat]]`; `false` when there are too many.
+pub(super) fn repeat(document: &mut Document) -> bool {
+    document.repeat(&FRAMED)
 }
 
 /// Reads every `[[frame]]`, and what is left of each `[[repeat]]`.

@@ -1,24 +1,10 @@
 //! Tests of the cards of hinges, rigid connections, springs, hubs that move, and damping.
 
-use std::fs;
-
 use nalgebra::Vector3;
 
-use super::{Input, read};
+use super::Input;
+use super::test_files::{STRIP, read_beside};
 use crate::model::{Conditions, Variable};
-
-const STRIP: &str = "
-[properties.strip]
-ea = 7e6
-gay = 2e6
-gaz = 1e6
-gj = 30
-eiy = 40
-eiz = 900
-m = 2
-iy = 0.01
-iz = 0.04
-";
 
 const NODES: &str = "
 [[node]]
@@ -41,11 +27,7 @@ properties = \"strip\"
 
 /// Reads the cards behind the units `units` and the strip.
 fn input_in(units: &str, cards: &str) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.dynamics.toml");
-    fs::write(&path, format!("{units}\n{STRIP}{cards}")).unwrap();
-    let prefix = format!("{}/", folder.path().display());
-    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+    read_beside(&format!("{units}\n{STRIP}{cards}"), &[])
 }
 
 fn input(cards: &str) -> Result<Input, String> {

@@ -5,6 +5,7 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
+use super::ends::{label, pair};
 use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::elements::joints::HingeSpring;
@@ -21,9 +22,9 @@ pub use problem::JointProblem;
 /// Adds every `[[hinge]]` to the model.
 pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("hinge").iter().enumerate() {
-        let label = name(table, "hinge", number);
+        let label = label(table, "hinge", number);
         let is_new = draft.take_label("joint", &label, table);
-        let nodes = nodes(table, draft, &format!("hinge \"{label}\""));
+        let nodes = pair(table, draft, &format!("hinge \"{label}\""));
         let axis = axis(table);
         let frame = draft.frames().of(table);
         let offset = match table.has("offset") {
@@ -56,64 +57,15 @@ pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
 /// Adds every `[[rigid]]` to the model.
 pub(super) fn read_rigid(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("rigid").iter().enumerate() {
-        let label = name(table, "rigid connection", number);
+        let label = label(table, "rigid connection", number);
         let is_new = draft.take_label("joint", &label, table);
-        let nodes = nodes(table, draft, &format!("rigid connection \"{label}\""));
+        let nodes = pair(table, draft, &format!("rigid connection \"{label}\""));
         table.finish();
         match nodes {
             Some(nodes) if is_new => draft.add_rigid(&label, nodes),
             _ => draft.note_broken(),
         }
     }
-}
-
-fn name(table: &Table<'_>, kind: &str, number: usize) -> String {
-    let own = table.text("name");
-    own.unwrap_or_else(|| format!("{kind} {}", number + 1))
-}
-
-/// The two nodes of a joint.
-fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 2]> {
-    node_pair(table, draft, words, "two")
-}
-
-/// The two nodes of a joint, of which it must list `expected`.
-fn node_pair(
-    table: &Table<'_>,
-    draft: &mut Draft,
-    words: &str,
-    expected: &'static str,
-) -> Option<[usize; 2]> {
-    if !table.has("nodes") {
-        let _ = table.require_text("nodes", "the names of two nodes");
-    }
-    let Some(names) = table.texts("nodes") else {
-        draft.note_loose_end();
-        return None;
-    };
-    let found: Vec<_> = names
-        .iter()
-        .map(|name| draft.find_node(name, table, "nodes", words))
-        .collect();
-    let [first, second] = found[..] else {
-        let (key, found) = ("nodes", names.len());
-        let problem = InputProblem::Count {
-            key,
-            found,
-            expected,
-        };
-        table.note(key, &problem);
-        draft.note_loose_end();
-        return None;
-    };
-    let nodes = [first?, second?];
-    if nodes[0] == nodes[1] {
-        let node = draft.nodes()[nodes[0]].label.clone();
-        let joint = words.to_owned();
-        table.note("nodes", &InputProblem::JoinedToItself { joint, node });
-        return None;
-    }
-    Some(nodes)
 }
 
 /// The axis of a hinge, in the model's frame.

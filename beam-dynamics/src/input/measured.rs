@@ -3,15 +3,14 @@
 use std::collections::BTreeMap;
 
 use shared_geom::document::{DocumentProblem, Table, read_text};
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::Diagnostics;
 
+use super::csv_rows;
 use super::problem::InputProblem;
 use super::speeds::RPM;
 use crate::result::{Measured, MeasuredPoint, ModeKind};
 
 const HEADING: [&str; 3] = ["speed_rpm", "frequency_hz", "order"];
-/// Problems of the rows that are shown one by one.
-const ROWS_SHOWN: usize = 10;
 
 /// Reads `[measured]` and the file that it names; nothing measured when absent.
 pub(super) fn read(root: &Table<'_>) -> Option<Measured> {
@@ -64,24 +63,13 @@ fn points(table: &Table<'_>) -> Option<Vec<MeasuredPoint>> {
     table.document().keep(parse(&text, &file))
 }
 
-/// The rows of `text`, shown as `file` in messages. Empty lines and lines that begin
-/// with `#` do not count.
+/// The rows of `text`, shown as `file` in messages.
 fn parse(text: &str, file: &str) -> Result<Vec<MeasuredPoint>, Diagnostics> {
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_reader(text.as_bytes());
-    // Reading text from memory and with rows of any length, nothing can fail.
-    let mut rows = reader.records().filter_map(Result::ok);
+    let mut rows = csv_rows::records(text);
     let mut problems = Vec::new();
     heading(rows.next(), &mut problems);
     let (mut points, mut lines) = (Vec::new(), BTreeMap::new());
-    for row in rows {
-        let line = row
-            .position()
-            .map_or(1, |position| position.line() as usize);
+    for (line, row) in rows {
         match point(&row) {
             Ok(point) => {
                 let key = point.order.map(|order| (point.speed.to_bits(), order));
@@ -103,16 +91,17 @@ fn parse(text: &str, file: &str) -> Result<Vec<MeasuredPoint>, Diagnostics> {
     if points.is_empty() && problems.is_empty() {
         problems.push((1, InputProblem::NoRows));
     }
-    diagnostics(&problems, file).into_result(points)
+    let more = |count| InputProblem::MoreRows { count };
+    csv_rows::problems(file, &problems, more).into_result(points)
 }
 
-fn heading(row: Option<csv::StringRecord>, problems: &mut Vec<(usize, InputProblem)>) {
-    let found = match row {
-        Some(row) if row.iter().eq(HEADING) => return,
-        Some(row) => format!("\"{}\"", joined(&row)),
-        None => "missing".to_owned(),
+fn heading(row: Option<(usize, csv::StringRecord)>, problems: &mut Vec<(usize, InputProblem)>) {
+    let (line, found) = match row {
+        Some((_, row)) if row.iter().eq(HEADING) => return,
+        Some((line, row)) => (line, format!("\"{}\"", joined(&row))),
+        None => (1, "missing".to_owned()),
     };
-    problems.push((1, InputProblem::Heading { found }));
+    problems.push((line, InputProblem::Heading { found }));
 }
 
 fn joined(row: &csv::StringRecord) -> String {
@@ -154,18 +143,6 @@ fn point(row: &csv::StringRecord) -> Result<MeasuredPoint, InputProblem> {
     })
 }
 
-fn diagnostics(problems: &[(usize, InputProblem)], file: &str) -> Diagnostics {
-    let mut found = Diagnostics::new();
-    for (line, problem) in problems.iter().take(ROWS_SHOWN) {
-        found.push(Place::line(file, *line), problem);
-    }
-    if problems.len() > ROWS_SHOWN {
-        let count = problems.len() - ROWS_SHOWN;
-        found.push(Place::file(file), &InputProblem::MoreRows { count });
-    }
-    found
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -182,10 +159,10 @@ mod tests {
         assert_eq!((points[1].speed, points[1].order), (750.0 * RPM, None));
     }
 
+    // The empty line and the remark before the last row count as lines.
     #[test]
     fn every_wrong_row_is_told_with_its_line() {
-        let text =
-            "speed_rpm,frequency_hz,order\n0,1.4\n-1,2,1\n0,0,1\n0,x,1\n0,1,0\n0,1,2\n0,3,2\n";
+        let text = "speed_rpm,frequency_hz,order\n0,1.4\n-1,2,1\n0,0,1\n0,x,1\n0,1,0\n0,1,2\n\n# a remark\n0,3,2\n";
         let shown = parse(text, "a.csv").unwrap_err().to_string();
         let expected = "\
 error: a.csv:2: row \"0,1.4\" cannot be read, expected three columns: speed, frequency and order
@@ -193,7 +170,7 @@ error: a.csv:3: row \"-1,2,1\" cannot be read, expected a speed in rpm of zero o
 error: a.csv:4: row \"0,0,1\" cannot be read, expected a frequency in Hz of more than zero in the second column
 error: a.csv:5: row \"0,x,1\" cannot be read, expected a frequency in Hz of more than zero in the second column
 error: a.csv:6: row \"0,1,0\" cannot be read, expected a whole number of at least 1, or nothing, in the third column
-error: a.csv:8: order 2 at this speed is already measured on line 7, expected one row";
+error: a.csv:10: order 2 at this speed is already measured on line 7, expected one row";
         assert_eq!(shown, expected);
     }
 
@@ -204,7 +181,7 @@ error: a.csv:8: order 2 at this speed is already measured on line 7, expected on
         assert!(shown("rpm,hz\n").contains("a.csv:1: the columns are \"rpm,hz\""));
         let many = format!("speed_rpm,frequency_hz,order\n{}", "x\n".repeat(30));
         assert_eq!(shown(&many).lines().count(), 11);
-        assert!(shown(&many).ends_with("a.csv: 20 more rows have problems"));
+        assert!(shown(&many).ends_with("a.csv:12: 20 more rows have problems"));
         let empty = shown("speed_rpm,frequency_hz,order\n");
         assert!(
             empty.contains("expected at least one measured frequency"),

@@ -38,7 +38,7 @@ pub enum InputProblem {
     #[error("the model has no mass that can move, expected a mass per length or a body")]
     NoMass,
     /// A node to which nothing is attached.
-    #[error("node \"{node}\" belongs to no beam, expected every node in one")]
+    #[error("nothing is attached to node \"{node}\", expected a beam, a body or a joint")]
     UnusedNode {
         /// Name of the node.
         node: String,
@@ -375,7 +375,9 @@ impl Explain for InputProblem {
                 "modes are called by flap, lag, torsion, axial or coupled, and a number, as the table of modes has them"
             }
             Self::NoRatio { .. } => "the ratio is that to critical damping: 1 % is 0.01",
-            Self::UnusedNode { .. } => "name it in a [[beam]], or remove it",
+            Self::UnusedNode { .. } => {
+                "name it in a [[beam]], a [[body]] or a [[joint]], or remove it"
+            }
             Self::AxisAlongSpan => {
                 "azimuth 0 is where x lies across the axis: turn the model, for example axis = [0, 0, 1]"
             }

@@ -4,6 +4,7 @@ use shared_geom::document::Table;
 use shared_geom::error::Explain;
 use shared_geom::units::Dimension;
 
+use super::elsewhere::OF_TRANSIENT;
 use super::number::short_number;
 use super::questions::at_most;
 use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
@@ -130,7 +131,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Option<TransientQuestion>> {
     }
     let table = root.table("transient")?;
     let question = question(&table);
-    table.finish();
+    table.finish_beside(&OF_TRANSIENT);
     question.map(Some)
 }
 
@@ -144,7 +145,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
     let accelerations = word(
         table,
         "start_accelerations",
-        &["consistent", "zero", "dummy"],
+        &["consistent", "zero", "dummy", "at-rest"],
     );
     let redundant = word(table, "redundant", &["error", "remove"]);
     let [from, to] = times?;
@@ -160,6 +161,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
             StartAccelerations::Consistent,
             StartAccelerations::Zero,
             StartAccelerations::Dummy,
+            StartAccelerations::AtRest,
         ][accelerations?],
         redundant: [Redundant::Error, Redundant::Remove][redundant?],
     })

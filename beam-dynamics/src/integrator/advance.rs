@@ -6,7 +6,9 @@ use super::corrector::{Corrector, Meter};
 use super::formula::{Formula, STAGES};
 use super::lengths::{Accepted, Lengths, Plan, cut_by};
 use super::prediction::{Past, error_of_value};
-use super::{Counters, Dae, LocalError, Reason, Scheme, StepFailure, StepLimits, Stepping};
+use super::{
+    Corner, Counters, Dae, LocalError, Reason, Renewal, Scheme, StepFailure, StepLimits, Stepping,
+};
 
 /// An accepted step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,8 +52,11 @@ pub struct Progress {
     length: f64,
     /// States behind the next step whose rates can be relied on: 0 to 2.
     known: usize,
-    /// The time just after which the system is to be renewed.
-    corner: Option<f64>,
+    /// The corner just after which the system is to be renewed.
+    corner: Option<Corner>,
+    /// Steps in a row that corners made far shorter than was wished for.
+    #[serde(default)]
+    crowded: usize,
     lengths: Lengths,
 }
 
@@ -59,6 +64,11 @@ pub struct Progress {
 /// of fourth order: those of higher order than the estimate has are measured as if one
 /// time derivative were one step.
 const LEAST_CONSTANT: f64 = 1.0 / 720.0;
+
+/// Corners crowd when they make steps shorter than this part of what is wanted, so many
+/// times in a row.
+const CROWDED: f64 = 1e-4;
+pub(super) const MOST_CROWDED: usize = 20_000;
 
 /// The cubic through two states does not reach farther than this, in steps before.
 const REACH: f64 = 4.0;
@@ -113,6 +123,7 @@ impl Integrator {
                 length: 0.0,
                 known: 1,
                 corner: None,
+                crowded: 0,
                 lengths: Lengths::new(&stepping, from),
             },
             corrector: Corrector::new(dae, scheme.formula(1.0).stages, &limits)?,
@@ -146,6 +157,10 @@ impl Integrator {
         };
         if until <= self.progress.time || until.is_nan() {
             return Ok(stepped);
+        }
+        if self.progress.crowded >= MOST_CROWDED {
+            let length = self.progress.length;
+            return Err(self.failure(dae, (Reason::Corners, None), length));
         }
         self.renew(dae);
         loop {
@@ -189,15 +204,21 @@ impl Integrator {
         };
         let [now, before, after] = &mut self.rates;
         dae.past(0, &mut self.predicted, now);
-        let renewed = dae.renew(corner);
-        dae.past(0, &mut self.predicted, after);
-        if renewed && self.progress.known > 1 {
-            dae.past(1, &mut self.predicted, before);
-            if !is_jump([before, now, after]) {
-                return;
+        self.progress.known = match dae.renew(&corner, self.progress.lengths.wish) {
+            Renewal::Smooth => return,
+            Renewal::Unknown => 0,
+            Renewal::Velocities => 1,
+            Renewal::Rates => {
+                dae.past(0, &mut self.predicted, after);
+                if self.progress.known > 1 {
+                    dae.past(1, &mut self.predicted, before);
+                    if !is_jump([before, now, after]) {
+                        return;
+                    }
+                }
+                1
             }
-        }
-        self.progress.known = usize::from(renewed);
+        };
         self.progress.lengths.restart(&self.stepping);
     }
 
@@ -336,7 +357,12 @@ impl Integrator {
         progress.time = end;
         progress.length = length;
         progress.known = (progress.known + 1).min(2);
-        progress.corner = corner.map(|corner| corner.after);
+        let is_short = length < CROWDED * self.stepping.wanted();
+        progress.crowded = match corner.is_some() && is_short {
+            true => progress.crowded + 1,
+            false => 0,
+        };
+        progress.corner = corner;
         progress.counters.accept(length);
         progress
             .lengths
@@ -365,7 +391,7 @@ impl Integrator {
             length,
             least: self.progress.lengths.least(&self.stepping),
             worst,
-            equation: dae.describe(worst.place),
+            equation: dae.name(worst.place),
             local_error,
             history: self.corrector.history().to_vec(),
         }
@@ -406,10 +432,9 @@ impl Integrator {
         lengths.resume(&self.stepping, time, length);
     }
 
-    /// Forgets the states before the latest, as after a change from outside; `has_rates`
-    /// tells whether the rates of the latest can be relied on.
-    pub fn restart(&mut self, has_rates: bool) {
-        self.progress.known = usize::from(has_rates);
-        self.progress.corner = None;
+    /// The corner at which the latest accepted state stands, until the step after it is
+    /// made: what acts and what is driven may jump there.
+    pub fn corner(&self) -> Option<Corner> {
+        self.progress.corner
     }
 }

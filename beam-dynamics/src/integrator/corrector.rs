@@ -212,7 +212,12 @@ impl Corrector {
             dae.residual(stage, residual);
             if let Some(place) = residual.values.iter().position(|value| !value.is_finite()) {
                 let relative = f64::INFINITY;
-                self.worst = Worst { relative, place };
+                let scale = f64::INFINITY;
+                self.worst = Worst {
+                    relative,
+                    place,
+                    scale,
+                };
                 return Err(Reason::NotFinite);
             }
             let worst = dae.worst(residual);
@@ -281,13 +286,22 @@ impl Corrector {
         meter.counters.jacobian_time += combined - start;
         meter.counters.factorization_time += end - combined;
         self.kept = None;
-        factorized.ok_or(Reason::Singular)?;
+        factorized.ok_or_else(|| self.why_singular())?;
         self.kept = Some(Kept {
             weights: *weights,
             is_of_this_step: true,
             uses: 0,
         });
         Ok(())
+    }
+
+    /// Why the Jacobian was not factorized.
+    fn why_singular(&self) -> Reason {
+        let mut values = self.matrix.matrix().values().iter();
+        match values.all(|value| value.is_finite()) {
+            true => Reason::Singular,
+            false => Reason::NotFinite,
+        }
     }
 
     /// Solves for the last correction; its size.

@@ -2,8 +2,34 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use crate::assembly::{Combination, Pattern, Residual};
+use crate::model::Name;
 use crate::solver::Worst;
+
+/// A corner of a system, or several at almost the same time.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Corner {
+    /// The last time before it [s].
+    pub before: f64,
+    /// The time just after which what acts is to be asked for [s].
+    pub after: f64,
+}
+
+/// What a system finds just after a corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Renewal {
+    /// It cannot tell: the next step does not use the rates.
+    Unknown,
+    /// Nothing that counts jumps: all states behind the corner still serve.
+    Smooth,
+    /// The rates, which may have jumped: where they have, no state before the latest
+    /// serves.
+    Rates,
+    /// Velocities have jumped, and the rates with them: no state before the latest serves.
+    Velocities,
+}
 
 /// A system `F(y, y', t) = 0` with its two latest accepted states and the states under
 /// trial.
@@ -28,12 +54,12 @@ pub trait Dae {
     /// latest, and its rates. For 0 the changes are zero; 1 is asked for after a step.
     fn past(&self, back: usize, y: &mut [f64], rates: &mut [f64]);
 
-    /// Makes the latest accepted state agree with what acts just after `time` \[s\], when
-    /// a drive has a corner or a jump there: the rates of momenta and the multipliers,
-    /// which jump with forces. `false` when the system cannot tell: then the next step
-    /// does not use the rates.
-    fn renew(&mut self, _time: f64) -> bool {
-        false
+    /// Makes the latest accepted state agree with what acts just after a corner: the
+    /// rates of momenta and the multipliers, which jump with forces, and the velocities,
+    /// which jump with the rates of what is driven. `step` is the step that is wished for
+    /// after it \[s\]: what moves nothing in it does not count.
+    fn renew(&mut self, _corner: &Corner, _step: f64) -> Renewal {
+        Renewal::Unknown
     }
 
     /// Places trial state `stage` (0 to 2) at `time` \[s\] by a prediction of its change
@@ -66,9 +92,10 @@ pub trait Dae {
     /// Size of a local error, of positions and rotations alone [-].
     fn error(&self, difference: &[f64]) -> f64;
 
-    /// The unknown of the largest local error in words: what, whose, and its error.
+    /// The unknown of the largest local error in words: what, whose, its error, and by what
+    /// that is measured.
     fn describe_error(&self, difference: &[f64]) -> String;
 
-    /// An equation in words: what and whose.
-    fn describe(&self, place: usize) -> String;
+    /// An equation in words: what, whose, and its unit.
+    fn name(&self, place: usize) -> Name;
 }

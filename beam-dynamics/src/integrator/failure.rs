@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::advance::MOST_CROWDED;
+use crate::model::Name;
 use crate::solver::{Iteration, Worst};
 
 /// What stood in the way of the shortest step that was tried.
@@ -13,10 +15,12 @@ pub enum Reason {
     Diverged,
     /// The Jacobian is singular.
     Singular,
-    /// A residual is no finite number.
+    /// A residual or a derivative is no finite number.
     NotFinite,
     /// The local error stayed too large.
     LocalError,
+    /// Corners of drives follow one another without end.
+    Corners,
 }
 
 impl Reason {
@@ -26,8 +30,9 @@ impl Reason {
             Self::NotConverged => "the iteration did not converge",
             Self::Diverged => "the iteration diverged",
             Self::Singular => "the Jacobian is singular",
-            Self::NotFinite => "a residual is not a finite number",
+            Self::NotFinite => "a residual or a derivative is not a finite number",
             Self::LocalError => "the local error is too large",
+            Self::Corners => "corners of drives follow one another without end",
         }
     }
 
@@ -52,6 +57,11 @@ impl Reason {
                 "look for drives and laws that are not defined at this time or strain",
                 "allow shorter steps",
             ],
+            Self::Corners => &[
+                "take a drive with fewer corners: longer intervals, or a random drive with a \
+                 \"band\", which has none",
+                "take shorter steps, if this is what is meant",
+            ],
             Self::LocalError => &[
                 "allow a larger local error or shorter steps",
                 "look for a jump that no drive tells as a corner",
@@ -73,8 +83,8 @@ pub struct StepFailure {
     pub least: f64,
     /// The worst equation of the last iteration.
     pub worst: Worst,
-    /// The worst equation in words: what and whose.
-    pub equation: String,
+    /// Its name.
+    pub equation: Name,
     /// The local error of the step that was tried last, where it is what was too large.
     pub local_error: Option<Box<LocalError>>,
     /// Iterations of the step that was tried last.
@@ -88,7 +98,8 @@ pub struct LocalError {
     pub error: f64,
     /// What was allowed of it [-].
     pub tolerance: f64,
-    /// The unknown of the largest error in words: what, whose, and its error.
+    /// The unknown of the largest error in words: what, whose, its error, and by what that
+    /// is measured.
     pub unknown: String,
 }
 
@@ -100,17 +111,19 @@ impl fmt::Display for StepFailure {
             f,
             "no step from {time} s: {reason} at a step of {length:.3e} s (least {least:.3e} s); "
         )?;
+        if self.reason == Reason::Corners {
+            return write!(f, "the last {MOST_CROWDED} steps ended at one each");
+        }
         match &self.local_error {
             Some(local) => write!(
                 f,
-                "largest error: {}; {:.3e} of the size of the model or a radian, tolerance {:.3e}",
-                local.unknown, local.error, local.tolerance
+                "largest error: {}, tolerance {:.3e}",
+                local.unknown, local.tolerance
             ),
-            None => write!(
-                f,
-                "worst equation: {equation}, off by {:.3e} of its largest term",
-                self.worst.relative
-            ),
+            None => {
+                let off = equation.off_by(self.worst.relative, self.worst.scale);
+                write!(f, "worst equation: {off}")
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Dae, Scheme, StepControl, StepLimits, Stepping};
+use super::{Corner, Dae, Scheme, StepControl, StepLimits, Stepping};
 
 /// A constant step is cut to no less than this part of it.
 const LEAST_PART: f64 = 1.0 / 1024.0;
@@ -40,15 +40,6 @@ pub(super) struct Lengths {
     pub points: u64,
     /// The step wished for next [s].
     pub wish: f64,
-}
-
-/// A corner of the system, or several at almost the same time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Corner {
-    /// The last time before it [s].
-    pub before: f64,
-    /// The time just after which the system must be renewed [s].
-    pub after: f64,
 }
 
 /// A step to be tried.

@@ -150,6 +150,16 @@ pub enum Stepping {
     Variable(StepControl),
 }
 
+impl Stepping {
+    /// The step that is wanted where nothing is in its way, after a corner \[s\].
+    pub(super) fn wanted(&self) -> f64 {
+        match self {
+            Self::Constant { step } => *step,
+            Self::Variable(control) => control.first,
+        }
+    }
+}
+
 /// Limits of variable steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepControl {

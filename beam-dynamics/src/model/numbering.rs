@@ -30,13 +30,23 @@ impl Equation {
         3 * self as usize
     }
 
-    /// The equation in words.
+    /// The equation in words, up to its axis.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Momentum => "momentum",
-            Self::AngularMomentum => "angular momentum",
-            Self::Force => "force balance",
-            Self::Moment => "moment balance",
+            Self::Momentum => "definition of momentum along",
+            Self::AngularMomentum => "definition of angular momentum about",
+            Self::Force => "force balance along",
+            Self::Moment => "moment balance about",
+        }
+    }
+
+    /// In which unit it counts.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Momentum => "kg m/s",
+            Self::AngularMomentum => "kg m^2/s",
+            Self::Force => "N",
+            Self::Moment => "N m",
         }
     }
 }
@@ -79,6 +89,42 @@ impl Variable {
     /// First column of the variable among the columns of its node.
     pub fn column(self) -> usize {
         3 * (self as usize % 4)
+    }
+
+    /// The unknowns of a node, in the order of their columns.
+    pub const UNKNOWNS: [Self; 4] = [
+        Self::Position,
+        Self::Rotation,
+        Self::Momentum,
+        Self::AngularMomentum,
+    ];
+
+    /// The variable in words, up to its axis.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Position => "position along",
+            Self::Rotation => "rotation about",
+            Self::Momentum => "momentum along",
+            Self::AngularMomentum => "angular momentum about",
+            Self::Velocity => "velocity along",
+            Self::AngularVelocity => "angular velocity about",
+            Self::MomentumRate => "rate of momentum along",
+            Self::AngularMomentumRate => "rate of angular momentum about",
+        }
+    }
+
+    /// In which unit it counts.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Position => "m",
+            Self::Rotation => "rad",
+            Self::Momentum => "kg m/s",
+            Self::AngularMomentum => "kg m^2/s",
+            Self::Velocity => "m/s",
+            Self::AngularVelocity => "rad/s",
+            Self::MomentumRate => "N",
+            Self::AngularMomentumRate => "N m",
+        }
     }
 
     /// Whether it is a rate.

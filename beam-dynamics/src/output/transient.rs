@@ -15,11 +15,13 @@ mod restart;
 mod table;
 
 #[cfg(test)]
+mod plot_tests;
+#[cfg(test)]
 mod tests;
 
 pub use effort::effort_text;
 pub use files::{RunFiles, not_drawn_text};
-pub use plot::{Curve, TimePlot};
+pub use plot::TimePlot;
 pub use problem::RunFileProblem;
 pub use restart::{read_snapshot, write_snapshot};
 pub use table::TimeTable;

@@ -23,6 +23,8 @@ pub struct Worst {
     pub relative: f64,
     /// Place of the equation.
     pub place: usize,
+    /// The largest term of its kind [unit of the equation].
+    pub scale: f64,
 }
 
 /// Limits of the iteration.
@@ -127,8 +129,13 @@ mod tests {
     impl Equations for Root {
         fn residual(&mut self) -> (Vec<f64>, Worst) {
             let residual = self.x * self.x - self.a;
-            let relative = residual.abs() / self.a.abs();
-            (vec![residual], Worst { relative, place: 0 })
+            let scale = self.a.abs();
+            let worst = Worst {
+                relative: residual.abs() / scale,
+                place: 0,
+                scale,
+            };
+            (vec![residual], worst)
         }
 
         fn correction(&mut self, residual: &[f64]) -> Option<Vec<f64>> {

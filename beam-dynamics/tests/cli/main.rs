@@ -5,6 +5,7 @@
 
 mod blades;
 mod exchange;
+mod keys;
 
 use std::fs;
 use std::path::PathBuf;
@@ -18,6 +19,8 @@ use shared_geom::section::{
 use tempfile::TempDir;
 
 mod loads;
+mod messages;
+mod netcdf;
 mod transient;
 
 /// A blade of a strip whose properties are in a file.

@@ -320,9 +320,13 @@ fn columns_are_drawn_and_wrong_names_are_told() {
     ]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let figure = folder.read("b/path.svg");
-    assert!(
-        figure.contains("\ntip_z (results/a.transient.nc)\n") && figure.contains("\ntip_x [mm]\n")
-    );
+    for text in ["a.transient.csv", "a.transient.nc", "tip_z", "tip_x [mm]"] {
+        assert!(figure.contains(&format!("\n{text}\n")), "{text}");
+    }
+    assert!(!figure.contains("results"));
+    let run = folder.run(&["plot", csv, "--from", "0.011", "--to", "0.013"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("has 1 rows") && run.err.contains("--from"));
 
     let run = folder.run(&["plot", csv, "--columns", "tip_w,hold"]);
     assert_eq!((run.code, run.out.as_str()), (2, ""));

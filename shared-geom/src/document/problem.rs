@@ -51,6 +51,8 @@ pub enum DocumentProblem {
         table: String,
         /// The keys that the table may have.
         known: Vec<String>,
+        /// Where such a key belongs, as it is written there: `[[output.column]]`.
+        elsewhere: Option<&'static str>,
     },
     /// A required key is absent.
     #[error("{table} has no \"{key}\", expected {expected}")]
@@ -156,11 +158,17 @@ fn quoted(words: &[String]) -> String {
 impl Explain for DocumentProblem {
     fn help(&self) -> Option<String> {
         match self {
-            Self::UnknownKey { key, known, .. } => {
+            Self::UnknownKey {
+                key,
+                known,
+                elsewhere,
+                ..
+            } => {
                 let near = nearest_name(key, known.iter().map(String::as_str));
-                Some(match near {
-                    Some(near) => format!("did you mean \"{near}\"?"),
-                    None => format!("known keys: {}", known.join(", ")),
+                Some(match (elsewhere, near) {
+                    (Some(place), _) => format!("did you mean {place}?"),
+                    (None, Some(near)) => format!("did you mean \"{near}\"?"),
+                    (None, None) => format!("known keys: {}", known.join(", ")),
                 })
             }
             Self::WrongWord { found, known, .. } => {
@@ -172,6 +180,9 @@ impl Explain for DocumentProblem {
             Self::NoFile { name, known, .. } => Some(nearest_file(name, known)),
             Self::UnitsOfIncluded => {
                 Some("its numbers count in the units of the file that includes it".to_owned())
+            }
+            Self::ManyCopies { .. } => {
+                Some("give a smaller \"count\", or say with fewer cards what is copied".to_owned())
             }
             Self::OtherFormat { .. } => {
                 Some("name the file ending in .toml that leads to it".to_owned())

@@ -34,8 +34,9 @@ const WORDS: [&str; 15] = [
 impl Document {
     /// Makes the copies that `[[repeat]]` asks for and leaves the card with its own keys.
     /// Cards of the kinds in `framed` are put into the frame of their copy by the key
-    /// `in`; a card `[[frame]]` is added for each.
-    pub fn repeat(&mut self, framed: &[&str]) {
+    /// `in`; a card `[[frame]]` is added for each. `false` when there would be too many:
+    /// that has been noted, and the file is not worth being read further.
+    pub fn repeat(&mut self, framed: &[&str]) -> bool {
         let mut next = 0;
         let mut made = 0;
         // Copies may hold repeats themselves, which come behind.
@@ -50,12 +51,13 @@ impl Document {
             };
             let (cards, own): (Vec<_>, Vec<_>) = entries.into_iter().partition(is_cards);
             let count = self.count(&own);
-            made += count * cards.iter().map(size).sum::<usize>();
+            made += count * cards.iter().map(size).sum::<usize>().max(1);
             let name = name_of(&own).unwrap_or_else(|| format!("repeat {next}"));
             if made > MOST {
                 let problem = DocumentProblem::ManyCopies { name, limit: MOST };
-                self.note(card.line, &problem);
-                return;
+                let line = own.iter().find(|entry| entry.key == "count");
+                self.note(line.map_or(card.line, |entry| entry.line), &problem);
+                return false;
             }
             let names: BTreeSet<_> = cards.iter().flat_map(names_in).collect();
             for copy in 1..=count {
@@ -78,6 +80,7 @@ impl Document {
             }
             put_back(&mut self.root, next - 1, Kind::Table(own));
         }
+        true
     }
 
     /// The number of copies; one where it cannot be read, which the reader of the card
@@ -91,7 +94,7 @@ impl Document {
             }
             _ => None,
         });
-        count.unwrap_or(1).clamp(1, MOST)
+        count.unwrap_or(1).clamp(1, MOST + 1)
     }
 }
 

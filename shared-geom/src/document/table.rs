@@ -409,13 +409,21 @@ impl<'a> Table<'a> {
 
     /// Notes every key that was not asked for.
     pub fn finish(&self) {
+        self.finish_beside(&[]);
+    }
+
+    /// Notes every key that was not asked for, where `others` are keys of other tables, and
+    /// how they are written there.
+    pub fn finish_beside(&self, others: &[(&str, &'static str)]) {
         let asked = self.asked.borrow();
         for entry in self.entries {
             if !asked.contains(&entry.key) {
+                let elsewhere = others.iter().find(|(key, _)| *key == entry.key);
                 let problem = DocumentProblem::UnknownKey {
                     key: entry.key.clone(),
                     table: self.title.clone(),
                     known: asked.clone(),
+                    elsewhere: elsewhere.map(|(_, place)| *place),
                 };
                 self.document.note(entry.line, &problem);
             }

@@ -54,19 +54,27 @@ impl Ticks {
         (self.first..=self.last).map(|k| self.position(k))
     }
 
-    /// Positions with their labels, all with the same number of decimals.
+    /// Positions with their labels, all with the same number of decimals; large and small
+    /// ones all with the same power of ten, of the engineers' 10^3, 10^6, ...
     pub fn labeled(&self) -> impl Iterator<Item = (f64, String)> + '_ {
         let largest = (self.first.abs().max(self.last.abs()) * self.mantissa).max(1);
         let digits_before = self.power + (largest as f64).log10().floor() as i32;
-        let scientific = digits_before > 5 || self.power < -5;
+        let power = match (-3..6).contains(&digits_before) {
+            true => 0,
+            false => 3 * digits_before.div_euclid(3),
+        };
+        let decimals = (power - self.power).max(0) as usize;
         (self.first..=self.last).map(move |k| {
-            let position = self.position(k);
-            let label = match k {
-                0 => "0".to_owned(),
-                _ if scientific => tick_label(position, position.abs()),
-                _ => format!("{position:.*}", self.power.min(0).unsigned_abs() as usize),
+            let shown = Self {
+                power: self.power - power,
+                ..*self
             };
-            (position, label)
+            let label = match (k, power) {
+                (0, _) => "0".to_owned(),
+                (_, 0) => format!("{:.decimals$}", shown.position(k)),
+                _ => format!("{:.decimals$}e{power}", shown.position(k)),
+            };
+            (self.position(k), label)
         })
     }
 
@@ -123,8 +131,11 @@ mod tests {
         assert_eq!(labels(-0.25, 0.31, 5), "-0.2 -0.1 0 0.1 0.2 0.3");
         assert_eq!(labels(0.0, 1.0, 2), "0 0.5 1.0");
         assert_eq!(labels(-40.0, 95.0, 6), "-40 -20 0 20 40 60 80");
-        assert_eq!(labels(0.0, 3e7, 3), "0 1e7 2e7 3e7");
-        assert_eq!(labels(0.0, 2e-7, 2), "0 1e-7 2e-7");
+        assert_eq!(labels(0.0, 3e7, 3), "0 10e6 20e6 30e6");
+        assert_eq!(labels(0.0, 2e-7, 2), "0 100e-9 200e-9");
+        assert_eq!(labels(-4e-4, 2e-4, 3), "-400e-6 -200e-6 0 200e-6");
+        assert_eq!(labels(0.0, 2.4e6, 4), "0 0.5e6 1.0e6 1.5e6 2.0e6");
+        assert_eq!(labels(0.0, 0.005, 2), "0 0.002 0.004");
     }
 
     #[test]

@@ -11,33 +11,60 @@ use crate::record;
 
 const SHORTFALL: f64 = 0.1;
 
-/// Schemes with their orders on ordinary differential equations, and on index 3 those of
-/// positions, velocities and multipliers (`None`: the multipliers do not converge).
-const SCHEMES: [(&str, Scheme, i32, Option<[i32; 3]>); 13] = [
+/// A scheme with its name, its order on ordinary differential equations, and on index 3
+/// those of positions, velocities and multipliers: zero where multipliers do not converge,
+/// `None` where they grow.
+pub type Known = (&'static str, Scheme, i32, Option<[i32; 3]>);
+
+pub const SCHEMES: [Known; 19] = [
     ("implicit Euler", Scheme::ImplicitEuler, 1, Some([1, 1, 1])),
-    ("Crank-Nicolson", Scheme::CrankNicolson, 2, None),
+    ("Crank-Nicolson", Scheme::CrankNicolson, 2, Some([2, 2, 0])),
     ("BDF2", Scheme::Bdf2, 2, Some([2, 2, 2])),
-    ("two-step 0.3", TWO_STEP[0], 2, Some([2, 2, 2])),
-    ("two-step 0.6", TWO_STEP[1], 2, Some([2, 2, 2])),
-    ("two-step 1", Scheme::TwoStep { radius: 1.0 }, 2, None),
-    ("cubic 0", CUBIC[0], 3, Some([3, 3, 2])),
-    ("cubic 0.6", CUBIC[1], 3, Some([3, 3, 2])),
-    ("cubic 1", Scheme::Cubic { radius: 1.0 }, 4, None),
-    ("Radau IIA", PARABOLIC[0], 3, Some([3, 2, 1])),
-    ("parabolic -1/2 (Gauss)", PARABOLIC[1], 2, Some([2, 2, 1])),
-    ("parabolic -1/4", PARABOLIC[2], 2, Some([2, 2, 1])),
+    ("two-step 0", two_step(0.0), 2, Some([2, 2, 2])),
+    ("two-step 0.3", two_step(0.3), 2, Some([2, 2, 2])),
+    ("two-step 0.6", two_step(0.6), 2, Some([2, 2, 2])),
+    ("two-step 0.9", two_step(0.9), 2, Some([2, 2, 2])),
+    ("two-step 1", two_step(1.0), 2, Some([2, 2, 0])),
+    ("cubic 0", cubic(0.0), 3, Some([3, 3, 2])),
+    ("cubic 0.3", cubic(0.3), 3, Some([3, 3, 2])),
+    ("cubic 0.6", cubic(0.6), 3, Some([3, 3, 2])),
+    ("cubic 0.9", cubic(0.9), 3, Some([3, 3, 2])),
+    ("cubic 1", cubic(1.0), 4, Some([2, 2, 0])),
+    ("Radau IIA", RADAU, 3, Some([3, 2, 1])),
+    ("parabolic -0.8", parabolic(-0.8), 2, Some([2, 2, 1])),
+    (
+        "parabolic -1/2 (Gauss)",
+        parabolic(-0.5),
+        2,
+        Some([2, 2, 1]),
+    ),
+    ("parabolic -1/4", parabolic(-0.25), 2, Some([2, 2, 1])),
+    ("parabolic -0.1", parabolic(-0.1), 2, Some([2, 2, 1])),
     ("cubic Gauss", Scheme::CubicGauss, 4, None),
 ];
 
-const TWO_STEP: [Scheme; 2] = [
-    Scheme::TwoStep { radius: 0.3 },
-    Scheme::TwoStep { radius: 0.6 },
-];
-const CUBIC: [Scheme; 2] = [Scheme::Cubic { radius: 0.0 }, Scheme::Cubic { radius: 0.6 }];
-const PARABOLIC: [Scheme; 3] = [
-    Scheme::Parabolic { zeta: -2.0 / 3.0 },
-    Scheme::Parabolic { zeta: -0.5 },
-    Scheme::Parabolic { zeta: -0.25 },
+const RADAU: Scheme = parabolic(-2.0 / 3.0);
+
+const fn two_step(radius: f64) -> Scheme {
+    Scheme::TwoStep { radius }
+}
+
+const fn cubic(radius: f64) -> Scheme {
+    Scheme::Cubic { radius }
+}
+
+const fn parabolic(zeta: f64) -> Scheme {
+    Scheme::Parabolic { zeta }
+}
+
+/// x, y, their rates and lambda of the pendulum at t = 1: its ordinary equation, solved to
+/// 1e-13 (`theory-dynamics` of the reference, model A).
+pub const EXACT: [f64; 5] = [
+    0.134_994_926_127_77,
+    0.990_846_289_754_25,
+    -1.710_951_582_285_85,
+    0.233_103_544_764_91,
+    3.972_538_869_262_65,
 ];
 
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
@@ -45,7 +72,7 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-fn check(case: &str, name: &str, quantity: &str, found: f64, order: i32) {
+pub fn check(case: &str, name: &str, quantity: &str, found: f64, order: i32) {
     let least = f64::from(order) - SHORTFALL;
     let case = format!("{case}, {name}");
     record::order("order of the formula", &case, quantity, found, least);
@@ -98,45 +125,48 @@ fn nonlinear_equations_converge_with_the_order_of_the_formula() {
     }
 }
 
-/// The pendulum at t = 1 from an agreeing start: x, y' and lambda against the solution of
-/// its ordinary equation to 1e-13 (`theory-dynamics` of the reference, model A).
+/// Steps that show the orders on index 3: formulas with the inner stage near an end, or with
+/// a large radius, have weights at their stages that make higher terms of the error large.
+pub fn steps(scheme: Scheme) -> [f64; 2] {
+    match scheme {
+        Scheme::Cubic { radius } if radius > 0.8 && radius < 1.0 => [1.25e-3, 6.25e-4],
+        Scheme::Parabolic { zeta } if zeta > -0.2 => [2.5e-3, 1.25e-3],
+        _ => [0.01, 0.005],
+    }
+}
+
+/// The pendulum at t = 1 from an agreeing start.
 #[test]
 fn constrained_systems_converge_with_the_orders_of_index_three() {
-    let exact = [
-        0.134_994_926_127_77,
-        0.233_103_544_764_91,
-        3.972_538_869_262_65,
-    ];
     for (name, scheme, _, orders) in SCHEMES {
         let Some(orders) = orders else { continue };
         let errors = |h: f64| {
             let y = run(Pendulum::consistent(), scheme, h, 1.0);
-            let found = [y[0], y[3], y[4]];
-            std::array::from_fn::<_, 3, _>(|i| (found[i] - exact[i]).abs())
+            [0, 3, 4].map(|i| (y[i] - EXACT[i]).abs())
         };
-        let (coarse, fine) = (errors(0.01), errors(0.005));
-        for (i, quantity) in ["x", "y'", "lambda"].into_iter().enumerate() {
-            let found = (coarse[i] / fine[i]).log2();
-            check("pendulum, index 3", name, quantity, found, orders[i]);
+        check_index_three("pendulum, index 3", name, orders, steps(scheme).map(errors));
+    }
+}
+
+/// Orders from errors of x, y' and lambda at a step and its half. Multipliers that do not
+/// converge stay wrong by more than a tenth.
+pub fn check_index_three(case: &str, name: &str, orders: [i32; 3], errors: [[f64; 3]; 2]) {
+    let [coarse, fine] = errors;
+    for (i, quantity) in ["x", "y'", "lambda"].into_iter().enumerate() {
+        match orders[i] {
+            0 => assert!(fine[i] > 0.1 * EXACT[4], "{case}, {name}: {fine:?}"),
+            order => check(case, name, quantity, (coarse[i] / fine[i]).log2(), order),
         }
     }
 }
 
-/// Schemes that do not damp: positions of second order, multipliers that stay wrong by
-/// more than a tenth whatever the step; exactly these schemes are warned of.
+/// Exactly the schemes whose multipliers do not converge are warned of.
 #[test]
 fn schemes_whose_multipliers_do_not_converge_are_warned_of() {
     for (name, scheme, _, orders) in SCHEMES {
-        assert_eq!(scheme.warning(true).is_some(), orders.is_none(), "{name}");
+        let converges = orders.is_some_and(|orders| orders[2] > 0);
+        assert_eq!(scheme.warning(true).is_none(), converges, "{name}");
         assert_eq!(scheme.warning(false), None);
-        if orders.is_some() || scheme == Scheme::CubicGauss {
-            continue;
-        }
-        for h in [0.02, 0.01] {
-            let y = run(Pendulum::consistent(), scheme, h, 1.0);
-            assert!((y[4] / 3.972_538_869_262_65 - 1.0).abs() > 0.1, "{name}");
-            assert!((y[0] / 0.134_994_926_127_77 - 1.0).abs() < 5e-3, "{name}");
-        }
     }
 }
 
@@ -144,17 +174,16 @@ fn schemes_whose_multipliers_do_not_converge_are_warned_of() {
 #[test]
 fn stage_formulas_have_the_errors_found_apart() {
     let data = super::reference("pendulum_errors.json");
-    let exact = [0.134_994_926_127_77, 3.972_538_869_262_65];
     let rows = [
-        ("radau_IIA_zeta_m2_3", PARABOLIC[0]),
-        ("cubic_rho_0_6", CUBIC[1]),
+        ("radau_IIA_zeta_m2_3", RADAU),
+        ("cubic_rho_0_6", cubic(0.6)),
     ];
     for (key, scheme) in rows {
         for (quantity, i) in [("x", 0), ("lam", 4)] {
             let expected = data["higher_order"][key][quantity].as_array().unwrap();
             for (h, expected) in [0.05, 0.025, 0.0125].into_iter().zip(expected) {
                 let y = run(Pendulum::consistent(), scheme, h, 1.0);
-                let found = (y[i] / exact[i / 4] - 1.0).abs();
+                let found = (y[i] / EXACT[i] - 1.0).abs();
                 let expected = expected.as_f64().unwrap();
                 let error = (found / expected - 1.0).abs();
                 let (source, case) = ("independent script", format!("pendulum, {key}, h = {h}"));

@@ -424,7 +424,7 @@ fn a_step_that_underflows_tells_why() {
         assert_eq!(failure.reason, Reason::NotFinite);
         assert!(0.49 < failure.time && failure.time <= 0.5, "{failure}");
         assert!(failure.length <= failure.least);
-        assert_eq!(failure.equation, "equation 0");
+        assert_eq!(failure.equation.to_string(), "equation 0");
         assert!(!failure.reason.remedies().is_empty());
         let text = failure.to_string();
         assert!(text.contains("equation 0") && text.contains("not a finite number"));

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use beam_dynamics::assembly::{Combination, Pattern, Residual};
-use beam_dynamics::integrator::Dae;
+use beam_dynamics::integrator::{Corner, Dae, Renewal};
+use beam_dynamics::model::Name;
 use beam_dynamics::solver::Worst;
 use nalgebra::DMatrix;
 
@@ -99,9 +100,12 @@ impl<E: Equations> Dae for System<E> {
         }
     }
 
-    fn renew(&mut self, time: f64) -> bool {
+    fn renew(&mut self, corner: &Corner, _step: f64) -> Renewal {
         let State { y, rates } = &mut self.latest;
-        self.equations.renew(time, y, rates)
+        match self.equations.renew(corner.after, y, rates) {
+            true => Renewal::Rates,
+            false => Renewal::Unknown,
+        }
     }
 
     fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]) {
@@ -164,7 +168,11 @@ impl<E: Equations> Dae for System<E> {
         let relative = residual.values.iter().map(|value| value.abs() / largest);
         let worst = relative.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         let (place, relative) = worst.unwrap();
-        Worst { relative, place }
+        Worst {
+            relative,
+            place,
+            scale: largest,
+        }
     }
 
     fn size(&self, correction: &[f64]) -> f64 {
@@ -183,8 +191,8 @@ impl<E: Equations> Dae for System<E> {
         sizes.fold(0.0, f64::max)
     }
 
-    fn describe(&self, place: usize) -> String {
-        format!("equation {place}")
+    fn name(&self, place: usize) -> Name {
+        Name::of_system(format!("equation {place}"), "-")
     }
 }
 

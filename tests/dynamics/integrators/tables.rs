@@ -121,14 +121,14 @@ fn table_c1() {
 const QUANTITIES: [&str; 5] = ["x", "y", "x'", "y'", "lambda"];
 
 /// Errors as printed: x, y, x', y', lambda for h = .01, .005, .0025.
-const TABLE_10_1: [[f64; 3]; 5] = [
+pub const TABLE_10_1: [[f64; 3]; 5] = [
     [3.1e-3, 7.8e-4, 2.0e-4],
     [5.7e-5, 1.4e-5, 3.6e-6],
     [3.1e-4, 7.6e-5, 1.9e-5],
     [3.0e-3, 7.4e-4, 1.9e-4],
     [2.4e-4, 5.9e-5, 1.4e-5],
 ];
-const TABLE_10_2: [[f64; 3]; 5] = [
+pub const TABLE_10_2: [[f64; 3]; 5] = [
     [9.5e-4, 2.4e-4, 6.0e-5],
     [1.8e-5, 4.4e-6, 1.1e-6],
     [9.2e-5, 2.3e-5, 5.6e-6],
@@ -149,7 +149,7 @@ fn pendulum_errors(rho: f64, h: f64, is_consistent: bool) -> [f64; 5] {
 }
 
 /// Half a unit of the last of two digits.
-fn rounding(printed: f64) -> f64 {
+pub fn rounding(printed: f64) -> f64 {
     0.05 * 10.0_f64.powf(printed.log10().floor())
 }
 

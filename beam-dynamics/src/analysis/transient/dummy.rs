@@ -31,7 +31,7 @@ pub(super) fn dummy_rates(
     let mut dae = Multibody::new(model, [state.clone(), state.clone()], false);
     let (scheme, stepping) = (Scheme::Bdf2, Stepping::Constant { step });
     let mut integrator = Integrator::new(&dae, scheme, stepping, question.newton, question.from)
-        .ok_or(TransientFailure::Structure)?;
+        .ok_or(TransientFailure::Memory)?;
     let end = question.from + STEPS as f64 * step;
     // More steps than that where one had to be cut.
     while integrator.time() < end {

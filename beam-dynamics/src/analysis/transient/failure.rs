@@ -1,33 +1,32 @@
 //! Why a run in time ended before its last instant, in words.
 
-use std::fmt::Write;
-
-use crate::analysis::steady::NoEquilibrium;
-use crate::assembly::System;
+use crate::analysis::steady::{NoEquilibrium, rpm};
 use crate::assembly::massless::MasslessNode;
 use crate::assembly::redundancy::Redundant;
-use crate::case::Model;
-use crate::integrator::{Reason, StepFailure};
-use crate::model::State;
-use crate::solver::Iteration;
+use crate::elements::PlaceJump;
+use crate::integrator::StepFailure;
+use crate::model::Name;
 use shared_geom::error::Explain;
 
 use super::redundant::in_words;
 use super::start::StartChange;
 
-/// Rotation of a node in a step above which a formula is out of its depth \[rad\].
-const LARGE_TURN: f64 = 0.5;
-/// A local error, in sizes of the model and radians, that no step reaches.
-const ROUND_OFF: f64 = 1e-12;
-/// Iterations of the history that are told.
-const TOLD: usize = 8;
+mod cause;
+mod step;
+
+pub use step::StepTrouble;
+
+/// A number as it was given, without the digits that round-off adds.
+fn short(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value)
+}
 
 /// Why a run in time ended before its last instant.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum TransientFailure {
-    /// The equations cannot be solved for structural reasons.
-    #[error("the equations of the model have no solution: some unknown is in none of them")]
-    Structure,
+    /// The equations cannot be ordered for their solution.
+    #[error("there is not enough memory for the equations of the model")]
+    Memory,
     /// A node can move, although nothing says how.
     #[error(transparent)]
     Massless(#[from] MasslessNode),
@@ -40,9 +39,9 @@ pub enum TransientFailure {
          only, {0}"
     )]
     SingularPosition(String),
-    /// A constraint that was left out does not follow from the others any more.
+    /// A constraint does not follow from the others any more.
     #[error(
-        "at {time} s {constraint} at the start, but not any more: it was removed and is off by \
+        "at {time} s {constraint} at the start, but not any more: together they are off by \
          {value:.3e}"
     )]
     Broken {
@@ -61,11 +60,12 @@ pub enum TransientFailure {
     Equilibrium(#[from] Box<NoEquilibrium>),
     /// No places fulfill the constraints.
     #[error(
-        "start: no places of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e}"
+        "start: no places of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e} {}",
+        .constraint.unit
     )]
     Places {
-        /// The worst constraint in words.
-        constraint: String,
+        /// The worst constraint.
+        constraint: Name,
         /// What it is off by [unit of the constraint].
         value: f64,
     },
@@ -77,21 +77,61 @@ pub enum TransientFailure {
         /// When [s].
         time: f64,
     },
+    /// The angle of a spring has passed half a turn.
+    #[error(
+        "at {time} s the spring \"{spring}\" has turned by half a turn: its moment would jump to \
+         the other side"
+    )]
+    Wound {
+        /// The spring or hinge.
+        spring: String,
+        /// When [s].
+        time: f64,
+    },
     /// No velocities fulfill the constraints.
     #[error(
-        "start: no velocities of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e}"
+        "start: no velocities of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e} {}{}",
+        .constraint.unit,
+        if .constraint.unit.ends_with("/s") { "" } else { "/s" }
     )]
     Velocities {
-        /// The worst constraint in words.
-        constraint: String,
+        /// The worst constraint.
+        constraint: Name,
         /// What it is off by [unit of the constraint/s].
         value: f64,
+    },
+    /// A velocity is driven at which the model does not turn as a whole.
+    #[error(
+        "start: the model does not turn as a whole at {}: \"{joint}\" drives a velocity that is \
+         off by {off:.3e} rad/s or m/s",
+        rpm(*.speed)
+    )]
+    DrivenOtherwise {
+        /// The joint.
+        joint: String,
+        /// What its velocity is off by [rad/s or m/s].
+        off: f64,
+        /// The speed of rotation [rad/s].
+        speed: f64,
     },
     /// A part of a model that is to turn as a whole is held, or driven otherwise.
     #[error("start: the model does not go on to turn as a whole: {change}")]
     Held {
         /// The largest change that the constraints ask for.
         change: StartChange,
+    },
+    /// A drive jumps in what it holds in place.
+    #[error(
+        "the drive of \"{joint}\" jumps at {time} s: its {} from {} to {} {}",
+        .jump.what, short(.jump.from), short(.jump.to), .jump.unit
+    )]
+    Jump {
+        /// The joint.
+        joint: String,
+        /// What jumps, from where to where.
+        jump: PlaceJump,
+        /// When [s].
+        time: f64,
     },
     /// A dummy step could not be made.
     #[error("start: dummy steps: {0}")]
@@ -123,7 +163,8 @@ impl TransientFailure {
             Self::Redundant(found) => {
                 return found.first().and_then(Explain::help).unwrap_or_default();
             }
-            Self::Structure | Self::Equilibrium(_) => {
+            Self::Memory => "take fewer elements",
+            Self::Equilibrium(_) => {
                 "hold what is free, or take away the load that nothing can carry"
             }
             Self::Places { .. } => {
@@ -134,6 +175,10 @@ impl TransientFailure {
                 "let the drive start nearer to the attitude in which the nodes are given, or take \
                  shorter steps"
             }
+            Self::Wound { .. } => {
+                "hold the part from turning so far, by a stiffer spring or a stop; the angle of a \
+                 spring is known from half a turn back to half a turn ahead of its undeformed state"
+            }
             Self::Velocities { .. } => {
                 "look for joints that say the same twice and for a position at which the \
                  mechanism is locked"
@@ -143,135 +188,21 @@ impl TransientFailure {
                 "take joints that hold each direction once, and leave out redundant = \"remove\""
             }
             Self::Contradicting(_) => "drive one of them only, or both alike",
+            Self::DrivenOtherwise { .. } => {
+                "drive the joint at the speed of the start, with its sign, or give the start \
+                 another \"speed\"; joints inside the model have the speed zero there"
+            }
             Self::Held { .. } => {
                 "drive what holds the model at the speed of the start, for instance by a joint \
                  whose angle is a ramp"
+            }
+            Self::Jump { .. } => {
+                "no motion follows a jump of a place: let the drive get there by a ramp, which \
+                 may be steep, or drive the speed, which may jump"
             }
             Self::Resume { .. } => "continue with the model and the file that were run before",
             Self::Recorder { .. } => "look at what output says",
         };
         fixed.to_owned()
     }
-}
-
-/// A step that could not be made, and what it may come from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StepTrouble {
-    /// The failure of the integrator.
-    pub failure: StepFailure,
-    /// The likely cause in words.
-    pub cause: String,
-}
-
-impl std::fmt::Display for StepTrouble {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}; {}", self.failure, self.cause)?;
-        if self.failure.local_error.is_some() {
-            // Its iterations converged.
-            return Ok(());
-        }
-        let told = history(&self.failure.history);
-        match told.is_empty() {
-            true => Ok(()),
-            false => write!(f, "; residual and correction of its iterations: {told}"),
-        }
-    }
-}
-
-impl std::error::Error for StepTrouble {}
-
-impl StepTrouble {
-    fn remedy(&self) -> String {
-        self.failure.reason.remedies().join("; ")
-    }
-}
-
-/// The iterations in short: relative residual and size of the correction.
-fn history(iterations: &[Iteration]) -> String {
-    let mut text = String::new();
-    for (i, iteration) in iterations.iter().take(TOLD).enumerate() {
-        let comma = if i > 0 { ", " } else { "" };
-        let (residual, correction) = (iteration.worst.relative, iteration.correction);
-        // Writing to a string does not fail.
-        let _ = write!(text, "{comma}{residual:.1e} {correction:.1e}");
-    }
-    if iterations.len() > TOLD {
-        let _ = write!(text, " and {} more", iterations.len() - TOLD);
-    }
-    text
-}
-
-/// The failure of a step with what it likely comes from, as the latest state shows it;
-/// `step` is the length that was wanted \[s\].
-pub(super) fn trouble(
-    failure: StepFailure,
-    model: &Model,
-    state: &State,
-    step: f64,
-) -> StepTrouble {
-    let cause = cause(&failure, model, state, step);
-    StepTrouble { failure, cause }
-}
-
-fn cause(failure: &StepFailure, model: &Model, state: &State, step: f64) -> String {
-    if failure.reason == Reason::NotFinite {
-        return without_value(failure, model);
-    }
-    let (fastest, turn) = fastest(&model.system, state, step);
-    if turn > LARGE_TURN {
-        return format!(
-            "likely cause: node \"{fastest}\" turns by {turn:.2} rad in a step of {step:.3e} s, \
-             which is too long for it"
-        );
-    }
-    match failure.reason {
-        Reason::Singular => {
-            "likely cause: a mechanism that is locked or can go two ways here, or constraints \
-             that say the same"
-        }
-        Reason::LocalError => match failure.local_error.as_ref() {
-            Some(local) if local.tolerance < ROUND_OFF => {
-                "likely cause: a local error below what round-off leaves was asked for"
-            }
-            _ => {
-                "likely cause: steps that may not be as short as the motion is fast, or a jump \
-                 of a load or of a stiffness that no drive tells"
-            }
-        },
-        _ => {
-            "likely cause: a step too long for the fastest motion, or a mechanism near a position \
-             where it is locked"
-        }
-    }
-    .to_owned()
-}
-
-/// What has no value at the end of a step: a drive that has left its table, or else
-/// something that is unknown here.
-fn without_value(failure: &StepFailure, model: &Model) -> String {
-    let time = failure.time + failure.length;
-    let has_left = |[first, last]: [f64; 2]| time < first || time > last;
-    let words = |whose: &str, [first, last]: [f64; 2]| {
-        format!(
-            "likely cause: a drive of {whose} has values from {first} s to {last} s, and the step \
-             goes to {time} s"
-        )
-    };
-    let gravity = model.gravity_drive.domain();
-    if has_left(gravity) {
-        return words("gravity", gravity);
-    }
-    let mut elements = model.system.elements();
-    match elements.find(|element| has_left(element.domain())) {
-        Some(element) => words(&format!("\"{}\"", element.label()), element.domain()),
-        None => "likely cause: a law, a drive or a load has no value there".to_owned(),
-    }
-}
-
-/// The node that turns most in a step, and its angle \[rad\].
-fn fastest(system: &System, state: &State, step: f64) -> (String, f64) {
-    let turns = state.nodes.iter().zip(system.nodes());
-    let turns = turns.map(|(motion, node)| (&node.label, step * motion.angular_velocity.norm()));
-    let most = turns.max_by(|a, b| a.1.total_cmp(&b.1));
-    most.map_or_else(|| (String::new(), 0.0), |(node, turn)| (node.clone(), turn))
 }

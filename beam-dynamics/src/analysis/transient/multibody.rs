@@ -24,13 +24,14 @@ use shared_geom::rotation::gibbs::{self, Attitude, Increment};
 use shared_geom::rotation::skew;
 
 use crate::analysis::balance::{largest_motion, worst};
-use crate::assembly::{Combination, Pattern, Residual, Variation, Workspace};
+use crate::assembly::{Combination, Pattern, Residual, Sharing, Variation, Workspace};
 use crate::case::Model;
-use crate::integrator::Dae;
-use crate::model::{Conditions, NODE_UNKNOWNS, NodeMotion, State};
+use crate::elements::Element;
+use crate::integrator::{Corner, Dae, Renewal};
+use crate::model::{Conditions, NODE_UNKNOWNS, Name, NodeMotion, State};
 use crate::solver::Worst;
 
-use super::rates::consistent_rates;
+use super::corner::Impulses;
 
 mod own_axes;
 
@@ -51,14 +52,18 @@ struct Trial {
     conditions: Conditions,
     /// Correction of the orientation of each node.
     turns: Vec<Increment>,
+    /// How redundant constraints share loads where it was predicted.
+    sharing: Sharing,
 }
 
 /// A multibody model as integrators see it.
 #[derive(Debug)]
 pub(super) struct Multibody<'a> {
-    model: &'a Model,
+    pub(super) model: &'a Model,
     /// Accepted states, the latest first.
-    states: [State; KEPT],
+    pub(super) states: [State; KEPT],
+    /// The impulses so far.
+    pub(super) impulses: Impulses,
     trials: Vec<Trial>,
     variations: Vec<Variation>,
     /// Nodes whose angular momentum is integrated in axes that follow their long axis.
@@ -68,6 +73,9 @@ pub(super) struct Multibody<'a> {
     is_simplified: bool,
     /// Size of the model, by which displacements are measured [m].
     size: f64,
+    /// The constraint of a loop that gives way most in the latest state: the number of its
+    /// multiplier, and by what [unit of the constraint].
+    slack: Option<(usize, f64)>,
 }
 
 impl<'a> Multibody<'a> {
@@ -81,11 +89,13 @@ impl<'a> Multibody<'a> {
             parameters: Vector3::zeros(),
             rate: Vector3::zeros(),
         };
+        let sharing = Sharing::new(system, &states[0], &model.conditions_at(0.0));
         let trial = || Trial {
             base: states[0].clone(),
             state: states[0].clone(),
             conditions: model.conditions_at(0.0),
             turns: vec![still; nodes],
+            sharing: sharing.clone(),
         };
         let variation = Variation {
             turn: Matrix3::identity(),
@@ -104,9 +114,17 @@ impl<'a> Multibody<'a> {
                 .map(|place| place >= NODE_UNKNOWNS * nodes)
                 .collect(),
             is_simplified,
-            size: size(&rest),
+            size: rest.size(),
+            impulses: Impulses::default(),
+            slack: None,
             states,
         }
+    }
+
+    /// The constraint of a loop that gives way most in the latest state, and by what, where
+    /// constraints share loads: its number among the multipliers [unit of the constraint].
+    pub fn slack(&self) -> Option<(usize, f64)> {
+        self.slack
     }
 
     /// The latest accepted state.
@@ -114,24 +132,22 @@ impl<'a> Multibody<'a> {
         &self.states[0]
     }
 
+    /// An element without a value at a state that was tried last, and whether it has none at
+    /// the latest accepted state either, at that time.
+    pub fn without_value(&self) -> Option<(&dyn Element, bool)> {
+        let system = &self.model.system;
+        self.trials.iter().find_map(|trial| {
+            let (state, conditions) = (&trial.state, &trial.conditions);
+            let (index, element) = system.without_value(state, conditions)?;
+            let then = system.has_value(index, &self.states[0], conditions);
+            Some((element, !then))
+        })
+    }
+
     /// The accepted states, the latest first.
     pub fn states(&self) -> &[State] {
         &self.states
     }
-}
-
-/// Largest distance of a node from the first, or one \[m\].
-pub(super) fn size(state: &State) -> f64 {
-    let first = state
-        .nodes
-        .first()
-        .map_or_else(Vector3::zeros, |n| n.position);
-    let reach = state
-        .nodes
-        .iter()
-        .map(|node| (node.position - first).norm());
-    let size = reach.fold(0.0, f64::max);
-    if size > 0.0 { size } else { 1.0 }
 }
 
 /// The three numbers of a vector variable of a node.
@@ -256,15 +272,8 @@ impl Dae for Multibody<'_> {
         rates[first..].fill(0.0);
     }
 
-    fn renew(&mut self, time: f64) -> bool {
-        let conditions = self.model.conditions_at(time);
-        match consistent_rates(&self.model.system, &self.states[0], &conditions) {
-            Some(state) => {
-                self.states[0] = state;
-                true
-            }
-            None => false,
-        }
+    fn renew(&mut self, corner: &Corner, step: f64) -> Renewal {
+        self.pass(corner, step)
     }
 
     fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]) {
@@ -299,6 +308,8 @@ impl Dae for Multibody<'_> {
             turn.parameters.fill(0.0);
             turn.rate.fill(0.0);
         }
+        let (system, conditions) = (&self.model.system, &trial.conditions);
+        (trial.sharing).update(system, &trial.base, conditions, &mut self.work);
     }
 
     fn correct(&mut self, stage: usize, y: &[f64], rates: &[f64]) {
@@ -322,9 +333,10 @@ impl Dae for Multibody<'_> {
     }
 
     fn residual(&mut self, stage: usize, out: &mut Residual) {
-        let trial = &self.trials[stage];
+        let trial = &mut self.trials[stage];
         let system = &self.model.system;
         system.residual_into(&trial.state, &trial.conditions, out, &mut self.work);
+        trial.sharing.add_residual(&trial.state.multipliers, out);
     }
 
     fn jacobian(&mut self, stage: usize, out: &mut [Combination<'_>]) {
@@ -350,6 +362,7 @@ impl Dae for Multibody<'_> {
             out,
             &mut self.work,
         );
+        trial.sharing.add_jacobian(out);
         let nodes = trial.state.nodes.iter().zip(&self.variations);
         let origins = self.own_axes.iter().zip(&self.states[0].nodes);
         for ((node, variation), (own, origin)) in nodes.zip(origins) {
@@ -362,7 +375,13 @@ impl Dae for Multibody<'_> {
 
     fn accept(&mut self, stage: usize) {
         self.states.swap(0, 1);
-        self.states[0].copy_from(&self.trials[stage].state);
+        let trial = &mut self.trials[stage];
+        self.states[0].copy_from(&trial.state);
+        let multipliers = &mut self.states[0].multipliers;
+        let slack = trial.sharing.slack(multipliers);
+        self.slack = slack.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        // What the iteration leaves of it is no load.
+        trial.sharing.apply(multipliers);
         for node in &mut self.states[0].nodes {
             node.rotation = orthogonal(&node.rotation);
         }
@@ -397,17 +416,14 @@ impl Dae for Multibody<'_> {
         let Some(place) = places.max_by(|a, b| scaled(*a).total_cmp(&scaled(*b))) else {
             return String::new();
         };
-        let (node, component) = (place / NODE_UNKNOWNS, place % NODE_UNKNOWNS);
-        let axis = ["x", "y", "z"][component % 3];
-        let (what, unit) = match component {
-            0..3 => ("position along", "m"),
-            _ => ("rotation about", "rad"),
+        let scale = match place % NODE_UNKNOWNS {
+            0..3 => self.size,
+            _ => 1.0,
         };
-        let (label, off) = (&system.nodes()[node].label, difference[place].abs());
-        format!("{what} {axis} of node \"{label}\", by {off:.3e} {unit}")
+        system.unknown(place).off_by(scaled(place), scale)
     }
 
-    fn describe(&self, place: usize) -> String {
-        self.model.system.describe_equation(place)
+    fn name(&self, place: usize) -> Name {
+        self.model.system.equation(place)
     }
 }

@@ -17,8 +17,7 @@ use crate::case::InitialMotion;
 use crate::elements::{Element, Level};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
 
-use super::multibody::size;
-use super::saddle::{By, MOTION, Saddle, constraint_rows, levels, motion};
+use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
 
 /// Iterations at most.
 const ITERATIONS: usize = 50;
@@ -79,7 +78,7 @@ fn worst(values: &[f64], first: usize) -> Unfulfilled {
 fn values(system: &System, state: &State, conditions: &Conditions, level: Level) -> Vec<f64> {
     let first = NODE_UNKNOWNS * system.nodes().len();
     let residual = system.residual(state, conditions).values;
-    let values = residual[first..].iter().zip(levels(system));
+    let values = residual[first..].iter().zip(system.levels());
     values
         .map(|(value, own)| if own == level { *value } else { 0.0 })
         .collect()
@@ -136,7 +135,7 @@ fn turns_far(system: &System, state: &State, conditions: &Conditions) -> bool {
     };
     let is_fulfilled = off(1.0)
         .iter()
-        .all(|off| off.abs() <= FULFILLED * size(state).max(1.0));
+        .all(|off| off.abs() <= FULFILLED * state.size().max(1.0));
     let pairs = off(0.0).into_iter().zip(off(0.5));
     let change = pairs.map(|(none, half)| (half - none).abs());
     !is_fulfilled && change.fold(0.0, f64::max) > TURNED
@@ -169,12 +168,12 @@ fn place_at_once(
         return Ok(state.clone());
     }
     let start = now.clone();
-    let weights = weights(size(state), initial, |one| [one.weight; 2]);
+    let weights = weights(state.size(), initial, |one| [one.weight; 2]);
     for _ in 0..ITERATIONS {
         let Some(step) = place_step(system, (&start, &now), conditions, &weights) else {
             break;
         };
-        let largest = largest_motion(step[..MOTION * nodes].chunks(MOTION), size(state));
+        let largest = largest_motion(step[..MOTION * nodes].chunks(MOTION), state.size());
         if !largest.is_finite() {
             break;
         }
@@ -198,7 +197,7 @@ fn place_at_once(
 /// What a constraint may be off by: a part of the size of the model, or round-off \[m\].
 fn fulfilled(part: f64, state: &State) -> f64 {
     let places = state.nodes.iter().map(|node| node.position.amax());
-    f64::max(part * size(state), ROUND_OFF * places.fold(1.0, f64::max))
+    f64::max(part * state.size(), ROUND_OFF * places.fold(1.0, f64::max))
 }
 
 /// At rest, without multipliers.
@@ -316,7 +315,7 @@ pub(super) fn set_moving(
             one.velocity_weight.unwrap_or(standard)
         })
     };
-    let weights = weights(size(state), initial, of);
+    let weights = weights(state.size(), initial, of);
     let mut now = state.clone();
     let mut off = velocity_constraints(system, &now, conditions);
     let limit = |state: &State| FULFILLED * fastest(state).max(f64::MIN_POSITIVE);
@@ -345,7 +344,7 @@ pub(super) fn set_moving(
         off = velocity_constraints(system, &now, conditions);
         let after = worst(&off, place);
         // Round-off of large terms: no step makes it better.
-        let speed = fastest(&now).max(SLOWEST * size(&now));
+        let speed = fastest(&now).max(SLOWEST * now.size());
         if after.value.abs() <= 1e-9 * speed && after.value.abs() > 0.1 * before {
             return Ok(now);
         }
@@ -355,7 +354,7 @@ pub(super) fn set_moving(
 
 /// Largest velocity, or size of the model times angular velocity \[m/s\].
 fn fastest(state: &State) -> f64 {
-    let size = size(state);
+    let size = state.size();
     let of = state.nodes.iter().map(|node| {
         node.velocity
             .norm()
@@ -379,7 +378,7 @@ pub(super) fn beside(
 ) -> Option<State> {
     let mut now = still(state);
     let nodes = now.nodes.len();
-    let size = size(state);
+    let size = state.size();
     let tangent = system.tangent(&now, conditions);
     let mut saddle = Saddle::default();
     saddle.constraints(system, &tangent, By::Velocities);
@@ -411,10 +410,14 @@ pub(super) fn own_rates(system: &System, state: &State, conditions: &Conditions)
 }
 
 /// First derivative of the constraints of positions, and the constraints of velocities.
-fn velocity_constraints(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
+pub(super) fn velocity_constraints(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+) -> Vec<f64> {
     let mut off = values(system, state, conditions, Level::Velocity);
     let by_time = by_time(system, state, conditions);
-    let levels = levels(system);
+    let levels = system.levels();
     for (i, value) in by_time.into_iter().enumerate() {
         if levels[i] == Level::Position {
             off[i] = value;

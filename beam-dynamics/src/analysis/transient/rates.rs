@@ -16,10 +16,9 @@
 //! again of the rates.
 
 use crate::assembly::massless::without_mass;
-use crate::assembly::{System, Tangent};
+use crate::assembly::{Sharing, System, Tangent};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
 
-use super::multibody::size;
 use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
 
 /// Mass of what has none, as a part of the largest mass.
@@ -43,19 +42,9 @@ pub(super) fn consistent_rates(
     let nodes = state.nodes.len();
     let tangent = system.tangent(&state, conditions);
     let forces = system.residual(&state, conditions).values;
-    let masses = masses(nodes, &tangent);
     let carried = carried(&state, &tangent);
-
-    let mut saddle = Saddle::default();
-    saddle.entries.extend(&masses);
-    saddle.entries.extend(multiplier_columns(nodes, &tangent));
     let first = MOTION * nodes;
-    let rows = constraint_rows(system, &tangent, By::Velocities);
-    let rows = rows.into_iter().map(|(i, j, value)| (first + i, j, value));
-    saddle.entries.extend(rows);
-    let heaviest = masses.iter().map(|entry| entry.2.abs()).fold(0.0, f64::max);
-    let heaviest = if heaviest > 0.0 { heaviest } else { 1.0 };
-    soften(&mut saddle, system, (&state, &tangent), heaviest);
+    let equations = Accelerated::new(system, &state, &tangent);
 
     let mut right = vec![0.0; first + state.multipliers.len()];
     for (row, force) in forces[..NODE_UNKNOWNS * nodes].iter().enumerate() {
@@ -67,10 +56,11 @@ pub(super) fn consistent_rates(
     for (value, convective) in right[first..].iter_mut().zip(&convective) {
         *value = -convective;
     }
-    let solution = saddle.solve(nodes, heaviest, &right)?;
+    let solution = equations.solve(nodes, &right)?;
     state.multipliers.copy_from_slice(&solution[first..]);
+    Sharing::new(system, &state, conditions).apply(&mut state.multipliers);
     let mut rates = carried;
-    for (row, column, mass) in masses {
+    for (row, column, mass) in equations.masses {
         rates[row] += mass * solution[column];
     }
     for (node, rates) in state.nodes.iter_mut().zip(rates.chunks(MOTION)) {
@@ -78,6 +68,42 @@ pub(super) fn consistent_rates(
         node.angular_momentum_rate.copy_from_slice(&rates[3..]);
     }
     Some(state)
+}
+
+/// The equations of changes of velocities, of accelerations or of impulses: `M` and
+/// `-F_lambda` above `C` and zero.
+pub(super) struct Accelerated {
+    saddle: Saddle,
+    /// M, without what was added.
+    masses: Vec<(usize, usize, f64)>,
+    heaviest: f64,
+}
+
+impl Accelerated {
+    pub fn new(system: &System, state: &State, tangent: &Tangent) -> Self {
+        let nodes = state.nodes.len();
+        let masses = masses(nodes, tangent);
+        let mut saddle = Saddle::default();
+        saddle.entries.extend(&masses);
+        saddle.entries.extend(multiplier_columns(nodes, tangent));
+        let first = MOTION * nodes;
+        let rows = constraint_rows(system, tangent, By::Velocities);
+        let rows = rows.into_iter().map(|(i, j, value)| (first + i, j, value));
+        saddle.entries.extend(rows);
+        let heaviest = masses.iter().map(|entry| entry.2.abs()).fold(0.0, f64::max);
+        let heaviest = if heaviest > 0.0 { heaviest } else { 1.0 };
+        soften(&mut saddle, system, (state, tangent), heaviest);
+        Self {
+            saddle,
+            masses,
+            heaviest,
+        }
+    }
+
+    /// Changes of the motion of the nodes, then multipliers; `None` when there are none.
+    pub fn solve(&self, nodes: usize, right: &[f64]) -> Option<Vec<f64>> {
+        self.saddle.solve(nodes, self.heaviest, right)
+    }
 }
 
 /// M: derivatives of the momenta by the velocities.
@@ -137,7 +163,7 @@ fn soften(
     (state, tangent): (&State, &Tangent),
     heaviest: f64,
 ) {
-    let size = size(state);
+    let size = state.size();
     let scale = |i: usize| if i < 3 { 1.0 } else { size };
     for (node, basis) in without_mass(system, tangent, size).iter().enumerate() {
         let mass = NEXT_TO_NOTHING * heaviest * basis * basis.transpose();

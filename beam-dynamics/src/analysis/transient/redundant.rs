@@ -3,12 +3,12 @@
 use std::cmp::Ordering;
 
 use super::TransientFailure;
-use super::multibody::size;
 use super::placing::{beside, own_rates, place, position_values};
-use crate::assembly::System;
 use crate::assembly::redundancy::{self, Redundant};
+use crate::assembly::{Sparse, System};
 use crate::case::{self, Model, TransientQuestion};
-use crate::model::{Conditions, State};
+use crate::integrator::Stepping;
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
 
 /// Directions in which constraints are tried beside the first place.
 const DIRECTIONS: usize = 2;
@@ -19,14 +19,15 @@ const BROKEN_BESIDE: f64 = 1e-8;
 /// The same during a run, where constraints are fulfilled to the tolerance of its steps.
 const BROKEN: f64 = 1e-4;
 
-/// The model without its redundant constraints; `None` where all are independent.
+/// The model in which redundant constraints share their loads with those from which they
+/// follow; `None` where all are independent.
 ///
 /// They are found where the undeformed nodes are brought by the constraints. Where these
 /// cannot be fulfilled, start-up says so.
 pub(super) fn independent(
     model: &Model,
     question: &TransientQuestion,
-) -> Result<Option<Reduced>, TransientFailure> {
+) -> Result<Option<Shared>, TransientFailure> {
     let system = &model.system;
     if system.numbering().multipliers() == 0 {
         return Ok(None);
@@ -60,24 +61,60 @@ pub(super) fn independent(
     if question.redundant == case::Redundant::Error {
         return Err(TransientFailure::Redundant(found));
     }
-    Ok(Some(Reduced {
-        model: reduced,
-        removed: found,
+    let compliance = compliance(system, &placed, &conditions, question);
+    Ok(Some(Shared {
+        model: Model {
+            system: system.with_shared_loads(&found, compliance),
+            ..model.clone()
+        },
+        redundant: found,
     }))
 }
 
-/// A model without its redundant constraints.
-pub(super) struct Reduced {
+/// A model in which redundant constraints share loads.
+pub(super) struct Shared {
     /// The model.
     pub model: Model,
-    /// What was taken out.
-    pub removed: Vec<Redundant>,
+    /// The constraints that follow from others.
+    pub redundant: Vec<Redundant>,
 }
 
-impl Reduced {
-    /// What was taken out, in words.
+impl Shared {
+    /// What was found, in words.
     pub fn remarks(&self) -> impl Iterator<Item = String> {
-        self.removed.iter().map(|found| format!("{found}: removed"))
+        let found = self.redundant.iter();
+        found.map(|found| format!("{found}: they share its load"))
+    }
+}
+
+/// What the largest mass gives way by under a force in a step, or else the largest
+/// stiffness \[m/N\].
+fn compliance(
+    system: &System,
+    placed: &State,
+    conditions: &Conditions,
+    question: &TransientQuestion,
+) -> f64 {
+    let step = match question.stepping {
+        Stepping::Constant { step } => step,
+        Stepping::Variable(control) => control.first,
+    };
+    let nodes = NODE_UNKNOWNS * placed.nodes.len();
+    let tangent = system.tangent(placed, conditions);
+    let largest = |matrix: &Sparse, equation: Equation| {
+        let entries = matrix.triplets().filter(|&(row, column, _)| {
+            let row_of_node = row % NODE_UNKNOWNS;
+            let is_of = (equation.row()..equation.row() + 3).contains(&row_of_node);
+            row < nodes && column < nodes && is_of && column % NODE_UNKNOWNS < 3
+        });
+        entries.map(|entry| entry.2.abs()).fold(0.0, f64::max)
+    };
+    let mass = largest(&tangent.by_rates, Equation::Momentum);
+    let stiffness = largest(&tangent.by_unknowns, Equation::Force);
+    match (mass > 0.0, stiffness > 0.0) {
+        (true, _) => step * step / mass,
+        (false, true) => 1.0 / stiffness,
+        (false, false) => 1.0,
     }
 }
 
@@ -96,7 +133,7 @@ fn broken_beside(
     let mut broken = vec![false; found.len()];
     for state in beside {
         let off = position_values(system, &state, conditions);
-        let limit = BROKEN_BESIDE * size(&state);
+        let limit = BROKEN_BESIDE * state.size();
         for (broken, found) in broken.iter_mut().zip(found) {
             *broken |= off[found.constraint].abs() > limit;
         }
@@ -108,21 +145,12 @@ fn broken_beside(
         .collect()
 }
 
-/// The first constraint that was taken out of the full `system` and is broken at a state,
-/// with what it is off by.
-pub(super) fn broken<'a>(
-    system: &System,
-    (state, conditions): (&State, &Conditions),
-    removed: &'a [Redundant],
-) -> Option<(&'a Redundant, f64)> {
-    if removed.is_empty() {
-        return None;
-    }
-    let off = position_values(system, state, conditions);
-    let limit = BROKEN * size(state).max(1.0);
-    let off = removed.iter().map(|one| (one, off[one.constraint].abs()));
-    off.into_iter()
-        .find(|(_, off)| !matches!(off.partial_cmp(&limit), Some(Ordering::Less)))
+/// Whether a constraint that gives way by `off` does not follow from the others any more.
+pub(super) fn is_broken(off: f64, size: f64) -> bool {
+    !matches!(
+        off.abs().partial_cmp(&(BROKEN * size.max(1.0))),
+        Some(Ordering::Less)
+    )
 }
 
 /// Redundant constraints in words, the first few of them.

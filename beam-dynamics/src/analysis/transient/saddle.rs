@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use crate::assembly::{Pattern, Sparse, System, Tangent};
 use crate::elements::Level;
-use crate::model::{Equation, NODE_UNKNOWNS, Variable};
+use crate::model::{Equation, NODE_UNKNOWNS};
 use crate::solver::LinearSolver;
 
 /// Unknowns of the motion of a node.
@@ -76,24 +76,13 @@ pub(super) fn constraint_rows(
     tangent: &Tangent,
     by: By,
 ) -> Vec<(usize, usize, f64)> {
-    let levels = levels(system);
-    let first = NODE_UNKNOWNS * system.nodes().len();
-    let mut rows = Vec::new();
-    for (level, matrix) in [
-        (Level::Position, &tangent.by_unknowns),
-        (Level::Velocity, &tangent.by_rates),
-    ] {
-        if by == By::Positions && level == Level::Velocity {
-            continue;
-        }
-        for (row, column, value) in matrix.triplets() {
-            let is_motion = column < first && column % NODE_UNKNOWNS < Variable::Momentum.column();
-            if row >= first && is_motion && levels[row - first] == level {
-                rows.push((row - first, motion(column), value));
-            }
-        }
-    }
-    rows
+    let levels: &[Level] = match by {
+        By::Positions => &[Level::Position],
+        By::Velocities => &[Level::Position, Level::Velocity],
+    };
+    let rows = system.constraint_rows(tangent, levels).into_iter();
+    rows.map(|(constraint, column, value)| (constraint, motion(column), value))
+        .collect()
 }
 
 fn matrix(size: usize, entries: impl Iterator<Item = (usize, usize, f64)> + Clone) -> Sparse {
@@ -112,14 +101,4 @@ fn matrix(size: usize, entries: impl Iterator<Item = (usize, usize, f64)> + Clon
 /// Place of an unknown, or of an equation, of a node among the six of its motion.
 pub(super) fn motion(place: usize) -> usize {
     MOTION * (place / NODE_UNKNOWNS) + place % NODE_UNKNOWNS % Equation::Force.row()
-}
-
-/// Level of each constraint, in the order of the multipliers.
-pub(super) fn levels(system: &System) -> Vec<Level> {
-    let of = |element: &dyn crate::elements::Element| -> Vec<Level> {
-        (0..element.multipliers())
-            .map(|i| element.level(i))
-            .collect()
-    };
-    system.elements().flat_map(of).collect()
 }

@@ -59,25 +59,35 @@ fn numbers(state: &State) -> Vec<f64> {
 
 /// The two accepted states of a snapshot of this model, the latest first.
 pub(super) fn states(model: &Model, snapshot: &Snapshot) -> Result<[State; 2], TransientFailure> {
-    let mismatch = |reason: &str| TransientFailure::Resume {
-        reason: reason.to_owned(),
-    };
-    let nodes = model.system.nodes();
-    let labels = nodes.iter().map(|node| node.label.as_str());
-    if !labels.eq(snapshot.nodes.iter().map(String::as_str)) {
-        return Err(mismatch("its nodes are not those of the model"));
+    let mismatch = |reason: String| TransientFailure::Resume { reason };
+    if let Some(reason) = difference(model, snapshot) {
+        return Err(mismatch(reason));
     }
-    let multipliers = model.system.numbering().multipliers();
-    if multipliers != snapshot.multipliers {
-        return Err(mismatch("its joints are not those of the model"));
-    }
-    let length = OF_NODE * nodes.len() + multipliers;
+    let nodes = model.system.nodes().len();
+    let length = OF_NODE * nodes + model.system.numbering().multipliers();
     match &snapshot.states[..] {
         [latest, before] if latest.len() == length && before.len() == length => {
-            Ok([latest, before].map(|numbers| state(numbers, nodes.len())))
+            Ok([latest, before].map(|numbers| state(numbers, nodes)))
         }
-        _ => Err(mismatch("its states are incomplete")),
+        _ => Err(mismatch("its states are incomplete".to_owned())),
     }
+}
+
+/// In what a snapshot is not one of a model of these nodes and joints, in words.
+pub fn difference(model: &Model, snapshot: &Snapshot) -> Option<String> {
+    let nodes = model.system.nodes();
+    let (found, expected) = (snapshot.nodes.len(), nodes.len());
+    if found != expected {
+        return Some(format!("it has {found} nodes, the model {expected}"));
+    }
+    let mut pairs = snapshot.nodes.iter().zip(nodes);
+    if let Some((found, node)) = pairs.find(|(found, node)| **found != node.label) {
+        let expected = &node.label;
+        return Some(format!("it has node \"{found}\", the model \"{expected}\""));
+    }
+    let (found, expected) = (snapshot.multipliers, model.system.numbering().multipliers());
+    (found != expected)
+        .then(|| format!("its joints have {found} constraints, those of the model {expected}"))
 }
 
 fn state(numbers: &[f64], nodes: usize) -> State {

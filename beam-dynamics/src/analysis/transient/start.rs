@@ -6,13 +6,14 @@ use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use crate::analysis::steady::equilibrium;
+use crate::assembly::System;
 use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
+use crate::elements::Level;
 use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
 use crate::solver::LinearSolver;
 
 use super::dummy::dummy_rates;
 use super::failure::TransientFailure;
-use super::multibody::size;
 use super::placing::{Unfulfilled, place, set_moving};
 use super::rates::consistent_rates;
 
@@ -21,6 +22,10 @@ use super::rates::consistent_rates;
 const VISIBLE: f64 = 1e-9;
 /// Changes of the velocities of an equilibrium that turns up to this part of the fastest.
 const TURNS: f64 = 1e-6;
+
+/// Driven velocities that differ by a larger part of the speed at which a model is to turn
+/// are those of another motion; where it is deformed they differ by less.
+const FAR: f64 = 0.1;
 
 /// What of a node start-up changed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,10 +106,10 @@ pub(super) fn start(
     }
     let given = with_velocities(kind, &model.initial);
     let not_placed = |off: Unfulfilled| {
-        let constraint = system.describe_equation(off.place);
+        let constraint = system.equation(off.place);
         match off.is_turned_over {
             true => TransientFailure::TurnedOver {
-                constraint,
+                constraint: constraint.to_string(),
                 time: question.from,
             },
             false => TransientFailure::Places {
@@ -115,12 +120,12 @@ pub(super) fn start(
     };
     let placed = place(system, &given, &conditions, &model.initial).map_err(not_placed)?;
     let not_moving = |off: Unfulfilled| TransientFailure::Velocities {
-        constraint: system.describe_equation(off.place),
+        constraint: system.equation(off.place),
         value: off.value,
     };
     let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;
     let changes = changes(model, &given, &state);
-    find_momenta(model, &mut state, &conditions);
+    find_momenta(system, &mut state, &conditions);
     let mut started = Started {
         state,
         changes,
@@ -137,6 +142,17 @@ fn given(
     conditions: &Conditions,
 ) -> Result<State, TransientFailure> {
     let rest = model.system.rest();
+    let alone;
+    let model = match model.system.independent() {
+        None => model,
+        Some(system) => {
+            alone = Model {
+                system,
+                ..model.clone()
+            };
+            &alone
+        }
+    };
     let speed = match question.start {
         Start::Given => return Ok(rest),
         Start::Equilibrium => 0.0,
@@ -149,7 +165,15 @@ fn given(
         },
         ..*conditions
     };
-    let solver = LinearSolver::new(model.system.pattern()).ok_or(TransientFailure::Structure)?;
+    if let Some((joint, off)) = driven_otherwise(&model.system, conditions, &turning.frame) {
+        return Err(TransientFailure::DrivenOtherwise { joint, off, speed });
+    }
+    let held = model.system.held().map(|system| Model {
+        system,
+        ..model.clone()
+    });
+    let model = held.as_ref().unwrap_or(model);
+    let solver = LinearSolver::new(model.system.pattern()).ok_or(TransientFailure::Memory)?;
     let from = (&Conditions::at_rest(), &rest);
     let mut state = equilibrium(model, &solver, from, &turning)?.state;
     // At this instant the axes that turn and those that do not are the same.
@@ -163,6 +187,34 @@ fn given(
     Ok(state)
 }
 
+/// The first element that drives velocities which are far from those of the undeformed
+/// model as it turns as a whole, and what one is off by \[rad/s, m/s\].
+fn driven_otherwise(
+    system: &System,
+    conditions: &Conditions,
+    frame: &TurningFrame,
+) -> Option<(String, f64)> {
+    let omega = frame.angular_velocity;
+    if omega.norm() == 0.0 {
+        return None;
+    }
+    let mut state = system.rest();
+    for node in &mut state.nodes {
+        node.velocity = omega.cross(&(node.position - frame.center));
+        node.angular_velocity = omega;
+    }
+    let least = FAR * omega.norm() * state.size().max(1.0);
+    let off = system.residual(&state, conditions).values;
+    let first = NODE_UNKNOWNS * state.nodes.len();
+    let mut off = off[first..].iter();
+    system.elements().find_map(|element| {
+        let own = off.by_ref().take(element.multipliers()).enumerate();
+        let driven = own.filter(|(i, _)| element.level(*i) == Level::Velocity);
+        let largest = driven.fold(0.0_f64, |a, (_, b)| if b.abs() > a.abs() { *b } else { a });
+        (largest.abs() > least).then(|| (element.label().to_owned(), largest.abs()))
+    })
+}
+
 /// Adds the velocities that the nodes are given.
 fn with_velocities(mut state: State, initial: &[InitialMotion]) -> State {
     for (node, initial) in state.nodes.iter_mut().zip(initial) {
@@ -173,8 +225,8 @@ fn with_velocities(mut state: State, initial: &[InitialMotion]) -> State {
 }
 
 /// Momenta from their definitions.
-fn find_momenta(model: &Model, state: &mut State, conditions: &Conditions) {
-    let residual = model.system.residual(state, conditions).values;
+pub(super) fn find_momenta(system: &System, state: &mut State, conditions: &Conditions) {
+    let residual = system.residual(state, conditions).values;
     let rows = residual.chunks(NODE_UNKNOWNS);
     for (node, rows) in state.nodes.iter_mut().zip(rows) {
         node.momentum -= Vector3::from_column_slice(&rows[..3]);
@@ -198,9 +250,13 @@ fn find_rates(
             state.multipliers.fill(0.0);
             return Ok(());
         }
-        StartAccelerations::Consistent => {
-            if let Some(consistent) = consistent_rates(&model.system, state, conditions) {
-                *state = consistent;
+        StartAccelerations::Consistent | StartAccelerations::AtRest => {
+            let seen = match question.start_accelerations {
+                StartAccelerations::AtRest => at_rest(state),
+                _ => state.clone(),
+            };
+            if let Some(found) = consistent_rates(&model.system, &seen, conditions) {
+                take_rates(state, &found);
                 return Ok(());
             }
             let remark = match model.system.constraint_rates(state, conditions) {
@@ -221,9 +277,30 @@ fn find_rates(
     Ok(())
 }
 
+/// The same places without motion.
+fn at_rest(state: &State) -> State {
+    let mut state = state.clone();
+    for node in &mut state.nodes {
+        node.velocity.fill(0.0);
+        node.angular_velocity.fill(0.0);
+        node.momentum.fill(0.0);
+        node.angular_momentum.fill(0.0);
+    }
+    state
+}
+
+/// Takes over rates and multipliers, and nothing else.
+fn take_rates(state: &mut State, found: &State) {
+    for (node, found) in state.nodes.iter_mut().zip(&found.nodes) {
+        node.momentum_rate = found.momentum_rate;
+        node.angular_momentum_rate = found.angular_momentum_rate;
+    }
+    state.multipliers.clone_from(&found.multipliers);
+}
+
 /// Every component that start-up changed visibly.
 fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
-    let size = size(given);
+    let size = given.size();
     let fastest = |state: &State| {
         let of = state.nodes.iter().map(|node| {
             node.velocity
@@ -282,7 +359,7 @@ fn turns_as_a_whole(
     speed: f64,
 ) -> Result<(), TransientFailure> {
     let all = vec![InitialMotion::default(); turning.nodes.len()];
-    let fastest = (speed * size(turning)).abs();
+    let fastest = (speed * turning.size()).abs();
     let Ok(held) = set_moving(&model.system, turning, conditions, &all) else {
         return Ok(());
     };

@@ -3,9 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "tests end when a model cannot be run")]
 
 mod bipendulum;
+mod corners;
 mod failing;
 mod flexible;
 mod jacobian;
 mod models;
 mod rigid;
+mod speeds;
 mod starting;
+mod unknowing;

@@ -1,7 +1,7 @@
 //! How the constraints of a system change by themselves.
 
 use super::System;
-use crate::elements::{ConstraintRates, Element};
+use crate::elements::{ConstraintRates, Element, Local};
 use crate::model::{Conditions, NodeMotion, State};
 
 impl System {
@@ -35,17 +35,52 @@ impl System {
     pub fn turned_over(&self, state: &State, conditions: &Conditions) -> Option<&dyn Element> {
         let held = self.elements.iter().enumerate();
         let mut held = held.filter(|(_, element)| element.multipliers() > 0);
-        let over = held.find(|(index, element)| match *element.nodes() {
+        let over = held.find(|(index, element)| {
+            let call = |at: &Local<'_>| element.is_turned_over(at);
+            self.seen_at(*index, state, conditions, call) == Some(true)
+        });
+        over.map(|(_, element)| element.as_ref())
+    }
+
+    /// The first element with a rotation that has passed half a turn between two states.
+    pub fn wound(
+        &self,
+        [before, now]: [&State; 2],
+        conditions: &Conditions,
+    ) -> Option<&dyn Element> {
+        let mut elements = self.elements.iter().enumerate();
+        let wound = elements.find(|(index, element)| {
+            let rotation = |state: &State| {
+                let found = self.seen_at(*index, state, conditions, |at| element.winding(at));
+                found.flatten()
+            };
+            // Most elements have none.
+            rotation(now).is_some_and(|now| {
+                let before = rotation(before);
+                before.is_some_and(|before| (now - before).norm() > std::f64::consts::PI)
+            })
+        });
+        wound.map(|(_, element)| element.as_ref())
+    }
+
+    /// Calls with what an element of one node or two sees; `None` for others.
+    fn seen_at<T>(
+        &self,
+        index: usize,
+        state: &State,
+        conditions: &Conditions,
+        call: impl FnOnce(&Local<'_>) -> T,
+    ) -> Option<T> {
+        match *self.elements[index].nodes() {
             [b] => {
                 let nodes = [state.nodes[b]];
-                element.is_turned_over(&self.seen_by(*index, &nodes, state, conditions))
+                Some(call(&self.seen_by(index, &nodes, state, conditions)))
             }
             [a, b] => {
                 let nodes = [a, b].map(|node| state.nodes[node]);
-                element.is_turned_over(&self.seen_by(*index, &nodes, state, conditions))
+                Some(call(&self.seen_by(index, &nodes, state, conditions)))
             }
-            _ => false,
-        });
-        over.map(|(_, element)| element.as_ref())
+            _ => None,
+        }
     }
 }

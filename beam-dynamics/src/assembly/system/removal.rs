@@ -1,10 +1,13 @@
-//! A system without some of its constraints.
+//! A system without some of its constraints, with others, or in which constraints share
+//! their loads.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::System;
+use super::{System, loops};
+use crate::assembly::redundancy::Redundant;
 use crate::elements::{Element, ReducedElement};
+use crate::model::NODE_UNKNOWNS;
 
 impl System {
     /// The same system, but for constraints, given by the numbers of their multipliers:
@@ -32,5 +35,73 @@ impl System {
         });
         let elements = elements.collect();
         Self::of(self.nodes.clone(), elements)
+    }
+
+    /// The same system with what is driven by velocities held in its undeformed place, see
+    /// [`Element::held`]; the order of the unknowns is the same. `None` where nothing is.
+    #[must_use]
+    pub fn held(&self) -> Option<Self> {
+        let rest = self.rest();
+        let held = self.elements.iter().enumerate().map(|(index, element)| {
+            let nodes = self.motions(index, &rest);
+            element.held(&nodes).map(Arc::<dyn Element>::from)
+        });
+        let held: Vec<_> = held.collect();
+        if held.iter().all(Option::is_none) {
+            return None;
+        }
+        let pairs = self.elements.iter().zip(held);
+        let elements = pairs.map(|(own, held)| held.unwrap_or_else(|| Arc::clone(own)));
+        Some(Self::of(self.nodes.clone(), elements.collect()))
+    }
+
+    /// The same system, with constraints of which `redundant` follow from others: those of
+    /// a loop share their loads (see [`super::Sharing`]), with a compliance \[m/N\] of the
+    /// order of what masses give way by in a step.
+    #[must_use]
+    pub fn with_shared_loads(&self, redundant: &[Redundant], compliance: f64) -> Self {
+        let groups: Vec<_> = redundant.iter().map(Redundant::group).collect();
+        let mut system = Self {
+            loops: loops::find(self, &groups),
+            compliance,
+            layouts: Vec::new(),
+            sizes: Vec::new(),
+            ..self.clone()
+        };
+        system.find_pattern();
+        system
+    }
+
+    /// The same system without the constraints that follow from others, where it has
+    /// such.
+    pub fn independent(&self) -> Option<Self> {
+        let redundant = self
+            .loops
+            .iter()
+            .flat_map(|of| of.redundant.iter().copied());
+        let redundant: Vec<_> = redundant.collect();
+        (!redundant.is_empty()).then(|| self.without(&redundant))
+    }
+
+    /// Places of the matrix in which constraints share their loads.
+    pub(super) fn shared_entries(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let first = NODE_UNKNOWNS * self.nodes.len();
+        self.loops.iter().flat_map(move |of| {
+            let own = of.elements.iter();
+            let own = own.flat_map(|&element| self.numbering.multipliers_of(element));
+            let own: Vec<_> = own.map(|i| first + i).collect();
+            let columns = own.clone().into_iter();
+            columns.flat_map(move |column| own.clone().into_iter().map(move |row| (row, column)))
+        })
+    }
+
+    /// Where the entries of a block of multipliers are stored, column by column.
+    pub(super) fn shared_places(&self, constraints: &[usize]) -> Vec<usize> {
+        let first = NODE_UNKNOWNS * self.nodes.len();
+        let columns = constraints.iter();
+        let entries = columns.flat_map(|j| constraints.iter().map(move |i| (first + i, first + j)));
+        entries
+            .filter_map(|(row, column)| self.pattern.place(row, column))
+            .collect()
     }
 }

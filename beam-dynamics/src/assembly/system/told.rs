@@ -1,7 +1,7 @@
 //! What single elements tell of a state, and the energy of all.
 
 use super::System;
-use crate::elements::{Energy, Observations};
+use crate::elements::{Element, Energy, LocalJacobian, LocalResidual, Observations};
 use crate::model::{Conditions, State};
 
 impl System {
@@ -16,6 +16,36 @@ impl System {
         let nodes = self.motions(element, state);
         let at = self.seen_by(element, &nodes, state, conditions);
         self.elements[element].observe(&at, out);
+    }
+
+    /// The first element, with its number, whose residual or Jacobian has no value at a
+    /// state.
+    pub fn without_value(
+        &self,
+        state: &State,
+        conditions: &Conditions,
+    ) -> Option<(usize, &dyn Element)> {
+        let mut elements = self.elements.iter().enumerate();
+        let (index, element) =
+            elements.find(|(index, _)| !self.has_value(*index, state, conditions))?;
+        Some((index, element.as_ref()))
+    }
+
+    /// Whether residual and Jacobian of the element number `element` have values at a state.
+    pub fn has_value(&self, element: usize, state: &State, conditions: &Conditions) -> bool {
+        let nodes = self.motions(element, state);
+        let at = self.seen_by(element, &nodes, state, conditions);
+        let element = &self.elements[element];
+        let mut residual = LocalResidual::new(nodes.len(), element.multipliers());
+        let mut jacobian = LocalJacobian::unmarked(nodes.len(), element.multipliers());
+        element.residual(&at, &mut residual);
+        element.jacobian(&at, &mut jacobian);
+        let derivatives = jacobian
+            .by_unknowns()
+            .iter()
+            .chain(jacobian.by_rates().iter());
+        let mut numbers = residual.values().iter().chain(derivatives);
+        numbers.all(|number| number.is_finite())
     }
 
     /// Energy of all elements at a state.

@@ -22,6 +22,7 @@ use crate::model::{Node, NodeMotion};
 mod form;
 mod row;
 mod turn;
+mod words;
 
 pub(super) use form::{Carrier, Form};
 pub(super) use row::{Held, Row, Seen};

@@ -20,6 +20,10 @@ macro_rules! is_a_joint {
                 self.joint.level(constraint)
             }
 
+            fn constraint_words(&self, constraint: usize) -> crate::elements::ConstraintWords {
+                self.joint.constraint_words(constraint)
+            }
+
             fn constraint_rates(
                 &self,
                 at: &crate::elements::Local<'_>,
@@ -34,6 +38,13 @@ macro_rules! is_a_joint {
 
             fn next_corner(&self, time: f64) -> f64 {
                 self.joint.next_corner(time)
+            }
+
+            fn jump(
+                &self,
+                between: [&crate::model::Loading; 2],
+            ) -> Option<crate::elements::PlaceJump> {
+                self.joint.jump(between)
             }
 
             fn is_turned_over(&self, at: &crate::elements::Local<'_>) -> bool {

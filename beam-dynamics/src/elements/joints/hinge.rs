@@ -35,8 +35,8 @@ use shared_geom::rotation::skew;
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
 use crate::elements::{
-    Along, ConstraintRates, Element, Energy, Local, LocalJacobian, LocalResidual, Motion,
-    Observations, prestress_of_multipliers,
+    Along, ConstraintRates, ConstraintWords, Element, Energy, Local, LocalJacobian, LocalResidual,
+    Motion, Observations, prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Node, NodeMotion, Variable};
@@ -190,8 +190,17 @@ impl Element for Hinge {
         self.joint.multipliers()
     }
 
+    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
+        self.joint.constraint_words(constraint)
+    }
+
     fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
         self.joint.constraint_rates(at, out)
+    }
+
+    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        let is_loaded = self.spring.stiffness != 0.0;
+        is_loaded.then(|| self.angle(at.nodes) * Vector3::x())
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -13,10 +13,13 @@ use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
 use crate::elements::loads::LoadFactor;
 use crate::elements::{
-    ConstraintRates, Element, Level, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    Reaction,
+    ConstraintRates, ConstraintWords, Element, Level, Local, LocalJacobian, LocalResidual, Motion,
+    Observations, PlaceJump, Reaction,
 };
 use crate::model::{Drive, DriveValue, Loading, Node, NodeMotion};
+
+mod held;
+mod jump;
 
 /// Constraints between two nodes, or between the frame of the model and a node.
 #[derive(Debug, Clone)]
@@ -243,6 +246,13 @@ impl Element for ConstraintJoint {
             .map_or(Level::Position, Row::level)
     }
 
+    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
+        match self.rows.get(constraint) {
+            Some(row) => row.held.words(),
+            None => ConstraintWords::numbered(constraint),
+        }
+    }
+
     fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
         let seen = self.seen_at(at);
         for (i, row) in self.rows.iter().enumerate() {
@@ -258,6 +268,15 @@ impl Element for ConstraintJoint {
     fn next_corner(&self, time: f64) -> f64 {
         let corners = self.drives().map(|drive| drive.next_corner(time));
         corners.fold(f64::INFINITY, f64::min)
+    }
+
+    fn jump(&self, between: [&Loading; 2]) -> Option<PlaceJump> {
+        self.place_jump(between)
+    }
+
+    fn held(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
+        let held = self.without_velocities(undeformed)?;
+        Some(Box::new(held))
     }
 
     fn is_turned_over(&self, at: &Local<'_>) -> bool {

@@ -112,6 +112,11 @@ const SAME_AXIS: [Held; 2] = [Held::Across(1, 0), Held::Across(2, 0)];
 /// The three right angles of a clamp: the couples are along the axes 1, 2, 3.
 const SAME_AXES: [Held; 3] = [Held::Across(2, 1), Held::Across(0, 2), Held::Across(1, 0)];
 
+/// The right angle of a clamp that keeps from turning about an axis.
+pub(super) fn about(axis: usize) -> Held {
+    SAME_AXES[axis]
+}
+
 fn zero(held: impl IntoIterator<Item = Held>) -> impl Iterator<Item = Row> {
     held.into_iter().map(Row::zero)
 }

@@ -36,6 +36,10 @@ impl<T: Load> Element for T {
         &self.head().nodes
     }
 
+    fn senses(&self) -> bool {
+        self.head().signal.senses()
+    }
+
     fn domain(&self) -> [f64; 2] {
         self.head().signal.domain()
     }

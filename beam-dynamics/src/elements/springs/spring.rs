@@ -218,6 +218,19 @@ impl Spring {
     }
 }
 
+/// A rotation across the stiff axes of a spring is round-off of one about its free axis below
+/// this part of it.
+const ACROSS: f64 = 1e-6;
+
+/// Whether a rotation psi leads to a moment, and not only its round-off.
+pub(super) fn is_loaded(
+    moment: &Vector3<f64>,
+    stiffness: &Matrix3<f64>,
+    psi: &Vector3<f64>,
+) -> bool {
+    moment.norm() > ACROSS * stiffness.norm() * psi.norm()
+}
+
 fn six(first: &Vector3<f64>, last: &Vector3<f64>) -> Vector6<f64> {
     Vector6::new(first.x, first.y, first.z, last.x, last.y, last.z)
 }
@@ -336,6 +349,15 @@ impl Element for Spring {
 
     fn next_corner(&self, time: f64) -> f64 {
         self.law.next_corner(time)
+    }
+
+    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        let state = self.state(at.nodes);
+        let still = Vector6::zeros();
+        let law = self.law.at(&state.strain, &still, at.loading.time);
+        let moment = law.force.fixed_rows::<3>(3).into_owned();
+        let stiffness = law.by_strain.fixed_view::<3, 3>(3, 3).into_owned();
+        is_loaded(&moment, &stiffness, &state.psi()).then(|| state.psi())
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -28,6 +28,7 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
+use super::spring::is_loaded;
 use crate::elements::{
     Along, Element, Energy, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
 };
@@ -155,6 +156,12 @@ impl Element for SupportSpring {
 
     fn nodes(&self) -> &[usize] {
         &self.nodes
+    }
+
+    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        let stiffness = &self.law.turning_stiffness;
+        let psi = self.state(&at.nodes[0], at.frame).psi;
+        is_loaded(&(stiffness * psi), stiffness, &psi).then_some(psi)
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

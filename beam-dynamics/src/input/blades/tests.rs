@@ -1,7 +1,6 @@
 //! Tests of blades: where they lie, how they are held, and what is told of wrong cards.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
-use std::fs;
 
 use nalgebra::{Matrix3, Matrix6, Vector2, Vector3, Vector6};
 use shared_geom::blade::{self, Blade, Interpolation, Station};
@@ -9,7 +8,8 @@ use shared_geom::line::{Course, LinePoint, ReferenceLine};
 use shared_geom::rotation::vector;
 use shared_geom::section::Provenance;
 
-use crate::input::{Input, read};
+use crate::input::Input;
+use crate::input::test_files::read_beside;
 use crate::model::Conditions;
 
 const MODES: &str = "[modes]\nspeeds = [0]\n";
@@ -49,12 +49,9 @@ fn straight(length: f64, twist: f64) -> Blade {
 
 /// Reads the cards beside the file of `blade`.
 fn input(blade: &Blade, cards: &str) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("a.blade.json"), blade::write(blade)).unwrap();
-    let file = folder.path().join("a.dynamics.toml");
-    fs::write(&file, format!("units = \"SI\"\n{cards}")).unwrap();
-    let prefix = format!("{}/", folder.path().display());
-    read(&file).map_err(|problems| problems.to_string().replace(&prefix, ""))
+    let file = blade::write(blade);
+    let text = format!("units = \"SI\"\n{cards}");
+    read_beside(&text, &[("a.blade.json", &file)])
 }
 
 fn refused(blade: &Blade, cards: &str) -> String {

@@ -2,6 +2,11 @@
 
 use shared_geom::error::Explain;
 
+use crate::input::number::short_number;
+
+/// A number as text and in binary.
+const BYTES: f64 = 28.0;
+
 /// A problem of `[output]`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ColumnProblem {
@@ -22,6 +27,24 @@ pub enum ColumnProblem {
     /// The name of the first column.
     #[error("\"time\" is the name of the first column, which every table has")]
     Time,
+    /// More rows than a disk holds.
+    #[error(
+        "the run would write {} rows of {numbers} numbers, some {} GB",
+        short_number(*.rows, 4),
+        short_number(*.rows * *.numbers as f64 * BYTES / 1e9, 2)
+    )]
+    ManyRows {
+        /// Their number [-].
+        rows: f64,
+        /// Numbers of each.
+        numbers: usize,
+    },
+    /// More field files than a folder holds.
+    #[error("the run would write {} field files", short_number(*.fields, 4))]
+    ManyFields {
+        /// Their number [-].
+        fields: f64,
+    },
     /// Angles about axes that do not tell every attitude.
     #[error("\"sequence\" is \"{found}\", expected three axes, neighbors different, as in \"zxz\"")]
     Sequence {
@@ -57,6 +80,13 @@ impl Explain for ColumnProblem {
                 "several components of one vector get its name and \"_x\", \"_y\", \"_z\""
                     .to_owned(),
             ),
+            Self::ManyRows { .. } => Some(
+                "give [output] an \"every\": a number of steps, or a time such as \"1 ms\""
+                    .to_owned(),
+            ),
+            Self::ManyFields { .. } => {
+                Some("\"vtu\" is the number of rows of which one has a field file".to_owned())
+            }
             Self::Time => Some("time is written without being asked for".to_owned()),
             Self::Sequence { .. } => {
                 Some("\"zyx\" is yaw, pitch, roll; \"zxz\" precession, nutation, spin".to_owned())

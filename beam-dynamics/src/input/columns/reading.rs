@@ -269,7 +269,10 @@ impl Reading<'_> {
             let plain = kind.0.replace('_', " ");
             Found {
                 word: SIX[component],
-                words: format!("{plain} {} of {beam}", COMPONENTS[component]),
+                words: format!(
+                    "{plain} {} of {beam} in section axes",
+                    COMPONENTS[component]
+                ),
                 quantity: Quantity::Section {
                     beam: beam.clone(),
                     point,
@@ -326,7 +329,10 @@ impl Reading<'_> {
         let ((joint, _), plain) = (joint?, kind.0.replace('_', " "));
         let found = parts?.into_iter().map(|(word, part)| Found {
             word,
-            words: format!("{plain} {word} of {joint}"),
+            words: match word {
+                "" => format!("{plain} of {joint}"),
+                _ => format!("{plain} {word} of {joint} in its own axes"),
+            },
             quantity: Quantity::Joint {
                 joint: joint.clone(),
                 motion,
@@ -346,7 +352,7 @@ impl Reading<'_> {
         let spring = spring?.0;
         let found = parts?.into_iter().map(|(word, part)| Found {
             word,
-            words: format!("{plain} {word} of {spring}"),
+            words: format!("{plain} {word} of {spring} in its own axes"),
             quantity: Quantity::Spring {
                 spring: spring.clone(),
                 vector,

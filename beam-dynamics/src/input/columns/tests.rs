@@ -1,11 +1,10 @@
-use std::fs;
-
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use crate::case::{Axes, Column, Every, NodeQuantity, NodeVector, Part, Quantity};
-use crate::input::{Input, read};
+use crate::input::Input;
+use crate::input::test_files::read_beside;
 use crate::model::{Conditions, State};
 use crate::result::{ColumnValues, Moment};
 
@@ -128,11 +127,7 @@ quantity = \"energy\"
 ";
 
 fn input(cards: &str) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.dynamics.toml");
-    fs::write(&path, format!("{MODEL}{cards}")).unwrap();
-    let prefix = format!("{}/", folder.path().display());
-    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+    read_beside(&format!("{MODEL}{cards}"), &[])
 }
 
 fn names(columns: &[Column]) -> Vec<&str> {

@@ -3,15 +3,13 @@
 use std::sync::Arc;
 
 use shared_geom::document::{DocumentProblem, Item, Table, read_text};
-use shared_geom::error::{Diagnostics, Explain, Place};
+use shared_geom::error::{Diagnostics, Place};
 use shared_geom::units::Dimension;
 
 use super::DriveProblem;
 use super::measure::Measure;
+use crate::input::csv_rows;
 use crate::model::{Drive, DriveTable, Interpolation, Outside, TableProblem};
-
-/// Problems of the rows that are shown one by one.
-const ROWS_SHOWN: usize = 10;
 
 /// A row of a table, and its line.
 pub(in crate::input) type Row = (usize, [f64; 2]);
@@ -149,28 +147,19 @@ fn places(
 }
 
 /// The two columns of a CSV text with a heading; the first two unless they are named.
-/// Empty lines and lines that begin with `#` do not count.
 fn rows(
     text: &str,
     file: &str,
     columns: Option<&[String]>,
     of: [&str; 2],
 ) -> Result<Vec<Row>, Diagnostics> {
-    let mut reader = csv::ReaderBuilder::new()
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_reader(text.as_bytes());
-    let headers = reader.headers().cloned().unwrap_or_default();
+    let mut records = csv_rows::records(text);
+    let (first, headers) = records.next().unwrap_or((1, csv::StringRecord::new()));
     let heading: Vec<_> = headers.iter().map(str::to_owned).collect();
-    let first = line(text, &headers);
     let [time, value] = places(&heading, columns, (file, first), of)?;
-    let mut problems = Diagnostics::new();
     let mut rows = Vec::new();
     let mut wrong = Vec::new();
-    // Reading text from memory and with rows of any length, nothing can fail.
-    for record in reader.records().filter_map(Result::ok) {
-        let line = line(text, &record);
+    for (line, record) in records {
         let number = |column: usize| {
             let found = record.get(column).unwrap_or("");
             let number = found.parse::<f64>().ok().filter(|n| n.is_finite());
@@ -184,27 +173,6 @@ fn rows(
             (Err(problem), _) | (_, Err(problem)) => wrong.push((line, problem)),
         }
     }
-    tell(&mut problems, file, &wrong);
-    problems.into_result(rows)
-}
-
-/// The line of a record: the reader tells where it began to look for it, which may be
-/// at lines that do not count.
-fn line(text: &str, record: &csv::StringRecord) -> usize {
-    let begin = record.position().map_or(0, |place| place.byte() as usize);
-    let (before, rest) = text.split_at_checked(begin).unwrap_or((text, ""));
-    let counts = |line: &&str| !line.trim().is_empty() && !line.starts_with('#');
-    let skipped = rest.lines().take_while(|line| !counts(line)).count();
-    1 + before.matches('\n').count() + skipped
-}
-
-/// Tells what is wrong with rows, one by one those that a reader will look at.
-fn tell(problems: &mut Diagnostics, file: &str, wrong: &[(usize, impl Explain)]) {
-    for (line, problem) in wrong.iter().take(ROWS_SHOWN) {
-        problems.push(Place::line(file, *line), problem);
-    }
-    if let Some((line, _)) = wrong.get(ROWS_SHOWN) {
-        let count = wrong.len() - ROWS_SHOWN;
-        problems.push(Place::line(file, *line), &DriveProblem::MoreRows { count });
-    }
+    let more = |count| DriveProblem::MoreRows { count };
+    csv_rows::problems(file, &wrong, more).into_result(rows)
 }

@@ -51,6 +51,19 @@ pub enum DriveProblem {
         /// The first instant \[s\].
         start: f64,
     },
+    /// A drive with too many corners for a run.
+    #[error(
+        "\"{key}\" has more than {most} corners and jumps from {} s to {} s, and a step ends at each",
+        six(.run[0]), six(.run[1])
+    )]
+    ManyCorners {
+        /// The key.
+        key: String,
+        /// The largest number of corners.
+        most: usize,
+        /// First and last time of the run \[s\].
+        run: [f64; 2],
+    },
     /// An end that does not come after the start.
     #[error("the drive ends at {} s, expected a time after its start at {} s", six(*.end), six(*.start))]
     Backward {
@@ -155,6 +168,10 @@ impl Explain for DriveProblem {
             Self::NoStart { .. } => {
                 "write it so that it is finite there, such as 1/(t + 0.1) for 1/t, or give \
                  [transient] another \"from\""
+            }
+            Self::ManyCorners { .. } => {
+                "make its intervals longer, or the run shorter; a random drive with a \"band\" \
+                 has no corners"
             }
             Self::Measures { .. } => {
                 "give the drive another \"unit\", or none: it then counts in the unit of each key"

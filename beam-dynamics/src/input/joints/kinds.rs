@@ -6,10 +6,10 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::problem::JointProblem;
-use super::{name, node_pair};
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::input::draft::Draft;
 use crate::input::drives;
+use crate::input::ends;
 use crate::input::frames::Frame;
 use crate::input::problem::InputProblem;
 use crate::model::{Drive, Node};
@@ -91,7 +91,7 @@ impl Axes {
 /// Adds every `[[joint]]` to the model.
 pub(in crate::input) fn read(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("joint").iter().enumerate() {
-        let label = name(table, "joint", number);
+        let label = ends::label(table, "joint", number);
         let is_new = draft.take_label("joint", &label, table);
         let nodes = nodes(table, draft, &format!("joint \"{label}\""));
         let kind = match table.has("kind") {
@@ -132,11 +132,9 @@ pub(in crate::input) fn read(root: &Table<'_>, draft: &mut Draft) {
 
 /// One node, which is joined to the frame, or two.
 fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<usize>> {
-    let one = table.texts("nodes").filter(|names| names.len() == 1);
-    match one {
-        Some(names) => Some(vec![draft.find_node(&names[0], table, "nodes", words)?]),
-        None => node_pair(table, draft, words, "one or two").map(|pair| pair.to_vec()),
-    }
+    ends::one_or_two(table, draft, words, |found| {
+        ends::count(found, "one or two")
+    })
 }
 
 /// What a joint of a kind holds.

@@ -1,9 +1,8 @@
 //! Tests of the card of joints.
 
-use std::fs;
-
 use crate::elements::{Element, Level};
-use crate::input::{Input, read};
+use crate::input::Input;
+use crate::input::test_files::read_beside;
 use crate::model::Conditions;
 
 const NODES: &str = "
@@ -30,11 +29,7 @@ inertia = [0.1, 0.2, 0.3]
 ";
 
 fn input(cards: &str) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.dynamics.toml");
-    fs::write(&path, format!("{NODES}{cards}")).unwrap();
-    let prefix = format!("{}/", folder.path().display());
-    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+    read_beside(&format!("{NODES}{cards}"), &[])
 }
 
 /// The joint called `name`, given to `check`.

@@ -2,12 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use std::fs;
-
 use nalgebra::Vector3;
 
 use crate::elements::Local;
-use crate::input::{Input, read};
+use crate::input::Input;
+use crate::input::test_files::read_beside;
 use crate::model::{Conditions, NodeMotion};
 
 /// Two nodes at a distance of 2 along x, the first of them clamped, the second a body.
@@ -36,11 +35,7 @@ rotational_stiffness = [1, 1, 1]
 ";
 
 fn input_in(units: &str, cards: &str) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.dynamics.toml");
-    fs::write(&path, format!("{units}\n{NODES}{cards}")).unwrap();
-    let prefix = format!("{}/", folder.path().display());
-    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+    read_beside(&format!("{units}\n{NODES}{cards}"), &[])
 }
 
 fn input(cards: &str) -> Result<Input, String> {
@@ -301,12 +296,8 @@ fn wrong_laws_are_told_with_their_remedy() {
 
 /// As [`input`], with a CSV file beside it.
 fn input_beside(csv: &str, cards: &str) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("curve.csv"), csv).unwrap();
-    let path = folder.path().join("a.dynamics.toml");
-    fs::write(&path, format!("units = \"SI\"\n{NODES}{cards}")).unwrap();
-    let prefix = format!("{}/", folder.path().display());
-    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+    let text = format!("units = \"SI\"\n{NODES}{cards}");
+    read_beside(&text, &[("curve.csv", csv)])
 }
 
 fn rod(points: &str, rest: &str) -> String {

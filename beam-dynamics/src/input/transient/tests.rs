@@ -271,3 +271,23 @@ fn what_is_not_finite_at_the_start_is_told_and_does_not_hang() {
     let text = refused("{ kind = \"random\", deviation = -1, seed = 1, interval = 0.1 }");
     assert!(text.contains("\"deviation\""), "{text}");
 }
+
+#[test]
+fn drives_with_corners_without_end_are_refused() {
+    let loaded = |drive: &str| {
+        let load = format!("[[load]]\nnode = \"a\"\nforce = [1, 0, 0]\ndrive = {drive}\n");
+        let run = "[transient]\nto = 0.1\nstep = 0.01\n";
+        read(&format!("{BODY}{load}{run}")).map(|_| ())
+    };
+    let random = |interval: &str| {
+        format!("{{ kind = \"random\", deviation = 1, seed = 1, interval = {interval} }}")
+    };
+    for drive in ["\"= floor(1e9*t)\"", "\"= mod(t, 1e-7)\"", &random("1e-9")] {
+        let text = loaded(drive).unwrap_err();
+        let expected = "\"drive\" has more than 500000 corners";
+        assert!(text.contains(expected), "{drive}: {text}");
+        assert!(text.contains("a.dynamics.toml:14: "), "{drive}: {text}");
+    }
+    loaded(&random("1e-5")).unwrap();
+    loaded("\"= mod(t, 1e-4)\"").unwrap();
+}

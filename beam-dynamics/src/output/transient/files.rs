@@ -265,7 +265,8 @@ fn default_plot(title: &str, path: &Path) -> Option<TimePlot> {
         return None;
     }
     let table = TimeTable::read(path).ok()?;
-    TimePlot::new(title, &[table], "time", &[]).ok()
+    let plot = TimePlot::new(&[table], "time", &[]).ok()?;
+    Some(plot.titled(title))
 }
 
 /// When something is due.

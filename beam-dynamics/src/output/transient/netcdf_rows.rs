@@ -22,6 +22,9 @@ const COUNT: std::ops::Range<usize> = 4..8;
 /// Bytes of a number.
 const NUMBER: usize = 8;
 
+/// What holds for all columns.
+const AXES: &str = "components are in the axes of the model where long_name does not say otherwise";
+
 /// A NetCDF file that grows by a record a row.
 #[derive(Debug)]
 pub(super) struct NetcdfRows {
@@ -177,11 +180,14 @@ fn data_set(title: &str, headings: &[Heading]) -> Result<DataSet, InvalidDataSet
         "source",
         concat!("beam-dynamics ", env!("CARGO_PKG_VERSION")),
     )?;
+    set.add_global_attr_string("comment", AXES)?;
     set.set_unlimited_dim("time", 0)?;
     for heading in headings {
         set.add_var_f64(&heading.name, &["time"])?;
         set.add_var_attr_string(&heading.name, "units", &heading.unit)?;
         set.add_var_attr_string(&heading.name, "long_name", &heading.words)?;
     }
+    // The convention for axes of time ("CF").
+    set.add_var_attr_string("time", "axis", "T")?;
     Ok(set)
 }

@@ -1,33 +1,41 @@
-//! Columns of runs over time: a panel for each unit.
+//! Columns of runs over time: a panel for each unit, or more where they are many.
+//!
+//! Of one run, colors tell the columns. Of several, colors tell the runs where every panel
+//! has one column, and else the columns, with tone and dashes for the runs; a legend above
+//! all says so.
 
 use std::path::Path;
 
 use plotters::backend::DrawingBackend;
-use shared_geom::figure::{Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, category};
+use shared_geom::figure::{Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
 use shared_geom::files::{OutputProblem, write_figure};
 
 use super::{Heading, RunFileProblem, TimeTable};
-use crate::output::panel::{Panel, SMALL, draw_legend, draw_title, range};
+use crate::output::panel::{Panel, draw_title, range};
 
-/// Curves of one panel at most; more are divided.
-const MOST_CURVES: usize = 7;
-/// Parts of the width in each of which a curve shows its least and its largest value.
-const PARTS: usize = 1500;
+mod legend;
+mod line;
+mod names;
+
+pub(super) use names::stem;
+
+use legend::Legend;
+use line::{COLORS, Stroke, TONES, thinned};
+
 /// Panels of the figure of a run at most.
 const MOST_PANELS: usize = 12;
 /// Height of a figure at most \[figure pixels\].
 const MOST_HEIGHT: f64 = 20_000.0;
-const LINE: f64 = 3.5;
 /// Heights \[figure pixels\].
-const HEAD: f64 = 90.0;
+const HEAD: f64 = 76.0;
 const FRAME: f64 = 340.0;
 /// Least and largest height of a path that is drawn in equal scales.
 const PATH: [f64; 2] = [FRAME, 1600.0];
 /// Left and right margin.
 const MARGINS: [f64; 2] = [210.0, 50.0];
-const GAP: f64 = 70.0;
+/// Between a legend and the frame below it, and between panels.
+const GAPS: [f64; 2] = [12.0, 56.0];
 const FOOT: f64 = 120.0;
-const LEGEND_ROW: f64 = 1.4 * SMALL;
 
 /// Curves over time or over another column, ready to be saved.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +46,8 @@ pub struct TimePlot {
     /// Unit of a place that goes to the right, over which a place of the same unit is drawn
     /// as a path; empty over time.
     path_unit: String,
+    /// Names of the runs.
+    runs: Vec<String>,
     panels: Vec<Curves>,
 }
 
@@ -45,91 +55,147 @@ pub struct TimePlot {
 #[derive(Debug, Clone, PartialEq)]
 struct Curves {
     unit: String,
+    columns: Vec<String>,
     curves: Vec<Curve>,
 }
 
 /// One column of one run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
-    /// Name of the column, with the run where there are several.
-    pub name: String,
-    /// Points, in runs without a gap [units of the columns].
-    pub pieces: Vec<Vec<[f64; 2]>>,
+struct Curve {
+    /// Number of the column in its panel.
+    column: usize,
+    run: usize,
+    /// Points, in pieces without a gap [units of the columns].
+    pieces: Vec<Vec<[f64; 2]>>,
+}
+
+/// A column of the runs that have it.
+#[derive(Debug, Clone)]
+struct Found {
+    heading: Heading,
+    curves: Vec<Curve>,
 }
 
 impl TimePlot {
     /// The columns `wanted` of `tables` over the column `across`; all columns when none is
     /// wanted, of further tables those that they have. A name that ends in `*` stands for
-    /// all that begin so.
+    /// all that begin so. The title is that of the tables.
     ///
     /// # Errors
-    /// [`RunFileProblem`]: a column that a table does not have, or fewer than two rows.
+    /// [`RunFileProblem`]: a column that a table does not have, `across` in several units,
+    /// or fewer than two rows.
     pub fn new(
-        title: &str,
         tables: &[TimeTable],
         across: &str,
         wanted: &[String],
     ) -> Result<Self, RunFileProblem> {
-        let mut plot = Self {
-            title: title.to_owned(),
-            across: String::new(),
-            path_unit: String::new(),
-            panels: Vec::new(),
-        };
-        let names = short_names(tables);
-        let mut found: Vec<(Heading, Vec<Curve>)> = Vec::new();
-        for (table, short) in tables.iter().zip(&names) {
-            if table.rows() < 2 {
-                let (file, rows) = (table.file.clone(), table.rows());
-                return Err(RunFileProblem::NoRows { file, rows });
-            }
-            let x = table.find(across)?[0];
-            plot.across = labeled(&table.headings[x]);
-            if table.headings[x].name != "time" {
-                plot.path_unit = table.headings[x].shown_unit().to_owned();
-            }
-            for column in chosen(table, x, wanted)? {
+        let (heading, x) = common_heading(tables, across)?;
+        let mut found: Vec<Found> = Vec::new();
+        for (run, table) in tables.iter().enumerate() {
+            let column_across = table.find(across)?[0];
+            for column in chosen(table, column_across, wanted)? {
                 let heading = &table.headings[column];
                 let curve = Curve {
-                    name: match tables.len() {
-                        1 => heading.name.clone(),
-                        _ => format!("{} ({short})", heading.name),
-                    },
-                    pieces: pieces(&table.columns[x], &table.columns[column]),
+                    column: 0,
+                    run,
+                    pieces: pieces(&table.columns[column_across], &table.columns[column], x),
                 };
-                let is_same =
-                    |other: &Heading| other.name == heading.name && other.unit == heading.unit;
-                match found.iter_mut().find(|(other, _)| is_same(other)) {
-                    Some((_, curves)) => curves.push(curve),
-                    None => found.push((heading.clone(), vec![curve])),
+                let known = found.iter_mut().find(|known| {
+                    known.heading.name == heading.name && known.heading.unit == heading.unit
+                });
+                match known {
+                    Some(known) => known.curves.push(curve),
+                    None => found.push(Found {
+                        heading: heading.clone(),
+                        curves: vec![curve],
+                    }),
                 }
             }
         }
-        for (heading, curves) in found {
-            plot.add(heading.shown_unit(), curves);
+        let mut plot = Self {
+            title: names::title(tables),
+            across: format!("{} [{}]", heading.name, heading.shown_unit()),
+            path_unit: match heading.name.as_str() {
+                "time" => String::new(),
+                _ => heading.shown_unit().to_owned(),
+            },
+            runs: names::runs(tables),
+            panels: Vec::new(),
+        };
+        for group in found.chunk_by(|a, b| is_of_one_vector(&a.heading, &b.heading)) {
+            plot.add(group);
         }
         Ok(plot)
     }
 
-    /// Adds the curves of one column to the last panel of its unit, or to a new one.
-    fn add(&mut self, unit: &str, curves: Vec<Curve>) {
-        let last = self.panels.iter_mut().rfind(|panel| panel.unit == unit);
-        match last {
-            Some(panel) if panel.curves.len() + curves.len() <= MOST_CURVES => {
-                panel.curves.extend(curves);
-            }
-            _ => self.panels.push(Curves {
-                unit: unit.to_owned(),
-                curves,
-            }),
+    /// The same figure called otherwise.
+    #[must_use]
+    pub fn titled(self, title: &str) -> Self {
+        Self {
+            title: title.to_owned(),
+            ..self
         }
     }
 
-    /// Leaves out panels after the first dozen; names of their curves.
+    /// Names of the runs, as the legend has them.
+    #[cfg(test)]
+    pub(super) fn run_names(&self) -> &[String] {
+        &self.runs
+    }
+
+    /// Numbers of columns of the panels.
+    #[cfg(test)]
+    pub(super) fn panel_columns(&self) -> Vec<usize> {
+        self.panels
+            .iter()
+            .map(|panel| panel.columns.len())
+            .collect()
+    }
+
+    /// Columns of one panel at most.
+    fn most_columns(&self) -> usize {
+        match self.runs.len() {
+            0 | 1 => COLORS,
+            2 => 4,
+            runs if runs <= TONES => 3,
+            _ => 1,
+        }
+    }
+
+    /// Adds columns that belong together to the last panel of their unit that has room for
+    /// all, or to new ones.
+    fn add(&mut self, group: &[Found]) {
+        let most = self.most_columns();
+        for part in group.chunks(most) {
+            let unit = part[0].heading.shown_unit();
+            let last = self.panels.iter().rposition(|panel| panel.unit == unit);
+            let fitting = last.filter(|k| self.panels[*k].columns.len() + part.len() <= most);
+            let place = fitting.unwrap_or_else(|| {
+                self.panels.push(Curves {
+                    unit: unit.to_owned(),
+                    columns: Vec::new(),
+                    curves: Vec::new(),
+                });
+                self.panels.len() - 1
+            });
+            let panel = &mut self.panels[place];
+            for found in part {
+                let column = panel.columns.len();
+                panel.columns.push(found.heading.name.clone());
+                let curves = found.curves.iter().cloned();
+                let curves = curves.map(|curve| Curve { column, ..curve });
+                panel.curves.extend(curves);
+            }
+            // Later runs are drawn upon all curves of earlier ones.
+            panel.curves.sort_by_key(|curve| curve.run);
+        }
+    }
+
+    /// Leaves out panels after the first dozen; names of their columns.
     pub fn shorten(&mut self) -> Vec<String> {
         let kept = self.panels.len().min(MOST_PANELS);
-        let left_out = self.panels.drain(kept..).flat_map(|panel| panel.curves);
-        left_out.map(|curve| curve.name).collect()
+        let left_out = self.panels.drain(kept..).flat_map(|panel| panel.columns);
+        left_out.collect()
     }
 
     /// Whether one figure can hold all panels.
@@ -147,7 +213,13 @@ impl TimePlot {
 
     fn full_height(&self) -> f64 {
         let panels = self.panels.iter().map(|panel| self.height(panel));
-        HEAD + panels.sum::<f64>() + FOOT - GAP
+        self.head() + panels.sum::<f64>() + FOOT - GAPS[1]
+    }
+
+    /// Height of title and legend of runs.
+    fn head(&self) -> f64 {
+        let legend = self.legend_of_runs().map(|legend| legend.height(room()));
+        HEAD + legend.map_or(0.0, |height| height + GAPS[0])
     }
 
     /// Height of the frame of a panel: a path has the scale of its other axis.
@@ -155,15 +227,61 @@ impl TimePlot {
         if curves.unit != self.path_unit {
             return FRAME;
         }
-        let all = self.panels.iter().flat_map(Curves::points);
-        let [x, y] = [tight(all.map(|point| point[0])), curves.range()];
-        let width = f64::from(WIDTH) - MARGINS[0] - MARGINS[1];
-        (width * (y[1] - y[0]) / (x[1] - x[0])).clamp(PATH[0], PATH[1])
+        let [x, y] = [self.range(), curves.range()];
+        (room() * (y[1] - y[0]) / (x[1] - x[0])).clamp(PATH[0], PATH[1])
     }
 
     /// Height of a panel with its legend.
     fn height(&self, curves: &Curves) -> f64 {
-        curves.legend_rows() * LEGEND_ROW + self.frame(curves) + GAP
+        self.legend(curves).height(room()) + GAPS[0] + self.frame(curves) + GAPS[1]
+    }
+
+    /// What all panels show from left to right.
+    fn range(&self) -> [f64; 2] {
+        let all = self.panels.iter().flat_map(Curves::points);
+        tight(all.map(|point| point[0]))
+    }
+
+    /// Whether colors tell the runs, and not the columns.
+    fn is_by_run(&self) -> bool {
+        self.runs.len() > 1 && self.panels.iter().all(|panel| panel.columns.len() == 1)
+    }
+
+    fn stroke(&self, curve: &Curve) -> Stroke {
+        match self.runs.len() {
+            0 | 1 => Stroke::of_color(curve.column),
+            runs if self.is_by_run() => Stroke::of_run(curve.run, runs),
+            _ => Stroke::of_color(curve.column).toned(curve.run),
+        }
+    }
+
+    /// Lines of the runs, where there are several.
+    fn legend_of_runs(&self) -> Option<Legend> {
+        let count = self.runs.len();
+        let stroke = |run: usize| match self.is_by_run() {
+            true => Stroke::of_run(run, count),
+            false => Stroke::of_tone(run),
+        };
+        let entries = self.runs.iter().enumerate();
+        let entries = entries.map(|(run, name)| (name.clone(), Some(stroke(run))));
+        let entries = entries.collect();
+        (count > 1).then_some(Legend { entries })
+    }
+
+    /// Names of the columns of a panel, with their lines where colors tell them.
+    fn legend(&self, panel: &Curves) -> Legend {
+        let entry = |(column, name): (usize, &String)| {
+            let mut curves = panel.curves.iter().filter(|curve| curve.column == column);
+            let name = match curves.all(|curve| curve.pieces.is_empty()) {
+                true => format!("{name} (no numbers)"),
+                false => name.clone(),
+            };
+            (name, (!self.is_by_run()).then(|| Stroke::of_color(column)))
+        };
+        let columns = panel.columns.iter().enumerate();
+        Legend {
+            entries: columns.map(entry).collect(),
+        }
     }
 
     /// Writes the plot to `path`, as PNG or SVG by its ending.
@@ -173,17 +291,41 @@ impl TimePlot {
     pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
         write_figure(path, (WIDTH, self.full_height().ceil() as u32), self)
     }
+
+    /// Draws a panel whose legend begins at `top`.
+    fn draw_panel<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        curves: &Curves,
+        (top, is_last): (f64, bool),
+    ) -> Result<(), FigureProblem> {
+        let legend = self.legend(curves);
+        let frame_top = top + legend.height(room()) + GAPS[0];
+        let panel = Panel {
+            left: MARGINS[0],
+            right: MARGINS[0] + room(),
+            top: frame_top,
+            bottom: frame_top + self.frame(curves),
+            x: self.range(),
+            y: curves.range(),
+        };
+        legend.draw(canvas, [panel.left, top], room())?;
+        panel.draw_zero(canvas)?;
+        for curve in &curves.curves {
+            let stroke = self.stroke(curve);
+            for piece in &curve.pieces {
+                let places: Vec<_> = piece.iter().map(|point| panel.place(*point)).collect();
+                stroke.draw(canvas, &places)?;
+            }
+        }
+        panel.draw_frame(canvas, [8, 5], is_last)?;
+        let middle = 0.5 * (panel.top + panel.bottom);
+        let label = Label::new(TEXT).anchored(Anchor::Middle).upward();
+        canvas.text(&format!("[{}]", curves.unit), [44.0, middle], label)
+    }
 }
 
 impl Curves {
-    /// Rows of the legend: they are broken where names are long.
-    fn legend_rows(&self) -> f64 {
-        // Letters are about half as wide as high.
-        let width = |curve: &Curve| 112.0 + 0.55 * SMALL * curve.name.chars().count() as f64;
-        let all: f64 = self.curves.iter().map(width).sum();
-        (all / (f64::from(WIDTH) - 400.0)).ceil().max(1.0)
-    }
-
     fn range(&self) -> [f64; 2] {
         range(self.points().map(|point| point[1]), 0.0)
     }
@@ -196,49 +338,61 @@ impl Curves {
 
 impl Drawing for TimePlot {
     fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let (width, height) = canvas.size();
-        draw_title(canvas, &self.title, [40.0, 44.0])?;
-        let all = self.panels.iter().flat_map(Curves::points);
-        let x = tight(all.map(|point| point[0]));
-        let [left, right] = MARGINS;
-        let mut top = HEAD;
+        draw_title(canvas, &self.title, [40.0, 40.0])?;
+        if let Some(legend) = self.legend_of_runs() {
+            legend.draw(canvas, [MARGINS[0], HEAD], room())?;
+        }
+        let mut top = self.head();
         for (number, curves) in self.panels.iter().enumerate() {
-            let frame_top = top + curves.legend_rows() * LEGEND_ROW;
-            let panel = Panel {
-                left,
-                right: width - right,
-                top: frame_top,
-                bottom: frame_top + self.frame(curves),
-                x,
-                y: curves.range(),
-            };
-            let entries: Vec<_> = curves
-                .curves
-                .iter()
-                .enumerate()
-                .map(|(k, curve)| (curve.name.clone(), 2.0 * LINE, category(k)))
-                .collect();
-            draw_legend(canvas, [panel.left, top], &entries)?;
-            panel.draw_zero(canvas)?;
-            for (k, curve) in curves.curves.iter().enumerate() {
-                for piece in &curve.pieces {
-                    panel.curve(canvas, piece, LINE, category(k))?;
-                }
-            }
-            panel.draw_frame(canvas, [8, 5], number + 1 == self.panels.len())?;
-            let middle = 0.5 * (panel.top + panel.bottom);
-            let label = Label::new(TEXT).anchored(Anchor::Middle).upward();
-            canvas.text(&format!("[{}]", curves.unit), [44.0, middle], label)?;
+            let is_last = number + 1 == self.panels.len();
+            self.draw_panel(canvas, curves, (top, is_last))?;
             top += self.height(curves);
         }
         let label = Label::new(TEXT).anchored(Anchor::Middle);
-        let middle = 0.5 * (left + width - right);
+        let middle = MARGINS[0] + 0.5 * room();
+        let height = canvas.size().1;
         canvas.text(&self.across, [middle, height - 36.0], label)
     }
 }
 
-fn labeled(heading: &Heading) -> String {
-    format!("{} [{}]", heading.name, heading.shown_unit())
+/// Width of a frame \[figure pixels\].
+fn room() -> f64 {
+    f64::from(WIDTH) - MARGINS[0] - MARGINS[1]
+}
+
+/// What goes to the right, the same in all tables, and its range.
+fn common_heading(
+    tables: &[TimeTable],
+    across: &str,
+) -> Result<(Heading, [f64; 2]), RunFileProblem> {
+    let mut first: Option<&Heading> = None;
+    let mut values = Vec::new();
+    for table in tables {
+        if table.rows() < 2 {
+            let (file, rows) = (table.file.clone(), table.rows());
+            return Err(RunFileProblem::NoRows { file, rows });
+        }
+        let place = table.find(across)?[0];
+        let heading = &table.headings[place];
+        let known = *first.get_or_insert(heading);
+        if known.unit != heading.unit {
+            return Err(RunFileProblem::OtherUnit {
+                name: heading.name.clone(),
+                file: table.file.clone(),
+                units: [known, heading].map(|heading| heading.shown_unit().to_owned()),
+            });
+        }
+        let numbers = table.columns[place].iter();
+        values.extend(numbers.copied().filter(|value| value.is_finite()));
+    }
+    let heading = first.cloned().unwrap_or_else(Heading::time);
+    Ok((heading, tight(values.into_iter())))
+}
+
+/// Whether two columns have one unit and names that differ behind the last `_` alone.
+fn is_of_one_vector(a: &Heading, b: &Heading) -> bool {
+    let first = |heading: &Heading| Some(heading.name.rsplit_once('_')?.0.to_owned());
+    a.unit == b.unit && first(a).is_some() && first(a) == first(b)
 }
 
 /// Places of the columns that are drawn.
@@ -259,54 +413,14 @@ fn chosen(table: &TimeTable, x: usize, wanted: &[String]) -> Result<Vec<usize>, 
     Ok(all)
 }
 
-/// File names without what all results are called, with the folder where they are equal.
-fn short_names(tables: &[TimeTable]) -> Vec<String> {
-    let short = |table: &TimeTable| {
-        let path = Path::new(&table.file);
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let endings = [".transient.csv", ".transient.nc", ".csv", ".nc"];
-        let stem = endings.iter().find_map(|ending| name.strip_suffix(ending));
-        stem.unwrap_or(&name).to_owned()
-    };
-    let names: Vec<_> = tables.iter().map(short).collect();
-    let is_alone = |name: &String| names.iter().filter(|other| *other == name).count() == 1;
-    let both = names.iter().zip(tables);
-    both.map(|(name, table)| match is_alone(name) {
-        true => name.clone(),
-        false => table.file.clone(),
-    })
-    .collect()
-}
-
-/// The curve without its gaps, each piece with the least and the largest value of every
-/// part of the width.
-fn pieces(x: &[f64], y: &[f64]) -> Vec<Vec<[f64; 2]>> {
+/// The curve in pieces without its gaps, each with the points that it takes to see all of
+/// it in the range `range` of `x`.
+fn pieces(x: &[f64], y: &[f64], range: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     let points: Vec<_> = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
     let is_number = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
     let all = points.split(|point| !is_number(point));
-    let size = (points.len() / PARTS).max(1);
     let pieces = all.filter(|piece| !piece.is_empty());
-    pieces
-        .map(|piece| match size {
-            1 | 2 => piece.to_vec(),
-            size => thinned(piece, size),
-        })
-        .collect()
-}
-
-/// Of each `size` points the first, the least, the largest and the last, in their order.
-fn thinned(points: &[[f64; 2]], size: usize) -> Vec<[f64; 2]> {
-    let mut kept = Vec::new();
-    for part in points.chunks(size) {
-        let by_value = |a: &usize, b: &usize| part[*a][1].total_cmp(&part[*b][1]);
-        let least = (0..part.len()).min_by(by_value).unwrap_or(0);
-        let largest = (0..part.len()).max_by(by_value).unwrap_or(0);
-        let mut places = vec![0, least, largest, part.len() - 1];
-        places.sort_unstable();
-        places.dedup();
-        kept.extend(places.into_iter().map(|place| part[place]));
-    }
-    kept
+    pieces.map(|piece| thinned(piece, range, room())).collect()
 }
 
 /// The range of values without room at its ends.

@@ -40,6 +40,16 @@ pub enum RunFileProblem {
         /// Their number.
         rows: usize,
     },
+    /// Tables that cannot be drawn over the same column.
+    #[error("column \"{name}\" of \"{file}\" is in {}, and of another table in {}", units[1], units[0])]
+    OtherUnit {
+        /// The column.
+        name: String,
+        /// The file.
+        file: String,
+        /// Units of the first table and of this one.
+        units: [String; 2],
+    },
     /// More than a figure can hold.
     #[error("{curves} curves in {panels} panels are more than one figure can hold")]
     ManyPanels {
@@ -62,7 +72,12 @@ impl Explain for RunFileProblem {
                     .to_owned(),
             ),
             Self::NoColumn { name, known, .. } => Some(nearest_column(name, known)),
-            Self::NoRows { .. } => None,
+            Self::NoRows { .. } => {
+                Some("rows are those of \"every\" of [output], here between --from and --to".to_owned())
+            }
+            Self::OtherUnit { .. } => {
+                Some("give the column the same \"unit\" in both files, or draw two figures".to_owned())
+            }
             Self::ManyPanels { .. } => {
                 Some("choose columns with --columns, as in --columns 'tip*'".to_owned())
             }

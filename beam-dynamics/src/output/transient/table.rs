@@ -4,6 +4,7 @@ use std::path::Path;
 
 use netcdf3::FileReader;
 
+use super::plot::stem;
 use super::{Heading, RunFileProblem, cannot_read};
 
 /// What to do with a file that is no table.
@@ -14,6 +15,9 @@ const REMEDY: &str = "name a table that transient wrote, NAME.transient.csv or N
 pub struct TimeTable {
     /// Where it was read.
     pub file: String,
+    /// Name of the model: that in the file, of text in the NetCDF file beside it; else
+    /// the name of the file.
+    pub title: String,
     /// Names, units and, of NetCDF files, meanings of the columns.
     pub headings: Vec<Heading>,
     /// The numbers of each column [its unit].
@@ -37,6 +41,21 @@ impl TimeTable {
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, Vec::len)
+    }
+
+    /// Leaves the rows between two times [s].
+    pub fn between(&mut self, from: f64, to: f64) {
+        let Some(place) = self.headings.iter().position(|h| h.name == "time") else {
+            return;
+        };
+        let is_in: Vec<_> = self.columns[place]
+            .iter()
+            .map(|time| (from..=to).contains(time))
+            .collect();
+        for column in &mut self.columns {
+            let mut rows = is_in.iter();
+            column.retain(|_| rows.next().copied().unwrap_or(false));
+        }
     }
 
     /// Places of the columns called `name`; with `*` at its end of all that begin so.
@@ -108,11 +127,20 @@ fn read_csv(path: &Path) -> Result<TimeTable, RunFileProblem> {
             })?);
         }
     }
+    let beside = path.with_extension("nc");
+    let title = FileReader::open(&beside).ok().and_then(|r| title(&r));
     Ok(TimeTable {
         file: path.display().to_string(),
+        title: title.unwrap_or_else(|| stem(path)),
         headings,
         columns,
     })
+}
+
+/// The name of the model of a NetCDF file.
+fn title(reader: &FileReader) -> Option<String> {
+    let title = reader.data_set().get_global_attr_as_string("title");
+    title.filter(|title| !title.is_empty())
 }
 
 /// A heading such as `tip_z [mm]`.
@@ -156,6 +184,7 @@ fn read_netcdf(path: &Path) -> Result<TimeTable, RunFileProblem> {
     }
     Ok(TimeTable {
         file: path.display().to_string(),
+        title: title(&reader).unwrap_or_else(|| stem(path)),
         headings,
         columns,
     })

@@ -1,0 +1,251 @@
+//! What jumps at a corner of drives, and the impulse by which the motion follows.
+//!
+//! Where the rate of a driven constraint jumps, reactions of any size act in no time: the
+//! velocities jump at places that stay, with the impulse Lambda of the reactions,
+//!
+//! ```text
+//! M (v+ - v-) + C^T Lambda = 0,   C v+ + Phi_t+ = 0                            (D-153)
+//! ```
+//!
+//! the change of the least kinetic energy by which the constraints are fulfilled. Where a
+//! drive jumps in what it holds in place, no motion follows it.
+
+use std::fmt;
+
+use crate::assembly::System;
+use crate::case::Model;
+use crate::elements::{Element, Level};
+use crate::integrator::{Corner, Renewal};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
+
+use super::failure::TransientFailure;
+use super::multibody::Multibody;
+use super::placing::velocity_constraints;
+use super::rates::{Accelerated, consistent_rates};
+use super::saddle::MOTION;
+use super::start::find_momenta;
+
+/// What the iteration of a step leaves of places, in sizes of the model and radians: a
+/// velocity that moves less in a step does not count.
+const LEFT: f64 = 1e-9;
+/// Jumps of a force, or of an acceleration, that are a smaller part of its terms do not
+/// count: the residual of a step is no nearer to zero.
+const UNFELT: f64 = 1e-8;
+/// Corners of an element that are looked at before a run; at others it is looked when they
+/// are reached.
+const LOOKED_AT: usize = 1000;
+/// Joints whose impulses are told.
+const TOLD: usize = 5;
+
+/// What jumps at a corner.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Jump {
+    /// Nothing that counts.
+    Nothing,
+    /// Forces, or accelerations of what is driven.
+    Acting,
+    /// Rates of the constraints with these numbers.
+    Rates(Vec<usize>),
+}
+
+/// What jumps between the conditions just before a corner and just after it, where steps of
+/// the length `step` \[s\] are wished for; `None` when an element cannot tell.
+pub(super) fn jump(
+    system: &System,
+    state: &State,
+    [before, after]: [&Conditions; 2],
+    step: f64,
+) -> Option<Jump> {
+    let [earlier, later] = [before, after].map(|at| system.residual(state, at));
+    let (by_time_before, left_before) = system.constraint_rates(state, before)?;
+    let (by_time_after, left_after) = system.constraint_rates(state, after)?;
+    let first = NODE_UNKNOWNS * state.nodes.len();
+    let least = LEFT * state.size().min(1.0) / step;
+    let levels = system.levels().into_iter().enumerate();
+    let rates = levels.filter(|&(i, level)| {
+        let jump = match level {
+            Level::Position => by_time_after[i] - by_time_before[i],
+            Level::Velocity => later.values[first + i] - earlier.values[first + i],
+        };
+        // What is not a number is not less either, and told by the next step.
+        !matches!(
+            jump.abs().partial_cmp(&least),
+            Some(std::cmp::Ordering::Less | std::cmp::Ordering::Equal)
+        )
+    });
+    let rates: Vec<_> = rates.map(|(i, _)| i).collect();
+    if !rates.is_empty() {
+        return Some(Jump::Rates(rates));
+    }
+    let of_force = |row: usize| row % NODE_UNKNOWNS >= Equation::Force.row();
+    let mut forces = (0..first).filter(|row| of_force(*row));
+    let is_felt = forces.any(|row| {
+        let least = UNFELT * earlier.sizes[row].max(later.sizes[row]);
+        (later.values[row] - earlier.values[row]).abs() > least
+    });
+    let mut pairs = left_before.iter().zip(&left_after);
+    let jumps = |(a, b): (&f64, &f64)| (b - a).abs() > UNFELT * a.abs().max(b.abs());
+    match is_felt || pairs.any(jumps) {
+        true => Some(Jump::Acting),
+        false => Some(Jump::Nothing),
+    }
+}
+
+/// `state` after the impulse by which its velocities fulfill the constraints (D-153), with
+/// its momenta; and the impulse \[N s, N m s\]. `None` when there is none.
+pub(super) fn struck(
+    system: &System,
+    state: &State,
+    conditions: &Conditions,
+) -> Option<(State, Vec<f64>)> {
+    let nodes = state.nodes.len();
+    let off = velocity_constraints(system, state, conditions);
+    let tangent = system.tangent(state, conditions);
+    let mut right = vec![0.0; MOTION * nodes];
+    right.extend(off.iter().map(|off| -off));
+    let mut solution = Accelerated::new(system, state, &tangent).solve(nodes, &right)?;
+    let impulse = solution.split_off(MOTION * nodes);
+    let mut state = state.clone();
+    for (node, change) in state.nodes.iter_mut().zip(solution.chunks(MOTION)) {
+        for i in 0..3 {
+            node.velocity[i] += change[i];
+            node.angular_velocity[i] += change[3 + i];
+        }
+    }
+    find_momenta(system, &mut state, conditions);
+    Some((state, impulse))
+}
+
+/// Impulses of a joint.
+#[derive(Debug, Clone, PartialEq)]
+struct Struck {
+    joint: String,
+    /// The first time [s].
+    time: f64,
+    /// How often.
+    count: usize,
+}
+
+/// The impulses of a run so far, by joints.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Impulses(Vec<Struck>);
+
+impl Impulses {
+    /// Notes the joints with the constraints number `constraints`.
+    fn add(&mut self, system: &System, constraints: &[usize], time: f64) {
+        let mut first = 0;
+        for element in system.elements() {
+            let own = first..first + element.multipliers();
+            first = own.end;
+            if !constraints.iter().any(|one| own.contains(one)) {
+                continue;
+            }
+            match self.0.iter_mut().find(|one| one.joint == element.label()) {
+                Some(known) => known.count += 1,
+                None => self.0.push(Struck {
+                    joint: element.label().to_owned(),
+                    time,
+                    count: 1,
+                }),
+            }
+        }
+    }
+
+    /// What the reader must know of them.
+    pub fn remarks(&self) -> impl Iterator<Item = String> {
+        let more = self.0.len().saturating_sub(TOLD);
+        let more = (more > 0).then(|| format!("impulses of {more} more joints as well"));
+        let told = self.0.iter().take(TOLD).map(ToString::to_string);
+        told.chain(more)
+    }
+}
+
+impl fmt::Display for Struck {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { joint, time, count } = self;
+        write!(f, "the drive of \"{joint}\" jumps in rate at t = {time} s")?;
+        if *count > 1 {
+            write!(f, " and {} more times", count - 1)?;
+        }
+        write!(f, ": an impulse; velocities were set to follow it")
+    }
+}
+
+impl Multibody<'_> {
+    /// What is to be done at a corner, see [`crate::integrator::Dae::renew`].
+    pub(super) fn pass(&mut self, corner: &Corner, step: f64) -> Renewal {
+        let model = self.model;
+        let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
+        let system = &model.system;
+        let state = self.state();
+        let jump = jump(system, state, [&before, &after], step);
+        let mut renewal = Renewal::Rates;
+        let moved = match jump {
+            None => return Renewal::Unknown,
+            Some(Jump::Nothing) => return Renewal::Smooth,
+            Some(Jump::Acting) => None,
+            Some(Jump::Rates(constraints)) => {
+                let Some((state, _)) = struck(system, state, &after) else {
+                    return Renewal::Unknown;
+                };
+                self.impulses.add(system, &constraints, corner.after);
+                renewal = Renewal::Velocities;
+                Some(state)
+            }
+        };
+        if let Some(moved) = moved {
+            self.states[0] = moved;
+        }
+        match consistent_rates(system, &self.states[0], &after) {
+            Some(state) => {
+                self.states[0] = state;
+                renewal
+            }
+            None => Renewal::Unknown,
+        }
+    }
+}
+
+/// The first jump between two instants of a place that a drive holds.
+pub(super) fn place_jump(model: &Model, corner: &Corner) -> Result<(), TransientFailure> {
+    let mut held = model.system.elements().filter(|one| one.multipliers() > 0);
+    held.try_for_each(|element| place_jump_of(model, element, corner))
+}
+
+fn place_jump_of(
+    model: &Model,
+    element: &dyn Element,
+    corner: &Corner,
+) -> Result<(), TransientFailure> {
+    let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
+    match element.jump([&before.loading, &after.loading]) {
+        None => Ok(()),
+        Some(jump) => Err(TransientFailure::Jump {
+            joint: element.label().to_owned(),
+            jump,
+            time: corner.after,
+        }),
+    }
+}
+
+/// No place that a drive holds may jump in a run \[s\].
+pub(super) fn check_places(model: &Model, [from, to]: [f64; 2]) -> Result<(), TransientFailure> {
+    for element in model.system.elements() {
+        if element.multipliers() == 0 {
+            continue;
+        }
+        let mut time = from;
+        for _ in 0..LOOKED_AT {
+            time = element.next_corner(time);
+            if time.is_nan() || time > to {
+                break;
+            }
+            let corner = Corner {
+                before: time.next_down(),
+                after: time,
+            };
+            place_jump_of(model, element, &corner)?;
+        }
+    }
+    Ok(())
+}

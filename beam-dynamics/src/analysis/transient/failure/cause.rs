@@ -1,0 +1,438 @@
+//! What a step that could not be made likely comes from, and what to try.
+//!
+//! From what is at hand: the reason, how the iteration went, the latest accepted state, the
+//! times at which drives have values, and the elements without a value at the state that was
+//! tried last.
+
+use crate::analysis::transient::multibody::Multibody;
+use crate::case::{Model, TransientQuestion};
+use crate::elements::Element;
+use crate::integrator::{Jacobians, LocalError, Reason, Scheme, StepFailure, StepLimits, Stepping};
+use crate::model::{NodeMotion, State};
+use crate::solver::Iteration;
+
+/// Terms above this, in SI units, are those of no machine.
+const BEYOND: f64 = 1e60;
+/// Rotation of a node in a step above which a formula is out of its depth \[rad\].
+const LARGE_TURN: f64 = 0.5;
+/// A local error, in sizes of the model and radians, that no step reaches.
+const ROUND_OFF: f64 = 1e-12;
+/// Distance from the undeformed place, and way in a step, in sizes of the model, of a motion
+/// that has grown beyond it.
+const FAR: f64 = 100.0;
+const FAST: f64 = 10.0;
+/// A step that is a smaller part of the one wished for is not too long for the motion.
+const CUT: f64 = 1.0 / 500.0;
+/// Steps that the local error would need are no shorter than this part of the least one,
+/// unless something jumps.
+const MUCH_SHORTER: f64 = 1e-2;
+/// Corrections below this are round-off where they do not fall, in sizes of the model and
+/// radians.
+const FLOOR: f64 = 1e-7;
+/// Corrections that shrink by less do not fall.
+const SHRINKING: f64 = 0.8;
+/// Iterations that tell how an iteration went.
+const LATEST: usize = 4;
+/// Names that are told of many.
+const NAMED: usize = 3;
+
+/// A likely cause, and what to try, the likeliest first.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Cause {
+    pub words: String,
+    pub remedies: Vec<String>,
+}
+
+impl Cause {
+    fn new(words: impl Into<String>, remedies: &[&str]) -> Self {
+        Self {
+            words: words.into(),
+            remedies: remedies.iter().map(|remedy| (*remedy).to_owned()).collect(),
+        }
+    }
+}
+
+/// What is known of a step that could not be made.
+pub(super) struct Scene<'a> {
+    failure: &'a StepFailure,
+    model: &'a Model,
+    /// The latest accepted state.
+    state: &'a State,
+    /// The length that was wished for [s].
+    wished: f64,
+    question: &'a TransientQuestion,
+    newton: StepLimits,
+    dae: &'a Multibody<'a>,
+}
+
+impl<'a> Scene<'a> {
+    pub fn new(
+        failure: &'a StepFailure,
+        (model, question): (&'a Model, &'a TransientQuestion),
+        dae: &'a Multibody<'a>,
+    ) -> Self {
+        let wished = match question.stepping {
+            Stepping::Constant { step } => step,
+            Stepping::Variable(_) => failure.length,
+        };
+        Self {
+            failure,
+            model,
+            state: dae.state(),
+            wished,
+            question,
+            newton: question.newton,
+            dae,
+        }
+    }
+
+    /// The likely cause.
+    pub fn cause(&self) -> Cause {
+        if self.failure.reason == Reason::Corners {
+            return self.corners();
+        }
+        let is_without_value = self.failure.reason == Reason::NotFinite;
+        let beyond_table = || is_without_value.then(|| self.beyond_table()).flatten();
+        let without_value = || is_without_value.then(|| self.without_value());
+        beyond_table()
+            .or_else(|| self.beyond_numbers())
+            .or_else(|| self.grown())
+            .or_else(without_value)
+            .or_else(|| self.turned_far())
+            .unwrap_or_else(|| match (self.failure.reason, &self.failure.local_error) {
+                (Reason::LocalError, Some(error)) => self.inexact(error),
+                (Reason::Singular, _) => singular(),
+                _ => self.not_converged(),
+            })
+    }
+
+    /// Corners without end.
+    fn corners(&self) -> Cause {
+        let next = self.model.next_corner(self.failure.time);
+        let mut elements = self.model.system.elements();
+        let has_next = |element: &&dyn Element| element.next_corner(self.failure.time) <= next;
+        let whose = match elements.find(has_next) {
+            Some(element) => format!("\"{}\"", element.label()),
+            None => "gravity".to_owned(),
+        };
+        Cause::new(
+            format!("a drive of {whose}, which has its next corner at {next} s"),
+            self.failure.reason.remedies(),
+        )
+    }
+
+    /// A drive that has left its table.
+    fn beyond_table(&self) -> Option<Cause> {
+        let time = self.failure.time + self.failure.length;
+        let has_left = |[first, last]: &[f64; 2]| time < *first || time > *last;
+        let gravity = self.model.gravity_drive.domain();
+        let gravity = has_left(&gravity).then(|| ("gravity".to_owned(), gravity));
+        let mut elements = self.model.system.elements();
+        let of_element = || {
+            let element = elements.find(|element| has_left(&element.domain()))?;
+            Some((format!("\"{}\"", element.label()), element.domain()))
+        };
+        let (whose, [first, last]) = gravity.or_else(of_element)?;
+        Some(Cause::new(
+            format!(
+                "a drive of {whose} has values from {first} s to {last} s, and the step goes to \
+                 {time} s"
+            ),
+            &["give the table more rows, say outside = \"hold\", or end the run before"],
+        ))
+    }
+
+    /// Terms that are larger than those of any machine.
+    fn beyond_numbers(&self) -> Option<Cause> {
+        let worst = &self.failure.worst;
+        let is_beyond = worst.scale.is_finite() && worst.scale > BEYOND;
+        is_beyond.then(|| {
+            Cause::new(
+                format!(
+                    "the terms of the worst equation are as large as {:.1e}: a mass, a load or \
+                     another number of the model is beyond reason",
+                    worst.scale
+                ),
+                &["look for a slip of the pen or of units in what acts on this node"],
+            )
+        })
+    }
+
+    /// A motion that has grown beyond the model.
+    fn grown(&self) -> Option<Cause> {
+        let size = self.model.system.rest().size();
+        let nodes = self.state.nodes.iter().zip(self.model.system.nodes());
+        let far = nodes.map(|(motion, node)| {
+            let way = (motion.position - node.position).norm() / size;
+            let in_step = self.wished * motion.velocity.norm() / size;
+            (way.max(in_step * FAR / FAST), motion, node)
+        });
+        let (most, motion, node) = far.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        if most <= FAR {
+            return None;
+        }
+        let way = (motion.position - node.position).norm();
+        let words = format!(
+            "the motion has grown beyond the model: node \"{}\" is {way:.3e} m from its \
+             undeformed place and moves at {:.3e} m/s, in a model of {size:.3e} m",
+            node.label,
+            motion.velocity.norm()
+        );
+        let feedback = self.feedback();
+        Some(match feedback.is_empty() {
+            true => Cause::new(
+                words + "; something drives it and nothing holds it",
+                &[
+                    "look for a law, a damper or a drive of the wrong sign, and for a support or \
+                     an end of a load that is missing: shorter steps do not help",
+                ],
+            ),
+            false => Cause::new(
+                format!(
+                    "{words}; {} acts on what it senses and feeds it",
+                    listed(&feedback)
+                ),
+                &[
+                    "look at the sign and the gain of the drive that senses, and bound it by \
+                     min() and max(): shorter steps do not help",
+                ],
+            ),
+        })
+    }
+
+    /// Elements that act on what they sense.
+    fn feedback(&self) -> Vec<String> {
+        let elements = self.model.system.elements();
+        let sensing = elements.filter(|element| element.senses());
+        sensing.map(|element| element.label().to_owned()).collect()
+    }
+
+    /// A law, drive or load without a value.
+    fn without_value(&self) -> Cause {
+        let Some((element, by_time)) = self.dae.without_value() else {
+            return Cause::new(
+                "a law, a drive or a load has no value there",
+                &["look for drives and laws that are not defined at this time or strain"],
+            );
+        };
+        let time = self.failure.time + self.failure.length;
+        let what = match (by_time, element.senses()) {
+            (true, _) => format!("has no value at {time} s, wherever the nodes are"),
+            (false, true) => "has no value at what it senses there".to_owned(),
+            (false, false) => {
+                "has no value at the strain or rate there: it has left the points of its table, or \
+                 its expression ends"
+                    .to_owned()
+            }
+        };
+        let remedy = match (by_time, element.senses()) {
+            (true, _) => "end the run before, or write the drive so that it goes on",
+            (false, true) => {
+                "bound the expression of its drive by min() and max(), as in sqrt(max(0, ...))"
+            }
+            (false, false) => {
+                "let the table reach farther, say outside = \"extend\" or \"hold\", or bound the \
+                 expression by min() and max()"
+            }
+        };
+        Cause::new(format!("\"{}\" {what}", element.label()), &[remedy])
+    }
+
+    /// A node that turns too far in a step.
+    fn turned_far(&self) -> Option<Cause> {
+        let length = self.failure.length;
+        let turn = |motion: &NodeMotion| length * motion.angular_velocity.norm();
+        let nodes = self.state.nodes.iter().zip(self.model.system.nodes());
+        let turns = nodes.map(|(motion, node)| (turn(motion), &node.label));
+        let (most, node) = turns.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        (most > LARGE_TURN).then(|| {
+            let longest = LARGE_TURN / most * length;
+            Cause {
+                words: format!(
+                    "node \"{node}\" turns by {most:.2} rad in a step of {length:.3e} s, which is \
+                     too long for it"
+                ),
+                remedies: vec![format!(
+                    "allow steps of {longest:.1e} s and less: a tenth of a radian a step is \
+                     {:.1e} s",
+                    0.2 * longest
+                )],
+            }
+        })
+    }
+
+    /// A local error that stays too large.
+    fn inexact(&self, local: &LocalError) -> Cause {
+        let least = self.failure.least;
+        if local.tolerance < ROUND_OFF {
+            return Cause::new(
+                "a local error below what round-off leaves was asked for",
+                &["ask for a \"tolerance\" of 1e-10 or more"],
+            );
+        }
+        // The error falls at least as the square of the step where the motion is smooth.
+        let part = (local.tolerance / local.error).cbrt();
+        let larger = format!("or allow a \"tolerance\" of {:.1e}", 2.0 * local.error);
+        if part > MUCH_SHORTER && part.is_finite() {
+            let needed = 0.5 * part * self.failure.length;
+            return Cause {
+                words: format!(
+                    "the least step, {least:.3e} s, is too long for the fastest motion: some \
+                     {needed:.1e} s would do"
+                ),
+                remedies: vec![format!("let \"least\" be {needed:.1e} s, {larger}")],
+            };
+        }
+        let feedback = self.feedback();
+        let who = match feedback.is_empty() {
+            true => String::new(),
+            false => format!(": {} acts on what it senses", listed(&feedback)),
+        };
+        Cause {
+            words: format!(
+                "a force or a stiffness jumps within the step, and no drive tells when{who}"
+            ),
+            remedies: vec![
+                format!("smooth the jump over the way or the time that it takes, {larger}"),
+                "jumps of drives in time are known ahead and landed on".to_owned(),
+            ],
+        }
+    }
+
+    /// An iteration that came to no end.
+    fn not_converged(&self) -> Cause {
+        let (most, tolerance) = (self.newton.iterations, self.newton.correction);
+        let history = &self.failure.history;
+        let last = history.last().map_or(f64::INFINITY, |last| last.correction);
+        let used_up = self.failure.reason == Reason::NotConverged;
+        if used_up && is_falling(history) && last > tolerance {
+            return Cause {
+                words: format!(
+                    "the iteration was still coming nearer when its {most} iterations were used up"
+                ),
+                remedies: vec![format!(
+                    "allow more: newton = {{ iterations = {} }} in [transient]",
+                    (2 * most).max(15)
+                )],
+            };
+        }
+        if used_up && last < FLOOR {
+            return Cause::new(
+                format!(
+                    "the corrections fall no further than {last:.1e}, which is round-off; \
+                     {tolerance:.1e} was asked for"
+                ),
+                &["leave out \"tolerance\" of newton, or make it larger"],
+            );
+        }
+        if used_up && is_to_and_fro(history) {
+            return Cause::new(
+                "the iteration goes to and fro: a law, a drive or what is sensed has a kink or a \
+                 jump near this state, as a contact has",
+                &[
+                    "make the law smoother there (a spline, a cubic, a softer second stiffness)",
+                    "allow shorter steps",
+                ],
+            );
+        }
+        match self.failure.length < CUT * self.wished {
+            true => self.locked(),
+            false => self.too_long(),
+        }
+    }
+
+    /// A state from which no step goes on.
+    fn locked(&self) -> Cause {
+        let words = "however short the step, it is not made: the mechanism is near a position at \
+                     which it is locked or can go two ways, it is driven where it cannot go, or a \
+                     force jumps there";
+        Cause::new(
+            words.to_owned() + &self.or_feedback(),
+            &[
+                "look at the mechanism at this time: joints in line, a rod at its full stretch, a \
+                 drive beyond the reach of what it drives",
+                "end the run before, or change the lengths or the drive",
+            ],
+        )
+    }
+
+    /// A step that is too long.
+    fn too_long(&self) -> Cause {
+        let words = "a step too long for the fastest motion, or a mechanism near a position where \
+                     it is locked";
+        let mut remedies = vec!["allow shorter steps".to_owned()];
+        let question = self.question;
+        if question.simplified_jacobian || question.newton.jacobians == Jacobians::Modified {
+            remedies.push("take the exact Jacobian in every iteration".to_owned());
+        }
+        let radius = match question.scheme {
+            Scheme::TwoStep { radius } | Scheme::Cubic { radius } => radius,
+            _ => 0.0,
+        };
+        if radius > 0.0 {
+            remedies.push(
+                "lower the asymptotic radius: it damps what the steps are too long for".to_owned(),
+            );
+        }
+        Cause {
+            words: words.to_owned() + &self.or_feedback(),
+            remedies,
+        }
+    }
+
+    fn or_feedback(&self) -> String {
+        let feedback = self.feedback();
+        match feedback.is_empty() {
+            true => String::new(),
+            false => format!(
+                "; or it comes from {}, acting on what is sensed",
+                listed(&feedback)
+            ),
+        }
+    }
+}
+
+fn singular() -> Cause {
+    Cause::new(
+        "a mechanism that is locked or can go two ways here, constraints that say the same, or a \
+         part without mass and stiffness",
+        &[
+            "look at the mechanism at this time, and at the joints of the worst equation",
+            "give what has no mass one, or hold it",
+        ],
+    )
+}
+
+/// Whether the latest corrections shrink.
+fn is_falling(history: &[Iteration]) -> bool {
+    let mut pairs = history[history.len().saturating_sub(LATEST)..].windows(2);
+    pairs.all(|pair| pair[1].correction < SHRINKING * pair[0].correction)
+}
+
+/// Whether the latest corrections are about as large as each other.
+fn is_to_and_fro(history: &[Iteration]) -> bool {
+    if history.len() < LATEST {
+        return false;
+    }
+    let latest = history[history.len() - LATEST..].iter();
+    let sizes = latest.map(|iteration| iteration.correction);
+    let (least, most) = sizes.fold((f64::INFINITY, 0.0_f64), |(least, most), size| {
+        (least.min(size), most.max(size))
+    });
+    most < 4.0 * least
+}
+
+/// Names in quotes, the first of many.
+pub(super) fn listed(names: &[String]) -> String {
+    let quoted: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    match &quoted[..] {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] if quoted.len() <= NAMED => format!("{} and {last}", first.join(", ")),
+        many => format!(
+            "{} and {} more",
+            many[..NAMED].join(", "),
+            many.len() - NAMED
+        ),
+    }
+}

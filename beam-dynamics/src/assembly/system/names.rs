@@ -1,0 +1,104 @@
+//! What the unknowns and equations of a system are called, and their units.
+
+use super::System;
+use crate::elements::ConstraintWords;
+use crate::model::{Equation, NODE_UNKNOWNS, Name, Variable};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl System {
+    /// The equation at a place of the residual.
+    pub fn equation(&self, place: usize) -> Name {
+        if let Some((node, row)) = self.of_node(place) {
+            let equation = Equation::ALL[row / 3];
+            let what = format!("{} {}", equation.words(), AXES[row % 3]);
+            return Name::of_node(what, node, equation.unit());
+        }
+        match self.of_constraint(place) {
+            Some((label, words)) => Name::of_element(words.held, label, words.unit),
+            None => Name::of_system(format!("equation {place}"), "-"),
+        }
+    }
+
+    /// The unknown at a place.
+    pub fn unknown(&self, place: usize) -> Name {
+        if let Some((node, column)) = self.of_node(place) {
+            let variable = Variable::UNKNOWNS[column / 3];
+            let what = format!("{} {}", variable.words(), AXES[column % 3]);
+            return Name::of_node(what, node, variable.unit());
+        }
+        match self.of_constraint(place) {
+            Some((label, words)) => Name::of_element(words.reaction, label, words.reaction_unit),
+            None => Name::of_system(format!("unknown {place}"), "-"),
+        }
+    }
+
+    /// The name of the node to which a place belongs, and the place in its rows.
+    fn of_node(&self, place: usize) -> Option<(&str, usize)> {
+        let node = self.nodes.get(place / NODE_UNKNOWNS)?;
+        Some((&node.label, place % NODE_UNKNOWNS))
+    }
+
+    /// The label of the element to which the constraint at a place belongs, and its words.
+    fn of_constraint(&self, place: usize) -> Option<(&str, ConstraintWords)> {
+        let number = place.checked_sub(NODE_UNKNOWNS * self.nodes.len())?;
+        let mut elements = self.elements.iter().enumerate();
+        let (index, element) =
+            elements.find(|(index, _)| self.numbering.multipliers_of(*index).contains(&number))?;
+        let constraint = number - self.numbering.multipliers_of(index).start;
+        Some((element.label(), element.constraint_words(constraint)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Matrix3, Vector3};
+
+    use super::*;
+    use crate::elements::joints::Clamp;
+    use crate::model::Node;
+
+    #[test]
+    fn every_place_has_its_name_and_unit() {
+        let node = |label: &str| Node {
+            label: label.to_owned(),
+            position: Vector3::zeros(),
+            rotation: Matrix3::identity(),
+        };
+        let nodes = vec![node("root"), node("tip")];
+        let clamp = Clamp::new("hold", 1, &nodes[1]);
+        let system = System::new(nodes, vec![Box::new(clamp)]);
+        for (place, equation, unknown) in [
+            (
+                1,
+                "definition of momentum along y of node \"root\" kg m/s",
+                "position along y of node \"root\" m",
+            ),
+            (
+                11,
+                "moment balance about z of node \"root\" N m",
+                "angular momentum about z of node \"root\" kg m^2/s",
+            ),
+            (
+                15,
+                "definition of angular momentum about x of node \"tip\" kg m^2/s",
+                "rotation about x of node \"tip\" rad",
+            ),
+            (
+                26,
+                "offset along z of axes a of \"hold\" m",
+                "force along z of axes a of \"hold\" N",
+            ),
+            (
+                27,
+                "rotation about x of axes a of \"hold\" rad",
+                "moment about x of axes a of \"hold\" N m",
+            ),
+            (30, "equation 30 -", "unknown 30 -"),
+        ] {
+            let told = |name: Name| format!("{name} {}", name.unit);
+            assert_eq!(told(system.equation(place)), equation);
+            assert_eq!(told(system.unknown(place)), unknown);
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Where the drives of a joint jump in what they hold in place: no motion follows that.
+
+use shared_geom::rotation::vector;
+
+use super::{ConstraintJoint, by_axis};
+use crate::elements::PlaceJump;
+use crate::elements::joints::algebra::Held;
+use crate::model::{DriveValue, Loading};
+
+/// What the value of a drive differs by from one instant to the next beside its rate:
+/// round-off of it, and next to nothing [m, rad].
+const ROUND_OFF: f64 = 1e-9;
+const NEXT_TO_NOTHING: f64 = 1e-12;
+
+/// Whether a number jumps between two instants `delay` \[s\] apart, and does not only
+/// change at its rate.
+fn jumps([from, to]: [DriveValue; 2], delay: f64) -> bool {
+    let carried = 2.0 * delay * (from.rate.abs() + to.rate.abs());
+    let round_off = ROUND_OFF * from.value.abs().max(to.value.abs());
+    (to.value - from.value).abs() > carried.max(round_off).max(NEXT_TO_NOTHING)
+}
+
+impl ConstraintJoint {
+    /// The first jump of a place or of an attitude between two instants.
+    pub(super) fn place_jump(&self, between: [&Loading; 2]) -> Option<PlaceJump> {
+        let delay = between[1].time - between[0].time;
+        let places = self.rows.iter().filter_map(|row| {
+            let target = row.target.as_ref()?;
+            let what = match row.held {
+                Held::Along(_, axis) => format!("displacement along its axis {}", axis + 1),
+                Held::Distance => "length".to_owned(),
+                Held::Across(..) | Held::Velocity(..) | Held::Spin(..) => return None,
+            };
+            let held = between.map(|at| target.at(at.time).times(self.scale(at)));
+            jumps(held, delay).then(|| PlaceJump {
+                what,
+                from: held[0].value,
+                to: held[1].value,
+                unit: "m",
+            })
+        });
+        let mut places = places;
+        places.next().or_else(|| self.attitude_jump(between, delay))
+    }
+
+    /// Whole turns are no jump.
+    fn attitude_jump(&self, between: [&Loading; 2], delay: f64) -> Option<PlaceJump> {
+        let turn = self.turn.as_ref()?;
+        let turned = between.map(|at| by_axis(turn, at.time, &self.scale(at)));
+        let [from, to] = turned.map(|[phi, ..]| vector::to_rotation(&phi));
+        let off = vector::from_rotation(&(from.transpose() * to)).norm();
+        let rates = turned[0][1].norm() + turned[1][1].norm();
+        let round_off = ROUND_OFF * turned[0][0].norm().max(turned[1][0].norm());
+        if off <= (2.0 * delay * rates).max(round_off).max(NEXT_TO_NOTHING) {
+            return None;
+        }
+        let axis = (turned[1][0] - turned[0][0]).iamax();
+        let what = match self.angle_about {
+            Some(about) if about == axis => "angle".to_owned(),
+            _ => format!("rotation about its axis {}", axis + 1),
+        };
+        Some(PlaceJump {
+            what,
+            from: turned[0][0][axis].to_degrees(),
+            to: turned[1][0][axis].to_degrees(),
+            unit: "deg",
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "test helpers")]
+
+    use nalgebra::{Matrix3, Vector3};
+
+    use super::*;
+    use crate::elements::Element;
+    use crate::elements::joints::{Freedom, JointEnds, Placing, Turning};
+    use crate::model::{Drive, Node, Ramp, Step};
+
+    fn step(to: f64) -> Drive {
+        Drive::Step(Step {
+            from: 0.0,
+            to,
+            time: 0.5,
+        })
+    }
+
+    fn ramp() -> Drive {
+        Drive::Ramp(Ramp {
+            from: 0.0,
+            to: 3.0,
+            start: 0.5,
+            end: 0.6,
+            smooth: false,
+        })
+    }
+
+    fn told(joint: &ConstraintJoint) -> Option<String> {
+        let at = |time: f64| Loading {
+            time,
+            ..Loading::none()
+        };
+        let jump = joint.jump([&at(0.5_f64.next_down()), &at(0.5)])?;
+        let PlaceJump {
+            what,
+            from,
+            to,
+            unit,
+        } = jump;
+        Some(format!("{what} {from:.3} {to:.3} {unit}"))
+    }
+
+    #[test]
+    fn steps_of_places_are_told_and_ramps_and_whole_turns_are_not() {
+        let node = Node {
+            label: "b".to_owned(),
+            position: Vector3::x(),
+            rotation: Matrix3::identity(),
+        };
+        let ends = JointEnds {
+            a: None,
+            b: (0, &node),
+        };
+        let at = Placing::at(&node.position, &Matrix3::identity());
+        let angle = |drive| {
+            let turning = Some(Turning::Angle(drive));
+            told(&ConstraintJoint::revolute("hinge", &ends, &at, turning))
+        };
+        assert_eq!(angle(step(0.5)).unwrap(), "angle 0.000 28.648 deg");
+        assert_eq!(angle(ramp()), None);
+        assert_eq!(angle(step(4.0 * std::f64::consts::PI)), None);
+        let slide = |drive| {
+            let slide = Freedom::Driven(drive);
+            told(&ConstraintJoint::prismatic("guide", &ends, &at, slide))
+        };
+        let expected = "displacement along its axis 1 0.000 -0.010 m";
+        assert_eq!(slide(step(-0.01)).unwrap(), expected);
+        assert_eq!(slide(ramp()), None);
+        // Of a velocity it is an impulse, and no jump of places.
+        let speed = Some(Turning::Speed(step(1.0)));
+        let wheel = ConstraintJoint::revolute("wheel", &ends, &at, speed);
+        assert_eq!(told(&wheel), None);
+    }
+}

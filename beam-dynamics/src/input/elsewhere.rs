@@ -1,0 +1,46 @@
+//! Keys that stand in the wrong table, and where they belong.
+
+/// Keys of other cards that are written at the top of a file by mistake.
+pub(super) const OF_FILE: [(&str, &str); 23] = [
+    ("column", "[[output.column]]"),
+    ("columns", "[[output.column]]"),
+    ("piece", "[[blade.piece]]"),
+    ("sensor", "[sensors.NAME]"),
+    ("drive", "[drives.NAME]"),
+    ("property", "[properties.NAME]"),
+    ("force", "[[load]] with \"force\""),
+    ("moment", "[[load]] with \"moment\""),
+    ("support", "\"support\" in [hub]"),
+    ("speeds", "\"speeds\" in [modes]"),
+    ("from", "\"from\" in [transient]"),
+    ("to", "\"to\" in [transient]"),
+    ("step", "\"step\" in [transient]"),
+    ("scheme", "\"scheme\" in [transient]"),
+    ("radius", "\"radius\" in [transient]"),
+    ("newton", "\"newton\" in [transient]"),
+    ("redundant", "\"redundant\" in [transient]"),
+    ("every", "\"every\" in [output]"),
+    ("restart_every", "\"restart_every\" in [output]"),
+    ("vtu", "\"vtu\" in [output]"),
+    ("acceleration", "\"acceleration\" in [gravity]"),
+    ("law", "\"law\" in [[spring]], [[rod]] or [[beam]]"),
+    ("mass", "\"mass\" in [[body]], or [[blade.mass]]"),
+];
+
+/// The same of `[transient]`.
+pub(super) const OF_TRANSIENT: [(&str, &str); 11] = [
+    ("every", "\"every\" in [output]"),
+    ("restart_every", "\"restart_every\" in [output]"),
+    ("vtu", "\"vtu\" in [output]"),
+    ("first", "step = { first = ... }"),
+    ("least", "step = { first = ..., least = ... }"),
+    ("most", "step = { first = ..., most = ... }"),
+    (
+        "tolerance",
+        "step = { first = ..., tolerance = ... }, or newton = { tolerance = ... }",
+    ),
+    ("iterations", "newton = { iterations = ... }"),
+    ("method", "newton = { method = ... }"),
+    ("column", "[[output.column]]"),
+    ("rho", "\"radius\""),
+];

@@ -1,0 +1,48 @@
+//! Files that tests read: a text with others beside it, and what is told of it.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests unwrap what the tests write"
+)]
+
+use std::fs;
+
+use super::{Input, read};
+
+/// A strip in SI units: 2 kg/m.
+pub(super) const STRIP: &str = "
+[properties.strip]
+ea = 7e6
+gay = 2e6
+gaz = 1e6
+gj = 30
+eiy = 40
+eiz = 900
+m = 2
+iy = 0.01
+iz = 0.04
+";
+
+/// Reads `text` as `a.dynamics.toml`, with further files beside it; problems as they are
+/// shown, with the names of files as written.
+pub(super) fn read_beside(text: &str, files: &[(&str, &str)]) -> Result<Input, String> {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    let path = folder.path().join("a.dynamics.toml");
+    fs::write(&path, text).unwrap();
+    let prefix = format!("{}/", folder.path().display());
+    read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
+}
+
+/// What is told of a text that must not be accepted.
+#[track_caller]
+pub(super) fn told(found: Result<Input, String>) -> String {
+    match found {
+        Err(shown) => shown,
+        Ok(_) => panic!("accepted"),
+    }
+}

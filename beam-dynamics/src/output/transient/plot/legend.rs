@@ -1,0 +1,76 @@
+//! Rows of names with their lines, whose height is known before they are drawn.
+
+use plotters::backend::DrawingBackend;
+use shared_geom::figure::{Canvas, FigureProblem, Label};
+
+use super::line::Stroke;
+use crate::output::panel::SMALL;
+
+/// Height of a row \[figure pixels\].
+const ROW: f64 = 1.4 * SMALL;
+/// Length of the line before a name \[figure pixels\].
+const SAMPLE: f64 = 70.0;
+/// Between line, name and next line \[figure pixels\].
+const GAPS: [f64; 2] = [14.0, 30.0];
+/// Width of a letter in its height, a wide one: what is wider still is cut off.
+const LETTER: f64 = 0.64;
+
+/// Names in rows, each with the line it stands for.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Legend {
+    /// Names; without a line where the name is that of all curves.
+    pub entries: Vec<(String, Option<Stroke>)>,
+}
+
+impl Legend {
+    /// Height in a figure that has `room` from left to right \[figure pixels\].
+    pub fn height(&self, room: f64) -> f64 {
+        let last = self.places(room).last().copied();
+        last.map_or(0.0, |[_, row]| (row + 1.0) * ROW)
+    }
+
+    /// From where each entry begins \[figure pixels\], and its row.
+    fn places(&self, room: f64) -> Vec<[f64; 2]> {
+        let (mut x, mut row) = (0.0, 0.0);
+        let mut places = Vec::new();
+        for entry in &self.entries {
+            let width = width(entry);
+            if x > 0.0 && x + width > room {
+                (x, row) = (0.0, row + 1.0);
+            }
+            places.push([x, row]);
+            x += width + GAPS[1];
+        }
+        places
+    }
+
+    /// Draws the entries from the upper left corner to the right and downward.
+    pub fn draw<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        [left, top]: [f64; 2],
+        room: f64,
+    ) -> Result<(), FigureProblem> {
+        for (entry, [place, row]) in self.entries.iter().zip(self.places(room)) {
+            let (name, stroke) = entry;
+            let mut x = left + place;
+            let y = top + ROW * (row + 0.5);
+            let mut rest = width(entry).min(room - place);
+            if let Some(stroke) = stroke {
+                stroke.draw(canvas, &[[x, y], [x + SAMPLE, y]])?;
+                x += SAMPLE + GAPS[0];
+                rest -= SAMPLE + GAPS[0];
+            }
+            let label = Label::new(SMALL);
+            let text = canvas.shortened(name, label, rest);
+            canvas.text(&text, [x, y], label)?;
+        }
+        Ok(())
+    }
+}
+
+/// Width of an entry without the gap behind it \[figure pixels\].
+fn width((name, stroke): &(String, Option<Stroke>)) -> f64 {
+    let letters = LETTER * SMALL * name.chars().count() as f64;
+    letters + stroke.map_or(0.0, |_| SAMPLE + GAPS[0])
+}

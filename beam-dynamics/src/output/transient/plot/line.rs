@@ -1,0 +1,233 @@
+//! Lines of curves: their strokes, and the few points that show all of a long one.
+
+use plotters::backend::DrawingBackend;
+use plotters::style::RGBColor;
+use shared_geom::figure::{CATEGORIES, Canvas, FigureProblem};
+
+/// Width of a curve \[figure pixels\].
+const WIDTH: f64 = 3.5;
+/// Colors before dashes begin: without the last one, a yellow that is faint on white.
+pub(super) const COLORS: usize = CATEGORIES.len() - 1;
+/// Runs that are told apart by tone and dashes.
+pub(super) const TONES: usize = 4;
+/// Lengths of dashes and gaps in turn \[figure pixels\].
+const DASHES: [&[f64]; 4] = [&[], &[20.0, 11.0], &[5.0, 9.0], &[20.0, 9.0, 5.0, 9.0]];
+/// Color of lines that stand for a run and no column.
+const NO_COLUMN: RGBColor = RGBColor(120, 120, 120);
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stroke {
+    color: RGBColor,
+    /// \[figure pixels\].
+    width: f64,
+    /// Dashes and gaps \[figure pixels\]; none of a full line.
+    dashes: &'static [f64],
+}
+
+impl Stroke {
+    /// Of a thing among others: colors first, then dashes.
+    pub fn of_color(number: usize) -> Self {
+        Self {
+            color: CATEGORIES[number % COLORS],
+            width: WIDTH,
+            dashes: DASHES[number / COLORS % DASHES.len()],
+        }
+    }
+
+    /// Of run number `run` of `runs` whose colors tell them apart: earlier ones are broader,
+    /// so that a run that covers them leaves them to be seen.
+    pub fn of_run(run: usize, runs: usize) -> Self {
+        let above = match runs <= TONES {
+            true => runs - 1 - run.min(runs - 1),
+            false => 0,
+        };
+        let stroke = Self::of_color(run);
+        let width = stroke.width + 1.5 * above as f64;
+        Self { width, ..stroke }
+    }
+
+    /// The same for run number `run` where color tells the columns: the first run is broad
+    /// and pale, so that those upon it are seen, and later ones are darker and dashed.
+    pub fn toned(self, run: usize) -> Self {
+        let (part, toward, width, dashes) = match run {
+            0 => (0.55, 255.0, 2.4 * WIDTH, 0),
+            1 => (0.0, 0.0, 0.8 * WIDTH, 0),
+            2 => (0.45, 0.0, WIDTH, 1),
+            _ => (0.75, 0.0, WIDTH, 2),
+        };
+        let mixed = |channel: u8| {
+            let channel = f64::from(channel);
+            (channel + part * (toward - channel)).round() as u8
+        };
+        let RGBColor(red, green, blue) = self.color;
+        Self {
+            color: RGBColor(mixed(red), mixed(green), mixed(blue)),
+            width,
+            dashes: DASHES[dashes],
+        }
+    }
+
+    /// Of run number `run`, whatever the column.
+    pub fn of_tone(run: usize) -> Self {
+        let color = NO_COLUMN;
+        Self {
+            color,
+            ..Self::of_color(0)
+        }
+        .toned(run)
+    }
+
+    /// Draws the line through these places; a dot where there is one.
+    pub fn draw<B: DrawingBackend>(
+        &self,
+        canvas: &Canvas<B>,
+        places: &[[f64; 2]],
+    ) -> Result<(), FigureProblem> {
+        if let [place] = places {
+            return canvas.disc(*place, self.width, self.color);
+        }
+        if self.dashes.is_empty() {
+            return canvas.line(places, self.width, self.color);
+        }
+        for dash in dashed(places, self.dashes) {
+            canvas.line(&dash, self.width, self.color)?;
+        }
+        Ok(())
+    }
+}
+
+/// The dashes along the line through `places`.
+fn dashed(places: &[[f64; 2]], pattern: &[f64]) -> Vec<Vec<[f64; 2]>> {
+    let mut dashes = vec![places[..1].to_vec()];
+    let (mut part, mut left) = (0, pattern[0]);
+    for ends in places.windows(2) {
+        let [from, to] = [ends[0], ends[1]];
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let mut done = 0.0;
+        while length - done > left {
+            done += left;
+            let share = done / length;
+            let place = [0, 1].map(|k| from[k] + share * (to[k] - from[k]));
+            match (part % 2, dashes.last_mut()) {
+                (0, Some(dash)) => dash.push(place),
+                _ => dashes.push(vec![place]),
+            }
+            part = (part + 1) % pattern.len();
+            left = pattern[part];
+        }
+        left -= length - done;
+        if let (0, Some(dash)) = (part % 2, dashes.last_mut()) {
+            dash.push(to);
+        }
+    }
+    dashes.retain(|dash| dash.len() > 1);
+    dashes
+}
+
+/// Points of a curve that show all of it where the range `x` is `pixels` wide.
+///
+/// Over what grows, these are of each pixel the first, the least, the largest and the last
+/// point, so that no peak is lost and no wave looks like a longer one; of a path, those
+/// that are half a pixel from the one before.
+pub(super) fn thinned(points: &[[f64; 2]], x: [f64; 2], pixels: f64) -> Vec<[f64; 2]> {
+    if points.len() as f64 <= pixels {
+        return points.to_vec();
+    }
+    let scale = pixels / (x[1] - x[0]);
+    match points.windows(2).all(|pair| pair[0][0] <= pair[1][0]) {
+        true => {
+            let pixel = |point: &[f64; 2]| ((point[0] - x[0]) * scale).floor();
+            let parts = points.chunk_by(|a, b| pixel(a) == pixel(b));
+            parts.flat_map(extremes).collect()
+        }
+        false => spaced(points, 0.5 / scale, pixels),
+    }
+}
+
+/// The first, the least, the largest and the last point, in their order.
+fn extremes(part: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
+    let by_value = |a: &usize, b: &usize| part[*a][1].total_cmp(&part[*b][1]);
+    let least = (0..part.len()).min_by(by_value).unwrap_or(0);
+    let largest = (0..part.len()).max_by(by_value).unwrap_or(0);
+    let mut places = vec![0, least, largest, part.len() - 1];
+    places.sort_unstable();
+    places.dedup();
+    places.into_iter().map(|place| part[place])
+}
+
+/// Points of a path that are `across` from the one before, or as much of its height.
+fn spaced(points: &[[f64; 2]], across: f64, pixels: f64) -> Vec<[f64; 2]> {
+    let values = || points.iter().map(|point| point[1]);
+    let height = values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min);
+    let up = 0.5 * height / pixels;
+    let mut kept = vec![points[0]];
+    for point in &points[1..] {
+        let last = kept[kept.len() - 1];
+        if (point[0] - last[0]).abs() >= across || (point[1] - last[1]).abs() >= up {
+            kept.push(*point);
+        }
+    }
+    kept.push(points[points.len() - 1]);
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // 20 000 waves on 100 pixels: every pixel shows the whole height, and a single peak
+    // stays, where every hundredth point would show neither.
+    #[test]
+    fn waves_and_peaks_stay_where_points_are_left_out() {
+        let points: Vec<_> = (0..400_000)
+            .map(|k| {
+                let time = f64::from(k);
+                let peak = if k == 123_457 { 5.0 } else { 0.0 };
+                [time, (0.1 * std::f64::consts::PI * time).sin() + peak]
+            })
+            .collect();
+        let kept = thinned(&points, [0.0, 400_000.0], 100.0);
+        assert!(kept.len() <= 400, "{}", kept.len());
+        for pixel in kept.chunk_by(|a, b| (a[0] / 4e3).floor() == (b[0] / 4e3).floor()) {
+            let low = pixel.iter().map(|point| point[1]).fold(1.0, f64::min);
+            let high = pixel.iter().map(|point| point[1]).fold(-1.0, f64::max);
+            assert!(low < -0.999 && high > 0.999, "{low} to {high}");
+        }
+        assert!(kept.iter().any(|point| point[1] > 4.0));
+        let gapless = [[0.0, 1.0], [1.0, 2.0]];
+        assert_eq!(thinned(&gapless, [0.0, 1.0], 100.0), gapless);
+    }
+
+    // A circle run through many times: no part of it is lost, to a pixel.
+    #[test]
+    fn paths_keep_their_shape() {
+        let circle = |k: i32| {
+            let angle = 1e-3 * f64::from(k);
+            [angle.cos(), angle.sin()]
+        };
+        let points: Vec<_> = (0..63_000).map(circle).collect();
+        let kept = thinned(&points, [-1.0, 1.0], 1000.0);
+        assert!(kept.len() < points.len());
+        for pair in kept.windows(2) {
+            let distance = (pair[0][0] - pair[1][0]).hypot(pair[0][1] - pair[1][1]);
+            assert!(distance < 3.0 / 1000.0, "{distance}");
+        }
+    }
+
+    #[test]
+    fn dashes_follow_corners() {
+        let places = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]];
+        let found = dashed(&places, &[8.0, 4.0]);
+        let expected = [
+            vec![[0.0, 0.0], [8.0, 0.0]],
+            vec![[10.0, 2.0], [10.0, 10.0]],
+        ];
+        assert_eq!(found, expected);
+        let full: f64 = dashed(&[[0.0, 0.0], [120.0, 0.0]], &[8.0, 4.0])
+            .iter()
+            .map(|dash| dash[dash.len() - 1][0] - dash[0][0])
+            .sum();
+        assert_eq!(full, 80.0);
+    }
+}

@@ -1,0 +1,71 @@
+//! What runs are called in a figure: its title, and the names in the legend.
+
+use std::path::Path;
+
+use crate::output::TimeTable;
+
+/// Endings that results have and names of runs have not.
+const ENDINGS: [&str; 4] = [".transient.csv", ".transient.nc", ".csv", ".nc"];
+/// Models that a title names.
+const MOST_TITLES: usize = 3;
+
+/// The models of `tables`, each once.
+pub(super) fn title(tables: &[TimeTable]) -> String {
+    let mut titles: Vec<&str> = Vec::new();
+    for table in tables {
+        if !titles.contains(&table.title.as_str()) {
+            titles.push(&table.title);
+        }
+    }
+    let more = titles.len().saturating_sub(MOST_TITLES);
+    titles.truncate(MOST_TITLES);
+    match more {
+        0 => titles.join(" / "),
+        more => format!("{} and {more} more", titles.join(" / ")),
+    }
+}
+
+/// The name of the file at `path` without what all results are called.
+pub(in crate::output::transient) fn stem(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let stem = ENDINGS.iter().find_map(|ending| name.strip_suffix(ending));
+    stem.unwrap_or(&name).to_owned()
+}
+
+/// A name for each run: that of the file, with its ending or with so many folders as it
+/// takes to tell the runs apart.
+pub(super) fn runs(tables: &[TimeTable]) -> Vec<String> {
+    let paths: Vec<_> = tables.iter().map(|table| Path::new(&table.file)).collect();
+    let depth = paths.iter().map(|path| path.components().count()).max();
+    let mut names: Vec<_> = paths.iter().map(|path| stem(path)).collect();
+    for folders in 0..depth.unwrap_or(0) {
+        if is_distinct(&names) {
+            return names;
+        }
+        let of_folders = |path: &Path| match folders {
+            0 => path.file_name().unwrap_or_default().into(),
+            _ => last_folders(path, folders).join(stem(path)),
+        };
+        let found = paths.iter().map(|path| of_folders(path));
+        names = found.map(|path| path.display().to_string()).collect();
+    }
+    if !is_distinct(&names) {
+        names = paths.iter().map(|path| stem(path)).collect();
+    }
+    names
+}
+
+fn is_distinct(names: &[String]) -> bool {
+    let is_first = |k: usize| !names[..k].contains(&names[k]);
+    (0..names.len()).all(is_first)
+}
+
+/// The last folders above the file at `path`, without the one that all results are in.
+fn last_folders(path: &Path, count: usize) -> std::path::PathBuf {
+    let parent = path.parent().unwrap_or(Path::new(""));
+    let folders: Vec<_> = parent.components().collect();
+    folders[folders.len().saturating_sub(count)..]
+        .iter()
+        .filter(|folder| folder.as_os_str() != "results")
+        .collect()
+}

@@ -1,0 +1,202 @@
+//! Figures of made-up tables, read back as text.
+
+use shared_geom::error::Explain;
+
+use super::{Heading, RunFileProblem, TimePlot, TimeTable};
+
+fn heading(name: &str, unit: &str) -> Heading {
+    Heading {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        words: String::new(),
+    }
+}
+
+fn table(file: &str, rows: usize) -> TimeTable {
+    let time: Vec<_> = (0..rows).map(|k| 0.01 * k as f64).collect();
+    let of = |f: &dyn Fn(f64) -> f64| time.iter().map(|t| f(*t)).collect::<Vec<_>>();
+    TimeTable {
+        file: file.to_owned(),
+        title: "a model".to_owned(),
+        headings: vec![
+            heading("time", "s"),
+            heading("tip_x", "mm"),
+            heading("tip_y", "mm"),
+            heading("count", "1"),
+        ],
+        columns: vec![
+            of(&|t| t),
+            of(&f64::sin),
+            of(&f64::cos),
+            of(&|t| if t > 1.0 { f64::NAN } else { t }),
+        ],
+    }
+}
+
+/// A table with `count` more columns of zero to two meters.
+fn wide(count: usize) -> TimeTable {
+    let mut table = table("a.csv", 3);
+    for k in 0..count {
+        table.headings.push(heading(&format!("place_{k}"), "m"));
+        table.columns.push(vec![0.0, 1.0, 2.0]);
+    }
+    table
+}
+
+fn drawn(tables: &[TimeTable], across: &str, wanted: &[&str]) -> Result<String, RunFileProblem> {
+    let wanted: Vec<_> = wanted.iter().map(|name| (*name).to_owned()).collect();
+    let plot = TimePlot::new(tables, across, &wanted)?;
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.svg");
+    plot.save(&path).unwrap();
+    Ok(std::fs::read_to_string(path).unwrap())
+}
+
+fn assert_texts(svg: &str, expected: &[&str]) {
+    for text in expected {
+        assert!(svg.contains(&format!("\n{text}\n")), "no \"{text}\"");
+    }
+}
+
+/// Colors of the lines with more than two points: those of curves.
+fn colors(svg: &str) -> Vec<String> {
+    let lines = svg.lines().filter(|line| line.starts_with("<polyline"));
+    let curves = lines.filter(|line| line.matches(',').count() > 5);
+    let color = |line: &str| Some(line.split_once("stroke=\"")?.1.get(..7)?.to_owned());
+    curves.filter_map(color).collect()
+}
+
+#[test]
+fn a_run_has_a_panel_for_each_unit_and_a_color_for_each_column() {
+    let one = table("results/a.transient.csv", 400);
+    let svg = drawn(std::slice::from_ref(&one), "time", &[]).unwrap();
+    let expected = [
+        "a model", "tip_x", "tip_y", "count", "[mm]", "[-]", "time [s]",
+    ];
+    assert_texts(&svg, &expected);
+    let found = colors(&svg);
+    assert_eq!(found.len(), 3);
+    assert_ne!(found[0], found[1]);
+    let svg = drawn(&[one], "tip_x", &["tip_y"]).unwrap();
+    assert_texts(&svg, &["tip_x [mm]"]);
+}
+
+#[test]
+fn runs_of_one_column_are_told_by_color() {
+    let both = ["a", "b"].map(|name| table(&format!("results/{name}.transient.csv"), 100));
+    let svg = drawn(&both, "time", &["tip_x", "count"]).unwrap();
+    assert_texts(&svg, &["a model", "a", "b", "tip_x", "count"]);
+    let found = colors(&svg);
+    assert_eq!(found.len(), 4);
+    assert_ne!(found[0], found[1]);
+    assert_eq!(found[..2], found[2..]);
+}
+
+#[test]
+fn runs_of_many_columns_are_told_by_tone_and_columns_by_color() {
+    let both = ["a", "b"].map(|name| table(&format!("results/{name}.transient.csv"), 100));
+    let svg = drawn(&both, "time", &["tip_*"]).unwrap();
+    assert_texts(&svg, &["a", "b", "tip_x", "tip_y"]);
+    assert!(!svg.contains("\n[-]\n"));
+    let found = colors(&svg);
+    let distinct: std::collections::BTreeSet<_> = found.iter().collect();
+    assert_eq!((found.len(), distinct.len()), (4, 4));
+    // More runs than tones: a panel for each column, and colors for the runs.
+    let five = [1, 2, 3, 4, 5].map(|k| table(&format!("r{k}.csv"), 20));
+    let found = colors(&drawn(&five, "time", &["tip_*"]).unwrap());
+    assert_eq!(found.len(), 10);
+    assert_eq!(found[..5], found[5..]);
+}
+
+// No path of a machine is shown where folders are not needed to tell the runs apart.
+#[test]
+fn runs_are_named_with_as_many_folders_as_it_takes() {
+    let names = |files: &[&str]| {
+        let tables: Vec<_> = files.iter().map(|file| table(file, 3)).collect();
+        let plot = TimePlot::new(&tables, "time", &[]).unwrap();
+        plot.run_names().to_vec()
+    };
+    assert_eq!(names(&["/x/y/a.transient.csv", "b.csv"]), ["a", "b"]);
+    assert_eq!(
+        names(&["r/a.transient.csv", "r/a.transient.nc"]),
+        ["a.transient.csv", "a.transient.nc"]
+    );
+    assert_eq!(
+        names(&["/x/1/results/a.csv", "/x/2/results/a.csv"]),
+        ["1/a", "2/a"]
+    );
+    assert_eq!(names(&["a.csv", "a.csv"]), ["a", "a"]);
+}
+
+#[test]
+fn gaps_and_columns_without_numbers_are_drawn_as_such() {
+    let mut one = table("a.csv", 400);
+    for (row, value) in one.columns[1].iter_mut().enumerate() {
+        if row % 100 == 50 {
+            *value = f64::NAN;
+        }
+    }
+    one.columns[2].fill(f64::NAN);
+    let svg = drawn(&[one], "time", &["tip_*"]).unwrap();
+    assert_eq!(colors(&svg).len(), 5);
+    assert_texts(&svg, &["tip_y (no numbers)"]);
+}
+
+#[test]
+fn wrong_columns_units_and_times_are_told() {
+    let one = table("results/a.transient.csv", 400);
+    let wrong = drawn(std::slice::from_ref(&one), "time", &["tip_z"]).unwrap_err();
+    assert_eq!(
+        wrong.to_string(),
+        "unknown column \"tip_z\" of \"results/a.transient.csv\""
+    );
+    assert!(wrong.help().unwrap().starts_with("did you mean \"tip_"));
+    let wrong = drawn(&[table("a.csv", 1)], "time", &[]).unwrap_err();
+    assert!(
+        wrong
+            .to_string()
+            .contains("has 1 rows, expected at least two")
+    );
+    let mut other = table("b.csv", 10);
+    other.headings[1].unit = "m".to_owned();
+    let wrong = drawn(&[one.clone(), other], "tip_x", &["tip_y"]).unwrap_err();
+    assert_eq!(
+        wrong.to_string(),
+        "column \"tip_x\" of \"b.csv\" is in m, and of another table in mm"
+    );
+    let mut part = one;
+    part.between(0.995, 1.205);
+    assert_eq!(part.rows(), 21);
+    assert_eq!(part.columns[0][0], 1.0);
+}
+
+#[test]
+fn figures_of_thousands_of_columns_are_shortened_or_refused() {
+    let mut plot = TimePlot::new(&[wide(2000)], "time", &[]).unwrap();
+    // Two of millimetres and one number, and six in each of 334 panels.
+    let told = plot.check_size().unwrap_err().to_string();
+    assert!(told.contains("2003 curves in 336 panels"), "{told}");
+    let left_out = plot.shorten();
+    assert_eq!(left_out.len(), 2000 - 60);
+    assert_eq!(left_out[0], "place_60");
+    plot.check_size().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    plot.save(&folder.path().join("a.svg")).unwrap();
+    let text = super::not_drawn_text(&left_out);
+    assert!(text.contains("place_67 and 1932 more"), "{text}");
+}
+
+// Vectors are not torn: four of three components are two panels of six and not seven and five.
+#[test]
+fn components_of_a_vector_stay_together() {
+    let mut one = table("a.csv", 3);
+    for k in 0..5 {
+        for axis in ["x", "y"] {
+            one.headings.push(heading(&format!("n{k}_{axis}"), "m"));
+            one.columns.push(vec![0.0, 1.0, 2.0]);
+        }
+    }
+    let mut plot = TimePlot::new(&[one], "time", &["n*".to_owned()]).unwrap();
+    assert_eq!(plot.panel_columns(), [6, 4]);
+    assert!(plot.shorten().is_empty());
+}

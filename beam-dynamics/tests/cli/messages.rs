@@ -1,0 +1,351 @@
+//! What is told of wrong files and of runs that fail: the examples of the book, causes of
+//! failures, and files that nobody writes on purpose.
+
+use super::Folder;
+
+/// A page of the book.
+fn page(name: &str) -> String {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/src/");
+    std::fs::read_to_string(format!("{root}{name}")).unwrap()
+}
+
+/// The block of a page that begins with `head`, and the next one.
+fn blocks(page: &str, head: &str) -> [String; 2] {
+    let from = page.find(&format!("\n{head}")).unwrap() + 1;
+    let mut parts = page[from..].split("\n```");
+    let first = parts.next().unwrap();
+    let second = parts.nth(1).unwrap();
+    let (_, second) = second.split_once("\n```text\n").unwrap_or_else(|| {
+        let (_, text) = second.split_once('\n').unwrap();
+        ("", text)
+    });
+    [format!("{first}\n"), second.to_owned()]
+}
+
+/// A text with each number as `#`: their last digits are those of the machine.
+fn without_numbers(text: &str) -> String {
+    let mut found = String::new();
+    for word in text.split_inclusive([' ', '\n', ',', ';']) {
+        let end = word.trim_end_matches([' ', '\n', ',', ';', 's', ':']);
+        match end.parse::<f64>() {
+            Ok(_) => found += &format!("#{}", &word[end.len()..]),
+            Err(_) => found += word,
+        }
+    }
+    found
+}
+
+#[test]
+fn ten_mistakes_of_the_book_are_told_at_once() {
+    let folder = Folder::new();
+    let [file, told] = blocks(&page("dynamics-input.md"), "# ten mistakes");
+    folder.write("crane.dynamics.toml", &file);
+    let run = folder.run(&["check", "crane.dynamics.toml"]);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    assert_eq!(run.err.trim_end(), told.trim_end());
+    assert_eq!(told.matches("error: crane.dynamics.toml:").count(), 10);
+    // All that the name of a thing can mend says so.
+    assert!(told.matches("did you mean").count() >= 3, "{told}");
+}
+
+#[test]
+fn the_failure_of_the_book_is_told() {
+    let folder = Folder::new();
+    let [file, told] = blocks(&page("start-up.md"), "# a rod");
+    folder.write("rod.dynamics.toml", &file);
+    let run = folder.run(&["transient", "rod.dynamics.toml"]);
+    assert_eq!(run.code, 1);
+    let [found, expected] = [&run.err, &told].map(|text| without_numbers(text.trim_end()));
+    assert_eq!(found, expected, "{}", run.err);
+}
+
+/// A cart of 1 kg on a rail along x at 1 m/s, and what its place is called.
+const CART: &str = "units = \"SI\"
+[[node]]
+name = \"cart\"
+position = [0, 0, 0]
+velocity = [1, 0, 0]
+[[node]]
+name = \"mast\"
+position = [1, 0, 0]
+[[clamp]]
+node = \"mast\"
+[[body]]
+node = \"cart\"
+mass = 1
+inertia = [1, 1, 1]
+[[joint]]
+name = \"rail\"
+kind = \"total\"
+nodes = [\"cart\"]
+locked = [\"y\", \"z\", \"about x\", \"about y\", \"about z\"]
+[[rigid]]
+name = \"foot\"
+nodes = [\"mast\", \"stone\"]
+[[node]]
+name = \"stone\"
+position = [2, 0, 0]
+[sensors.place]
+quantity = \"position\"
+node = \"cart\"
+component = \"x\"
+";
+
+/// What acts on the cart, how it is run, and what is told of it.
+const FAILURES: &[(&str, &str, &[&str])] = &[
+    (
+        "[[load]]\nname = \"push\"\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= place^2 + 1\"",
+        "to = 10\nstep = 0.01",
+        &[
+            "the motion has grown beyond the model: node \"cart\"",
+            "\"push\" acts on what it senses and feeds it",
+            "the sign and the gain of the drive",
+        ],
+    ),
+    (
+        "[[load]]\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= 1000*place\"",
+        "to = 10\nstep = { first = 0.01, least = 1e-6 }",
+        &[
+            "the motion has grown beyond the model",
+            "\"load 1\" acts on what it senses",
+        ],
+    ),
+    (
+        "[[load]]\nname = \"pull\"\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= sqrt(0.5 - place)\"",
+        "to = 2\nstep = 0.01",
+        &[
+            "without a value",
+            "\"pull\" has no value at what it senses there",
+            "sqrt(max(0, ...))",
+        ],
+    ),
+    (
+        "[[load]]\nname = \"late\"\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= sqrt(0.5 - t)\"",
+        "to = 2\nstep = 0.01",
+        &[
+            "\"late\" has no value at 0.5",
+            "wherever the nodes are",
+            "end the run before",
+        ],
+    ),
+    (
+        "[[spring]]\nname = \"stop\"\nnode = \"cart\"\nlaw = { kind = \"table\", \
+         points = { x = [[-1, -1], [0, 0], [0.3, 2]] }, outside = \"error\" }",
+        "to = 2\nstep = 0.01",
+        &[
+            "\"stop\" has no value at the strain or rate there",
+            "outside = \"extend\" or \"hold\"",
+        ],
+    ),
+    (
+        "[[load]]\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= sin(1e4*sin(100*t))\"",
+        "to = 2\nstep = { first = 0.01, least = 0.01, tolerance = 1e-8 }",
+        &[
+            "largest error: position along x of node \"cart\", off by",
+            "the least step, 1.000e-2 s, is too long",
+            "let \"least\" be",
+        ],
+    ),
+    (
+        "[[spring]]\nnode = \"cart\"\nlaw = { kind = \"cubic\", stiffness = [100, 1, 1], \
+         cubic = [1e7, 1, 1] }",
+        "to = 1\nstep = { first = 0.05, least = 0.05, tolerance = 1 }\nnewton = { iterations = 2 }",
+        &[
+            "worst equation: force balance along x of node \"cart\", off by",
+            "was still coming nearer when its 2 iterations were used up",
+            "newton = { iterations = 15 }",
+        ],
+    ),
+    (
+        "[[load]]\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= if(place > 0.3, -1e5, 1)\"",
+        "to = 1\nstep = { first = 0.01, least = 0.002, tolerance = 1e-9 }",
+        &[
+            "a force or a stiffness jumps within the step",
+            "\"load 1\" acts on what it senses",
+        ],
+    ),
+    (
+        "[[load]]\nnode = \"cart\"\nforce = [1e100, 0, 0]",
+        "to = 1\nstep = 0.01",
+        &["a mass, a load or another number of the model is beyond reason"],
+    ),
+];
+
+#[test]
+fn failures_are_told_with_their_cause_and_what_to_try() {
+    let folder = Folder::new();
+    for (acting, asked, expected) in FAILURES {
+        folder.write(
+            "a.dynamics.toml",
+            &format!("{CART}{acting}\n[transient]\n{asked}\nredundant = \"remove\"\n"),
+        );
+        let run = folder.run(&["transient", "a.dynamics.toml"]);
+        assert_eq!(run.code, 1, "{acting}\n{}{}", run.out, run.err);
+        for part in *expected {
+            assert!(run.err.contains(part), "{acting}\n{part}\n{}", run.err);
+        }
+        assert!(run.err.contains("\n  help: "), "{}", run.err);
+    }
+}
+
+/// A pendulum.
+const BOB: &str = "units = \"SI\"
+[[node]]
+name = \"bob\"
+position = [1, 0, 0]
+[[body]]
+node = \"bob\"
+mass = 1
+inertia = [1, 1, 1]
+[[joint]]
+name = \"pin\"
+kind = \"spherical\"
+nodes = [\"bob\"]
+at = [0, 0, 0]
+[gravity]
+acceleration = [0, 0, -9.81]
+[transient]
+to = 1
+step = 0.01
+[output]
+every = 10
+[[output.column]]
+name = \"p\"
+quantity = \"position\"
+of = \"bob\"
+";
+
+/// A change of the pendulum, and what is told of it.
+const SLIPS: &[(&str, &str, &str)] = &[
+    (
+        "mass = 1",
+        "mass = nan",
+        ":7: \"mass\" is NaN, expected a mass, finite",
+    ),
+    (
+        "mass = 1",
+        "mass = \"NaN kg\"",
+        ":7: \"mass\" is the text \"NaN kg\"",
+    ),
+    (
+        "mass = 1",
+        "mass = -1",
+        ":7: \"mass\" is -1, expected a mass greater than zero",
+    ),
+    ("mass = 1", "mass = \"1 kgg\"", "did you mean \"kg\"?"),
+    (
+        "to = 1\n",
+        "from = 2\nto = 1\n",
+        "\"to\" is 1 s, expected later than \"from\", which is 2 s",
+    ),
+    (
+        "step = 0.01",
+        "step = -0.01",
+        "\"step\" is -0.01, expected a time greater than zero",
+    ),
+    (
+        "step = 0.01",
+        "step = 0",
+        "\"step\" is 0, expected a time greater than zero",
+    ),
+    (
+        "step = 0.01",
+        "step = 1e-12",
+        "the run would take 1e12 steps of 1e-12 s",
+    ),
+    (
+        "to = 1\nstep = 0.01\n[output]\nevery = 10",
+        "to = 1e6\nstep = 2e-3\n[output]",
+        "the run would write 5e8 rows of 4 numbers, some 56 GB",
+    ),
+    (
+        "every = 10",
+        "every = 10\nvtu = 1\ncsv = false\nnetcdf = false",
+        "accepted",
+    ),
+    ("to = 1\n", "to = 1e5\n", "accepted"),
+    (
+        "[transient]\n",
+        "[transient]\nevery = 10\n",
+        "did you mean \"every\" in [output]?",
+    ),
+    (
+        "[transient]\n",
+        "[transient]\ntolerance = 1\n",
+        "did you mean step = { first = ..., tolerance",
+    ),
+    (
+        "[[output.column]]",
+        "[[column]]",
+        "did you mean [[output.column]]?",
+    ),
+    (
+        "[[joint]]",
+        "[joint]",
+        "\"joint\" is a table, expected tables [[joint]]",
+    ),
+    ("[[joint]]", "[[joints]]", "did you mean \"joint\"?"),
+    (
+        "[gravity]",
+        "[sensor.a]\nquantity = \"position\"\n[gravity]",
+        "did you mean [sensors.NAME]?",
+    ),
+    (
+        "[gravity]",
+        "[[repeat]]\nname = \"r\"\ncount = 1000000\naxis = [0, 0, 1]\n\
+      [[repeat.node]]\nname = \"n\"\nposition = [1, 0, 0]\n[gravity]",
+        "the copies of \"r\" come to more than 200000 cards",
+    ),
+    (
+        "inertia = [1, 1, 1]\n",
+        "",
+        "a.dynamics.toml:3: node \"bob\" has no mass",
+    ),
+];
+
+#[test]
+fn slips_are_told_where_they_stand_and_nothing_else() {
+    let folder = Folder::new();
+    for (old, new, expected) in SLIPS {
+        assert!(BOB.contains(old), "{old}");
+        folder.write("a.dynamics.toml", &BOB.replace(old, new));
+        let run = folder.run(&["check", "a.dynamics.toml"]);
+        if *expected == "accepted" {
+            assert_eq!(run.code, 0, "{new}: {}", run.err);
+            continue;
+        }
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{new}: {}", run.err);
+        assert!(run.err.contains(expected), "{new}: {}", run.err);
+        assert!(run.err.matches("error:").count() <= 2, "{new}: {}", run.err);
+    }
+}
+
+// Line ends of another system, a mark of its encoding, no end of the last line, letters
+// that are no ASCII: the same numbers. A file without a word, and one that is no text.
+#[test]
+fn files_may_be_written_elsewhere() {
+    let folder = Folder::new();
+    let rows = |text: &str| {
+        folder.write("a.dynamics.toml", text);
+        let run = folder.run(&["transient", "a.dynamics.toml"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        folder.read("results/a.transient.csv")
+    };
+    let expected = rows(BOB);
+    for text in [
+        BOB.replace('\n', "\r\n"),
+        format!("\u{feff}{BOB}"),
+        BOB.trim_end().to_owned(),
+        BOB.replace("bob", "the b\u{f6}b of the pendulum"),
+    ] {
+        assert_eq!(rows(&text), expected, "{text}");
+    }
+    folder.write("a.dynamics.toml", "");
+    let run = folder.run(&["transient", "a.dynamics.toml"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("the file has no \"units\""), "{}", run.err);
+    std::fs::write(folder.path("a.dynamics.toml"), [0xff, 0xfe, 0]).unwrap();
+    let run = folder.run(&["transient", "a.dynamics.toml"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("not a text file"), "{}", run.err);
+}
