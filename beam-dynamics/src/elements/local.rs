@@ -98,9 +98,10 @@ impl LocalJacobian {
 
     /// Makes it zero again.
     pub fn clear(&mut self) {
-        self.by_unknowns.fill(0.0);
+        // As slices: in one stroke.
+        self.by_unknowns.as_mut_slice().fill(0.0);
         if self.touches_rates {
-            self.by_rates.fill(0.0);
+            self.by_rates.as_mut_slice().fill(0.0);
         }
         self.touches_rates = false;
     }

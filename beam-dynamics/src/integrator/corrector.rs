@@ -279,7 +279,7 @@ impl Corrector {
         self.matrix.combine(dae, weights);
         let combined = (meter.clock)();
         let pivotings = self.solver.counts().pivotings;
-        let factorized = self.solver.factorize(self.matrix.matrix());
+        let factorized = self.solver.factorize_taking(self.matrix.matrix_mut());
         meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
         let end = (meter.clock)();
         meter.counters.jacobians += 1;

@@ -39,8 +39,8 @@ pub(super) struct KeptLu {
     pivots: Pivots,
     row_scale: Vec<f64>,
     column_scale: Vec<f64>,
-    /// Scale of each entry.
-    scales: Vec<f64>,
+    /// The same scales in the order of elimination.
+    ordered_scales: [Vec<f64>; 2],
     structure: Structure,
     numbers: Numbers,
     /// Unknowns in the order of elimination.
@@ -68,15 +68,19 @@ impl KeptLu {
             .collect();
         let pivots = order::postordered(pattern, &pivots::choose(pattern, &scaled)?);
         let structure = Structure::new(pattern, &pivots);
+        let taken = |scale: &[f64], of: &[usize]| of.iter().map(|&line| scale[line]).collect();
         let mut lu = Self {
             numbers: Numbers::new(&structure),
             ordered: vec![0.0; pattern.size()],
             growth: f64::INFINITY,
             least_pivot: 0.0,
+            ordered_scales: [
+                taken(&row_scale, &pivots.rows),
+                taken(&column_scale, &pivots.columns),
+            ],
             pivots,
             row_scale,
             column_scale,
-            scales,
             structure,
         };
         let least = lu.compute(matrix)?;
@@ -94,7 +98,8 @@ impl KeptLu {
     fn compute(&mut self, matrix: &Sparse) -> Option<f64> {
         let matrix = Scaled {
             values: matrix.values(),
-            scales: &self.scales,
+            row_scales: &self.ordered_scales[0],
+            column_scales: &self.ordered_scales[1],
         };
         let growth = self.numbers.factorize(&self.structure, matrix)?;
         self.growth = growth.factor();

@@ -88,11 +88,19 @@ impl StepSolver {
 
     /// Factorizes `matrix`; `None` when it is singular or not finite.
     pub fn factorize(&mut self, matrix: &Sparse) -> Option<()> {
-        let last = std::mem::replace(&mut self.factors, Factors::None);
-        if matrix.values().iter().any(|value| !value.is_finite()) {
-            return None;
-        }
         self.matrix.values_mut().copy_from_slice(matrix.values());
+        self.factorize_own()
+    }
+
+    /// As [`Self::factorize`], without a copy: what stands in `matrix` afterwards is of no
+    /// use.
+    pub fn factorize_taking(&mut self, matrix: &mut Sparse) -> Option<()> {
+        std::mem::swap(&mut self.matrix, matrix);
+        self.factorize_own()
+    }
+
+    fn factorize_own(&mut self) -> Option<()> {
+        let last = std::mem::replace(&mut self.factors, Factors::None);
         if let Factors::Kept(mut lu) | Factors::Chosen(mut lu) = last
             && lu.factorize(&self.matrix).is_some()
         {
@@ -100,7 +108,11 @@ impl StepSolver {
             self.factors = Factors::Kept(lu);
             return Some(());
         }
-        self.choose_pivots()
+        let mut values = self.matrix.values().iter();
+        match values.all(|value| value.is_finite()) {
+            true => self.choose_pivots(),
+            false => None,
+        }
     }
 
     /// Forgets the last matrix and all that was kept of it, such as the order of its

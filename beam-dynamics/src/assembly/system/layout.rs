@@ -18,6 +18,10 @@ pub(super) struct Layout {
     pub room: usize,
     /// Whether the element hangs on rates.
     pub rates: bool,
+    /// The first node where the nodes follow each other.
+    pub consecutive: Option<usize>,
+    /// Number of nodes.
+    nodes: usize,
     /// Entries in the columns of nodes.
     of_nodes: Vec<Run>,
     /// Entries in the columns of multipliers.
@@ -57,19 +61,37 @@ impl Layout {
         pattern: &Pattern,
     ) -> Self {
         let columns_of_nodes = NODE_UNKNOWNS * nodes;
+        let firsts = || places[..columns_of_nodes].iter().step_by(NODE_UNKNOWNS);
+        let follows = |(at, first): (usize, &usize)| *first == places[0] + NODE_UNKNOWNS * at;
+        let consecutive = nodes > 0 && firsts().enumerate().all(follows);
         let runs = |columns| runs(&places, columns, jacobian.touched(), pattern);
         Self {
             of_nodes: runs(0..columns_of_nodes),
             of_multipliers: runs(columns_of_nodes..places.len()),
             room,
             rates: jacobian.touches_rates(),
+            consecutive: consecutive.then(|| places[0] / NODE_UNKNOWNS),
+            nodes,
             places,
         }
     }
 
     /// Adds a local vector to that of the system.
     pub fn add_vector(&self, local: &[f64], sum: &mut [f64]) {
-        for (&place, value) in self.places.iter().zip(local) {
+        let (of_nodes, of_multipliers) = local.split_at(NODE_UNKNOWNS * self.nodes);
+        let (values, _) = of_nodes.as_chunks::<NODE_UNKNOWNS>();
+        for (i, values) in values.iter().enumerate() {
+            let place = match self.consecutive {
+                Some(first) => NODE_UNKNOWNS * (first + i),
+                None => self.places[NODE_UNKNOWNS * i],
+            };
+            add_some::<NODE_UNKNOWNS>(&mut sum[place..], values, |sum, value| sum + value);
+        }
+        if of_multipliers.is_empty() {
+            return;
+        }
+        let places = &self.places[of_nodes.len()..];
+        for (&place, value) in places.iter().zip(of_multipliers) {
             sum[place] += value;
         }
     }
@@ -125,14 +147,32 @@ fn runs(
     runs
 }
 
+/// Most runs are one or two equations of a node long: for these the length is known when
+/// this is compiled.
 fn add_runs(runs: &[Run], weight: f64, local: &DMatrix<f64>, sum: &mut [f64]) {
     let local = local.as_slice();
     for run in runs {
         let (from, to, count) = (run.local as usize, run.place as usize, run.count as usize);
-        let values = local[from..from + count].iter();
-        for (sum, value) in sum[to..to + count].iter_mut().zip(values) {
-            *sum += weight * value;
+        let (values, sums) = (&local[from..from + count], &mut sum[to..to + count]);
+        let weighted = |sum: f64, value: f64| sum + weight * value;
+        match count {
+            3 => add_some::<3>(sums, values, weighted),
+            6 => add_some::<6>(sums, values, weighted),
+            _ => {
+                for (sum, value) in sums.iter_mut().zip(values) {
+                    *sum = weighted(*sum, *value);
+                }
+            }
         }
+    }
+}
+
+/// Adds the first N numbers.
+#[inline(always)]
+fn add_some<const N: usize>(sums: &mut [f64], values: &[f64], add: impl Fn(f64, f64) -> f64) {
+    if let (Some(sums), Some(values)) = (sums.first_chunk_mut::<N>(), values.first_chunk::<N>()) {
+        let old = *sums;
+        *sums = std::array::from_fn(|i| add(old[i], values[i]));
     }
 }
 

@@ -83,7 +83,8 @@ impl System {
         local
     }
 
-    /// What an element sees of a state, the motions of its nodes being copied to `motions`.
+    /// What an element sees of a state; the motions of its nodes are copied to `motions`
+    /// where they do not follow each other in the state.
     fn placed<'a>(
         &self,
         index: usize,
@@ -92,6 +93,10 @@ impl System {
         motions: &'a mut Vec<NodeMotion>,
     ) -> Local<'a> {
         let nodes = self.elements[index].nodes();
+        if let Some(first) = self.layouts[index].consecutive {
+            let motions = &state.nodes[first..first + nodes.len()];
+            return self.seen_by(index, motions, state, conditions);
+        }
         motions.clear();
         motions.extend(nodes.iter().map(|&node| state.nodes[node]));
         self.seen_by(index, motions, state, conditions)

@@ -49,9 +49,9 @@ impl StageMatrix {
         self.matrix.pattern()
     }
 
-    /// The matrix.
-    pub fn matrix(&self) -> &Sparse {
-        &self.matrix
+    /// The matrix; whatever is left in it, all of it is written when it is filled.
+    pub fn matrix_mut(&mut self) -> &mut Sparse {
+        &mut self.matrix
     }
 
     /// Fills the matrix at the present stages of the system; `weights` are those of the

@@ -15,6 +15,9 @@ use pulp::{Arch, Simd, WithSimd};
 
 use super::structure::{LANES, Panel, Strip, Structure};
 
+/// Rows that are computed at once.
+const ROWS: usize = 4;
+
 /// The numbers of one row in a strip.
 pub(super) type Lanes = [f64; LANES];
 
@@ -58,11 +61,13 @@ impl Growth {
     }
 }
 
-/// A matrix that is to be factorized: values, and the scale of each.
+/// A matrix that is to be factorized: values in the order of its pattern, scales in the
+/// order of elimination.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scaled<'a> {
     pub values: &'a [f64],
-    pub scales: &'a [f64],
+    pub row_scales: &'a [f64],
+    pub column_scales: &'a [f64],
 }
 
 impl Numbers {
@@ -77,7 +82,7 @@ impl Numbers {
         }
     }
 
-    /// Computes the factors; `None` when a pivot is zero or not finite.
+    /// Computes the factors; `None` when a pivot is zero, or a number not finite.
     pub fn factorize(&mut self, structure: &Structure, matrix: Scaled<'_>) -> Option<Growth> {
         self.growth = Growth {
             least_pivot: f64::INFINITY,
@@ -149,11 +154,37 @@ fn take<P: Product>(sum: &mut Lanes, factor: f64, row: &Lanes) {
     }
 }
 
+/// `x_r <- x_r - sum_j l_rj u_j` for some rows at once, which share the loads of u.
+#[inline(always)]
+fn below_segment<P: Product, const N: usize>(
+    columns: &mut [Lanes],
+    rows: [usize; N],
+    lower: [&[f64]; N],
+    upper: &[Lanes],
+) {
+    let lower = lower.map(|row| &row[..upper.len()]);
+    let mut sums = rows.map(|row| columns[row]);
+    for (j, u) in upper.iter().enumerate() {
+        for (sum, row) in sums.iter_mut().zip(&lower) {
+            take::<P>(sum, row[j], u);
+        }
+    }
+    for (row, sum) in rows.into_iter().zip(sums) {
+        columns[row] = sum;
+    }
+}
+
 #[inline(always)]
 fn enlarge(largest: &mut Lanes, row: &Lanes) {
     for lane in 0..LANES {
-        largest[lane] = largest[lane].max(row[lane].abs());
+        largest[lane] = greater(largest[lane], row[lane].abs());
     }
+}
+
+/// The greater of two numbers, the first where the second is none: one instruction.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
 }
 
 fn largest(of: &Lanes) -> f64 {
@@ -164,8 +195,10 @@ impl Elimination<'_> {
     #[inline(always)]
     fn run<P: Product>(self) -> bool {
         let mut sizes = [[0.0; LANES]; 2];
+        let mut loaded = [[0.0; LANES]; 2];
         for strip in &self.structure.strips {
-            self.numbers.load(strip, self.matrix);
+            self.numbers
+                .load(self.structure, strip, self.matrix, &mut loaded);
             self.numbers
                 .above::<P>(self.structure, strip, &mut sizes[0]);
             let panel = &self.structure.panels[strip.panel];
@@ -173,24 +206,51 @@ impl Elimination<'_> {
                 return false;
             }
         }
+        self.numbers.growth.matrix = largest(&loaded[0]);
         self.numbers.growth.upper = largest(&sizes[0]);
         self.numbers.growth.lower = largest(&sizes[1]);
-        true
+        // Numbers that are infinite or none have left none there.
+        loaded[1] == [0.0; LANES]
     }
 }
 
 impl Numbers {
-    /// The columns of the matrix.
+    /// The columns of the matrix; `sums` are zero as long as all its numbers are finite.
     #[inline(always)]
-    fn load(&mut self, strip: &Strip, matrix: Scaled<'_>) {
-        let mut largest = self.growth.matrix;
-        for entry in &strip.entries {
-            let place = entry.place as usize;
-            let value = matrix.values[place] * matrix.scales[place];
-            largest = largest.max(value.abs());
-            self.columns[entry.row as usize][entry.lane as usize] = value;
+    fn load(
+        &mut self,
+        structure: &Structure,
+        strip: &Strip,
+        matrix: Scaled<'_>,
+        [sizes, sums]: &mut [Lanes; 2],
+    ) {
+        let (first, end) = strip.columns;
+        let scales = &matrix.column_scales[first..end];
+        for (lane, (column, scale)) in strip.entries.iter().zip(scales).enumerate() {
+            let [place, first, count] =
+                [column.place, column.first, column.count].map(|number| number as usize);
+            let values = &matrix.values[place..place + count];
+            let rows = &structure.rows[first..first + count];
+            let (values, last_values) = values.as_chunks::<LANES>();
+            let (rows, last_rows) = rows.as_chunks::<LANES>();
+            for (values, rows) in values.iter().zip(rows) {
+                let rows = rows.map(|row| row as usize);
+                let scaled: Lanes =
+                    std::array::from_fn(|i| values[i] * scale * matrix.row_scales[rows[i]]);
+                enlarge(sizes, &scaled);
+                for i in 0..LANES {
+                    sums[i] += 0.0 * values[i];
+                    self.columns[rows[i]][lane] = scaled[i];
+                }
+            }
+            for (value, row) in last_values.iter().zip(last_rows) {
+                let row = *row as usize;
+                let scaled = value * scale * matrix.row_scales[row];
+                sizes[0] = greater(sizes[0], scaled.abs());
+                sums[0] += 0.0 * value;
+                self.columns[row][lane] = scaled;
+            }
         }
-        self.growth.matrix = largest;
     }
 
     /// Rows of U above the strip, and what they take from the rows below.
@@ -213,14 +273,20 @@ impl Numbers {
                 enlarge(size, &sum);
                 upper[p] = sum;
             }
-            let rows = lower[to * width..].chunks_exact(width);
-            for (row, values) in panel.rows[to..].iter().zip(rows) {
-                let x = &mut self.columns[*row as usize];
-                let mut sum = *x;
-                for (l, u) in values[from..to].iter().zip(upper.iter()) {
-                    take::<P>(&mut sum, *l, u);
-                }
-                *x = sum;
+            let below = &lower[to * width..];
+            let rows = &panel.rows[to..];
+            let quads = rows.chunks_exact(ROWS);
+            let rest = quads.remainder();
+            let (of_quads, of_rest) = below.split_at((rows.len() - rest.len()) * width);
+            for (rows, values) in quads.zip(of_quads.chunks_exact(ROWS * width)) {
+                let rows = std::array::from_fn(|i| rows[i] as usize);
+                let first: [_; ROWS] =
+                    std::array::from_fn(|i| &values[i * width + from..i * width + to]);
+                below_segment::<P, ROWS>(&mut self.columns, rows, first, upper);
+            }
+            for (row, values) in rest.iter().zip(of_rest.chunks_exact(width)) {
+                let row = [*row as usize];
+                below_segment::<P, 1>(&mut self.columns, row, [&values[from..to]], upper);
             }
         }
     }
@@ -240,30 +306,56 @@ impl Numbers {
         let lower = &mut self.lower[panel.values..panel.values + panel.rows.len() * width];
         // Rows of U right of the diagonal, and inverse pivots; zero where there are none.
         let (mut upper, mut inverse) = ([[0.0; LANES]; LANES], [0.0; LANES]);
-        let rows = lower[from * width..].chunks_exact_mut(width);
-        for (d, (row, values)) in panel.rows[from..].iter().zip(rows).enumerate() {
+        let (of_diagonal, below) = lower[from * width..].split_at_mut(count * width);
+        let (rows, rows_below) = panel.rows[from..].split_at(count);
+        for (d, (row, values)) in rows
+            .iter()
+            .zip(of_diagonal.chunks_exact_mut(width))
+            .enumerate()
+        {
             let mut x = std::mem::replace(&mut self.columns[*row as usize], [0.0; LANES]);
-            for j in 0..d.min(count) {
-                x[j] *= inverse[j];
-                lower_size[j] = lower_size[j].max(x[j].abs());
-                let factor = x[j];
-                take::<P>(&mut x, factor, &upper[j]);
+            for j in 0..d {
+                divide::<P>(&mut x, j, &inverse, &upper, lower_size);
             }
             values[from..from + count].copy_from_slice(&x[..count]);
-            if d < count {
-                if x[d] == 0.0 || !x[d].is_finite() {
-                    return false;
-                }
-                self.growth.least_pivot = self.growth.least_pivot.min(x[d].abs());
-                inverse[d] = 1.0 / x[d];
-                self.inverse_pivots[strip.columns.0 + d] = inverse[d];
-                for lane in d..count {
-                    upper_size[d] = upper_size[d].max(x[lane].abs());
-                    upper[d][lane] = x[lane];
-                }
-                upper[d][d] = 0.0;
+            if x[d] == 0.0 || !x[d].is_finite() {
+                return false;
+            }
+            self.growth.least_pivot = self.growth.least_pivot.min(x[d].abs());
+            inverse[d] = 1.0 / x[d];
+            self.inverse_pivots[strip.columns.0 + d] = inverse[d];
+            for lane in d..count {
+                upper_size[d] = greater(upper_size[d], x[lane].abs());
+                upper[d][lane] = x[lane];
+            }
+            upper[d][d] = 0.0;
+        }
+        for (row, values) in rows_below.iter().zip(below.chunks_exact_mut(width)) {
+            let mut x = std::mem::replace(&mut self.columns[*row as usize], [0.0; LANES]);
+            // Where the strip has fewer columns, all that belongs to the others is zero.
+            for j in 0..LANES {
+                divide::<P>(&mut x, j, &inverse, &upper, lower_size);
+            }
+            match count == LANES {
+                true => values[from..from + LANES].copy_from_slice(&x),
+                false => values[from..from + count].copy_from_slice(&x[..count]),
             }
         }
         true
     }
+}
+
+/// `l_j = x_j / u_jj`, and what it takes from the columns after j.
+#[inline(always)]
+fn divide<P: Product>(
+    x: &mut Lanes,
+    j: usize,
+    inverse: &Lanes,
+    upper: &[Lanes; LANES],
+    size: &mut Lanes,
+) {
+    x[j] *= inverse[j];
+    size[j] = greater(size[j], x[j].abs());
+    let factor = x[j];
+    take::<P>(x, factor, &upper[j]);
 }

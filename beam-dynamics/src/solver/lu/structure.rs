@@ -34,15 +34,15 @@ pub(super) struct Panel {
 }
 
 /// Some columns of a panel, which are computed together.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Strip {
     /// First column, and the one after the last.
     pub columns: (usize, usize),
     pub panel: usize,
     /// Rows of U above the strip.
     pub segments: Vec<Segment>,
-    /// Entries of the matrix.
-    pub entries: Vec<Entry>,
+    /// Its columns in the matrix.
+    pub entries: [Column; LANES],
 }
 
 /// Consecutive rows of U, which belong to one panel.
@@ -55,15 +55,14 @@ pub(super) struct Segment {
     pub values: usize,
 }
 
-/// An entry of the matrix in a strip.
+/// Entries of a column of the matrix, which follow each other in its pattern.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Entry {
-    /// Place in the pattern of the matrix.
+pub(super) struct Column {
+    /// First entry in the pattern of the matrix.
     pub place: u32,
-    /// Row in the order of elimination.
-    pub row: u32,
-    /// Column within the strip.
-    pub lane: u32,
+    /// First entry among the rows of the structure.
+    pub first: u32,
+    pub count: u32,
 }
 
 /// The pattern of the factors.
@@ -71,6 +70,9 @@ pub(super) struct Entry {
 pub(super) struct Structure {
     pub panels: Vec<Panel>,
     pub strips: Vec<Strip>,
+    /// Row of each entry of the matrix in the order of elimination, strip by strip and
+    /// column by column.
+    pub rows: Vec<u32>,
     /// Numbers in all panels.
     pub panel_values: usize,
     /// Lanes in all segments.
@@ -149,11 +151,23 @@ impl Structure {
                         self.segment_values += rows.1 - rows.0;
                     }
                 }
+                let entries = std::array::from_fn(|lane| {
+                    let column = permuted.columns.get(columns.0 + lane);
+                    let column = column.filter(|_| columns.0 + lane < columns.1);
+                    let entries = column.map_or(&[][..], |column| &column[..]);
+                    let first = self.rows.len() as u32;
+                    self.rows.extend(entries.iter().map(|entry| entry.0 as u32));
+                    Column {
+                        place: entries.first().map_or(0, |entry| entry.1 as u32),
+                        first,
+                        count: entries.len() as u32,
+                    }
+                });
                 self.strips.push(Strip {
                     columns,
                     panel: index,
                     segments,
-                    entries: permuted.entries(columns),
+                    entries,
                 });
                 first = columns.1;
             }
@@ -185,18 +199,6 @@ impl Permuted {
         Self {
             columns: pivots.columns.iter().map(column).collect(),
         }
-    }
-
-    fn entries(&self, (first, end): (usize, usize)) -> Vec<Entry> {
-        let of_column = |k: usize| {
-            let entries = self.columns[k].iter();
-            entries.map(move |&(row, place)| Entry {
-                place: place as u32,
-                row: row as u32,
-                lane: (k - first) as u32,
-            })
-        };
-        (first..end).flat_map(of_column).collect()
     }
 }
 
