@@ -195,11 +195,12 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
     // They have been declared.
     let _ = (root.has("units"), root.has("parameters"));
-    let properties = properties::read(&root);
+    let drives = drives::read_named(&root);
+    let properties = properties::read(&root, &drives);
     let hub = hub::read(&root);
 
     let mut draft = Draft::new(properties, hub);
-    draft.set_drives(drives::read_named(&root));
+    draft.set_drives(drives);
     draft.set_frames(frames::read(&root));
     hub_support::add(&root, &mut draft);
     nodes::read(&root, &mut draft);

@@ -13,7 +13,7 @@ use super::joints::{Hinge, HingeSpring};
 use super::laws::{Cubic, Law, LawKind};
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
 use super::{Element, Energy, Local, LocalResidual};
-use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion};
+use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion};
 
 const STEP: f64 = 1e-5;
 
@@ -204,7 +204,13 @@ fn energy_of_springs() {
         offset: Vector3::new(0.1, 0.3, -0.2),
     });
     for measure in [Measure::Strain, Measure::Elongation] {
-        let rod = Rod::new("rod", ends, &nodes, Some(0.7), (measure, cubic()));
+        let rod = Rod::new(
+            "rod",
+            ends,
+            &nodes,
+            Some(Drive::Constant(0.7)),
+            (measure, cubic()),
+        );
         check_stored(&rod, &nodes);
     }
     for law in [

@@ -19,7 +19,9 @@ use super::loads::{
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::{Conditions, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable};
+use crate::model::{
+    Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable,
+};
 
 mod sensing;
 
@@ -336,6 +338,8 @@ fn hinge_with_offsets_spring_and_damper() {
         let undeformed = [&nodes[0], &nodes[1]];
         let hinge = Hinge::new("hinge", [0, 1], undeformed, &position, &axis, spring);
         check(&hinge, &nodes, &mut random);
+        let driven = hinge.relaxed_by(samples::drive(0.3));
+        check(&driven, &nodes, &mut random);
     }
 }
 
@@ -456,8 +460,10 @@ fn rods_between_nodes_and_from_the_frame() {
     {
         let law = || (measure, law.clone());
         let between = [end(0, &mut random), end(1, &mut random)];
-        let rod = Rod::new("rod", between, &nodes, Some(0.8), law());
-        check(&rod, &nodes, &mut random);
+        for relaxed in [Drive::Constant(0.8), samples::drive(0.8)] {
+            let rod = Rod::new("rod", between, &nodes, Some(relaxed), law());
+            check(&rod, &nodes, &mut random);
+        }
         let frame = End::Frame { position };
         for ends in [[frame, end(0, &mut random)], [end(0, &mut random), frame]] {
             let rod = Rod::new("rod to the frame", ends, &nodes, None, law());

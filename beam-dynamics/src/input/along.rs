@@ -31,7 +31,7 @@ impl Along {
         Self {
             stiffness: [properties.stiffness; 2],
             damping: properties.damping.map(|damping| [damping; 2]),
-            law: None,
+            law: properties.law.clone(),
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
             length: None,
@@ -64,10 +64,11 @@ impl Along {
     /// A law, and the mass of the properties; none without them.
     pub fn of_law(law: Law<6>, properties: Option<&Properties>) -> Self {
         let zero = Matrix6::zeros();
-        let of_mass = properties.copied().unwrap_or(Properties {
+        let of_mass = properties.cloned().unwrap_or(Properties {
             stiffness: zero,
             mass: zero,
             damping: None,
+            law: None,
         });
         Self {
             law: Some(law),
@@ -118,6 +119,7 @@ mod tests {
             stiffness: unit,
             mass: 7.0 * unit,
             damping: None,
+            law: None,
         };
         let constant = Along::constant(&properties);
         for xi in [-1.0, 0.0, 0.3, 1.0] {

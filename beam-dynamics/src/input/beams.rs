@@ -9,6 +9,7 @@ use shared_geom::units::Dimension;
 use super::along::Along;
 use super::beam_check::BeamCheck;
 use super::draft::{Beam, Draft, Inertia};
+use super::drives::Catalog;
 use super::laws::{self, Components, LawProblem};
 use super::problem::InputProblem;
 use super::properties::Properties;
@@ -61,10 +62,10 @@ fn along(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Along> {
         false => None,
     };
     if table.has("law") {
+        let is_named = properties.is_some();
         let known = properties.flatten();
-        let law = law(table, draft, words, known.as_ref())?;
-        return (properties.is_none() || known.is_some())
-            .then(|| Along::of_law(law, known.as_ref()));
+        let law = law(table, draft.drives(), words, known.as_ref())?;
+        return (!is_named || known.is_some()).then(|| Along::of_law(law, known.as_ref()));
     }
     if properties.is_none() {
         let _ = table.require_text("properties", "the name of properties");
@@ -72,16 +73,16 @@ fn along(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Along> {
     Some(Along::constant(&properties??))
 }
 
-/// The law of a beam, which must hold it together: no rest of the program knows what a
+/// The law of a beam, or of properties, which must hold it together: no rest of the program knows what a
 /// beam is that can come apart.
-fn law(
+pub(super) fn law(
     table: &Table<'_>,
-    draft: &Draft,
+    drives: &Catalog,
     words: &str,
     properties: Option<&Properties>,
 ) -> Option<Law<6>> {
     let of = Components::section(properties.map(|found| found.stiffness));
-    let law = laws::read(table, "law", &of, draft)?;
+    let law = laws::read(table, "law", &of, drives)?;
     let stiffness = law.stiffness_at_rest();
     let least = least_eigenvalue(&stiffness);
     if least.is_nan() || least <= SOFT {

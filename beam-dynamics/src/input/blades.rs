@@ -90,7 +90,7 @@ fn card(table: &Table<'_>, draft: &mut Draft, places: Option<&seats::Places>) ->
     };
     let seats = seats::read(table, draft, places);
     let inertia = Inertia::read(table);
-    let root = root(table, &name);
+    let root = root(table, &name, draft);
     let masses = masses::read(table);
     let source = source::read(table, draft, &name)?;
     let (laid, masses) = lay(&source, &masses?, table)?;
@@ -122,9 +122,9 @@ fn lay(
     Some((laid, masses))
 }
 
-fn root(table: &Table<'_>, name: &str) -> Option<Root> {
+fn root(table: &Table<'_>, name: &str, draft: &Draft) -> Option<Root> {
     let hinges = match table.has("hinges") {
-        true => Some(hinges::read(table)?),
+        true => Some(hinges::read(table, draft.drives())?),
         false => None,
     };
     if !table.has("clamp_root") {

@@ -13,6 +13,7 @@ use super::along::Along;
 use super::drives;
 use super::frames::Frames;
 use super::hub::Hub;
+use super::joints::HingeCard;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
 use super::sensors::Sensors;
@@ -23,7 +24,7 @@ use crate::elements::beams::{
     BeamGeometry, BeamInertia, ElasticBeam, LawBeam, ViscousBeam, lumped_bodies,
 };
 use crate::elements::bodies::{RigidBody, RigidInertia};
-use crate::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
+use crate::elements::joints::{Clamp, Hinge, RigidConnection};
 use crate::model::{Drive, Node};
 
 mod blades;
@@ -307,10 +308,13 @@ impl Draft {
         label: &str,
         nodes: [usize; 2],
         (position, axis): (Vector3<f64>, Vector3<f64>),
-        spring: HingeSpring,
+        card: &HingeCard,
     ) {
         let ends = nodes.map(|node| &self.nodes[node]);
-        let hinge = Hinge::new(label, nodes, ends, &position, &axis, spring);
+        let mut hinge = Hinge::new(label, nodes, ends, &position, &axis, card.spring);
+        if let Some(angle) = &card.relaxed {
+            hinge = hinge.relaxed_by(angle.clone());
+        }
         self.add_joint(boxed(hinge));
     }
 

@@ -235,3 +235,36 @@ fn damping_of_properties_is_a_time_or_a_matrix() {
     let indefinite = indefinite.unwrap_err();
     assert!(indefinite.contains("positive semidefinite"), "{indefinite}");
 }
+
+// The stiffness of the properties and a damper beside it: the viscosity is that of the same
+// matrix, the stiffness that of the properties; not both ways at once.
+#[test]
+fn properties_carry_a_law_as_a_sum() {
+    let slope = -0.5 - 1.0 / 3.0_f64.sqrt();
+    let law = "law = [{ kind = \"section\" }, \
+               { kind = \"viscous\", viscosity = [5, 0, 0, 0, 0, 0] }]\n";
+    let nodes = NODES.replace("[[node]]\nname = \"mast\"\nposition = [-1, 0, 0]\n", "");
+    let rest = format!("{nodes}[[clamp]]\nnode = \"tip\"\n");
+    let [plain, damped] = ["", law].map(|law| input(&format!("{law}{rest}")).unwrap());
+    let viscosity = entry(&damped, 6, 0, true);
+    assert!(
+        (viscosity / (slope * 5.0) - 1.0).abs() < 1e-12,
+        "{viscosity}"
+    );
+    for column in 0..6 {
+        let [expected, found] = [&plain, &damped].map(|input| entry(input, 6, column, false));
+        assert!(
+            (found - expected).abs() <= 1e-12 * expected.abs(),
+            "{column}"
+        );
+    }
+    let both = input(&format!("{law}damping = {{ time = 1 }}\n{rest}")).unwrap_err();
+    assert!(
+        both.contains("\"law\"") && both.contains("\"damping\""),
+        "{both}"
+    );
+    let soft = law.replace("{ kind = \"section\" }, ", "");
+    let soft = input(&format!("{soft}{rest}")).unwrap_err();
+    let expected = "properties \"strip\": the law has no positive definite stiffness";
+    assert!(soft.contains(expected), "{soft}");
+}

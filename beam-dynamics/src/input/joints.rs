@@ -5,10 +5,12 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
+use super::drives::{self, Catalog};
 use super::ends::{label, pair};
 use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::elements::joints::HingeSpring;
+use crate::model::Drive;
 
 mod kinds;
 mod problem;
@@ -31,7 +33,7 @@ pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
             true => table.vector("offset", Dimension::LENGTH),
             false => Some(Vector3::zeros()),
         };
-        let spring = spring(table);
+        let spring = spring(table, draft.drives());
         let in_node = match table.has("axis_in") {
             true => table.word("axis_in", &["model", "node"]),
             false => Some(0),
@@ -47,7 +49,7 @@ pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
                     0 => frame.direction(&axis),
                     _ => outer.rotation * axis,
                 };
-                draft.add_hinge(&label, nodes, (position, axis), spring);
+                draft.add_hinge(&label, nodes, (position, axis), &spring);
             }
             _ => draft.note_broken(),
         }
@@ -83,8 +85,17 @@ fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
     Some(axis / largest)
 }
 
+/// Spring and damper of a hinge as a card means them.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct HingeCard {
+    /// The spring, with the relaxed angle where that does not change.
+    pub spring: HingeSpring,
+    /// The relaxed angle where it changes \[rad\].
+    pub relaxed: Option<Drive>,
+}
+
 /// Spring and damper of a hinge: `stiffness`, `damping`, `angle`.
-pub(super) fn spring(table: &Table<'_>) -> Option<HingeSpring> {
+pub(super) fn spring(table: &Table<'_>, drives: &Catalog) -> Option<HingeCard> {
     let number = |key: &str, dimension: Dimension| match table.has(key) {
         true => not_negative(table, key, dimension),
         false => Some(0.0),
@@ -92,10 +103,11 @@ pub(super) fn spring(table: &Table<'_>) -> Option<HingeSpring> {
     let stiffness = number("stiffness", Dimension::MOMENT);
     let damping = number("damping", Dimension::TURNING_DAMPER);
     let angle = match table.has("angle") {
-        true => table.quantity("angle", Dimension::ANGLE),
-        false => Some(0.0),
+        true => drives::read(table, "angle", Dimension::ANGLE, drives),
+        false => Some(Drive::Constant(0.0)),
     };
-    if let Some(found) = angle.map(f64::to_degrees)
+    let constant = angle.as_ref().and_then(Drive::constant);
+    if let Some(found) = constant.map(f64::to_degrees)
         && found.abs() >= 180.0
     {
         table.note("angle", &InputProblem::HalfTurn { found });
@@ -105,9 +117,15 @@ pub(super) fn spring(table: &Table<'_>) -> Option<HingeSpring> {
         table.note("angle", &InputProblem::NoSpring);
         return None;
     }
-    Some(HingeSpring {
+    let angle = angle?;
+    let (angle, relaxed) = match constant {
+        Some(constant) => (constant, None),
+        None => (0.0, Some(angle)),
+    };
+    let spring = HingeSpring {
         stiffness: stiffness?,
         damping: damping?,
-        angle: angle?,
-    })
+        angle,
+    };
+    Some(HingeCard { spring, relaxed })
 }

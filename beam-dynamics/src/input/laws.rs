@@ -5,8 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
-use super::drives;
+use super::drives::{self, Catalog};
 use crate::elements::laws::{Driven, Law, Term};
 use crate::model::Drive;
 
@@ -107,7 +106,7 @@ pub(super) fn read<const N: usize>(
     table: &Table<'_>,
     key: &str,
     of: &Components<N>,
-    draft: &Draft,
+    drives: &Catalog,
 ) -> Option<Law<N>> {
     let tables = match table.is_list(key) {
         true => table.tables(key),
@@ -118,15 +117,19 @@ pub(super) fn read<const N: usize>(
         return None;
     }
     // Every term is read, so that each wrong one is told.
-    let terms: Vec<_> = tables.iter().map(|table| term(table, of, draft)).collect();
+    let terms: Vec<_> = tables.iter().map(|table| term(table, of, drives)).collect();
     let terms: Option<Vec<_>> = terms.into_iter().collect();
     Some(Law::sum(terms?))
 }
 
-fn term<const N: usize>(table: &Table<'_>, of: &Components<N>, draft: &Draft) -> Option<Term<N>> {
+fn term<const N: usize>(
+    table: &Table<'_>,
+    of: &Components<N>,
+    drives: &Catalog,
+) -> Option<Term<N>> {
     let kind = kinds::read(table, of);
-    let prestrain = driven(table, ["prestrain", "prestrain_drive"], &of.strain, draft);
-    let prestress = driven(table, ["prestress", "prestress_drive"], &of.force, draft);
+    let prestrain = driven(table, ["prestrain", "prestrain_drive"], &of.strain, drives);
+    let prestress = driven(table, ["prestress", "prestress_drive"], &of.force, drives);
     if kinds::is_known(table) {
         table.finish();
     }
@@ -171,7 +174,7 @@ fn driven<const N: usize>(
     table: &Table<'_>,
     [key, drive_key]: [&'static str; 2],
     dimensions: &[Dimension; N],
-    draft: &Draft,
+    drives: &Catalog,
 ) -> Option<Option<Driven<N>>> {
     if !table.has(key) {
         if table.has(drive_key) {
@@ -182,7 +185,7 @@ fn driven<const N: usize>(
     }
     let vector = numbers::vector(table, key, dimensions);
     let drive = match table.has(drive_key) {
-        true => drives::read(table, drive_key, Dimension::NUMBER, draft.drives()),
+        true => drives::read(table, drive_key, Dimension::NUMBER, drives),
         false => Some(Drive::Constant(1.0)),
     };
     let vector: SVector<f64, N> = vector?;

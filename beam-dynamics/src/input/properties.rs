@@ -8,15 +8,17 @@ use shared_geom::document::Table;
 use shared_geom::files::names_beside;
 use shared_geom::section::{self, Damping, SectionProperties};
 
-use super::damping;
 use super::in_place::{self, KEYS};
+use super::laws::LawProblem;
 use super::problem::InputProblem;
+use super::{beams, damping, drives};
+use crate::elements::laws::Law;
 
 /// Ending of the names of property files.
 const PROPERTY_FILE: &str = ".properties.json";
 
 /// What a beam needs of its section, in section axes about the reference line.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Properties {
     /// 6x6 stiffness \[N, N m, N m^2\].
     pub stiffness: Matrix6<f64>,
@@ -24,6 +26,8 @@ pub(super) struct Properties {
     pub mass: Matrix6<f64>,
     /// 6x6 viscosity; `None` without internal damping \[N s, N m s, N m^2 s\].
     pub damping: Option<Matrix6<f64>>,
+    /// Law in place of stiffness and viscosity; `None` for these.
+    pub law: Option<Law<6>>,
 }
 
 /// The properties of an input by name; those that are wrong are `None`.
@@ -35,7 +39,7 @@ pub(super) struct Catalog {
 }
 
 /// Reads every `[properties.NAME]`.
-pub(super) fn read(root: &Table<'_>) -> Catalog {
+pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
     let tables = root.named_tables("properties");
     let mut catalog = Catalog::default();
     for (name, table) in tables {
@@ -43,8 +47,11 @@ pub(super) fn read(root: &Table<'_>) -> Catalog {
             true => from_file(&name, &table),
             false => in_place::read(&name, &table),
         };
+        let properties = with_law(&name, properties, &table, drives);
         table.finish();
-        let remark = properties.and_then(|found| section_remark(&found.stiffness, &found.mass));
+        let remark = properties
+            .as_ref()
+            .and_then(|found| section_remark(&found.stiffness, &found.mass));
         let remark = remark.map(|remark| format!("properties \"{name}\": {remark}"));
         catalog.remarks.extend(remark);
         catalog.named.push((name, properties));
@@ -66,8 +73,32 @@ impl Catalog {
             };
             table.note("properties", &problem);
         }
-        found?.1
+        found?.1.clone()
     }
+}
+
+/// The properties with the law of their table, if it has one.
+fn with_law(
+    name: &str,
+    properties: Option<Properties>,
+    table: &Table<'_>,
+    drives: &drives::Catalog,
+) -> Option<Properties> {
+    if !table.has("law") {
+        return properties;
+    }
+    if table.has("damping") {
+        let (first, second) = ("law", "damping");
+        table.note(second, &LawProblem::Twice { first, second });
+        return None;
+    }
+    let words = format!("properties \"{name}\"");
+    let properties = properties?;
+    let law = beams::law(table, drives, &words, Some(&properties))?;
+    Some(Properties {
+        law: Some(law),
+        ..properties
+    })
 }
 
 fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
@@ -155,5 +186,6 @@ pub(super) fn usable(
             Damping::StiffnessProportional(time) => *time * properties.stiffness,
             Damping::Viscous(matrix) => *matrix,
         }),
+        law: None,
     })
 }

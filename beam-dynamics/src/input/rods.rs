@@ -4,11 +4,11 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
-use super::ends;
 use super::laws::{self, Components, LawProblem};
+use super::{drives, ends};
 use crate::elements::Element;
 use crate::elements::springs::{End, Measure, Rod};
-use crate::model::NodeMotion;
+use crate::model::{Drive, NodeMotion};
 
 /// Part of the largest coordinate below which a length counts as none: digits lost in the
 /// input.
@@ -45,16 +45,14 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
         false => Some(0),
     };
     let relaxed = match table.has("length") {
-        true => table
-            .require_positive("length", Dimension::LENGTH)
-            .map(Some),
+        true => length(table, draft).map(Some),
         false => Some(None),
     };
     let of = match measure {
         Some(1) => Components::ELONGATION,
         _ => Components::STRAIN,
     };
-    let law = laws::read(table, "law", &of, draft);
+    let law = laws::read(table, "law", &of, draft.drives());
     let measure = [Measure::Strain, Measure::Elongation][measure?];
     let (ends, relaxed, law) = (ends?, relaxed?, law?);
     let rod = Rod::new(label, ends, draft.nodes(), relaxed, (measure, law));
@@ -65,6 +63,16 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
         return None;
     }
     Some(rod)
+}
+
+/// The relaxed length: a drive that is above zero as far as it is known here.
+fn length(table: &Table<'_>, draft: &Draft) -> Option<Drive> {
+    let length = drives::read_motion(table, "length", Dimension::LENGTH, draft.drives())?;
+    if length.at(0.0).value <= 0.0 {
+        table.wrong("length", "a length greater than zero at all times");
+        return None;
+    }
+    Some(length)
 }
 
 /// The largest coordinate of the ends \[m\].

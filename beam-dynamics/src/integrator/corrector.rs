@@ -297,8 +297,7 @@ impl Corrector {
 
     /// Why the Jacobian was not factorized.
     fn why_singular(&self) -> Reason {
-        let mut values = self.matrix.matrix().values().iter();
-        match values.all(|value| value.is_finite()) {
+        match self.solver.is_finite() {
             true => Reason::Singular,
             false => Reason::NotFinite,
         }

@@ -108,11 +108,15 @@ impl StepSolver {
             self.factors = Factors::Kept(lu);
             return Some(());
         }
-        let mut values = self.matrix.values().iter();
-        match values.all(|value| value.is_finite()) {
+        match self.is_finite() {
             true => self.choose_pivots(),
             false => None,
         }
+    }
+
+    /// Whether all entries of the last matrix are finite numbers.
+    pub fn is_finite(&self) -> bool {
+        self.matrix.values().iter().all(|value| value.is_finite())
     }
 
     /// Forgets the last matrix and all that was kept of it, such as the order of its

@@ -8,8 +8,10 @@
 //! u_a . h_b = 0,   v_a . h_b = 0                                multipliers: moment
 //!
 //! phi  = atan2(v_a . u_b, u_a . u_b)          phi' = h_a . (omega_b - omega_a)
-//! M    = k (phi - phi_0) + c phi'             on b: -M h_a,   on a: +M h_a
+//! M    = k (phi - phi_0(t)) + c phi'          on b: -M h_a,   on a: +M h_a
 //! ```
+//!
+//! phi - phi_0 is taken between minus and plus half a turn: phi_0 may be driven any way round.
 //!
 //! Variations, with s = v_a . u_b and c = u_a . u_b:
 //!
@@ -29,6 +31,8 @@
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
@@ -39,7 +43,7 @@ use crate::elements::{
     Motion, Observations, prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
-use crate::model::{Node, NodeMotion, Variable};
+use crate::model::{Drive, Node, NodeMotion, Variable};
 
 /// Spring and damper of a hinge.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -59,6 +63,8 @@ pub struct Hinge {
     /// The axis in the undeformed model.
     axis: Vector3<f64>,
     spring: HingeSpring,
+    /// Where the relaxed angle changes, what it is [rad].
+    relaxed: Option<Drive>,
 }
 
 /// The hinge at a state.
@@ -90,7 +96,23 @@ impl Hinge {
             joint: ConstraintJoint::revolute(label, &ends, &at, None),
             axis: axes.column(0).into_owned(),
             spring,
+            relaxed: None,
         }
+    }
+
+    /// The same with a spring whose relaxed angle follows a drive [rad].
+    pub fn relaxed_by(self, angle: Drive) -> Self {
+        Self {
+            relaxed: Some(angle),
+            ..self
+        }
+    }
+
+    /// Angle from that of the relaxed spring, at most half a turn.
+    fn turned(&self, state: &State, time: f64) -> f64 {
+        let driven = self.relaxed.as_ref().map(|drive| drive.at(time).value);
+        let apart = state.angle() - driven.unwrap_or(self.spring.angle);
+        apart - TAU * (apart / TAU).round()
     }
 
     fn state(&self, nodes: &[NodeMotion]) -> State {
@@ -107,16 +129,14 @@ impl Hinge {
     }
 
     /// Moment of spring and damper, positive where it drives the angle back \[N m\].
-    fn moment(&self, state: &State) -> f64 {
+    fn moment(&self, state: &State, time: f64) -> f64 {
         let HingeSpring {
-            stiffness,
-            damping,
-            angle,
+            stiffness, damping, ..
         } = self.spring;
         let mut moment = 0.0;
         // A free hinge may stand at any angle, also where the angle has no value.
         if stiffness != 0.0 {
-            moment += stiffness * (state.angle() - angle);
+            moment += stiffness * self.turned(state, time);
         }
         moment + damping * state.axis().dot(&state.rate)
     }
@@ -125,7 +145,7 @@ impl Hinge {
         self.spring.stiffness == 0.0 && self.spring.damping == 0.0
     }
 
-    fn spring_jacobian(&self, state: &State, out: &mut LocalJacobian) {
+    fn spring_jacobian(&self, state: &State, time: f64, out: &mut LocalJacobian) {
         let HingeSpring {
             stiffness, damping, ..
         } = self.spring;
@@ -137,7 +157,7 @@ impl Hinge {
         };
         let turning = damping * h.cross(&state.rate);
         // Derivatives of M h_a by the rotations of a and b, and by the velocity of b.
-        let by_a = h * (turning - gradient).transpose() - self.moment(state) * skew(&h);
+        let by_a = h * (turning - gradient).transpose() - self.moment(state, time) * skew(&h);
         let by_b = h * gradient.transpose();
         let by_velocity = damping * h * h.transpose();
         for (node, sign) in [(0, 1.0), (1, -1.0)] {
@@ -203,14 +223,21 @@ impl Element for Hinge {
         is_loaded.then(|| self.angle(at.nodes) * Vector3::x())
     }
 
+    fn domain(&self) -> [f64; 2] {
+        Drive::common_domain(self.relaxed.iter())
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        let drive = self.relaxed.as_ref();
+        drive.map_or(f64::INFINITY, |drive| drive.next_corner(time))
+    }
+
     fn energy(&self, at: &Local<'_>) -> Energy {
-        let HingeSpring {
-            stiffness, angle, ..
-        } = self.spring;
+        let stiffness = self.spring.stiffness;
         // A free hinge may stand where its angle has no value.
         let turned = match stiffness == 0.0 {
             true => 0.0,
-            false => self.angle(at.nodes) - angle,
+            false => self.turned(&self.state(at.nodes), at.loading.time),
         };
         Energy {
             elastic: 0.5 * stiffness * turned * turned,
@@ -221,7 +248,7 @@ impl Element for Hinge {
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         self.joint.residual(at, out);
         let state = self.state(at.nodes);
-        let moment = self.moment(&state) * state.axis();
+        let moment = self.moment(&state, at.loading.time) * state.axis();
         out.add(0, Moment, &moment);
         out.add(1, Moment, &-moment);
     }
@@ -229,7 +256,7 @@ impl Element for Hinge {
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         self.joint.jacobian(at, out);
         if !self.is_free() {
-            self.spring_jacobian(&self.state(at.nodes), out);
+            self.spring_jacobian(&self.state(at.nodes), at.loading.time, out);
         }
     }
 
@@ -258,7 +285,7 @@ impl Element for Hinge {
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
         let state = self.state(at.nodes);
-        let moment = self.moment(&state) * state.axis();
+        let moment = self.moment(&state, at.loading.time) * state.axis();
         self.joint.observe_with(at, &moment, out);
     }
 }

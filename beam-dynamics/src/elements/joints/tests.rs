@@ -5,8 +5,8 @@ use shared_geom::rotation::vector;
 
 use super::{Hinge, HingeSpring};
 use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
-use crate::elements::{Along, Element, Local, LocalJacobian};
-use crate::model::{Conditions, Node, NodeMotion};
+use crate::elements::{Along, Element, Local, LocalJacobian, Observations};
+use crate::model::{Conditions, Drive, Node, NodeMotion};
 
 fn node(x: f64) -> Node {
     Node {
@@ -90,4 +90,41 @@ fn growth_with_the_moment_of_a_support() {
     let growth = tangent(&support, &motion, Some(&[[Vector3::zeros(), 0.5 * psi]]));
     assert!(expected.amax() > 0.1);
     assert!((growth.fixed_view::<3, 3>(9, 3) - expected).amax() < 1e-14);
+}
+
+// The relaxed angle follows a drive, any number of turns round: the moment is that of the
+// angle without full turns.
+#[test]
+fn the_relaxed_angle_of_a_spring_follows_a_drive() {
+    let nodes = [node(0.0), node(1.0)];
+    let axis = Vector3::z();
+    let spring = HingeSpring {
+        stiffness: 1.7,
+        damping: 0.0,
+        angle: 0.0,
+    };
+    let ends = [&nodes[0], &nodes[1]];
+    let hinge = Hinge::new("hinge", [0, 1], ends, &nodes[1].position, &axis, spring);
+    let mut motion = [
+        NodeMotion::at_rest(&nodes[0]),
+        NodeMotion::at_rest(&nodes[1]),
+    ];
+    motion[1].rotation = vector::to_rotation(&(0.6 * axis));
+    let conditions = Conditions::at_rest();
+    let at = Local {
+        nodes: &motion,
+        multipliers: &[0.0; 5],
+        frame: &conditions.frame,
+        loading: &conditions.loading,
+    };
+    for turns in [-2.0, 0.0, 3.0] {
+        let angle = 0.2 + turns * std::f64::consts::TAU;
+        let driven = hinge.clone().relaxed_by(Drive::Constant(angle));
+        let mut told = Observations::default();
+        driven.observe(&at, &mut told);
+        let moment = told.joints[0].moment.z;
+        assert!((moment + 1.7 * 0.4).abs() < 1e-14, "{moment}");
+        let energy = driven.energy(&at).elastic;
+        assert!((energy - 0.5 * 1.7 * 0.16).abs() < 1e-14, "{energy}");
+    }
 }

@@ -1,16 +1,16 @@
 //! Rod: a constitutive law along the line between two points.
 //!
 //! ```text
-//! e = (l - l_0) / s          e' = n . d' / s          T = law(e, e', t)
+//! e = (l - l_0(t)) / s     e' = (n . d' - l_0' - e s') / s     T = law(e, e', t)
 //! ```
 //!
-//! with s = l_0, so that e is the strain and a linear law has the stiffness EA, or with
-//! s = 1, so that e is the elongation. The pull T along the line is positive in tension.
+//! with s = l_0, s' = l_0', so that e is the strain and a linear law has the stiffness EA, or with
+//! s = 1, s' = 0, so that e is the elongation. The pull T along the line is positive in tension.
 //! A rod resists no motion across its line but by its tension. Variations (see
 //! [`super::line`]), with the slopes C, V of the law:
 //!
 //! ```text
-//! d e  = n . d d / s          d e' = ( d' . (I - n n^T)/l d d + n . d d' ) / s
+//! d e  = n . d d / s     d e' = ( d' . (I - n n^T)/l d d + n . d d' - s' d e ) / s
 //! d P  = n (C d e + V d e') + T (I - n n^T)/l d d
 //! ```
 //!
@@ -41,21 +41,32 @@ pub struct Rod {
     line: Line,
     undeformed: Vec<NodeMotion>,
     /// Relaxed length `l_0` [m].
-    relaxed: f64,
-    /// `s` of the equations [m].
-    scale: f64,
+    relaxed: Drive,
+    measure: Measure,
     law: Law<1>,
+}
+
+/// The rod at a state and a time.
+struct Strained {
+    line: LineState,
+    /// Relaxed length [m].
+    relaxed: f64,
+    /// `s` of the equations [m], and its rate [m/s].
+    scale: [f64; 2],
+    /// Strain or elongation `e` [-, m].
+    strain: f64,
+    response: Response<1>,
 }
 
 impl Rod {
     /// A rod between two ends of the undeformed `nodes` of the model. `relaxed` is the
-    /// length without strain, by default that of the undeformed model; either must not be
-    /// zero.
+    /// length without strain [m], by default that of the undeformed model; either must be
+    /// above zero.
     pub fn new(
         label: impl Into<String>,
         ends: [End; 2],
         nodes: &[Node],
-        relaxed: Option<f64>,
+        relaxed: Option<Drive>,
         (measure, law): (Measure, Law<1>),
     ) -> Self {
         let line = Line::new(ends);
@@ -64,16 +75,13 @@ impl Rod {
             .iter()
             .map(|&node| NodeMotion::at_rest(&nodes[node]));
         let undeformed: Vec<_> = rest.collect();
-        let relaxed = relaxed.unwrap_or_else(|| line.state(&undeformed).length);
+        let relaxed = relaxed.unwrap_or_else(|| Drive::Constant(line.state(&undeformed).length));
         Self {
             label: label.into(),
             line,
             undeformed,
             relaxed,
-            scale: match measure {
-                Measure::Strain => relaxed,
-                Measure::Elongation => 1.0,
-            },
+            measure,
             law,
         }
     }
@@ -83,11 +91,23 @@ impl Rod {
         self.line.state(nodes).length
     }
 
-    fn response(&self, state: &LineState, time: f64) -> Response<1> {
-        let strain = (state.length - self.relaxed) / self.scale;
-        let rate = state.length_rate() / self.scale;
-        self.law
-            .at(&Vector1::new(strain), &Vector1::new(rate), time)
+    fn state(&self, at: &Local<'_>) -> Strained {
+        let line = self.line.state(at.nodes);
+        let relaxed = self.relaxed.at(at.loading.time);
+        let scale = match self.measure {
+            Measure::Strain => [relaxed.value, relaxed.rate],
+            Measure::Elongation => [1.0, 0.0],
+        };
+        let strain = (line.length - relaxed.value) / scale[0];
+        let rate = (line.length_rate() - relaxed.rate - strain * scale[1]) / scale[0];
+        let [e, e_rate] = [strain, rate].map(Vector1::new);
+        Strained {
+            line,
+            relaxed: relaxed.value,
+            scale,
+            strain,
+            response: self.law.at(&e, &e_rate, at.loading.time),
+        }
     }
 }
 
@@ -101,38 +121,43 @@ impl Element for Rod {
     }
 
     fn domain(&self) -> [f64; 2] {
-        Drive::common_domain(self.law.drives())
+        Drive::common_domain(self.law.drives().chain([&self.relaxed]))
     }
 
     fn next_corner(&self, time: f64) -> f64 {
-        self.law.next_corner(time)
+        let relaxed = self.relaxed.next_corner(time);
+        self.law.next_corner(time).min(relaxed)
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {
-        let elongation = self.line.state(at.nodes).length - self.relaxed;
-        let strain = Vector1::new(elongation / self.scale);
+        let state = self.state(at);
+        let strain = Vector1::new(state.strain);
         Energy {
-            elastic: self.law.energy(&strain, at.loading.time) * self.scale,
+            elastic: self.law.energy(&strain, at.loading.time) * state.scale[0],
             ..Energy::default()
         }
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        let state = self.line.state(at.nodes);
-        let tension = self.response(&state, at.loading.time).force[0];
-        state.add_pull(tension, out);
+        let state = self.state(at);
+        state.line.add_pull(state.response.force[0], out);
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        let state = self.line.state(at.nodes);
-        let response = self.response(&state, at.loading.time);
+        let Strained {
+            line: state,
+            scale: [scale, scale_rate],
+            response,
+            ..
+        } = self.state(at);
         let tension = response.force[0];
-        let along = state.n * state.n.transpose() / self.scale;
+        let along = state.n * state.n.transpose() / scale;
         let viscosity = response.by_rate[(0, 0)];
+        let slope = response.by_strain[(0, 0)] - viscosity * scale_rate / scale;
         let turning = state.turning();
-        let across = viscosity / self.scale * state.n * (turning * state.d_rate).transpose();
+        let across = viscosity / scale * state.n * (turning * state.d_rate).transpose();
         let by = PullVariation {
-            by_d: response.by_strain[(0, 0)] * along + across + tension * turning,
+            by_d: slope * along + across + tension * turning,
             by_rate: self.law.is_viscous().then(|| viscosity * along),
         };
         state.add_variation(tension, &by, out);
@@ -140,9 +165,14 @@ impl Element for Rod {
 
     /// The part that is proportional to the tension, for its growth along the motion.
     fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
-        let state = self.line.state(at.nodes);
-        let slope = self.response(&state, at.loading.time).by_strain[(0, 0)];
-        let tension = slope * state.n.dot(&state.growth(along.nodes)) / self.scale;
+        let Strained {
+            line: state,
+            scale,
+            response,
+            ..
+        } = self.state(at);
+        let slope = response.by_strain[(0, 0)];
+        let tension = slope * state.n.dot(&state.growth(along.nodes)) / scale[0];
         let by = PullVariation {
             by_d: tension * state.turning(),
             by_rate: None,
@@ -158,14 +188,13 @@ impl Element for Rod {
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
-        let state = self.line.state(at.nodes);
-        let tension = self.response(&state, at.loading.time).force[0];
+        let state = self.state(at);
         out.springs.push(SpringState {
             spring: self.label.clone(),
-            axes: state.axes(),
-            displacement: Vector3::new(state.length - self.relaxed, 0.0, 0.0),
+            axes: state.line.axes(),
+            displacement: Vector3::new(state.line.length - state.relaxed, 0.0, 0.0),
             rotation: Vector3::zeros(),
-            force: Vector3::new(tension, 0.0, 0.0),
+            force: Vector3::new(state.response.force[0], 0.0, 0.0),
             moment: Vector3::zeros(),
         });
     }

@@ -8,7 +8,7 @@ use super::{End, Measure, Rod, Spring, SpringLaw};
 use crate::elements::laws::{Cubic, Driven, Law, LawKind, Term};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
 use crate::elements::{Element, Local, LocalResidual, Observations, Signal};
-use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame};
+use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Ramp, TurningFrame};
 
 fn nodes() -> Vec<Node> {
     let node = |label: &str, position: [f64; 3], turn: [f64; 3]| Node {
@@ -200,7 +200,7 @@ fn a_rod_pulls_with_the_force_of_its_law() {
     };
     for (measure, scale) in [(Measure::Strain, 4.0), (Measure::Elongation, 1.0)] {
         let law = (measure, Law::from(law.clone()));
-        let rod = Rod::new("rod", ends, &nodes, Some(4.0), law);
+        let rod = Rod::new("rod", ends, &nodes, Some(Drive::Constant(4.0)), law);
         let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
         let along = Vector3::new(3.0, 0.0, 4.0);
         motion[0].position = -(motion[0].rotation * first);
@@ -223,6 +223,51 @@ fn a_rod_pulls_with_the_force_of_its_law() {
         assert!((state.axes.column(0) - along / 5.0).norm() < 1e-15);
         let energy = rod.energy(&local(&motion, &conditions)).elastic;
         assert!((energy - 0.5 * 100.0 / scale).abs() < 1e-12);
+    }
+}
+
+/// A relaxed length that grows by 0.3 m/s takes the elongation and its rate with it, and as
+/// a strain it is what the elongation is counted by: e = l/l_0 - 1, e' = l'/l_0 - l l_0'/l_0^2.
+#[test]
+fn a_rod_whose_relaxed_length_grows() {
+    let nodes = nodes();
+    let ends = [0, 1].map(|node| End::Node {
+        node,
+        offset: Vector3::zeros(),
+    });
+    let law = LawKind::Viscoelastic {
+        stiffness: Matrix1::new(100.0),
+        viscosity: Matrix1::new(8.0),
+    };
+    let ramp = Drive::Ramp(Ramp {
+        from: 4.0,
+        to: 7.0,
+        start: 0.0,
+        end: 10.0,
+        smooth: false,
+    });
+    let mut conditions = loaded();
+    conditions.loading.time = 2.0;
+    let (l, l_rate, rest, rest_rate) = (5.0, 1.4, 4.6, 0.3);
+    let strain = [
+        l / rest - 1.0,
+        l_rate / rest - l * rest_rate / (rest * rest),
+    ];
+    let elongation = [l - rest, l_rate - rest_rate];
+    for (measure, [e, e_rate]) in [(Measure::Strain, strain), (Measure::Elongation, elongation)] {
+        let law = (measure, Law::from(law.clone()));
+        let rod = Rod::new("rod", ends, &nodes, Some(ramp.clone()), law);
+        let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
+        motion[0].position = Vector3::zeros();
+        motion[1].position = Vector3::new(3.0, 0.0, 4.0);
+        motion[1].velocity = Vector3::new(1.0, 7.0, 1.0);
+        let mut seen = Observations::default();
+        rod.observe(&local(&motion, &conditions), &mut seen);
+        let tension = 100.0 * e + 8.0 * e_rate;
+        assert!((seen.springs[0].force.x - tension).abs() < 1e-12);
+        assert!((seen.springs[0].displacement.x - (l - rest)).abs() < 1e-14);
+        assert_eq!(rod.domain(), Drive::ALWAYS);
+        assert_eq!(rod.next_corner(3.0), 10.0);
     }
 }
 

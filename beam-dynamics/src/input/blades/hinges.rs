@@ -18,9 +18,9 @@ use shared_geom::units::Dimension;
 
 use super::problem::BladeProblem;
 use super::seats::Seat;
-use crate::elements::joints::HingeSpring;
 use crate::input::draft::Draft;
-use crate::input::joints::spring;
+use crate::input::drives::Catalog;
+use crate::input::joints::{HingeCard, spring};
 use crate::model::Node;
 
 /// What a hinge lets the blade do.
@@ -50,22 +50,23 @@ impl Kind {
 }
 
 /// A hinge as its table means it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct BladeHinge {
     kind: Kind,
     /// Distance from the center of rotation along the span; `None` for that of the hinge
     /// before, or of the root \[m\].
     offset: Option<f64>,
-    spring: HingeSpring,
+    card: HingeCard,
 }
 
 /// Reads `hinges` of a card; `None` when one is wrong.
-pub(super) fn read(table: &Table<'_>) -> Option<Vec<BladeHinge>> {
-    let read: Vec<_> = table.tables("hinges").iter().map(hinge).collect();
+pub(super) fn read(table: &Table<'_>, drives: &Catalog) -> Option<Vec<BladeHinge>> {
+    let tables = table.tables("hinges");
+    let read: Vec<_> = tables.iter().map(|table| hinge(table, drives)).collect();
     read.into_iter().collect()
 }
 
-fn hinge(table: &Table<'_>) -> Option<BladeHinge> {
+fn hinge(table: &Table<'_>, drives: &Catalog) -> Option<BladeHinge> {
     let kind = match table.has("kind") {
         true => table.word("kind", &Kind::WORDS),
         false => {
@@ -77,12 +78,12 @@ fn hinge(table: &Table<'_>) -> Option<BladeHinge> {
         true => table.quantity("offset", Dimension::LENGTH).map(Some),
         false => Some(None),
     };
-    let spring = spring(table);
+    let card = spring(table, drives);
     table.finish();
     Some(BladeHinge {
         kind: Kind::ALL[kind?],
         offset: offset?,
-        spring: spring?,
+        card: card?,
     })
 }
 
@@ -126,7 +127,7 @@ pub(super) fn offsets(table: &Table<'_>, hinges: &[BladeHinge], root: f64) -> Op
 /// Whether two hinges without springs let the blade do the same.
 fn is_same_motion((inner, at): (&BladeHinge, f64), (outer, offset): (&BladeHinge, f64)) -> bool {
     let is_one_axis = inner.kind == outer.kind && (at == offset || inner.kind == Kind::Pitch);
-    let are_free = [inner, outer].map(|hinge| hinge.spring.stiffness == 0.0);
+    let are_free = [inner, outer].map(|hinge| hinge.card.spring.stiffness == 0.0);
     is_one_axis && are_free == [true, true]
 }
 
@@ -175,7 +176,7 @@ pub(super) fn add(
             &label,
             [from, to],
             (seat.at_radius(offset), axis),
-            hinge.spring,
+            &hinge.card,
         );
         inner = outer;
     }

@@ -123,6 +123,7 @@ mod tests {
             stiffness: Matrix6::identity(),
             mass: Matrix6::identity(),
             damping: None,
+            law: None,
         };
         PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))
     }

@@ -42,7 +42,7 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft, name: &str) -> Option<P
             .then(|| draft.find_properties(table, &words))
             .flatten(),
     };
-    let (pieces, properties) = pieces(table, draft, &words, default);
+    let (pieces, properties) = pieces(table, draft, &words, &default);
     Some(Pieces {
         line: PieceLine { pieces: pieces? },
         properties: properties?,
@@ -50,7 +50,6 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft, name: &str) -> Option<P
 }
 
 /// Properties of the pieces that name none.
-#[derive(Clone, Copy)]
 struct Fallback {
     /// Whether the blade names any.
     is_named: bool,
@@ -63,7 +62,7 @@ fn pieces(
     blade: &Table<'_>,
     draft: &mut Draft,
     words: &str,
-    default: Fallback,
+    default: &Fallback,
 ) -> (Option<Vec<Piece>>, Option<Vec<Properties>>) {
     let tables = blade.tables("piece");
     if tables.is_empty() {
@@ -93,7 +92,7 @@ fn piece_properties(
     table: &Table<'_>,
     draft: &mut Draft,
     words: &str,
-    default: Fallback,
+    default: &Fallback,
 ) -> Option<Properties> {
     if table.has("properties") {
         return draft.find_properties(table, words);
@@ -102,7 +101,7 @@ fn piece_properties(
         let piece = words.to_owned();
         table.note("properties", &InputProblem::NoProperties { piece });
     }
-    default.properties
+    default.properties.clone()
 }
 
 fn piece(table: &Table<'_>) -> Option<Piece> {

@@ -12,10 +12,11 @@
 //! element sees its own.
 
 use nalgebra::{Matrix6, Vector3};
-use shared_geom::blade::{self, Blade, Side};
+use shared_geom::blade::{self, Blade, BladeDamping, Side};
 use shared_geom::document::Table;
 use shared_geom::exchange::{self, Options};
 use shared_geom::line::{Course, Curve};
+use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
 
 use super::laid::{Laid, LaidNode};
@@ -23,6 +24,7 @@ use super::mesh::Ends;
 use super::problem::BladeProblem;
 use crate::elements::beams::ElasticBeam;
 use crate::input::along::Along;
+use crate::input::damping;
 use crate::input::draft::Draft;
 use crate::input::problem::InputProblem;
 
@@ -58,11 +60,16 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
             .map(Some),
         false => Some(None),
     };
+    let damping = damping::read(table);
     let written = table.text("file")?;
     let document = table.document();
     let path = table.existing("file", &written)?;
     let options = Options { length: length? };
-    let (_, reading) = document.keep(exchange::read_with(&path, &options))?;
+    let (_, mut reading) = document.keep(exchange::read_with(&path, &options))?;
+    // The damping of the card takes the place of that of the file.
+    if let Some(damping) = damping? {
+        reading.blade.damping = Some(everywhere(damping, reading.blade.stations.len()));
+    }
     document.keep(reading.check(&path))?;
     draft.add_remarks(reading.remarks);
     Some(StationLine {
@@ -70,6 +77,14 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
         blade: reading.blade,
         elements: elements?,
     })
+}
+
+/// The damping of a card at all stations.
+fn everywhere(damping: Damping, stations: usize) -> BladeDamping {
+    match damping {
+        Damping::StiffnessProportional(time) => BladeDamping::Proportional(time),
+        Damping::Viscous(matrix) => BladeDamping::Viscous(vec![matrix; stations]),
+    }
 }
 
 fn elements(table: &Table<'_>) -> Option<usize> {

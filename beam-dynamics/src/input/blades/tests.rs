@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use nalgebra::{Matrix3, Matrix6, Vector2, Vector3, Vector6};
-use shared_geom::blade::{self, Blade, Interpolation, Station};
+use shared_geom::blade::{self, Blade, BladeDamping, Interpolation, Station};
 use shared_geom::line::{Course, LinePoint, ReferenceLine};
 use shared_geom::rotation::vector;
 use shared_geom::section::Provenance;
@@ -301,4 +301,45 @@ fn a_blade_file_that_is_wrong_is_told_with_its_own_lines() {
     let shown = refused(&wrong, &format!("{FILE}{MODES}"));
     assert!(shown.contains("error: a.blade.json:"), "{shown}");
     assert!(shown.contains("10 m"), "{shown}");
+}
+
+// The damping of a card takes the place of that of the file.
+#[test]
+fn a_card_damps_the_blade_of_a_file() {
+    let rates = |damping: Option<BladeDamping>, key: &str| {
+        let blade = Blade {
+            damping,
+            ..straight(10.0, 0.3)
+        };
+        let found = input(&blade, &format!("{FILE}{key}{MODES}")).unwrap();
+        let system = &found.model.system;
+        let tangent = system.tangent(&system.rest(), &Conditions::at_rest());
+        tangent.by_rates.triplets().collect::<Vec<_>>()
+    };
+    let key = "damping = { time = 1e-3 }\n";
+    let of_file = rates(Some(BladeDamping::Proportional(1e-3)), "");
+    assert_eq!(rates(Some(BladeDamping::Proportional(7.0)), key), of_file);
+    assert_eq!(rates(None, key), of_file);
+    assert_ne!(rates(None, ""), of_file);
+}
+
+// A stiff pitch hinge that follows a drive: 4 deg/s after half a second, the blade at rest.
+#[test]
+fn the_relaxed_angle_of_a_hinge_is_a_drive() {
+    let hinge = "hinges = [{ kind = \"pitch\", stiffness = 100, angle = \"= 4*t\" }]\n";
+    let cards = format!("{FILE}{hinge}[transient]\nto = 1\nstep = 0.1\n");
+    let found = input(&straight(10.0, 0.0), &cards).unwrap();
+    let system = &found.model.system;
+    let mut conditions = Conditions::at_rest();
+    conditions.loading.time = 0.5;
+    let told = system.observe(&system.rest(), &conditions);
+    let hinge = told
+        .joints
+        .iter()
+        .find(|joint| joint.joint == "b/pitch hinge");
+    let moment = hinge.unwrap().moment;
+    assert_near(moment, [100.0 * 2.0_f64.to_radians(), 0.0, 0.0]);
+    let far = cards.replace("= 4*t", "200 deg");
+    let shown = refused(&straight(10.0, 0.0), &far);
+    assert!(shown.contains("\"angle\""), "{shown}");
 }

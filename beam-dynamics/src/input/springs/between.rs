@@ -69,7 +69,7 @@ fn spring_law(table: &Table<'_>, draft: &Draft, words: &str) -> Option<SpringLaw
         ["rotational_stiffness", "rotational_damping"],
     ];
     if table.has(LAWS[2]) {
-        let law = laws::read(table, LAWS[2], &Components::BOTH, draft);
+        let law = laws::read(table, LAWS[2], &Components::BOTH, draft.drives());
         let others = [LAWS[0], LAWS[1]]
             .into_iter()
             .chain(SHORT.into_iter().flatten());
@@ -99,7 +99,7 @@ fn spring_law(table: &Table<'_>, draft: &Draft, words: &str) -> Option<SpringLaw
     let (stiffness, damping) = (stiffness?, damping?);
     let of = |i: usize, components: &Components<3>| -> Option<Option<Law<3>>> {
         if table.has(LAWS[i]) {
-            return laws::read(table, LAWS[i], components, draft).map(Some);
+            return laws::read(table, LAWS[i], components, draft.drives()).map(Some);
         }
         let is_there = SHORT[i].iter().any(|key| table.has(key));
         let part = |six: &[f64; 6]| Vector3::new(six[3 * i], six[3 * i + 1], six[3 * i + 2]);
