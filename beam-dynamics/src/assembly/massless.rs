@@ -28,12 +28,23 @@ const MOTION: usize = 6;
 
 /// A node that can move, although nothing says how.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("node \"{node}\" has no mass, and nothing holds it: {}", .motions.join(", "))]
+#[error("node \"{node}\" has no {}, and nothing holds it: {}", self.lack(), .motions.join(", "))]
 pub struct MasslessNode {
     /// The node.
     pub node: String,
     /// Its undetermined motions in words.
     pub motions: Vec<String>,
+}
+
+impl MasslessNode {
+    /// What it lacks.
+    fn lack(&self) -> &'static str {
+        let turns = |motion: &String| motion.starts_with("rotation");
+        match self.motions.iter().all(turns) {
+            true => "inertia",
+            false => "mass",
+        }
+    }
 }
 
 impl Explain for MasslessNode {
@@ -219,7 +230,7 @@ mod tests {
         assert_eq!(found[0].motions, turns);
         assert_eq!(
             found[0].to_string(),
-            "node \"loose\" has no mass, and nothing holds it: rotation about x, rotation about \
+            "node \"loose\" has no inertia, and nothing holds it: rotation about x, rotation about \
              y, rotation about z"
         );
     }

@@ -150,7 +150,7 @@ fn velocities_without_a_run_and_loose_nodes_are_told() {
         Err(text) => text,
     };
     assert!(text.contains(
-        "a.dynamics.toml:3: node \"a\" has no mass, and nothing holds it: rotation about x"
+        "a.dynamics.toml:3: node \"a\" has no inertia, and nothing holds it: rotation about x"
     ));
     assert!(
         text.contains("help: give the node mass and inertia by a [[body]]"),
