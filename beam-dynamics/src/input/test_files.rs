@@ -1,10 +1,5 @@
 //! Files that tests read: a text with others beside it, and what is told of it.
 
-#![allow(
-    clippy::unwrap_used,
-    reason = "helpers of tests unwrap what the tests write"
-)]
-
 use std::fs;
 
 use super::{Input, read};
@@ -26,14 +21,14 @@ iz = 0.04
 /// Reads `text` as `a.dynamics.toml`, with further files beside it; problems as they are
 /// shown, with the names of files as written.
 pub(super) fn read_beside(text: &str, files: &[(&str, &str)]) -> Result<Input, String> {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = tempfile::tempdir().expect("a folder");
     for (name, text) in files {
         let path = folder.path().join(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
+        fs::create_dir_all(path.parent().expect("within the folder")).expect("a folder");
+        fs::write(path, text).expect("a file");
     }
     let path = folder.path().join("a.dynamics.toml");
-    fs::write(&path, text).unwrap();
+    fs::write(&path, text).expect("a file");
     let prefix = format!("{}/", folder.path().display());
     read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
 }

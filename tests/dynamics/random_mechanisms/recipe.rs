@@ -154,7 +154,13 @@ impl Recipe {
         let nodes = &parts.chain.nodes;
         let length = (nodes[last].position - nodes[0].position).norm();
         let law = (Measure::Strain, Law::linear(Matrix1::new(20.0)));
-        let rod = Rod::new("rod", ends, nodes, Some(Drive::Constant(self.relaxed * length)), law);
+        let rod = Rod::new(
+            "rod",
+            ends,
+            nodes,
+            Some(Drive::Constant(self.relaxed * length)),
+            law,
+        );
         parts.chain.elements.push(Box::new(rod));
         if self.is_held {
             parts.hold();

@@ -41,64 +41,64 @@ enum Rocker {
     UniversalAndBall,
 }
 
-/// A plane four-bar somewhere in space, of random lengths with which its crank turns
-/// (Grashof: crank and longest bar are shorter together than the other two), driven by a
-/// turn a second.
-fn four_bar(seed: u64, rocker: Rocker, order: [usize; 4]) -> Model {
-    let mut numbers = Numbers(seed);
-    for _ in 0..5 {
-        numbers.next();
+/// A plane four-bar somewhere in space.
+struct FourBar {
+    axes: Matrix3<f64>,
+    /// Where its bars meet, from the drive to the foot.
+    corners: [Vector3<f64>; 4],
+    nodes: Vec<Node>,
+}
+
+impl FourBar {
+    /// Of random lengths with which its crank turns (Grashof: crank and longest bar are
+    /// shorter together than the other two).
+    fn new(seed: u64) -> Self {
+        let mut numbers = Numbers(seed);
+        for _ in 0..5 {
+            numbers.next();
+        }
+        let axes = Vector3::from_fn(|_, _| numbers.between(-2.0, 2.0));
+        let axes = shared_geom::rotation::vector::to_rotation(&axes);
+        let origin = Vector3::from_fn(|_, _| numbers.between(-3.0, 3.0));
+        let (crank, coupler) = (numbers.between(0.15, 0.3), numbers.between(0.8, 1.1));
+        let (last, angle) = (numbers.between(0.7, 1.0), numbers.between(0.0, 6.0));
+        let place = |[x, y]: [f64; 2]| origin + axes * Vector3::new(x, y, 0.0);
+        let a = [crank * angle.cos(), crank * angle.sin()];
+        // Where circles about the end of the crank and about (1, 0) meet.
+        let apart = (1.0 - a[0]).hypot(a[1]);
+        let along = (apart * apart + coupler * coupler - last * last) / (2.0 * apart);
+        let across = (coupler * coupler - along * along).sqrt();
+        let unit = [(1.0 - a[0]) / apart, -a[1] / apart];
+        let b = [
+            a[0] + along * unit[0] - across * unit[1],
+            a[1] + along * unit[1] + across * unit[0],
+        ];
+        let corners = [[0.0, 0.0], a, b, [1.0, 0.0]].map(place);
+        let names = ["crank", "coupler", "rocker"].into_iter();
+        let middle =
+            |(label, ends): (&str, &[Vector3<f64>])| node(label, 0.5 * (ends[0] + ends[1]), axes);
+        let nodes = names.zip(corners.windows(2)).map(middle).collect();
+        Self {
+            axes,
+            corners,
+            nodes,
+        }
     }
-    let axes = Vector3::from_fn(|_, _| numbers.between(-2.0, 2.0));
-    let axes = shared_geom::rotation::vector::to_rotation(&axes);
-    let origin = Vector3::from_fn(|_, _| numbers.between(-3.0, 3.0));
-    let (crank, coupler) = (numbers.between(0.15, 0.3), numbers.between(0.8, 1.1));
-    let (last, angle) = (numbers.between(0.7, 1.0), numbers.between(0.0, 6.0));
-    let place = |x: f64, y: f64| origin + axes * Vector3::new(x, y, 0.0);
-    let a = [crank * angle.cos(), crank * angle.sin()];
-    // Where circles about the end of the crank and about (1, 0) meet.
-    let apart = (1.0 - a[0]).hypot(a[1]);
-    let along = (apart * apart + coupler * coupler - last * last) / (2.0 * apart);
-    let across = (coupler * coupler - along * along).sqrt();
-    let unit = [(1.0 - a[0]) / apart, -a[1] / apart];
-    let b = [
-        a[0] + along * unit[0] - across * unit[1],
-        a[1] + along * unit[1] + across * unit[0],
-    ];
-    let [p, q, r, s] = [
-        place(0.0, 0.0),
-        place(a[0], a[1]),
-        place(b[0], b[1]),
-        place(1.0, 0.0),
-    ];
-    let middle = |label: &str, p: Vector3<f64>, q: Vector3<f64>| node(label, 0.5 * (p + q), axes);
-    let nodes = vec![
-        middle("crank", p, q),
-        middle("coupler", q, r),
-        middle("rocker", r, s),
-    ];
-    let mut elements: Vec<Box<dyn Element>> = (0..3)
-        .map(|i| body(i, 1.0 + i as f64, Vector3::zeros(), [0.02, 0.03, 0.04]))
-        .collect();
-    let z: Vector3<f64> = axes.column(2).into_owned();
-    let turn = Drive::Ramp(Ramp {
-        from: -TAU,
-        to: 2.0 * TAU,
-        start: -1.0,
-        end: 2.0,
-        smooth: false,
-    });
-    let ends = |a: Option<usize>, b: usize| JointEnds {
-        a: a.map(|a| (a, &nodes[a])),
-        b: (b, &nodes[b]),
-    };
-    let along_z = |at: &Vector3<f64>| Placing::at(at, &axes_along(&z));
-    let joint = |number: usize| -> ConstraintJoint {
+
+    /// The joint with this number, from the drive to the foot: a turn a second.
+    fn joint(&self, number: usize, rocker: Rocker) -> ConstraintJoint {
+        let [p, q, r, s] = self.corners;
+        let z: Vector3<f64> = self.axes.column(2).into_owned();
+        let ends = |a: Option<usize>, b: usize| JointEnds {
+            a: a.map(|a| (a, &self.nodes[a])),
+            b: (b, &self.nodes[b]),
+        };
+        let along_z = |at: &Vector3<f64>| Placing::at(at, &axes_along(&z));
         let revolute = |name: &str, a, b, at: &Vector3<f64>, turning| {
             ConstraintJoint::revolute(name, &ends(a, b), &along_z(at), turning)
         };
         match (number, rocker) {
-            (0, _) => revolute("drive", None, 0, &p, Some(Turning::Angle(turn.clone()))),
+            (0, _) => revolute("drive", None, 0, &p, Some(Turning::Angle(turn()))),
             (1, _) => revolute("pin", Some(0), 1, &q, None),
             (2, Rocker::Revolutes) => revolute("far pin", Some(1), 2, &r, None),
             (2, _) => ConstraintJoint::spherical("ball", &ends(Some(1), 2), &along_z(&r)),
@@ -117,9 +117,29 @@ fn four_bar(seed: u64, rocker: Rocker, order: [usize; 4]) -> Model {
                 ConstraintJoint::universal("foot", &ends(None, 2), &at)
             }
         }
-    };
-    elements.extend(order.map(|number| Box::new(joint(number)) as Box<dyn Element>));
-    let mut model = Model::new("four-bar", System::new(nodes.clone(), elements));
+    }
+}
+
+/// A turn a second.
+fn turn() -> Drive {
+    Drive::Ramp(Ramp {
+        from: -TAU,
+        to: 2.0 * TAU,
+        start: -1.0,
+        end: 2.0,
+        smooth: false,
+    })
+}
+
+/// A four-bar with its joints in some order, under gravity.
+fn four_bar(seed: u64, rocker: Rocker, order: [usize; 4]) -> Model {
+    let bars = FourBar::new(seed);
+    let mut elements: Vec<Box<dyn Element>> = (0..3)
+        .map(|i| body(i, 1.0 + i as f64, Vector3::zeros(), [0.02, 0.03, 0.04]))
+        .collect();
+    let joint = |number| Box::new(bars.joint(number, rocker)) as Box<dyn Element>;
+    elements.extend(order.map(joint));
+    let mut model = Model::new("four-bar", System::new(bars.nodes.clone(), elements));
     model.gravity = Vector3::new(1.0, -2.0, -9.81);
     model
 }
