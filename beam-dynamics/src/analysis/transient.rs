@@ -20,6 +20,7 @@ mod placing;
 mod rates;
 mod redundant;
 mod saddle;
+mod singular;
 mod snapshot;
 mod start;
 
@@ -31,6 +32,7 @@ pub use snapshot::difference;
 pub use start::{Changed, StartChange};
 
 use multibody::Multibody;
+use singular::Passed;
 use start::{Started, start};
 
 /// Rotation of a node in a step above which it is told: half a percent of a rotation is then
@@ -66,6 +68,8 @@ struct Run<'a> {
     began: f64,
     /// The first node that turned far in a step, in words.
     far_turn: Option<String>,
+    /// Singular positions.
+    passed: Passed,
     /// Constraints that follow from others.
     redundant: &'a [Redundant],
 }
@@ -121,6 +125,7 @@ pub fn transient(
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
     outcome.remarks.extend(run.dae.impulses.remarks());
     outcome.remarks.extend(run.far_turn.take());
+    outcome.remarks.extend(run.passed.remarks());
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
     outcome.effort.total_time = clock() - run.began;
@@ -180,6 +185,7 @@ fn run<'a>(
         output_time: 0.0,
         began: 0.0,
         far_turn: None,
+        passed: Passed::default(),
         redundant: &[],
     })
 }
@@ -232,6 +238,9 @@ impl Run<'_> {
             self.check_attitudes(&conditions)?;
             self.check_springs(&conditions)?;
             self.watch_turns(stepped.length);
+            let system = &self.model.system;
+            self.passed
+                .watch(system, self.dae.states(), &mut self.integrator);
             self.check_redundant()?;
             self.tell(&conditions, recorder, clock)?;
         }

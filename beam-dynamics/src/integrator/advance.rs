@@ -397,6 +397,13 @@ impl Integrator {
         }
     }
 
+    /// What the unknowns of the last stage of the latest step move by where its residual is
+    /// `right` less, which they replace; `None` where the equations of the step are in no
+    /// doubt of being singular.
+    pub fn response(&mut self, right: &mut [f64]) -> Option<()> {
+        self.corrector.response(right)
+    }
+
     /// Time of the latest accepted state \[s\].
     pub fn time(&self) -> f64 {
         self.progress.time

@@ -295,6 +295,24 @@ impl Corrector {
         Ok(())
     }
 
+    /// What the unknowns of the last stage move by where its residual is `right` less, which
+    /// they replace; `None` where the last Jacobian is in no doubt, or not kept.
+    pub fn response(&mut self, right: &mut [f64]) -> Option<()> {
+        if !self.solver.is_doubtful() {
+            return None;
+        }
+        let (stages, stage) = (self.stages, self.stages - 1);
+        self.solution.fill(0.0);
+        for (i, value) in right.iter().enumerate() {
+            self.solution[stages * i + stage] = *value;
+        }
+        self.solver.respond(&mut self.solution)?;
+        for (i, value) in right.iter_mut().enumerate() {
+            *value = self.solution[stages * i + stage];
+        }
+        Some(())
+    }
+
     /// Why the Jacobian was not factorized.
     fn why_singular(&self) -> Reason {
         match self.solver.is_finite() {

@@ -48,6 +48,8 @@ pub(super) struct KeptLu {
     growth: f64,
     /// Relative size below which a pivot is none.
     least_pivot: f64,
+    /// Least pivot, relative to the matrix.
+    least: f64,
 }
 
 impl KeptLu {
@@ -74,6 +76,7 @@ impl KeptLu {
             ordered: vec![0.0; pattern.size()],
             growth: f64::INFINITY,
             least_pivot: 0.0,
+            least: 0.0,
             ordered_scales: [
                 taken(&row_scale, &pivots.rows),
                 taken(&column_scale, &pivots.columns),
@@ -85,12 +88,14 @@ impl KeptLu {
         };
         let least = lu.compute(matrix)?;
         lu.least_pivot = (least * SHRUNK).min(f64::EPSILON);
+        lu.least = least;
         Some(lu)
     }
 
     /// Factorizes another matrix on the same pattern; `None` when other pivots are needed.
     pub fn factorize(&mut self, matrix: &Sparse) -> Option<()> {
         let least = self.compute(matrix)?;
+        self.least = least;
         (least >= self.least_pivot).then_some(())
     }
 
@@ -104,6 +109,11 @@ impl KeptLu {
         let growth = self.numbers.factorize(&self.structure, matrix)?;
         self.growth = growth.factor();
         (self.growth < LARGEST_GROWTH).then(|| growth.least())
+    }
+
+    /// Least pivot, relative to the matrix.
+    pub fn least(&self) -> f64 {
+        self.least
     }
 
     /// Whether the factors are as good as the matrix but for a few digits.

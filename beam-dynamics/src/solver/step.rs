@@ -6,6 +6,8 @@ use super::lu::KeptLu;
 use super::{Factorization, LinearSolver};
 use crate::assembly::{Pattern, Sparse};
 
+/// Part of the usual least pivot below which a matrix may be nearly singular.
+const DOUBTFUL: f64 = 1e-3;
 /// Residual of a solution, relative to the terms of each equation, above which it is
 /// refined: Newton's method does not need less [-].
 const REFINED_ABOVE: f64 = 1e-9;
@@ -44,6 +46,9 @@ pub struct StepSolver {
     residual: Vec<f64>,
     /// Sum of the absolute values of the terms of each equation.
     sizes: Vec<f64>,
+    /// Largest of the least pivots of all choices since nothing was kept, each relative to
+    /// its matrix.
+    usual_least: f64,
     counts: LinearCounts,
     fallback: LinearSolver,
 }
@@ -68,6 +73,7 @@ impl StepSolver {
             right_side: zeros.clone(),
             residual: zeros.clone(),
             sizes: zeros,
+            usual_least: 0.0,
             counts: LinearCounts::default(),
             fallback: LinearSolver::new(pattern)?,
         })
@@ -123,6 +129,7 @@ impl StepSolver {
     /// pivots: the next one is factorized as the first.
     pub fn forget(&mut self) {
         self.factors = Factors::None;
+        self.usual_least = 0.0;
     }
 
     /// Solves `A x = b` with the last matrix, `b` being replaced by x; `None` when there
@@ -147,10 +154,34 @@ impl StepSolver {
         self.attempt(b)?.then_some(())
     }
 
+    /// Whether the last matrix may be nearly singular: its pivots are much smaller than
+    /// those that were chosen since nothing was kept.
+    pub fn is_doubtful(&self) -> bool {
+        match &self.factors {
+            Factors::None => false,
+            Factors::Kept(lu) | Factors::Chosen(lu) => lu.least() < DOUBTFUL * self.usual_least,
+            Factors::Fallback(_) => true,
+        }
+    }
+
+    /// Solves `A x = b` with the factors at hand as they are, `b` being replaced by x;
+    /// `None` when there are none.
+    pub fn respond(&mut self, b: &mut [f64]) -> Option<()> {
+        match &mut self.factors {
+            Factors::None => return None,
+            Factors::Fallback(factors) => factors.solve(b)?,
+            Factors::Kept(lu) | Factors::Chosen(lu) => lu.solve(b),
+        }
+        Some(())
+    }
+
     fn choose_pivots(&mut self) -> Option<()> {
         self.counts.pivotings += 1;
         match KeptLu::new(&self.matrix) {
-            Some(lu) => self.factors = Factors::Chosen(Box::new(lu)),
+            Some(lu) => {
+                self.usual_least = self.usual_least.max(lu.least());
+                self.factors = Factors::Chosen(Box::new(lu));
+            }
             None => self.fall_back()?,
         }
         Some(())

@@ -304,3 +304,36 @@ fn hinges_out_of_line_hold_a_door() {
         assert!((state.nodes[0].position - nodes[0].position).amax() < 1e-9);
     }
 }
+
+// A parallelogram whose bars come to lie in one line after a quarter of a turn: there they
+// can go on as an antiparallelogram too, and what their joints carry is not determined.
+#[test]
+fn steps_that_end_in_a_singular_position_are_told() {
+    let corners = [[0.0, 0.0], [0.0, 1.0], [2.0, 1.0], [2.0, 0.0]];
+    let corners = corners.map(|[x, y]| Vector3::new(x, y, 0.0));
+    let names = ["crank", "coupler", "rocker"].into_iter();
+    let bars = FourBar {
+        axes: Matrix3::identity(),
+        nodes: names
+            .zip(corners.windows(2))
+            .map(|(label, ends)| node(label, 0.5 * (ends[0] + ends[1]), Matrix3::identity()))
+            .collect(),
+        corners,
+    };
+    let mut elements: Vec<Box<dyn Element>> = (0..3)
+        .map(|i| body(i, 1.0, Vector3::zeros(), [0.02, 0.03, 0.04]))
+        .collect();
+    let joint = |number| Box::new(bars.joint(number, Rocker::Revolutes)) as Box<dyn Element>;
+    elements.extend(IN_ORDER.map(joint));
+    let model = Model::new("parallelogram", System::new(bars.nodes.clone(), elements));
+    let singular = |to: f64| {
+        let (_, remarks) = kept(&model, &question(to, 5e-3));
+        let found = remarks.into_iter().filter(|text| text.contains("singular"));
+        found.collect::<Vec<_>>()
+    };
+    assert_eq!(singular(0.24), [""; 0]);
+    let [told] = &singular(0.3)[..] else {
+        panic!("one remark")
+    };
+    assert!(told.starts_with("at t = 0.25 s the constraints are in a singular position"));
+}

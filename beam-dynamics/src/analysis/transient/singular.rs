@@ -1,0 +1,92 @@
+//! Singular positions that a run passes.
+//!
+//! Where the derivatives of the constraints lose rank at one instant, as at a dead point, the
+//! motion goes on but reactions are not determined. Places that are off by round-off, `e` of
+//! the size of the model, change the multipliers by
+//!
+//! ```text
+//! dlambda = - (J^-1)_(lambda lambda) e                                           (D-155)
+//! ```
+//!
+//! J being the Jacobian of the step: some e m / h^2 where all is well, and without bound in a
+//! singular position.
+
+use crate::assembly::System;
+use crate::integrator::Integrator;
+use crate::model::{NODE_UNKNOWNS, State};
+
+/// What round-off leaves of a constraint, in sizes of the model and radians.
+const ROUND_OFF: f64 = 1e-15;
+/// Part of the largest reaction that round-off may change.
+const UNSURE: f64 = 1e-3;
+/// Positions that are told one by one.
+const TOLD: usize = 3;
+
+/// Singular positions that a run has passed.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Passed {
+    /// The reaction that is least sure, what round-off changes it by, and when \[s\].
+    told: Vec<(String, f64)>,
+    count: usize,
+    right: Vec<f64>,
+}
+
+impl Passed {
+    /// Looks at the latest step of `integrator`, given the accepted states, the latest
+    /// first.
+    pub fn watch(&mut self, system: &System, states: &[State], integrator: &mut Integrator) {
+        let [state, before, ..] = states else {
+            return;
+        };
+        let first = NODE_UNKNOWNS * state.nodes.len();
+        if state.multipliers.is_empty() {
+            return;
+        }
+        self.right.clear();
+        self.right.resize(first + state.multipliers.len(), 0.0);
+        let off = ROUND_OFF * state.size().min(1.0);
+        for (i, value) in self.right[first..].iter_mut().enumerate() {
+            // Signs without a pattern that a mechanism could have.
+            let sign = (i.wrapping_mul(2_654_435_761) >> 7) & 1;
+            *value = if sign == 0 { off } else { -off };
+        }
+        if integrator.response(&mut self.right).is_none() {
+            return;
+        }
+        // The latest may be nothing but the error.
+        let before = before.multipliers.iter();
+        let largest = before.fold(0.0_f64, |most, one| most.max(one.abs()));
+        let changes = self.right[first..].iter().map(|change| change.abs());
+        let most = changes.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((constraint, change)) = most else {
+            return;
+        };
+        if change <= UNSURE * largest || largest == 0.0 {
+            return;
+        }
+        self.count += 1;
+        if self.told.len() < TOLD {
+            let reaction = system.unknown(first + constraint);
+            let unit = reaction.unit;
+            let text = format!("{reaction}, by {change:.1e} {unit}");
+            self.told.push((text, integrator.time()));
+        }
+    }
+
+    /// What the reader must know.
+    pub fn remarks(&self) -> Vec<String> {
+        let remark = |(reaction, time): &(String, f64)| {
+            format!(
+                "at t = {time} s the constraints are in a singular position, or nearly so: \
+                 reactions of this step are not determined (round-off changes most: {reaction}); \
+                 let no step end there"
+            )
+        };
+        let mut remarks: Vec<_> = self.told.iter().map(remark).collect();
+        if self.count > self.told.len() {
+            let more = self.count - self.told.len();
+            remarks.push(format!("{more} more steps end in singular positions"));
+        }
+        remarks
+    }
+}
