@@ -128,6 +128,11 @@ pub trait Element: Debug + Send + Sync {
         None
     }
 
+    /// Why it has no value at a state and a time, in words, where it can tell.
+    fn without_value(&self, _at: &Local<'_>) -> Option<String> {
+        None
+    }
+
     /// Whether a rotation that it drives is held half a turn off: its constraints are
     /// fulfilled there too.
     fn is_turned_over(&self, _at: &Local<'_>) -> bool {
