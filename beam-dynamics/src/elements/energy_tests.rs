@@ -263,25 +263,16 @@ fn moving() -> Drive {
     })
 }
 
-/// The energy counts from the relaxed state of its time. With the nodes at rest it is changed
-/// by the drive alone, by what this does against the force: `W' = - f . eps_0'`, by
-/// differences in time of 1e-5 s.
-#[test]
-fn energy_counts_from_the_relaxed_state_of_its_time() {
-    let nodes = [node(0.0, [0.0; 3]), node(1.5, [0.0; 3])];
-    let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
-    motion[1].position.x += 0.2;
-    motion[1].rotation = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.3));
-    let (k, time) = (3.0, 0.4);
-    let rest = moving().at(time);
-    let stretch = 1.7 - rest.value;
+/// A rod of each measure, a hinge and a spring about z, all of the stiffness `k` and relaxed by
+/// a drive that moves.
+fn relaxing(nodes: &[Node; 2], k: f64) -> [Box<dyn Element>; 4] {
     let ends = [0, 1].map(|node| End::Node {
         node,
         offset: Vector3::zeros(),
     });
-    let rod = |measure| {
+    let rod = |measure| -> Box<dyn Element> {
         let law = (measure, Law::linear(Matrix1::new(k)));
-        Rod::new("rod", ends, &nodes, Some(moving()), law)
+        Box::new(Rod::new("rod", ends, nodes, Some(moving()), law))
     };
     let relaxed = HingeSpring {
         stiffness: k,
@@ -301,27 +292,36 @@ fn energy_counts_from_the_relaxed_state_of_its_time() {
         prestress: None,
     }]);
     let (law, axes) = (SpringLaw::of_rotation(law), Matrix3::identity());
-    let spring = Spring::new("spring", (&[0, 1], &nodes), &place, &axes, law);
+    let spring = Spring::new("spring", (&[0, 1], nodes), &place, &axes, law);
+    [
+        rod(Measure::Elongation),
+        rod(Measure::Strain),
+        Box::new(hinge.relaxed_by(moving())),
+        Box::new(spring),
+    ]
+}
+
+/// The energy counts from the relaxed state of its time. With the nodes at rest it is changed
+/// by the drive alone, by what this does against the force: `W' = - f . eps_0'`, by
+/// differences in time of 1e-5 s.
+#[test]
+fn energy_counts_from_the_relaxed_state_of_its_time() {
+    let nodes = [node(0.0, [0.0; 3]), node(1.5, [0.0; 3])];
+    let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
+    motion[1].position.x += 0.2;
+    motion[1].rotation = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.3));
+    let (k, time) = (3.0, 0.4);
+    let rest = moving().at(time);
+    let stretch = 1.7 - rest.value;
+    let [elongation, strain, hinge, spring] = relaxing(&nodes, k);
     let turned = 0.3 - rest.value;
     // Of a strain, k (l - l_0)^2 / (2 l_0), which l_0 scales too.
     let by_strain = -k * stretch / rest.value - 0.5 * k * (stretch / rest.value).powi(2);
     let cases: [(&dyn Element, f64, f64); 4] = [
-        (
-            &rod(Measure::Elongation),
-            k * stretch * stretch,
-            -k * stretch,
-        ),
-        (
-            &rod(Measure::Strain),
-            k * stretch * stretch / rest.value,
-            by_strain,
-        ),
-        (
-            &hinge.relaxed_by(moving()),
-            k * turned * turned,
-            -k * turned,
-        ),
-        (&spring, k * turned * turned, -k * turned),
+        (&*elongation, k * stretch * stretch, -k * stretch),
+        (&*strain, k * stretch * stretch / rest.value, by_strain),
+        (&*hinge, k * turned * turned, -k * turned),
+        (&*spring, k * turned * turned, -k * turned),
     ];
     for (element, twice, slope) in cases {
         let at = |time: f64| {
