@@ -121,9 +121,15 @@ pub trait Element: Debug + Send + Sync {
         None
     }
 
-    /// The rotation by which it is loaded and which is known up to whole turns only, where
-    /// there is one \[rad\]: it must not pass half a turn.
+    /// The rotation by which it is loaded, from where that is relaxed if it counts from there,
+    /// and which is known up to whole turns only, where there is one \[rad\]: it must not pass
+    /// half a turn.
     fn winding(&self, _at: &Local<'_>) -> Option<Vector3<f64>> {
+        None
+    }
+
+    /// Why it has no value at a state and a time, in words, where it can tell.
+    fn without_value(&self, _at: &Local<'_>) -> Option<String> {
         None
     }
 

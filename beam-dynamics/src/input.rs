@@ -229,6 +229,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     if let Some(times) = times {
         draft.drives().check(document, times);
         draft.drives().check_corners(document, times);
+        draft.drives().check_lengths(document, times);
     }
     let start = times.map_or(0.0, |[start, _]| start);
     draft.drives().check_start(document, start);

@@ -236,7 +236,7 @@ impl Run<'_> {
                 return Err(failure);
             }
             self.check_attitudes(&conditions)?;
-            self.check_springs(&conditions)?;
+            self.check_springs(before.time, &conditions)?;
             self.watch_turns(stepped.length);
             let system = &self.model.system;
             self.passed
@@ -264,19 +264,16 @@ impl Run<'_> {
         }
     }
 
-    /// No spring must have turned by half a turn.
-    fn check_springs(&self, conditions: &Conditions) -> Result<(), TransientFailure> {
-        let time = self.integrator.time();
+    /// No spring must have turned by half a turn since the time `before` \[s\].
+    fn check_springs(&self, before: f64, now: &Conditions) -> Result<(), TransientFailure> {
         let states = self.dae.states();
-        match self
-            .model
-            .system
-            .wound([&states[1], &states[0]], conditions)
-        {
+        let then = self.model.conditions_at(before);
+        let system = &self.model.system;
+        match system.wound((&states[1], &then), (&states[0], now)) {
             None => Ok(()),
             Some(element) => Err(TransientFailure::Wound {
                 spring: element.label().to_owned(),
-                time,
+                time: self.integrator.time(),
             }),
         }
     }

@@ -4,16 +4,16 @@
 //! with the step 1e-5: truncation 1e-10 of third derivatives of order one, round-off 1e-11
 //! of energies of order ten.
 
-use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix1, Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
 
 use super::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam, LawBeam, ViscousBeam};
 use super::bodies::{RigidBody, RigidInertia};
 use super::joints::{Hinge, HingeSpring};
-use super::laws::{Cubic, Law, LawKind};
+use super::laws::{Cubic, Driven, Law, LawKind, Term};
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
 use super::{Element, Energy, Local, LocalResidual};
-use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion};
+use crate::model::{Conditions, Drive, Harmonic, NODE_UNKNOWNS, Node, NodeMotion};
 
 const STEP: f64 = 1e-5;
 
@@ -249,6 +249,93 @@ fn energy_of_the_spring_of_a_hinge() {
     let power = power(&hinge, &after(&motion, &rates, 0.0));
     let found = stored_rate(&hinge, &motion, &rates);
     assert!(power < -1.0 && (found + power).abs() < 1e-9);
+}
+
+/// A drive with derivatives of order one.
+fn moving() -> Drive {
+    Drive::Harmonic(Harmonic {
+        frequency: 0.3,
+        amplitude: 0.4,
+        mean: 0.9,
+        phase: 0.7,
+        start: -10.0,
+        cycles: f64::INFINITY,
+    })
+}
+
+/// A rod of each measure, a hinge and a spring about z, all of the stiffness `k` and relaxed by
+/// a drive that moves.
+fn relaxing(nodes: &[Node; 2], k: f64) -> [Box<dyn Element>; 4] {
+    let ends = [0, 1].map(|node| End::Node {
+        node,
+        offset: Vector3::zeros(),
+    });
+    let rod = |measure| -> Box<dyn Element> {
+        let law = (measure, Law::linear(Matrix1::new(k)));
+        Box::new(Rod::new("rod", ends, nodes, Some(moving()), law))
+    };
+    let relaxed = HingeSpring {
+        stiffness: k,
+        ..HingeSpring::default()
+    };
+    let on = [&nodes[0], &nodes[1]];
+    let place = nodes[1].position;
+    let hinge = Hinge::new("hinge", [0, 1], on, &place, &Vector3::z(), relaxed);
+    let law = Law::sum(vec![Term {
+        kind: LawKind::Linear {
+            stiffness: k * Matrix3::identity(),
+        },
+        prestrain: Some(Driven {
+            vector: Vector3::z(),
+            drive: moving(),
+        }),
+        prestress: None,
+    }]);
+    let (law, axes) = (SpringLaw::of_rotation(law), Matrix3::identity());
+    let spring = Spring::new("spring", (&[0, 1], nodes), &place, &axes, law);
+    [
+        rod(Measure::Elongation),
+        rod(Measure::Strain),
+        Box::new(hinge.relaxed_by(moving())),
+        Box::new(spring),
+    ]
+}
+
+/// The energy counts from the relaxed state of its time. With the nodes at rest it is changed
+/// by the drive alone, by what this does against the force: `W' = - f . eps_0'`, by
+/// differences in time of 1e-5 s.
+#[test]
+fn energy_counts_from_the_relaxed_state_of_its_time() {
+    let nodes = [node(0.0, [0.0; 3]), node(1.5, [0.0; 3])];
+    let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
+    motion[1].position.x += 0.2;
+    motion[1].rotation = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.3));
+    let (k, time) = (3.0, 0.4);
+    let rest = moving().at(time);
+    let stretch = 1.7 - rest.value;
+    let [elongation, strain, hinge, spring] = relaxing(&nodes, k);
+    let turned = 0.3 - rest.value;
+    // Of a strain, k (l - l_0)^2 / (2 l_0), which l_0 scales too.
+    let by_strain = -k * stretch / rest.value - 0.5 * k * (stretch / rest.value).powi(2);
+    let cases: [(&dyn Element, f64, f64); 4] = [
+        (&*elongation, k * stretch * stretch, -k * stretch),
+        (&*strain, k * stretch * stretch / rest.value, by_strain),
+        (&*hinge, k * turned * turned, -k * turned),
+        (&*spring, k * turned * turned, -k * turned),
+    ];
+    for (element, twice, slope) in cases {
+        let at = |time: f64| {
+            let mut conditions = conditions();
+            conditions.loading.time = time;
+            energy(element, &motion, &conditions).elastic
+        };
+        let error = (at(time) - 0.5 * twice).abs();
+        assert!(error < 1e-13, "{} {error:e}", element.label());
+        let rate = (at(time + STEP) - at(time - STEP)) / (2.0 * STEP);
+        let error = (rate - slope * rest.rate).abs();
+        assert!(error < 1e-9, "{} {rate} {error:e}", element.label());
+        assert!(rate.abs() > 0.05, "{} {rate}", element.label());
+    }
 }
 
 const LENGTH: f64 = 2.0;

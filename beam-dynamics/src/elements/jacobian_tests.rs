@@ -4,7 +4,7 @@
 //! eps/h of terms of order one (properties are chosen so) give about 1e-9 of the
 //! largest entry; 2e-8 leaves a factor for the third derivatives.
 
-use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3};
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::wrench;
 
@@ -13,7 +13,7 @@ use super::beams::{
 };
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
-use super::laws::{Cubic, Law, LawKind};
+use super::laws::{Cubic, Driven, Law, LawKind, Term};
 use super::loads::{
     Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
 };
@@ -445,6 +445,30 @@ fn laws<const N: usize>(random: &mut Random) -> [Law<N>; 2] {
     [cubic.into(), Law::sum(sum)]
 }
 
+/// Cubic and viscous, with a prestrain and a prestress that move.
+fn driven_law<const N: usize>(random: &mut Random) -> Law<N> {
+    let mut driven = || {
+        Some(Driven {
+            vector: SVector::from_fn(|_, _| 0.5 * random.number()),
+            drive: samples::drive(0.3),
+        })
+    };
+    let cubic = Cubic {
+        first: 1.1,
+        second: 0.2,
+        third: 0.3,
+    };
+    let viscous = LawKind::Viscous {
+        viscosity: SMatrix::from_fn(|i, j| if i == j { 0.8 } else { -0.3 }),
+    };
+    let terms = [LawKind::Cubic([cubic; N]), viscous].map(|kind| Term {
+        kind,
+        prestrain: driven(),
+        prestress: driven(),
+    });
+    Law::sum(terms.into())
+}
+
 #[test]
 fn rods_between_nodes_and_from_the_frame() {
     let mut random = Random(11);
@@ -454,10 +478,13 @@ fn rods_between_nodes_and_from_the_frame() {
         offset: random.vector(0.3),
     };
     let position = nodes[0].position + Vector3::new(0.0, 1.0, 0.2);
-    for (law, measure) in laws(&mut random)
-        .into_iter()
-        .zip([Measure::Strain, Measure::Elongation])
-    {
+    let [elastic, viscous] = laws(&mut random);
+    for (law, measure) in [
+        (elastic, Measure::Strain),
+        (viscous, Measure::Elongation),
+        (driven_law(&mut random), Measure::Strain),
+        (driven_law(&mut random), Measure::Elongation),
+    ] {
         let law = || (measure, law.clone());
         let between = [end(0, &mut random), end(1, &mut random)];
         for relaxed in [Drive::Constant(0.8), samples::drive(0.8)] {
@@ -485,11 +512,19 @@ fn springs_between_nodes_and_from_the_frame() {
         displacement,
         rotation,
     };
+    let driven = [
+        SpringLaw::Together(driven_law(&mut random)),
+        SpringLaw::Apart {
+            displacement: Some(driven_law(&mut random)),
+            rotation: Some(driven_law(&mut random)),
+        },
+    ];
     let all = together
         .into_iter()
         .chain(along)
         .chain(about)
-        .chain([apart]);
+        .chain([apart])
+        .chain(driven);
     for law in all {
         let (place, axes) = (random.vector(1.0), random.rotation(1.0));
         for on in [&[0, 1][..], &[0]] {
@@ -502,7 +537,8 @@ fn springs_between_nodes_and_from_the_frame() {
 #[test]
 fn beams_of_any_law_with_offsets_and_turned_sections() {
     let mut random = Random(13);
-    for law in laws(&mut random) {
+    let [elastic, viscous] = laws(&mut random);
+    for law in [elastic, viscous, driven_law(&mut random)] {
         let nodes = nodes(&mut random, 3);
         let geometry = geometry(&mut random);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];

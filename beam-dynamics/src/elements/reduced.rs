@@ -103,6 +103,10 @@ impl Element for ReducedElement {
         self.element.winding(at)
     }
 
+    fn without_value(&self, at: &Local<'_>) -> Option<String> {
+        self.element.without_value(at)
+    }
+
     fn is_turned_over(&self, at: &Local<'_>) -> bool {
         self.element.is_turned_over(at)
     }

@@ -14,6 +14,7 @@ use shared_geom::units::Dimension;
 mod columns;
 mod kinds;
 mod measure;
+mod positive;
 mod problem;
 #[cfg(test)]
 mod tests;
@@ -41,8 +42,17 @@ struct Used {
     line: usize,
     key: String,
     drive: Drive,
-    /// Whether its slope counts too.
-    moves: bool,
+    counts: Counts,
+}
+
+/// What counts of a drive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Counts {
+    Value,
+    /// Its slope too.
+    Slope,
+    /// Its slope too, and it must be above zero at all times.
+    Positive,
 }
 
 /// The drives of an input by name; those that are wrong are `None`.
@@ -67,7 +77,7 @@ pub(super) fn read(
     dimension: Dimension,
     catalog: &Catalog,
 ) -> Option<Drive> {
-    used(&table.item(key)?, dimension, catalog, false)
+    used(&table.item(key)?, dimension, catalog, Counts::Value)
 }
 
 /// As [`read`], of what moves: its slope counts too.
@@ -77,17 +87,32 @@ pub(super) fn read_motion(
     dimension: Dimension,
     catalog: &Catalog,
 ) -> Option<Drive> {
-    used(&table.item(key)?, dimension, catalog, true)
+    used(&table.item(key)?, dimension, catalog, Counts::Slope)
+}
+
+/// As [`read_motion`], of a length above zero at all times.
+pub(super) fn read_length(table: &Table<'_>, key: &str, catalog: &Catalog) -> Option<Drive> {
+    let length = used(
+        &table.item(key)?,
+        Dimension::LENGTH,
+        catalog,
+        Counts::Positive,
+    )?;
+    if length.at(0.0).value <= 0.0 {
+        table.wrong(key, "a length greater than zero at all times");
+        return None;
+    }
+    Some(length)
 }
 
 /// A drive that must have a value where a run starts.
-fn used(item: &Item<'_>, dimension: Dimension, catalog: &Catalog, moves: bool) -> Option<Drive> {
+fn used(item: &Item<'_>, dimension: Dimension, catalog: &Catalog, counts: Counts) -> Option<Drive> {
     let drive = read_item(item, dimension, catalog)?;
     catalog.used.borrow_mut().push(Used {
         line: item.line(),
         key: item.key().to_owned(),
         drive: drive.clone(),
-        moves,
+        counts,
     });
     Some(drive)
 }
@@ -288,7 +313,7 @@ impl Catalog {
             let now = used.drive.at(start);
             let (what, found) = match now.value.is_finite() {
                 false => ("value", now.value),
-                true if used.moves => ("slope", now.rate),
+                true if used.counts != Counts::Value => ("slope", now.rate),
                 true => continue,
             };
             if !found.is_finite() {
@@ -310,6 +335,24 @@ impl Catalog {
             if has_many_corners(&used.drive, run) {
                 let (key, most) = (used.key.clone(), MOST_CORNERS);
                 document.note(used.line, &DriveProblem::ManyCorners { key, most, run });
+            }
+        }
+    }
+
+    /// Notes every length of the model that is not above zero at all times of a run, as far as
+    /// its corners and many instants between show.
+    pub fn check_lengths(&self, document: &Document, run: [f64; 2]) {
+        let used = self.used.borrow();
+        for length in used.iter().filter(|one| one.counts == Counts::Positive) {
+            if let Some((time, value)) = positive::first_below(&length.drive, run) {
+                let key = length.key.clone();
+                let problem = DriveProblem::NoLength {
+                    key,
+                    value,
+                    time,
+                    run,
+                };
+                document.note(length.line, &problem);
             }
         }
     }

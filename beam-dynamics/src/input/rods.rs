@@ -1,14 +1,13 @@
 //! Rods: `[[rod]]`.
 
 use shared_geom::document::Table;
-use shared_geom::units::Dimension;
 
 use super::draft::Draft;
 use super::laws::{self, Components, LawProblem};
 use super::{drives, ends};
 use crate::elements::Element;
 use crate::elements::springs::{End, Measure, Rod};
-use crate::model::{Drive, NodeMotion};
+use crate::model::NodeMotion;
 
 /// Part of the largest coordinate below which a length counts as none: digits lost in the
 /// input.
@@ -45,7 +44,7 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
         false => Some(0),
     };
     let relaxed = match table.has("length") {
-        true => length(table, draft).map(Some),
+        true => drives::read_length(table, "length", draft.drives()).map(Some),
         false => Some(None),
     };
     let of = match measure {
@@ -63,16 +62,6 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
         return None;
     }
     Some(rod)
-}
-
-/// The relaxed length: a drive that is above zero as far as it is known here.
-fn length(table: &Table<'_>, draft: &Draft) -> Option<Drive> {
-    let length = drives::read_motion(table, "length", Dimension::LENGTH, draft.drives())?;
-    if length.at(0.0).value <= 0.0 {
-        table.wrong("length", "a length greater than zero at all times");
-        return None;
-    }
-    Some(length)
 }
 
 /// The largest coordinate of the ends \[m\].

@@ -79,7 +79,7 @@ pub enum TransientFailure {
         /// When [s].
         time: f64,
     },
-    /// The angle of a spring has passed half a turn.
+    /// The angle of a spring has passed half a turn, that of a hinge from its relaxed one.
     #[error(
         "at {time} s the spring \"{spring}\" has turned by half a turn: its moment would jump to \
          the other side"
@@ -195,8 +195,10 @@ impl TransientFailure {
                  shorter steps"
             }
             Self::Wound { .. } => {
-                "hold the part from turning so far, by a stiffer spring or a stop; the angle of a \
-                 spring is known from half a turn back to half a turn ahead of its undeformed state"
+                "hold the part from turning so far, by a stiffer spring or a stop, or drive a \
+                 relaxed angle no faster than the part follows; the angle of a spring is known \
+                 from half a turn back to half a turn ahead: that of a hinge from its relaxed \
+                 angle, that of a [[spring]] from its undeformed state"
             }
             Self::Velocities { .. } => {
                 "look for joints that say the same twice and for a position at which the \

@@ -132,15 +132,16 @@ impl<'a> Multibody<'a> {
         &self.states[0]
     }
 
-    /// An element without a value at a state that was tried last, and whether it has none at
-    /// the latest accepted state either, at that time.
-    pub fn without_value(&self) -> Option<(&dyn Element, bool)> {
+    /// An element without a value at a state that was tried last, whether it has none at the
+    /// latest accepted state either, at that time, and why, where it can tell.
+    pub fn without_value(&self) -> Option<(&dyn Element, bool, Option<String>)> {
         let system = &self.model.system;
         self.trials.iter().find_map(|trial| {
             let (state, conditions) = (&trial.state, &trial.conditions);
             let (index, element) = system.without_value(state, conditions)?;
             let then = system.has_value(index, &self.states[0], conditions);
-            Some((element, !then))
+            let why = system.why_without_value(index, state, conditions);
+            Some((element, !then, why))
         })
     }
 

@@ -13,3 +13,4 @@ mod rigid;
 mod speeds;
 mod starting;
 mod unknowing;
+mod winding;

@@ -42,15 +42,16 @@ impl System {
         over.map(|(_, element)| element.as_ref())
     }
 
-    /// The first element with a rotation that has passed half a turn between two states.
+    /// The first element with a rotation that has passed half a turn between two states, each
+    /// with what acted then.
     pub fn wound(
         &self,
-        [before, now]: [&State; 2],
-        conditions: &Conditions,
+        before: (&State, &Conditions),
+        now: (&State, &Conditions),
     ) -> Option<&dyn Element> {
         let mut elements = self.elements.iter().enumerate();
         let wound = elements.find(|(index, element)| {
-            let rotation = |state: &State| {
+            let rotation = |(state, conditions): (&State, &Conditions)| {
                 let found = self.seen_at(*index, state, conditions, |at| element.winding(at));
                 found.flatten()
             };

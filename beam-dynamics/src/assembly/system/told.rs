@@ -48,6 +48,18 @@ impl System {
         numbers.all(|number| number.is_finite())
     }
 
+    /// Why the element number `element` has no value at a state, in words, where it can tell.
+    pub fn why_without_value(
+        &self,
+        element: usize,
+        state: &State,
+        conditions: &Conditions,
+    ) -> Option<String> {
+        let nodes = self.motions(element, state);
+        let at = self.seen_by(element, &nodes, state, conditions);
+        self.elements[element].without_value(&at)
+    }
+
     /// Energy of all elements at a state.
     pub fn energy(&self, state: &State, conditions: &Conditions) -> Energy {
         let mut sum = Energy::default();

@@ -220,7 +220,10 @@ impl Element for Hinge {
 
     fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
         let is_loaded = self.spring.stiffness != 0.0;
-        is_loaded.then(|| self.angle(at.nodes) * Vector3::x())
+        is_loaded.then(|| {
+            let turned = self.turned(&self.state(at.nodes), at.loading.time);
+            turned * Vector3::x()
+        })
     }
 
     fn domain(&self) -> [f64; 2] {

@@ -5,7 +5,8 @@
 //! ```
 //!
 //! with s = l_0, s' = l_0', so that e is the strain and a linear law has the stiffness EA, or with
-//! s = 1, s' = 0, so that e is the elongation. The pull T along the line is positive in tension.
+//! s = 1, s' = 0, so that e is the elongation. The relaxed length is above zero: where its drive
+//! is not, the rod has no value. The pull T along the line is positive in tension.
 //! A rod resists no motion across its line but by its tension. Variations (see
 //! [`super::line`]), with the slopes C, V of the law:
 //!
@@ -93,7 +94,10 @@ impl Rod {
 
     fn state(&self, at: &Local<'_>) -> Strained {
         let line = self.line.state(at.nodes);
-        let relaxed = self.relaxed.at(at.loading.time);
+        let mut relaxed = self.relaxed.at(at.loading.time);
+        if relaxed.value <= 0.0 {
+            relaxed.value = f64::NAN;
+        }
         let scale = match self.measure {
             Measure::Strain => [relaxed.value, relaxed.rate],
             Measure::Elongation => [1.0, 0.0],
@@ -127,6 +131,14 @@ impl Element for Rod {
     fn next_corner(&self, time: f64) -> f64 {
         let relaxed = self.relaxed.next_corner(time);
         self.law.next_corner(time).min(relaxed)
+    }
+
+    fn without_value(&self, at: &Local<'_>) -> Option<String> {
+        let relaxed = self.relaxed.at(at.loading.time).value;
+        (relaxed <= 0.0).then(|| {
+            let time = at.loading.time;
+            format!("its relaxed length is zero or less: {relaxed:.3e} m at {time} s")
+        })
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

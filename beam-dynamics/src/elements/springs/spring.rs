@@ -33,6 +33,8 @@
 //! References: [Bauchau2003] for T and its inverse; [Masarati], springs in the axes of a
 //! node.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 use shared_geom::rotation::{skew, vector};
 
@@ -222,13 +224,22 @@ impl Spring {
 /// this part of it.
 const ACROSS: f64 = 1e-6;
 
-/// Whether a rotation psi leads to a moment, and not only its round-off.
-pub(super) fn is_loaded(
-    moment: &Vector3<f64>,
+/// The same rotation as psi, the other way round.
+pub(super) fn other_way(psi: &Vector3<f64>) -> Vector3<f64> {
+    psi * (1.0 - TAU / psi.norm())
+}
+
+/// Whether the force or moment of a rotation psi, the sum of `rest` and of a `stiffness` times
+/// psi, is another one (`other`) when it counts the other way round, and not only by round-off.
+pub(super) fn is_other(
+    [one, other]: [&Vector3<f64>; 2],
     stiffness: &Matrix3<f64>,
     psi: &Vector3<f64>,
 ) -> bool {
-    moment.norm() > ACROSS * stiffness.norm() * psi.norm()
+    let apart = (one - other).norm();
+    let round_off = ACROSS * (stiffness.norm() * psi.norm() + one.norm());
+    // A law without a value there has no other side.
+    apart > round_off || apart.is_nan()
 }
 
 fn six(first: &Vector3<f64>, last: &Vector3<f64>) -> Vector6<f64> {
@@ -353,11 +364,22 @@ impl Element for Spring {
 
     fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
         let state = self.state(at.nodes);
-        let still = Vector6::zeros();
-        let law = self.law.at(&state.strain, &still, at.loading.time);
-        let moment = law.force.fixed_rows::<3>(3).into_owned();
-        let stiffness = law.by_strain.fixed_view::<3, 3>(3, 3).into_owned();
-        is_loaded(&moment, &stiffness, &state.psi()).then(|| state.psi())
+        let psi = state.psi();
+        let of = |psi: &Vector3<f64>| {
+            let u = state.strain.fixed_rows::<3>(0).into_owned();
+            let law = self
+                .law
+                .at(&six(&u, psi), &Vector6::zeros(), at.loading.time);
+            let [force, inner] = [0, 3].map(|k| law.force.fixed_rows::<3>(k).into_owned());
+            let moment = vector::tangent_inverse(psi).transpose() * inner;
+            ([force, moment], law.by_strain)
+        };
+        let ((one, slopes), (other, _)) = (of(&psi), of(&other_way(&psi)));
+        let is_loaded = [0, 1].into_iter().any(|k| {
+            let stiffness = slopes.fixed_view::<3, 3>(3 * k, 3).into_owned();
+            is_other([&one[k], &other[k]], &stiffness, &psi)
+        });
+        is_loaded.then_some(psi)
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

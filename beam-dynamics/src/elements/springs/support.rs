@@ -28,7 +28,7 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
-use super::spring::is_loaded;
+use super::spring::{is_other, other_way};
 use crate::elements::{
     Along, Element, Energy, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
 };
@@ -161,7 +161,8 @@ impl Element for SupportSpring {
     fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
         let stiffness = &self.law.turning_stiffness;
         let psi = self.state(&at.nodes[0], at.frame).psi;
-        is_loaded(&(stiffness * psi), stiffness, &psi).then_some(psi)
+        let [one, other] = [psi, other_way(&psi)].map(|psi| stiffness * psi);
+        is_other([&one, &other], stiffness, &psi).then_some(psi)
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

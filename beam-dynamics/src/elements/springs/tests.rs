@@ -271,6 +271,43 @@ fn a_rod_whose_relaxed_length_grows() {
     }
 }
 
+/// Where its relaxed length is zero or less a rod pulls by no number, and says why.
+#[test]
+fn a_rod_without_a_relaxed_length_has_no_value() {
+    let nodes = nodes();
+    let ends = [0, 1].map(|node| End::Node {
+        node,
+        offset: Vector3::zeros(),
+    });
+    let motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
+    let ramp = Drive::Ramp(Ramp {
+        from: 1.0,
+        to: -1.0,
+        start: 0.0,
+        end: 1.0,
+        smooth: false,
+    });
+    for measure in [Measure::Strain, Measure::Elongation] {
+        let law = (measure, viscoelastic());
+        let rod = Rod::new("rod", ends, &nodes, Some(ramp.clone()), law);
+        for (time, has_value) in [(0.4, true), (0.5, false), (0.75, false)] {
+            let mut conditions = loaded();
+            conditions.loading.time = time;
+            let at = local(&motion, &conditions);
+            let mut out = LocalResidual::new(2, 0);
+            rod.residual(&at, &mut out);
+            let found = out.values().iter().all(|value| value.is_finite());
+            assert_eq!(found, has_value, "{time}");
+            assert_eq!(rod.without_value(&at).is_none(), has_value, "{time}");
+        }
+        let mut conditions = loaded();
+        conditions.loading.time = 0.75;
+        let why = rod.without_value(&local(&motion, &conditions));
+        let expected = "its relaxed length is zero or less: -5.000e-1 m at 0.75 s";
+        assert_eq!(why.as_deref(), Some(expected));
+    }
+}
+
 /// About one axis the moment is k phi at every angle, and the force is in the axes of the
 /// turned first node.
 #[test]

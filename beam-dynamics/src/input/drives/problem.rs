@@ -51,6 +51,22 @@ pub enum DriveProblem {
         /// The first instant \[s\].
         start: f64,
     },
+    /// A length that gets to zero or below in a run.
+    #[error(
+        "\"{key}\" is {} m at {} s, expected a length greater than zero at all times of the run, \
+         from {} s to {} s",
+        six(*.value), six(*.time), six(.run[0]), six(.run[1])
+    )]
+    NoLength {
+        /// The key.
+        key: String,
+        /// What it is \[m\].
+        value: f64,
+        /// When \[s\].
+        time: f64,
+        /// First and last time of the run \[s\].
+        run: [f64; 2],
+    },
     /// A drive with too many corners for a run.
     #[error(
         "\"{key}\" has more than {most} corners and jumps from {} s to {} s, and a step ends at each",
@@ -168,6 +184,10 @@ impl Explain for DriveProblem {
             Self::NoStart { .. } => {
                 "write it so that it is finite there, such as 1/(t + 0.1) for 1/t, or give \
                  [transient] another \"from\""
+            }
+            Self::NoLength { .. } => {
+                "let the drive end at a length above zero, bound it by max() as in \
+                 max(0.01, 1 - 2*t), or end the run before"
             }
             Self::ManyCorners { .. } => {
                 "make its intervals longer, or the run shorter; a random drive with a \"band\" \

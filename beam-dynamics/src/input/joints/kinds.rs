@@ -199,13 +199,10 @@ fn turning(table: &Table<'_>, draft: &Draft) -> Option<Option<Turning>> {
 
 /// The length of a distance joint.
 fn length(table: &Table<'_>, draft: &Draft) -> Option<Option<Drive>> {
-    let length = drive(table, "length", Dimension::LENGTH, draft)?;
-    let start = length.as_ref().map(|length| length.at(0.0).value);
-    if start.is_some_and(|start| start <= 0.0) {
-        table.wrong("length", "a length greater than zero at all times");
-        return None;
+    match table.has("length") {
+        true => drives::read_length(table, "length", draft.drives()).map(Some),
+        false => Some(None),
     }
-    Some(length)
 }
 
 /// Driven components: `{ x = 0, z = "= sin(t)" }`, or three numbers.

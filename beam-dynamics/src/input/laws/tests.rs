@@ -189,6 +189,43 @@ fn springs_between_nodes_hold_them_together_in_their_directions() {
     assert!(!shown.contains("translation along x") && shown.contains("translation along y"));
 }
 
+/// A relaxed length that gets to zero in the run is told before it, with time and value; one
+/// that is below zero only after the run is not.
+#[test]
+fn a_relaxed_length_through_zero_is_told_before_the_run() {
+    let rod = |length: &str, to: f64| {
+        format!(
+            "{HOLD}[[rod]]\nname = \"rod\"\nnodes = [\"root\", \"tip\"]\nlength = {length}\n\
+             law = {{ kind = \"linear\", stiffness = 1e3 }}\n\
+             [transient]\nto = {to}\nstep = 0.01\n"
+        )
+    };
+    for (length, found) in [
+        ("\"= 1 - 2*t\"", "\"length\" is 0 m at 0.5 s"),
+        (
+            "{ kind = \"ramp\", from = 1, to = -1, start = 0, end = 1 }",
+            "\"length\" is 0 m at 0.5 s",
+        ),
+        (
+            "{ kind = \"step\", from = 1, to = -0.5, time = 0.3 }",
+            "\"length\" is -0.5 m at 0.3 s",
+        ),
+    ] {
+        let shown = refused(&rod(length, 1.0));
+        assert!(shown.contains(found), "{shown}");
+        let rest = "expected a length greater than zero at all times of the run, from 0 s to 1 s";
+        assert!(shown.contains(rest), "{shown}");
+        assert!(
+            shown.contains("help: let the drive end at a length above zero"),
+            "{shown}"
+        );
+        assert!(input(&rod(length, 0.25)).is_ok());
+    }
+    let joint = "[[joint]]\nkind = \"distance\"\nnodes = [\"root\", \"tip\"]\n\
+        length = \"= 2 - 4*t\"\n[transient]\nto = 1\nstep = 0.01\n";
+    expect(joint, "\"length\" is 0 m at 0.5 s");
+}
+
 /// Laws of a rod, and what is told of them.
 const WRONG_OF_RODS: &[(&str, &str)] = &[
     (

@@ -209,12 +209,18 @@ impl<'a> Scene<'a> {
 
     /// A law, drive or load without a value.
     fn without_value(&self) -> Cause {
-        let Some((element, by_time)) = self.dae.without_value() else {
+        let Some((element, by_time, why)) = self.dae.without_value() else {
             return Cause::new(
                 "a law, a drive or a load has no value there",
                 &["look for drives and laws that are not defined at this time or strain"],
             );
         };
+        if let Some(why) = why {
+            return Cause::new(
+                format!("\"{}\" has no value: {why}", element.label()),
+                &["bound its drive by min() and max(), or end the run before"],
+            );
+        }
         let time = self.failure.time + self.failure.length;
         let what = match (by_time, element.senses()) {
             (true, _) => format!("has no value at {time} s, wherever the nodes are"),

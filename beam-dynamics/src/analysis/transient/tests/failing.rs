@@ -2,9 +2,14 @@
 
 use std::sync::Arc;
 
-use super::models::{driven_beam, pendulum, run};
-use crate::case::TransientQuestion;
-use crate::model::{Drive, DriveTable, Interpolation, Outside};
+use nalgebra::{Matrix1, Matrix3, Vector3};
+
+use super::models::{body, driven_beam, node, pendulum, run};
+use crate::assembly::System;
+use crate::case::{Model, TransientQuestion};
+use crate::elements::laws::Law;
+use crate::elements::springs::{End, Measure, Rod};
+use crate::model::{Drive, DriveTable, Interpolation, Outside, Ramp};
 
 /// A number in the first tenth of a second; after it there is nothing.
 fn short(value: f64) -> Drive {
@@ -30,4 +35,37 @@ fn a_drive_that_leaves_its_table_is_named_with_its_times() {
         assert!((outcome.time - 0.1).abs() < 1e-12, "{}", outcome.time);
         assert_eq!(kept.states.len(), 11);
     }
+}
+
+// 1 m - 2 m/s t is zero after half a second; the weak rod leaves the body near 1 m until then.
+#[test]
+fn a_rod_whose_relaxed_length_gets_to_zero_is_named_with_the_cause() {
+    let nodes = vec![node("bob", Vector3::x(), Matrix3::identity())];
+    let ends = [
+        End::Frame {
+            position: Vector3::zeros(),
+        },
+        End::Node {
+            node: 0,
+            offset: Vector3::zeros(),
+        },
+    ];
+    let law = (Measure::Elongation, Law::linear(Matrix1::new(1.0)));
+    let length = Drive::Ramp(Ramp {
+        from: 1.0,
+        to: -1.0,
+        start: 0.0,
+        end: 1.0,
+        smooth: false,
+    });
+    let rod = Rod::new("winch", ends, &nodes, Some(length), law);
+    let elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(rod)];
+    let model = Model::new("winch", System::new(nodes, elements));
+    let outcome = run(&model, &TransientQuestion::new(1.0, 0.03)).1;
+    let failure = outcome.failure.unwrap();
+    let told = failure.to_string();
+    let expected = "likely cause: \"winch\" has no value: its relaxed length is zero or less: ";
+    assert!(told.contains(expected), "{told}");
+    assert!(failure.remedy().contains("max()"), "{}", failure.remedy());
+    assert!((0.45..0.5).contains(&outcome.time), "{}", outcome.time);
 }
