@@ -10,4 +10,4 @@ mod system;
 
 pub use combination::{Combination, Variation};
 pub use pattern::{Pattern, Sparse};
-pub use system::{Loop, Residual, Sharing, System, Tangent, Workspace};
+pub use system::{Contradiction, Loop, Residual, Sharing, Slack, System, Tangent, Workspace};

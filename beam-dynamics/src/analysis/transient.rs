@@ -5,10 +5,11 @@
 //! 2. The integrator makes one accepted step after the other, to the last instant.
 //! 3. What ends a run early is told with the equation that is worst and the likely cause.
 
+use crate::assembly::Slack;
 use crate::assembly::massless;
 use crate::assembly::redundancy::Redundant;
 use crate::case::{Model, TransientQuestion};
-use crate::integrator::{Counters, Integrator, Progress};
+use crate::integrator::{Corner, Counters, Integrator, Progress};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
@@ -229,7 +230,7 @@ impl Run<'_> {
             self.latest = (stepped.length, stepped.iterations);
             let conditions = self.conditions();
             if let Some(corner) = self.integrator.corner()
-                && let Err(failure) = corner::place_jump(self.model, &corner)
+                && let Err(failure) = self.check_corner(&corner)
             {
                 // The state just before it is sound.
                 self.tell(&conditions, recorder, clock)?;
@@ -245,6 +246,29 @@ impl Run<'_> {
             self.tell(&conditions, recorder, clock)?;
         }
         Ok(())
+    }
+
+    /// No place that a drive holds may jump at a corner, and no drives may contradict each
+    /// other just after it.
+    fn check_corner(&self, corner: &Corner) -> Result<(), TransientFailure> {
+        corner::place_jump(self.model, corner)?;
+        if corner.after >= self.question.to {
+            return Ok(());
+        }
+        let after = self.model.conditions_at(corner.after);
+        match self.contradicting(&after) {
+            None => Ok(()),
+            Some(constraints) => Err(TransientFailure::Contradicting {
+                constraints,
+                time: corner.after,
+            }),
+        }
+    }
+
+    /// Constraints, in words, whose drives contradict those of others at the latest state.
+    fn contradicting(&self, conditions: &Conditions) -> Option<String> {
+        let at = (self.dae.state(), conditions);
+        redundant::contradicting(&self.model.system, self.redundant, at)
     }
 
     /// What acts at the latest accepted state.
@@ -298,13 +322,17 @@ impl Run<'_> {
 
     /// Constraints that follow from others must go on to do so.
     fn check_redundant(&self) -> Result<(), TransientFailure> {
-        let broken = (self.dae.slack()).filter(|slack| {
-            let size = self.dae.state().size();
-            redundant::is_broken(slack.1, size)
-        });
-        let Some((constraint, value)) = broken else {
+        let broken = (self.dae.slack()).filter(|slack| redundant::is_broken(slack));
+        let Some(&Slack {
+            constraint, value, ..
+        }) = broken
+        else {
             return Ok(());
         };
+        let time = self.integrator.time();
+        if let Some(constraints) = self.contradicting(&self.conditions()) {
+            return Err(TransientFailure::Contradicting { constraints, time });
+        }
         let system = &self.model.system;
         let first = NODE_UNKNOWNS * system.nodes().len();
         let of_it = |one: &&Redundant| one.group().contains(&constraint);
@@ -312,7 +340,7 @@ impl Run<'_> {
         let found = found.or(self.redundant.first());
         Err(TransientFailure::Broken {
             constraint: found.map_or_else(String::new, ToString::to_string),
-            time: self.integrator.time(),
+            time,
             value,
             unit: system.equation(first + constraint).unit,
         })
@@ -386,6 +414,7 @@ fn effort(counters: &Counters, output_time: f64) -> Effort {
         pivotings: counters.pivotings,
         least_step: counters.least_step,
         most_step: counters.most_step,
+        prediction_time: counters.prediction_time,
         residual_time: counters.residual_time,
         jacobian_time: counters.jacobian_time,
         factorization_time: counters.factorization_time,

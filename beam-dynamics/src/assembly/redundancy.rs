@@ -87,6 +87,13 @@ impl Redundant {
         (off.abs() > UNLIKE * size && off.abs() > STILL).then_some(off.abs())
     }
 
+    /// Whether it, or one of those from which it follows, is driven at rates `Phi_t`
+    /// \[m/s or rad/s\].
+    pub fn is_driven(&self, rates: &[f64]) -> bool {
+        let mut group = self.group().into_iter();
+        group.any(|constraint| rates[constraint].abs() > STILL)
+    }
+
     /// A contradiction in words.
     pub fn contradicting(&self, off: f64) -> String {
         let unit = match self.direction.starts_with("rotation") {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use layout::Layout;
 pub use layout::Workspace;
 pub use loops::Loop;
-pub use sharing::Sharing;
+pub use sharing::{Contradiction, Sharing, Slack};
 
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;

@@ -248,7 +248,9 @@ impl Integrator {
         plan: &Plan,
         clock: &dyn Fn() -> f64,
     ) -> Result<usize, Reason> {
+        let began = clock();
         self.predict(dae, formula, plan);
+        self.progress.counters.prediction_time += clock() - began;
         let mut meter = Meter {
             counters: &mut self.progress.counters,
             clock,

@@ -19,6 +19,9 @@ pub struct Counters {
     pub least_step: f64,
     /// Longest accepted step [s].
     pub most_step: f64,
+    /// Time spent in predictions, and in how constraints share loads there [s].
+    #[serde(default)]
+    pub prediction_time: f64,
     /// Time spent in residuals [s].
     pub residual_time: f64,
     /// Time spent in Jacobians [s].

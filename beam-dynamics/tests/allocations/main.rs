@@ -9,7 +9,7 @@ use std::sync::Arc;
 use allocation_counter::measure;
 use beam_dynamics::analysis::transient::transient;
 use beam_dynamics::assembly::{Combination, Residual, Sparse, System, Variation};
-use beam_dynamics::case::{Model, TransientQuestion};
+use beam_dynamics::case::{Model, Redundant, TransientQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
@@ -173,6 +173,20 @@ fn a_step_of_any_element_allocates_nothing() {
             question.simplified_jacobian = is_simplified;
             check(&model, &question);
         }
+    }
+}
+
+/// Redundant constraints that share their loads: a plane four-bar on four revolutes.
+#[test]
+fn a_step_of_shared_loads_allocates_nothing() {
+    let model = read("four-bar.dynamics.toml");
+    let mut question = TransientQuestion::new(1.0, 1e-3);
+    question.redundant = Redundant::Remove;
+    let outcome = transient(&model, &question, None, &mut Silent, &|| 0.0);
+    let mut told = outcome.remarks.iter();
+    assert!(told.any(|remark| remark.ends_with("they share its load")));
+    for scheme in SCHEMES {
+        check(&model, &TransientQuestion { scheme, ..question });
     }
 }
 

@@ -11,8 +11,9 @@
 //! drive jumps in what it holds in place, no motion follows it.
 
 use std::fmt;
+use std::ops::Range;
 
-use crate::assembly::System;
+use crate::assembly::{Sharing, System};
 use crate::case::Model;
 use crate::elements::{Element, Level};
 use crate::integrator::{Corner, Renewal};
@@ -34,6 +35,9 @@ const UNFELT: f64 = 1e-8;
 /// Corners of an element that are looked at before a run; at others it is looked when they
 /// are reached.
 const LOOKED_AT: usize = 1000;
+/// What velocities after an impulse are off by, as a part of those that jump, when no velocities
+/// follow it.
+const FOLLOWED: f64 = 1e-6;
 /// Joints whose impulses are told.
 const TOLD: usize = 5;
 
@@ -92,7 +96,8 @@ pub(super) fn jump(
 }
 
 /// `state` after the impulse by which its velocities fulfill the constraints (D-153), with
-/// its momenta; and the impulse \[N s, N m s\]. `None` when there is none.
+/// its momenta; and the impulse \[N s, N m s\], as loads that balance each other are shared.
+/// `None` when there is none, or when no velocities fulfill all constraints.
 pub(super) fn struck(
     system: &System,
     state: &State,
@@ -104,7 +109,7 @@ pub(super) fn struck(
     let mut right = vec![0.0; MOTION * nodes];
     right.extend(off.iter().map(|off| -off));
     let mut solution = Accelerated::new(system, state, &tangent).solve(nodes, &right)?;
-    let impulse = solution.split_off(MOTION * nodes);
+    let mut impulse = solution.split_off(MOTION * nodes);
     let mut state = state.clone();
     for (node, change) in state.nodes.iter_mut().zip(solution.chunks(MOTION)) {
         for i in 0..3 {
@@ -112,8 +117,23 @@ pub(super) fn struck(
             node.angular_velocity[i] += change[3 + i];
         }
     }
+    let left = largest(&velocity_constraints(system, &state, conditions));
+    let follows = left <= FOLLOWED * largest(&off);
+    if !follows {
+        return None;
+    }
+    Sharing::new(system, &state, conditions).apply(&mut impulse);
     find_momenta(system, &mut state, conditions);
     Some((state, impulse))
+}
+
+/// The largest size, infinite where one is not a number.
+fn largest(values: &[f64]) -> f64 {
+    let sizes = values.iter().map(|value| match value.is_nan() {
+        true => f64::INFINITY,
+        false => value.abs(),
+    });
+    sizes.fold(0.0, f64::max)
 }
 
 /// Impulses of a joint.
@@ -124,6 +144,42 @@ struct Struck {
     time: f64,
     /// How often.
     count: usize,
+    /// The largest so far of its constraints whose rates jump, by their units: of forces, of
+    /// moments [N s, N m s].
+    largest: Vec<(f64, &'static str)>,
+    /// Whether velocities followed it each time.
+    is_followed: bool,
+}
+
+impl Struck {
+    /// Notes an impulse by its sizes in several units.
+    fn grow(&mut self, sizes: Vec<(f64, &'static str)>) {
+        for (size, unit) in sizes {
+            match self.largest.iter_mut().find(|known| known.1 == unit) {
+                Some(known) => known.0 = known.0.max(size),
+                None => self.largest.push((size, unit)),
+            }
+        }
+    }
+}
+
+/// Sizes of the impulse of those of the constraints number `constraints` that are in `own`, by
+/// the units of their reactions.
+fn sizes(
+    system: &System,
+    (constraints, impulse): (&[usize], &[f64]),
+    own: &Range<usize>,
+) -> Vec<(f64, &'static str)> {
+    let first = NODE_UNKNOWNS * system.nodes().len();
+    let mut sizes: Vec<(f64, &'static str)> = Vec::new();
+    for &one in constraints.iter().filter(|one| own.contains(one)) {
+        let unit = system.unknown(first + one).unit;
+        match sizes.iter_mut().find(|known| known.1 == unit) {
+            Some(known) => known.0 = known.0.hypot(impulse[one]),
+            None => sizes.push((impulse[one].abs(), unit)),
+        }
+    }
+    sizes
 }
 
 /// The impulses of a run so far, by joints.
@@ -131,8 +187,9 @@ struct Struck {
 pub(super) struct Impulses(Vec<Struck>);
 
 impl Impulses {
-    /// Notes the joints with the constraints number `constraints`.
-    fn add(&mut self, system: &System, constraints: &[usize], time: f64) {
+    /// Notes the joints with the constraints number `constraints`, and the impulse of all
+    /// constraints where velocities follow it.
+    fn add(&mut self, system: &System, constraints: &[usize], impulse: Option<&[f64]>, time: f64) {
         let mut first = 0;
         for element in system.elements() {
             let own = first..first + element.multipliers();
@@ -140,13 +197,23 @@ impl Impulses {
             if !constraints.iter().any(|one| own.contains(one)) {
                 continue;
             }
-            match self.0.iter_mut().find(|one| one.joint == element.label()) {
-                Some(known) => known.count += 1,
-                None => self.0.push(Struck {
-                    joint: element.label().to_owned(),
+            let label = element.label();
+            let known = self.0.iter().position(|one| one.joint == label);
+            let known = known.unwrap_or_else(|| {
+                self.0.push(Struck {
+                    joint: label.to_owned(),
                     time,
-                    count: 1,
-                }),
+                    count: 0,
+                    largest: Vec::new(),
+                    is_followed: true,
+                });
+                self.0.len() - 1
+            });
+            let known = &mut self.0[known];
+            known.count += 1;
+            match impulse {
+                Some(impulse) => known.grow(sizes(system, (constraints, impulse), &own)),
+                None => known.is_followed = false,
             }
         }
     }
@@ -160,16 +227,39 @@ impl Impulses {
     }
 }
 
+/// A number with four digits.
+fn short_number(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
 impl fmt::Display for Struck {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { joint, time, count } = self;
+        let Self {
+            joint, time, count, ..
+        } = self;
         write!(f, "the drive of \"{joint}\" jumps in rate at t = {time} s")?;
         match *count {
             0 | 1 => {}
             2 => write!(f, " and once more")?,
             _ => write!(f, " and {} more times", count - 1)?,
         }
-        write!(f, ": an impulse; velocities were set to follow it")
+        let sizes = self.largest.iter();
+        let sizes = sizes.map(|(size, unit)| format!("{} {unit} s", short_number(*size)));
+        let sizes = sizes.collect::<Vec<_>>().join(" and ");
+        write!(f, ": an impulse")?;
+        match (sizes.is_empty(), *count) {
+            (true, _) => {}
+            (false, 1) => write!(f, " of {sizes}")?,
+            (false, _) => write!(f, " of up to {sizes}")?,
+        }
+        match self.is_followed {
+            true => write!(f, "; velocities were set to follow it"),
+            false => write!(
+                f,
+                "; no velocities fulfill all constraints there, and the step after it was left to \
+                 find some"
+            ),
+        }
     }
 }
 
@@ -187,10 +277,12 @@ impl Multibody<'_> {
             Some(Jump::Nothing) => return Renewal::Smooth,
             Some(Jump::Acting) => None,
             Some(Jump::Rates(constraints)) => {
-                let Some((state, _)) = struck(system, state, &after) else {
+                let found = struck(system, state, &after);
+                let impulse = found.as_ref().map(|found| &found.1[..]);
+                (self.impulses).add(system, &constraints, impulse, corner.after);
+                let Some((state, _)) = found else {
                     return Renewal::Unknown;
                 };
-                self.impulses.add(system, &constraints, corner.after);
                 renewal = Renewal::Velocities;
                 Some(state)
             }

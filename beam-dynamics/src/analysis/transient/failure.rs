@@ -55,8 +55,13 @@ pub enum TransientFailure {
         unit: &'static str,
     },
     /// Constraints that contradict others.
-    #[error("contradicting constraints: {0}")]
-    Contradicting(String),
+    #[error("contradicting constraints, from {time} s on: {constraints}")]
+    Contradicting {
+        /// The constraints, and what they contradict, in words.
+        constraints: String,
+        /// When they begin to [s].
+        time: f64,
+    },
     /// No equilibrium to start from.
     #[error("start: {0}")]
     Equilibrium(#[from] Box<NoEquilibrium>),
@@ -208,7 +213,7 @@ impl TransientFailure {
             Self::Broken { .. } => {
                 "take joints that hold each direction once, and leave out redundant = \"remove\""
             }
-            Self::Contradicting(_) => "drive one of them only, or both alike",
+            Self::Contradicting { .. } => "drive one of them only, or both alike",
             Self::DrivenOtherwise { .. } => {
                 "drive the joint at the speed of the start, with its sign, or give the start \
                  another \"speed\"; joints inside the model have the speed zero there"

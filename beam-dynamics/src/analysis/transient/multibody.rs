@@ -24,7 +24,7 @@ use shared_geom::rotation::gibbs::{self, Attitude, Increment};
 use shared_geom::rotation::skew;
 
 use crate::analysis::balance::{largest_motion, worst};
-use crate::assembly::{Combination, Pattern, Residual, Sharing, Variation, Workspace};
+use crate::assembly::{Combination, Pattern, Residual, Sharing, Slack, Variation, Workspace};
 use crate::case::Model;
 use crate::elements::Element;
 use crate::integrator::{Corner, Dae, Renewal};
@@ -73,9 +73,8 @@ pub(super) struct Multibody<'a> {
     is_simplified: bool,
     /// Size of the model, by which displacements are measured [m].
     size: f64,
-    /// The constraint of a loop that gives way most in the latest state: the number of its
-    /// multiplier, and by what [unit of the constraint].
-    slack: Option<(usize, f64)>,
+    /// The constraint of a loop that gives way most in the latest state.
+    slack: Option<Slack>,
 }
 
 impl<'a> Multibody<'a> {
@@ -121,10 +120,10 @@ impl<'a> Multibody<'a> {
         }
     }
 
-    /// The constraint of a loop that gives way most in the latest state, and by what, where
-    /// constraints share loads: its number among the multipliers [unit of the constraint].
-    pub fn slack(&self) -> Option<(usize, f64)> {
-        self.slack
+    /// The constraint of a loop that gives way most in the latest state, where constraints
+    /// share loads.
+    pub fn slack(&self) -> Option<&Slack> {
+        self.slack.as_ref()
     }
 
     /// The latest accepted state.
@@ -380,7 +379,7 @@ impl Dae for Multibody<'_> {
         self.states[0].copy_from(&trial.state);
         let multipliers = &mut self.states[0].multipliers;
         let slack = trial.sharing.slack(multipliers);
-        self.slack = slack.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        self.slack = slack.max_by(|a, b| a.part.abs().total_cmp(&b.part.abs()));
         // What the iteration leaves of it is no load.
         trial.sharing.apply(multipliers);
         for node in &mut self.states[0].nodes {

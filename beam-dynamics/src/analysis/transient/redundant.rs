@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::TransientFailure;
 use super::placing::{beside, own_rates, place, position_values};
 use crate::assembly::redundancy::{self, Redundant};
-use crate::assembly::{Sparse, System};
+use crate::assembly::{Sharing, Slack, Sparse, System};
 use crate::case::{self, Model, TransientQuestion};
 use crate::integrator::Stepping;
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
@@ -18,6 +18,13 @@ const DIRECTIONS: usize = 2;
 const BROKEN_BESIDE: f64 = 1e-8;
 /// The same during a run, where constraints are fulfilled to the tolerance of its steps.
 const BROKEN: f64 = 1e-4;
+/// What drives contradict each other by during a run, as a part of the fastest of the loop,
+/// that is not left over from steps.
+const UNLIKE: f64 = 1e-5;
+/// Rates below this are those of differences \[m/s or rad/s\].
+const STILL: f64 = 1e-8;
+/// Constraints of a loop from which on it is told what sharing their loads costs.
+const MANY: usize = 100;
 
 /// The model in which redundant constraints share their loads with those from which they
 /// follow; `None` where all are independent.
@@ -47,7 +54,10 @@ pub(super) fn independent(
     });
     let contradicting: Vec<_> = contradicting.collect();
     if !contradicting.is_empty() {
-        return Err(TransientFailure::Contradicting(listed(&contradicting)));
+        return Err(TransientFailure::Contradicting {
+            constraints: listed(&contradicting),
+            time: question.from,
+        });
     }
     let constraints: Vec<_> = found.iter().map(|found| found.constraint).collect();
     let reduced = Model {
@@ -83,7 +93,17 @@ impl Shared {
     /// What was found, in words.
     pub fn remarks(&self) -> impl Iterator<Item = String> {
         let found = self.redundant.iter();
-        found.map(|found| format!("{found}: they share its load"))
+        let found = found.map(|found| format!("{found}: they share its load"));
+        let loops = self.model.system.shared_constraints();
+        let large = loops.filter(|(count, _)| *count > MANY);
+        let large = large.map(|(count, joint)| {
+            format!(
+                "{count} constraints of one closed loop, that of \"{joint}\", share their loads: \
+                 each step costs as their number cubed; take joints that hold each direction once \
+                 (spherical, cylindrical or in-line in place of revolute) for the cost of open chains"
+            )
+        });
+        found.chain(large)
     }
 }
 
@@ -145,12 +165,36 @@ fn broken_beside(
         .collect()
 }
 
-/// Whether a constraint that gives way by `off` does not follow from the others any more.
-pub(super) fn is_broken(off: f64, size: f64) -> bool {
-    !matches!(
-        off.abs().partial_cmp(&(BROKEN * size.max(1.0))),
-        Some(Ordering::Less)
-    )
+/// Whether a constraint that gives way so does not follow from the others any more.
+pub(super) fn is_broken(slack: &Slack) -> bool {
+    !matches!(slack.part.abs().partial_cmp(&BROKEN), Some(Ordering::Less))
+}
+
+/// The constraints of `found`, in words, that are driven otherwise than those from which they
+/// follow, at a state of a run and by what acts there.
+pub(super) fn contradicting(
+    system: &System,
+    found: &[Redundant],
+    (state, conditions): (&State, &Conditions),
+) -> Option<String> {
+    if found.is_empty() {
+        return None;
+    }
+    let rates = own_rates(system, state, conditions);
+    let driven: Vec<_> = found.iter().filter(|one| one.is_driven(&rates)).collect();
+    if driven.is_empty() {
+        return None;
+    }
+    let mut sharing = Sharing::new(system, state, conditions);
+    let off: Vec<_> = sharing.contradictions(&rates).collect();
+    let told = driven.into_iter().filter_map(|found| {
+        let mut off = off.iter();
+        let off = off.find(|off| off.constraint == found.constraint)?;
+        let counts = off.value > UNLIKE * off.size && off.value > STILL;
+        counts.then(|| found.contradicting(off.value))
+    });
+    let told: Vec<_> = told.collect();
+    (!told.is_empty()).then(|| listed(&told))
 }
 
 /// Redundant constraints in words, the first few of them.

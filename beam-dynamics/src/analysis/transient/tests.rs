@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests end when a model cannot be run")]
 
 mod bipendulum;
+mod contradicting;
 mod corners;
 mod failing;
 mod flexible;

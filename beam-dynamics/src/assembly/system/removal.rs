@@ -83,6 +83,17 @@ impl System {
         (!redundant.is_empty()).then(|| self.without(&redundant))
     }
 
+    /// Number of the constraints of each loop that share their loads, and the name of its first
+    /// joint.
+    pub fn shared_constraints(&self) -> impl Iterator<Item = (usize, &str)> {
+        self.loops.iter().filter_map(|of| {
+            let own = of.elements.iter().map(|&index| &self.elements[index]);
+            let count = own.map(|element| element.multipliers()).sum();
+            let first = of.elements.first()?;
+            Some((count, self.elements[*first].label()))
+        })
+    }
+
     /// Places of the matrix in which constraints share their loads.
     pub(super) fn shared_entries(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         let first = NODE_UNKNOWNS * self.nodes.len();

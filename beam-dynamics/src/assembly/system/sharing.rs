@@ -31,6 +31,32 @@ const MOTION: usize = 6;
 /// What is left of a column of A, beside the largest, counts as zero below this.
 const ZERO: f64 = 1e-10;
 
+/// Part of a constraint that is left to the loads that balance each other, below which it has
+/// no part in them.
+const NO_PART: f64 = 1e-12;
+
+/// What a constraint of a loop gives way by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slack {
+    /// The number of its multiplier.
+    pub constraint: usize,
+    /// What it gives way by [unit of the constraint].
+    pub value: f64,
+    /// The same as a part of the size of the model, or as an angle [-].
+    pub part: f64,
+}
+
+/// What a constraint of a loop is driven by otherwise than the others allow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contradiction {
+    /// The number of its multiplier.
+    pub constraint: usize,
+    /// What it is off by [unit of the constraint/s].
+    pub value: f64,
+    /// The largest rate by which the loop is driven [unit of the constraint/s].
+    pub size: f64,
+}
+
 /// The constraints of all loops at one state.
 #[derive(Debug, Clone)]
 pub struct Sharing {
@@ -113,23 +139,50 @@ impl Sharing {
     /// Adds `s P mu` to the constraints of a residual.
     pub fn add_residual(&mut self, multipliers: &[f64], out: &mut Residual) {
         let first = out.values.len() - multipliers.len();
-        for (constraint, value) in self.slack(multipliers) {
-            out.values[first + constraint] += value;
+        for slack in self.slack(multipliers) {
+            out.values[first + slack.constraint] += slack.value;
         }
     }
 
     /// What each constraint of the loops gives way by: next to nothing, as long as
     /// those that followed from others do.
-    pub fn slack<'a>(
-        &'a mut self,
-        multipliers: &'a [f64],
-    ) -> impl Iterator<Item = (usize, f64)> + 'a {
-        let compliance = self.compliance;
+    pub fn slack<'a>(&'a mut self, multipliers: &'a [f64]) -> impl Iterator<Item = Slack> + 'a {
+        let (compliance, size) = (self.compliance, self.size);
         self.parts.iter_mut().flat_map(move |part| {
             part.multiply(multipliers);
             let numbers = part.constraints.iter().zip(&part.work).zip(&part.forces);
-            numbers.map(move |((&constraint, surplus), force)| {
-                (constraint, compliance * force * surplus)
+            numbers.map(move |((&constraint, surplus), force)| Slack {
+                constraint,
+                value: compliance * force * surplus,
+                part: compliance * surplus / size,
+            })
+        })
+    }
+
+    /// How the constraints of the loops are driven otherwise than the others allow, by their
+    /// own rates `Phi_t` \[unit of the constraint/s\], if all others come as near as they can:
+    ///
+    /// ```text
+    /// mu^T A = 0  =>  mu^T Phi_t/s = 0,     off_i = s_i (P Phi_t/s)_i / P_ii         (D-172)
+    /// ```
+    pub fn contradictions<'a>(
+        &'a mut self,
+        rates: &'a [f64],
+    ) -> impl Iterator<Item = Contradiction> + 'a {
+        self.parts.iter_mut().flat_map(move |part| {
+            part.project(|constraint, force| rates[constraint] / force);
+            let part = &*part;
+            let scaled = part.constraints.iter().zip(&part.forces);
+            let scaled = scaled.map(|(&constraint, force)| (rates[constraint] / force).abs());
+            let largest = scaled.fold(0.0, f64::max);
+            let numbers = part.constraints.iter().enumerate();
+            numbers.filter_map(move |(i, &constraint)| {
+                let own = part.shares[(i, i)];
+                (own > NO_PART).then(|| Contradiction {
+                    constraint,
+                    value: (part.forces[i] * part.work[i] / own).abs(),
+                    size: part.forces[i] * largest,
+                })
             })
         })
     }
@@ -271,11 +324,17 @@ impl Part {
 
     /// `P mu`, in `work`.
     fn multiply(&mut self, multipliers: &[f64]) {
+        self.project(|constraint, force| force * multipliers[constraint]);
+    }
+
+    /// P times the numbers `of` each constraint, by its number and its force along a unit
+    /// displacement; in `work`.
+    fn project(&mut self, of: impl Fn(usize, f64) -> f64) {
         self.work.fill(0.0);
         for (column, &constraint) in self.constraints.iter().enumerate() {
-            let force = self.forces[column] * multipliers[constraint];
+            let number = of(constraint, self.forces[column]);
             for (sum, share) in self.work.iter_mut().zip(self.shares.column(column).iter()) {
-                *sum += share * force;
+                *sum += share * number;
             }
         }
     }

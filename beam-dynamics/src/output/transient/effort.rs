@@ -53,6 +53,7 @@ pub fn effort_text(effort: &Effort) -> String {
 /// Time by phase, with its share and the part of one iteration.
 fn times(effort: &Effort) -> String {
     let phases = [
+        ("prediction", effort.prediction_time),
         ("residuals", effort.residual_time),
         ("Jacobians", effort.jacobian_time),
         ("factorization", effort.factorization_time),
@@ -96,8 +97,9 @@ mod tests {
             pivotings: 1,
             least_step: 1e-3,
             most_step: 0.02,
+            prediction_time: 0.125,
             residual_time: 0.25,
-            jacobian_time: 0.5,
+            jacobian_time: 0.375,
             factorization_time: 0.125,
             solution_time: 0.025,
             output_time: 0.05,
@@ -108,6 +110,7 @@ mod tests {
             "rejected           3  tried again",
             "iterations       500  2.50 a step\n",
             "Jacobians        400  2.00 a step\n",
+            "prediction        0.125       12.5               250.0\n",
             "residuals         0.250       25.0               500.0\n",
             "all else          0.050        5.0               100.0\n",
             "whole run         1.000      100.0              2000.0\n",

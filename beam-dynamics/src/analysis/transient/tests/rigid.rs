@@ -185,6 +185,7 @@ fn the_effort_of_a_continued_run_is_that_of_all_of_it() {
     let continued = transient(&model, &question, Some(&snapshot), &mut rest, &clock).effort;
     let phases = |effort: &Effort| {
         effort.residual_time
+            + effort.prediction_time
             + effort.jacobian_time
             + effort.factorization_time
             + effort.solution_time
