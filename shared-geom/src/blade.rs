@@ -24,7 +24,7 @@ pub use file::{VERSION, parse, read, write};
 pub use input::InputProblem;
 pub use moments::MassMoments;
 pub use problem::BladeProblem;
-pub use remark::section_remark;
+pub use remark::{section_remark, written_section_remark};
 
 /// A blade: its line, and the properties of its sections.
 #[derive(Debug, Clone, PartialEq)]

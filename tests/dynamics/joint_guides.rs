@@ -88,7 +88,9 @@ fn a_driven_guide_on_a_lift() {
     check(case, "force [N]", found, EXACT);
     let found = run.most_of("guide", |_, told| off(told.moment, c.cross(&force)));
     check(case, "moment [N m]", found, EXACT);
-    // The hoist carries all of it, with the moment of the force about its own point.
+    // The hoist carries all of it, with the moment of the force about its own point. The lift
+    // has no mass: for its acceleration at the start it is given 1e-9 of the largest one.
+    let lift = 1.2 * 1e-9 * MASS;
     let found = run.most(|t, told| {
         let arm = Vector3::new(0.1, 0.2, 0.3) + (0.2 * t + 0.4 * t * t) * h + c;
         let hoist = find(told, "hoist");
@@ -98,7 +100,7 @@ fn a_driven_guide_on_a_lift() {
         case,
         "reaction of the total joint [N, N m]",
         found,
-        10.0 * EXACT,
+        EXACT + lift,
     );
 }
 

@@ -13,9 +13,6 @@ use shared_geom::rotation::vector;
 use crate::joint_runs::{Mechanism, check, check_order, find, off};
 
 const STEP: f64 = 5e-3;
-/// Of moments that are nearly steady in turning axes: 4e-5 of them, below the second order of
-/// what moves.
-const STEADY: f64 = 2e-4;
 
 fn about_z(angle: f64) -> Matrix3<f64> {
     vector::to_rotation(&Vector3::new(0.0, 0.0, angle))
@@ -163,18 +160,18 @@ fn a_driven_spin_and_its_gyroscopic_moment() {
         let driving = |t: f64| 0.5 * 2.0 * (about_z(1.5 * t) * Vector3::x());
         let case = format!("rotor on a turning table, driven by its {word}");
         let found = errors(&runs, "bearing", |t, told| off(told.moment, gyroscopic(t)));
-        check(
+        check_order(
             &case,
             "moment of the bearing, of 5.3 N m [N m]",
-            found[1],
-            STEADY,
+            found,
+            2e-4,
         );
         let found = errors(&runs, "motor", |t, told| off(told.moment, driving(t)));
         check_order(&case, "moment of the motor, of 1 N m [N m]", found, 5e-3);
         let found = errors(&runs, "table", |t, told| {
             off(told.moment, gyroscopic(t) + driving(t))
         });
-        check(&case, "moment of the table [N m]", found[1], STEADY);
+        check_order(&case, "moment of the table [N m]", found, 2e-4);
     }
 }
 
@@ -193,7 +190,7 @@ fn a_plane_rotation_holds_the_axis_of_a_gyroscope() {
             0.5 * 5.0 * 1.5 * (about_z(1.5 * t) * Vector3::y()),
         )
     });
-    check(case, "moment, of 3.75 N m [N m]", found[1], STEADY);
+    check_order(case, "moment, of 3.75 N m [N m]", found, 2e-4);
     let found = runs[1].most(|t, told| {
         let axis = find(told, "axis");
         let place = t * Vector3::new(0.2, -0.3, 0.4);

@@ -1,4 +1,5 @@
-//! The pendulum as an index-3 problem, in `cases/dynamics/pendulum`.
+//! The pendulum as an index-3 problem, in `cases/dynamics/pendulum`, and a mass whose place
+//! is imposed, in `cases/dynamics/imposed_motion`.
 //!
 //! Sources: `tests/reference/dynamics/pendulum.json`; errors of the formulas on the same
 //! equations by themselves, which redundant coordinates and momenta must not change.
@@ -6,7 +7,6 @@
 use beam_dynamics::integrator::{Scheme, Stepping};
 use nalgebra::Vector3;
 
-use crate::case_files::Case;
 use crate::in_time::{Run, Table, json, numbers};
 use crate::integrators::orders::{EXACT, SCHEMES, check_index_three, steps};
 use crate::integrators::tables::{TABLE_10_1, TABLE_10_2, rounding};
@@ -62,18 +62,13 @@ fn errors_are_those_of_the_tables() {
     }
 }
 
-/// The pendulum from the accelerations of a state of rest, as the tables have it: the file
-/// says so.
-fn from_rest(radius: f64, step: f64) -> [f64; 5] {
-    let case = Case::new("pendulum");
-    let file = "pendulum.dynamics.toml";
-    let card = format!(
-        "step = {step}\nscheme = \"two-step\"\nradius = {radius}\n\
-         start_accelerations = \"at-rest\""
-    );
-    case.replace(file, "step = 0.0025", &card);
-    let run = Run::of_file(&case.path(file), 1, |_| ());
-    run.check_end();
+/// Errors of the pendulum from the accelerations of a state of rest, as the tables have it,
+/// in a file for each, by another step than its own.
+fn from_rest(table: usize, step: f64) -> [f64; 5] {
+    let file = format!("table_10_{table}.dynamics.toml");
+    let run = Run::new("pendulum", &file, 1, |question| {
+        question.stepping = Stepping::Constant { step };
+    });
     let (found, exact) = (state(&run, 1.0), exact());
     std::array::from_fn(|k| (found[k] / exact[k] - 1.0).abs())
 }
@@ -88,11 +83,10 @@ fn tables_10_1_and_10_2_from_a_file() {
         let is_it = |run: &&serde_json::Value| run["rho"] == radius && run["h"] == step;
         numbers(&runs.find(is_it).unwrap()["inconsistent"])
     };
-    for (radius, table) in [(0.0, TABLE_10_1), (0.6, TABLE_10_2)] {
-        let number = if radius == 0.0 { 1 } else { 2 };
+    for (number, radius, table) in [(1, 0.0, TABLE_10_1), (2, 0.6, TABLE_10_2)] {
         let source = format!("[Masarati], Table 10.{number}");
         for (column, step) in [0.01, 0.005, 0.0025].into_iter().enumerate() {
-            let found = from_rest(radius, step);
+            let found = from_rest(number, step);
             let apart = apart(radius, step);
             for (i, name) in ["x", "y", "v_x", "v_y", "tension"].iter().enumerate() {
                 let printed = table[i][column];
@@ -134,18 +128,14 @@ fn orders_of_every_scheme() {
     }
 }
 
-/// Table C.1 as a file: a unit mass whose x follows cos t. The table is printed to 16
+/// Table C.1: a unit mass whose x follows cos t. The table is printed to 16
 /// digits; round-off, over h^2 in the reaction, and a correction of 1e-13, over h^2: 1e-10.
 #[test]
 fn table_c1_from_a_file() {
     let table = Table::new("table_c1.csv");
     for (start, column) in [("consistent", 4), ("zero", 5)] {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("c1.dynamics.toml");
-        let cards = format!("{IMPOSED}start_accelerations = \"{start}\"\n");
-        std::fs::write(&path, cards).unwrap();
-        let run = Run::of_file(&path, 1, |question| question.newton.correction = 1e-13);
-        run.check_end();
+        let file = format!("{start}.dynamics.toml");
+        let run = Run::new("imposed_motion", &file, 1, |_| ());
         let mut largest = 0.0_f64;
         for row in table.rows.iter().filter(|row| row[1] > 0.0) {
             let motion = run.motion("mass", row[1]);
@@ -163,33 +153,6 @@ fn table_c1_from_a_file() {
         assert!(largest < 1e-10, "{case}: {largest:e}");
     }
 }
-
-const IMPOSED: &str = r#"name = "imposed motion"
-units = "SI"
-
-[[node]]
-name = "mass"
-position = [1, 0, 0]
-
-[[body]]
-name = "mass"
-node = "mass"
-mass = 1
-inertia = [1, 1, 1]
-
-[[joint]]
-name = "guide"
-kind = "in-plane"
-nodes = ["mass"]
-axis = [1, 0, 0]
-at = [1, 0, 0]
-displacement = "= cos(t) - 1"
-
-[transient]
-to = 1
-step = 0.1
-scheme = "bdf2"
-"#;
 
 /// The first reaction is that of the motion, 1, and the next is what the formula makes of
 /// it, 1.02005 after a step of 10 ms. A start without reaction gives 2.02 there and 0.24

@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use nalgebra::Matrix6;
-use shared_geom::blade::section_remark;
+use shared_geom::blade::{section_remark, written_section_remark};
 use shared_geom::document::Table;
 use shared_geom::files::names_beside;
 use shared_geom::section::{self, Damping, SectionProperties};
+use shared_geom::units::Dimension;
 
 use super::in_place::{self, KEYS};
 use super::laws::LawProblem;
@@ -43,20 +44,32 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
     let tables = root.named_tables("properties");
     let mut catalog = Catalog::default();
     for (name, table) in tables {
-        let properties = match table.has("file") {
+        let is_file = table.has("file");
+        let properties = match is_file {
             true => from_file(&name, &table),
             false => in_place::read(&name, &table),
         };
         let properties = with_law(&name, properties, &table, drives);
         table.finish();
+        let remark = match is_file || !is_si(&table) {
+            true => section_remark,
+            false => written_section_remark,
+        };
         let remark = properties
             .as_ref()
-            .and_then(|found| section_remark(&found.stiffness, &found.mass));
+            .and_then(|found| remark(&found.stiffness, &found.mass));
         let remark = remark.map(|remark| format!("properties \"{name}\": {remark}"));
         catalog.remarks.extend(remark);
         catalog.named.push((name, properties));
     }
     catalog
+}
+
+/// Whether plain numbers of stiffness and mass are in SI units.
+fn is_si(table: &Table<'_>) -> bool {
+    let dimensions = [Dimension::LENGTH, Dimension::FORCE, Dimension::MASS];
+    let factor = |dimension: &Dimension| table.document().factor(*dimension);
+    dimensions.iter().map(factor).all(|factor| factor == 1.0)
 }
 
 impl Catalog {

@@ -6,6 +6,7 @@ use shared_geom::rotation::{skew, vector};
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
+use super::laws::LawProblem;
 use super::problem::InputProblem;
 use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
 
@@ -85,10 +86,14 @@ fn spring(table: &Table<'_>) -> Option<Spring> {
 }
 
 /// Three numbers under each key, none below zero; zeros when absent.
-fn six(table: &Table<'_>, keys: [&str; 2], dimensions: [Dimension; 2]) -> Option<[f64; 6]> {
+fn six(table: &Table<'_>, keys: [&'static str; 2], dimensions: [Dimension; 2]) -> Option<[f64; 6]> {
     let three = |i: usize| -> Option<Vector3<f64>> {
         if !table.has(keys[i]) {
             return Some(Vector3::zeros());
+        }
+        if !table.is_list(keys[i]) {
+            table.note(keys[i], &LawProblem::OneNumber { key: keys[i] });
+            return None;
         }
         let numbers = table.vector(keys[i], dimensions[i])?;
         if numbers.min() < 0.0 {

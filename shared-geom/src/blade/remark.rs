@@ -140,13 +140,34 @@ impl Blade {
 /// What looks like a mistake in the stiffness and the mass of one section about one
 /// point, in words: units that do not fit each other.
 pub fn section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<String> {
+    square_remark(section_square(stiffness, mass)?, SECTION, None)
+}
+
+/// As [`section_remark`], of numbers that were written for the model itself and in units
+/// that fit each other: soft ones may be meant, which the line says.
+pub fn written_section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<String> {
+    let square = section_square(stiffness, mass)?;
+    if square.sqrt() >= SLOW {
+        return square_remark(square, SECTION, None);
+    }
+    Some(format!(
+        "stiffness over mass is {square:.3e} m^2/s^2 ({SECTION}), of blades more than {:.1e}: \
+         leave it so in a model that is meant to be soft",
+        SLOW * SLOW
+    ))
+}
+
+/// What the number of a section is, in words.
+const SECTION: &str = "the larger of EA / m and EI / I";
+
+/// The larger square of a speed of sound of a section [m^2/s^2].
+fn section_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<f64> {
     let squares = [
         axial_square(stiffness, mass),
         bending_square(stiffness, mass),
     ];
     let squares = squares.into_iter().filter(|x| x.is_finite() && *x > 0.0);
-    let of = "the larger of EA / m and EI / I";
-    square_remark(squares.reduce(f64::max)?, of, None)
+    squares.reduce(f64::max)
 }
 
 /// EA / m.

@@ -404,6 +404,32 @@ fn a_weight_in_place_of_a_mass_is_remarked() {
     assert!(light.remarks()[0].contains("lighter than any: check the units"));
 }
 
+// Numbers that were written for the model may be soft, and are told so without a guess; what
+// no material has stays told.
+#[test]
+fn a_soft_section_in_place_is_told_in_a_line() {
+    let (stiffness, mass) = {
+        let strip = strip();
+        (strip.stations[0].stiffness, strip.stations[0].mass)
+    };
+    assert_eq!(written_section_remark(&stiffness, &mass), None);
+    let soft = written_section_remark(&stiffness, &(1e5 * mass)).unwrap();
+    // 70 GPa by 2.7e8 kg/m^3.
+    assert!(
+        soft.starts_with("stiffness over mass is 2.593e2 m^2/s^2"),
+        "{soft}"
+    );
+    assert!(
+        soft.ends_with("leave it so in a model that is meant to be soft"),
+        "{soft}"
+    );
+    assert!(!soft.contains("weigh"), "{soft}");
+    let told = section_remark(&stiffness, &(1e5 * mass)).unwrap();
+    assert!(told.contains("do not fit each other"), "{told}");
+    let light = written_section_remark(&stiffness, &(1e-3 * mass)).unwrap();
+    assert!(light.contains("lighter than any"), "{light}");
+}
+
 #[test]
 fn other_oddities_are_remarked() {
     let remarks = |change: fn(&mut Blade)| {

@@ -82,8 +82,10 @@ fn nothing_happens_when_the_end_is_reached() {
 }
 
 /// The error at the end follows the tolerance: of a method of order p the local error is
-/// h^(p+1), that at the end h^p, so that a tolerance of 1/100 gives 100^(p/(p+1)) of it.
-/// The exponent is asked for to a quarter, the steps being chosen by estimates.
+/// h^(p+1), that at the end h^p, so that a tolerance of 1/100 gives 100^(p/(p+1)) of it, or,
+/// where the local error is less than its estimate, as that of Radau IIA in places, up to
+/// 100. Steps are kept while the wish is within a tenth of them: p ln 1.1 / ln 100 of the
+/// exponent.
 #[test]
 fn variable_steps_keep_the_local_error() {
     let exact = [0.134_994_926_127_77, 0.990_846_289_754_25];
@@ -102,19 +104,19 @@ fn variable_steps_keep_the_local_error() {
             let error = (y[0] - exact[0]).hypot(y[1] - exact[1]);
             (error, times.len())
         };
-        let ((coarse, few), (fine, many)) = (at(1e-5), at(1e-7));
+        let ((coarse, few), (fine, many)) = (at(1e-6), at(1e-8));
         let slope = (coarse / fine).ln() / 100.0_f64.ln();
         let expected = order / (order + 1.0);
+        let kept = order * 1.1_f64.ln() / 100.0_f64.ln();
         assert!(
-            (slope - expected).abs() < 0.25,
-            "{scheme:?} {slope} {coarse:e}"
+            slope > expected - kept && slope < 1.0 + kept,
+            "{scheme:?} {slope} {expected} {coarse:e}"
         );
         assert!(few < many, "{scheme:?} {few} {many}");
-        // The sum of the local errors, which grow little in this pendulum.
-        assert!(
-            fine < 20.0 * many as f64 * 1e-7,
-            "{scheme:?} {fine:e} {many}"
-        );
+        // The tolerance is of either coordinate, the place is off by root 2 of it; the velocity
+        // by that times the rate of the motion, at most 2/s, which goes on for a second at most.
+        let sum = 2.0_f64.sqrt() * 3.0 * many as f64 * 1e-8;
+        assert!(fine < sum, "{scheme:?} {fine:e} {many}");
     }
 }
 

@@ -107,6 +107,12 @@ pub enum LawProblem {
         /// Their number.
         found: usize,
     },
+    /// Stiffness or damping of a spring that is not a list of three.
+    #[error("\"{key}\" is not a list, expected three numbers, one for each axis of the spring")]
+    OneNumber {
+        /// The key.
+        key: &'static str,
+    },
     /// A spring without a law.
     #[error("{spring} has no law and no stiffness or damping, expected one of them")]
     NoLaw {
@@ -159,6 +165,13 @@ impl Explain for LawProblem {
             }
             Self::NoLength { .. } => {
                 "a rod acts along its line: between nodes at one place use a [[spring]]"
+            }
+            Self::OneNumber { key } if key.starts_with("rotational") => {
+                "such as [0, 0, k]; about the axis of a hinge alone it is that of a [[hinge]]"
+            }
+            Self::OneNumber { .. } => {
+                "such as [k, k, k]; along the line between its ends it is that of a [[rod]] \
+                 with measure = \"elongation\" and a law, { kind = \"linear\", stiffness = k }"
             }
             Self::NoLaw { .. } => {
                 "give it law = { kind = \"linear\", stiffness = ... }, or \"rotational_law\""

@@ -271,6 +271,23 @@ const WRONG_OF_RODS: &[(&str, &str)] = &[
     ("[]", "the list of laws is empty"),
 ];
 
+/// A spring along a line or about an axis has other cards.
+#[test]
+fn one_number_of_a_spring_tells_of_rods_and_hinges() {
+    for ends in ["node = \"tip\"", "nodes = [\"root\", \"tip\"]"] {
+        for (key, card) in [
+            ("stiffness", "[[rod]]"),
+            ("damping", "[[rod]]"),
+            ("rotational_stiffness", "[[hinge]]"),
+        ] {
+            let cards = format!("{HOLD}[[spring]]\nname = \"soft\"\n{ends}\n{key} = 100\n");
+            let told = input(&cards).unwrap_err();
+            assert!(told.contains(&format!("\"{key}\" is not a list")), "{told}");
+            assert!(told.contains(card), "{told}");
+        }
+    }
+}
+
 /// Laws of a spring, and what is told of them.
 const WRONG_OF_SPRINGS: &[(&str, &str)] = &[
     (
