@@ -59,13 +59,12 @@ impl Explain for MasslessNode {
 /// displacement [m], rotation times the size of the model [m]).
 pub fn without_mass(system: &System, tangent: &Tangent, size: f64) -> Vec<DMatrix<f64>> {
     let scale = scale(size);
-    let masses = (0..system.nodes().len())
-        .map(|node| {
-            let first = NODE_UNKNOWNS * node;
-            let entry = |i: usize, j: usize| -tangent.by_rates.entry(first + i, first + j);
-            let mass = Matrix6::from_fn(|i, j| scale[i] * entry(i, j) * scale[j]);
-            0.5 * (mass + mass.transpose())
-        });
+    let masses = (0..system.nodes().len()).map(|node| {
+        let first = NODE_UNKNOWNS * node;
+        let entry = |i: usize, j: usize| -tangent.by_rates.entry(first + i, first + j);
+        let mass = Matrix6::from_fn(|i, j| scale[i] * entry(i, j) * scale[j]);
+        0.5 * (mass + mass.transpose())
+    });
     masses.map(|mass| null(&mass)).collect()
 }
 

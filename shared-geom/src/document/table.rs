@@ -387,7 +387,10 @@ impl<'a> Table<'a> {
             return Vec::new();
         };
         // Of [output], the tables are [[output.column]].
-        let outer = self.title.strip_prefix('[').and_then(|t| t.strip_suffix(']'));
+        let outer = self
+            .title
+            .strip_prefix('[')
+            .and_then(|t| t.strip_suffix(']'));
         let within = match outer.filter(|outer| !outer.starts_with('[')) {
             Some(outer) => format!("{outer}."),
             None => String::new(),

@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 use shared_geom::rotation::{gibbs, vector};
 
 use crate::analysis::balance::largest_motion;
-use crate::assembly::{System, Tangent};
+use crate::assembly::{System, Tangent, redundancy};
 use crate::case::InitialMotion;
 use crate::elements::{Element, Level};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
@@ -40,6 +40,9 @@ const TURNED: f64 = 0.1;
 /// Parts in which driven rotations are applied: no more than pi/16 at a time.
 const PARTS: usize = 16;
 
+/// Halvings of a step of damped iterations at most.
+const HALVINGS: usize = 8;
+
 /// How far from a place it is looked beside it, in sizes of the model and radians.
 const BESIDE: f64 = 0.01;
 
@@ -52,6 +55,8 @@ pub(super) struct Unfulfilled {
     pub value: f64,
     /// Whether it is fulfilled, but half a turn from where it is driven.
     pub is_turned_over: bool,
+    /// Whether the constraints lose rank at the given places.
+    pub is_singular: bool,
 }
 
 /// The constraint that is farthest from being fulfilled.
@@ -60,11 +65,13 @@ fn worst(values: &[f64], first: usize) -> Unfulfilled {
         place: first + i,
         value: *value,
         is_turned_over: false,
+        is_singular: false,
     });
     let least = Unfulfilled {
         place: first,
         value: 0.0,
         is_turned_over: false,
+        is_singular: false,
     };
     places.fold(least, |a, b| {
         match b.value.abs() > a.value.abs() || b.value.is_nan() {
@@ -150,48 +157,103 @@ fn half_a_turn_off(system: &System, element: &dyn Element) -> Unfulfilled {
         place: NODE_UNKNOWNS * system.nodes().len() + constraints,
         value: 0.0,
         is_turned_over: true,
+        is_singular: false,
     }
 }
 
-/// The same, from where the nodes are straight to the goal.
+/// The same, from where the nodes are straight to the goal: by full steps, and where they
+/// lead nowhere by steps that are halved while the constraints come no nearer.
 fn place_at_once(
     system: &System,
     state: &State,
     conditions: &Conditions,
     initial: &[InitialMotion],
 ) -> Result<State, Unfulfilled> {
-    let nodes = state.nodes.len();
-    let first = NODE_UNKNOWNS * nodes;
-    let mut now = still(state);
-    let off = worst(&values(system, &now, conditions, Level::Position), first);
+    let first = NODE_UNKNOWNS * state.nodes.len();
+    let start = still(state);
+    let off = worst(&values(system, &start, conditions, Level::Position), first);
     if off.value.abs() <= fulfilled(FULFILLED, state) {
         return Ok(state.clone());
     }
-    let start = now.clone();
     let weights = weights(state.size(), initial, |one| [one.weight; 2]);
-    for _ in 0..ITERATIONS {
-        let Some(step) = place_step(system, (&start, &now), conditions, &weights) else {
-            break;
-        };
-        let largest = largest_motion(step[..MOTION * nodes].chunks(MOTION), state.size());
-        if !largest.is_finite() {
-            break;
-        }
-        let part = f64::min(1.0, LARGEST / largest);
-        move_by(&mut now, &step, part);
-        if largest <= SMALL {
-            let off = worst(&values(system, &now, conditions, Level::Position), first);
-            // Constraints that contradict each other come to rest between them.
-            return match off.value.abs() <= fulfilled(SMALL, state) {
-                true => Ok(with_motion_of(now, state)),
-                false => Err(off),
+    let search = Search {
+        system,
+        conditions,
+        start,
+        weights,
+    };
+    let mut nearest = off;
+    let placed = [false, true].into_iter().find_map(|is_damped| {
+        let placed = search.run(is_damped, &mut nearest)?;
+        Some(with_motion_of(placed, state))
+    });
+    placed.ok_or_else(|| Unfulfilled {
+        is_singular: !redundancy::find(system, &search.start, conditions).is_empty(),
+        ..nearest
+    })
+}
+
+/// A search for places near those of the start.
+struct Search<'a> {
+    system: &'a System,
+    conditions: &'a Conditions,
+    start: State,
+    weights: Vec<f64>,
+}
+
+impl Search<'_> {
+    /// The places that fulfill the constraints, if they are found; `nearest` is what the
+    /// constraints were off by where they were nearest to it.
+    fn run(&self, is_damped: bool, nearest: &mut Unfulfilled) -> Option<State> {
+        let nodes = self.start.nodes.len();
+        let size = self.start.size();
+        let mut now = self.start.clone();
+        for _ in 0..ITERATIONS {
+            let (start, weights) = (&self.start, &self.weights);
+            let step = place_step(self.system, (start, &now), self.conditions, weights)?;
+            let largest = largest_motion(step[..MOTION * nodes].chunks(MOTION), size);
+            if !largest.is_finite() {
+                return None;
+            }
+            let part = f64::min(1.0, LARGEST / largest);
+            let part = if is_damped {
+                self.damped(&now, &step, part)
+            } else {
+                part
             };
+            move_by(&mut now, &step, part);
+            let off = self.off(&now);
+            if off.value.abs() < nearest.value.abs() {
+                *nearest = off;
+            }
+            if largest <= SMALL {
+                // Constraints that contradict each other come to rest between them.
+                return (off.value.abs() <= fulfilled(SMALL, &self.start)).then_some(now);
+            }
         }
+        None
     }
-    Err(worst(
-        &values(system, &now, conditions, Level::Position),
-        first,
-    ))
+
+    /// The part of a step after which the constraints are nearer to being fulfilled.
+    fn damped(&self, now: &State, step: &[f64], mut part: f64) -> f64 {
+        let before = self.off(now).value.abs();
+        for _ in 0..HALVINGS {
+            let mut tried = now.clone();
+            move_by(&mut tried, step, part);
+            if self.off(&tried).value.abs() < before {
+                break;
+            }
+            part *= 0.5;
+        }
+        part
+    }
+
+    /// The constraint that is farthest from being fulfilled.
+    fn off(&self, state: &State) -> Unfulfilled {
+        let first = NODE_UNKNOWNS * state.nodes.len();
+        let values = values(self.system, state, self.conditions, Level::Position);
+        worst(&values, first)
+    }
 }
 
 /// What a constraint may be off by: a part of the size of the model, or round-off \[m\].

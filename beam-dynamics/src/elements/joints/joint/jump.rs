@@ -27,7 +27,9 @@ impl ConstraintJoint {
         let places = self.rows.iter().filter_map(|row| {
             let target = row.target.as_ref()?;
             let what = match row.held {
-                Held::Along(_, axis) => format!("displacement along its {}", ["x", "y", "z"][axis % 3]),
+                Held::Along(_, axis) => {
+                    format!("displacement along its {}", ["x", "y", "z"][axis % 3])
+                }
                 Held::Distance => "length".to_owned(),
                 Held::Across(..) | Held::Velocity(..) | Held::Spin(..) => return None,
             };
