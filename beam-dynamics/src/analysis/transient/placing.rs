@@ -19,6 +19,10 @@ use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
 
 use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
 
+mod search;
+
+use search::Search;
+
 /// Iterations at most.
 const ITERATIONS: usize = 50;
 /// Largest change of a step, in sizes of the model and radians.
@@ -39,9 +43,6 @@ const UNSAID: f64 = 1e-8;
 const TURNED: f64 = 0.1;
 /// Parts in which driven rotations are applied: no more than pi/16 at a time.
 const PARTS: usize = 16;
-
-/// Halvings of a step of damped iterations at most.
-const HALVINGS: usize = 8;
 
 /// How far from a place it is looked beside it, in sizes of the model and radians.
 const BESIDE: f64 = 0.01;
@@ -191,69 +192,6 @@ fn place_at_once(
         is_singular: !redundancy::find(system, &search.start, conditions).is_empty(),
         ..nearest
     })
-}
-
-/// A search for places near those of the start.
-struct Search<'a> {
-    system: &'a System,
-    conditions: &'a Conditions,
-    start: State,
-    weights: Vec<f64>,
-}
-
-impl Search<'_> {
-    /// The places that fulfill the constraints, if they are found; `nearest` is what the
-    /// constraints were off by where they were nearest to it.
-    fn run(&self, is_damped: bool, nearest: &mut Unfulfilled) -> Option<State> {
-        let nodes = self.start.nodes.len();
-        let size = self.start.size();
-        let mut now = self.start.clone();
-        for _ in 0..ITERATIONS {
-            let (start, weights) = (&self.start, &self.weights);
-            let step = place_step(self.system, (start, &now), self.conditions, weights)?;
-            let largest = largest_motion(step[..MOTION * nodes].chunks(MOTION), size);
-            if !largest.is_finite() {
-                return None;
-            }
-            let part = f64::min(1.0, LARGEST / largest);
-            let part = if is_damped {
-                self.damped(&now, &step, part)
-            } else {
-                part
-            };
-            move_by(&mut now, &step, part);
-            let off = self.off(&now);
-            if off.value.abs() < nearest.value.abs() {
-                *nearest = off;
-            }
-            if largest <= SMALL {
-                // Constraints that contradict each other come to rest between them.
-                return (off.value.abs() <= fulfilled(SMALL, &self.start)).then_some(now);
-            }
-        }
-        None
-    }
-
-    /// The part of a step after which the constraints are nearer to being fulfilled.
-    fn damped(&self, now: &State, step: &[f64], mut part: f64) -> f64 {
-        let before = self.off(now).value.abs();
-        for _ in 0..HALVINGS {
-            let mut tried = now.clone();
-            move_by(&mut tried, step, part);
-            if self.off(&tried).value.abs() < before {
-                break;
-            }
-            part *= 0.5;
-        }
-        part
-    }
-
-    /// The constraint that is farthest from being fulfilled.
-    fn off(&self, state: &State) -> Unfulfilled {
-        let first = NODE_UNKNOWNS * state.nodes.len();
-        let values = values(self.system, state, self.conditions, Level::Position);
-        worst(&values, first)
-    }
 }
 
 /// What a constraint may be off by: a part of the size of the model, or round-off \[m\].
