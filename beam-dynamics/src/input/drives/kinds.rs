@@ -220,7 +220,7 @@ fn terms(table: &Table<'_>) -> Option<usize> {
     Some(terms)
 }
 
-/// The least and the largest frequency of a random drive [Hz].
+/// The least and the largest frequency of a random drive \[Hz\].
 fn band(table: &Table<'_>) -> Option<[f64; 2]> {
     let [low, high] = table.quantities("band", Dimension::FREQUENCY)?[..] else {
         table.wrong("band", "an array of 2, each a frequency");
