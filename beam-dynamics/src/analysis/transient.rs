@@ -89,7 +89,7 @@ pub fn transient(
     let began = clock();
     let mut outcome = TransientOutcome {
         effort: Effort::default(),
-        time: question.from,
+        time: resumed.map_or(question.from, |snapshot| snapshot.progress.time),
         changes: Vec::new(),
         remarks: doubts(model, question),
         failure: None,
@@ -133,6 +133,14 @@ pub fn transient(
     outcome
 }
 
+/// Looks ahead for jumps of places that drives hold: from those no motion follows.
+///
+/// # Errors
+/// [`TransientFailure::Jump`].
+pub fn driven_places(model: &Model, question: &TransientQuestion) -> Result<(), TransientFailure> {
+    corner::check_places(model, [question.from, question.to])
+}
+
 /// What is doubtful about a question.
 fn doubts(model: &Model, question: &TransientQuestion) -> Vec<String> {
     let has_multipliers = model.system.numbering().multipliers() > 0;
@@ -149,7 +157,7 @@ fn begin<'a>(
     if let Some(node) = massless::find(&model.system).into_iter().next() {
         return Err(node.into());
     }
-    corner::check_places(model, [question.from, question.to])?;
+    driven_places(model, question)?;
     let Started {
         state,
         changes,

@@ -17,7 +17,7 @@ use super::{System, Tangent};
 use crate::model::{Conditions, Equation, MOTION_WORDS, NODE_UNKNOWNS, Variable};
 use shared_geom::error::Explain;
 
-/// A mass below this part of the largest is none.
+/// A mass below this part of the largest of its node is none.
 const NO_MASS: f64 = 1e-15;
 /// Derivatives below this part of the largest of their row are round-off.
 const ROUND_OFF: f64 = 1e-12;
@@ -59,19 +59,18 @@ impl Explain for MasslessNode {
 /// displacement [m], rotation times the size of the model [m]).
 pub fn without_mass(system: &System, tangent: &Tangent, size: f64) -> Vec<DMatrix<f64>> {
     let scale = scale(size);
-    let masses: Vec<_> = (0..system.nodes().len())
-        .map(|node| {
-            let first = NODE_UNKNOWNS * node;
-            let entry = |i: usize, j: usize| -tangent.by_rates.entry(first + i, first + j);
-            let mass = Matrix6::from_fn(|i, j| scale[i] * entry(i, j) * scale[j]);
-            0.5 * (mass + mass.transpose())
-        })
-        .collect();
-    let largest = masses.iter().map(Matrix6::amax).fold(0.0, f64::max);
-    masses.into_iter().map(|mass| null(mass, largest)).collect()
+    let masses = (0..system.nodes().len()).map(|node| {
+        let first = NODE_UNKNOWNS * node;
+        let entry = |i: usize, j: usize| -tangent.by_rates.entry(first + i, first + j);
+        let mass = Matrix6::from_fn(|i, j| scale[i] * entry(i, j) * scale[j]);
+        0.5 * (mass + mass.transpose())
+    });
+    masses.map(|mass| null(&mass)).collect()
 }
 
-fn null(mass: Matrix6<f64>, largest: f64) -> DMatrix<f64> {
+/// The motions without mass: one node is not light because another one is heavy.
+fn null(mass: &Matrix6<f64>) -> DMatrix<f64> {
+    let largest = mass.amax();
     let parts = mass.map(finite).symmetric_eigen();
     let found: Vec<DVector<f64>> = parts
         .eigenvalues
@@ -233,6 +232,20 @@ mod tests {
             "node \"loose\" has no inertia, and nothing holds it: rotation about x, rotation about \
              y, rotation about z"
         );
+    }
+
+    // Of two bodies one is 1e16 times as heavy: both have mass.
+    #[test]
+    fn a_node_has_mass_however_heavy_another_one_is() {
+        let nodes = vec![node("light", 0.0), node("heavy", 1.0)];
+        let heavy = RigidInertia::about_node(
+            2e16,
+            &Vector3::zeros(),
+            &(1e16 * Matrix3::<f64>::identity()),
+        );
+        let mut elements = vec![body(0, &Matrix3::identity())];
+        elements.push(Box::new(RigidBody::new("heavy", 1, heavy)));
+        assert_eq!(find(&System::new(nodes, elements)), []);
     }
 
     fn clamp_of(node: &Node) -> Box<dyn Element> {

@@ -131,7 +131,7 @@ fn sources(joint: &str, from: &[String]) -> String {
 impl Explain for Redundant {
     fn help(&self) -> Option<String> {
         let help = "take a joint of fewer constraints, or set redundant = \"remove\" in \
-            [transient]: the loads are then shared as if the constraint were not there";
+            [transient]: the motion is the same, and the joints share what they carry";
         Some(help.to_owned())
     }
 }

@@ -55,6 +55,12 @@ pub(super) fn plot_files(
         terminal.tell(&problem);
         return WRONG_INPUT;
     }
+    if let (Some(from), Some(to)) = (options.from, options.to)
+        && from > to
+    {
+        terminal.tell(&Backward { from, to });
+        return WRONG_INPUT;
+    }
     let Some(tables) = read(results, options, terminal) else {
         return WRONG_INPUT;
     };
@@ -97,6 +103,20 @@ fn plot_of(tables: &[TimeTable], options: &PlotOptions) -> Result<TimePlot, Vec<
         Some(title) => plot.titled(title),
         None => plot,
     })
+}
+
+/// A span of time that ends before it begins.
+#[derive(Debug, thiserror::Error)]
+#[error("--from {from} is later than --to {to}: no time is between them")]
+struct Backward {
+    from: f64,
+    to: f64,
+}
+
+impl Explain for Backward {
+    fn help(&self) -> Option<String> {
+        Some("give --from the earlier of the two".to_owned())
+    }
 }
 
 /// A figure of a kind that is not written.

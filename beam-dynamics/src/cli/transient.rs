@@ -10,7 +10,9 @@ use shared_geom::error::Explain;
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
 use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
-use crate::analysis::transient::{TransientFailure, TransientOutcome, difference, transient};
+use crate::analysis::transient::{
+    TransientFailure, TransientOutcome, difference, driven_places, transient,
+};
 use crate::case::{OutputQuestion, TransientQuestion};
 use crate::input::{Input, is_blade_file, short_number};
 use crate::integrator::{Scheme, Stepping};
@@ -157,6 +159,15 @@ fn run(
     (folder, name): &ResultPlace,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
+    // Before anything is written: it is the input that is wrong.
+    if let Err(failure) = driven_places(&input.model, question) {
+        terminal.tell_text(&format!(
+            "error: {name}: {failure}{}\n  help: {}",
+            cards_of(input, &failure),
+            failure.remedy()
+        ));
+        return WRONG_INPUT;
+    }
     let output: &OutputQuestion = &input.output;
     let files = match RunFiles::new(&input.model, output, (folder, name), resumed) {
         Ok(files) => files.until(question.to),
@@ -189,11 +200,14 @@ fn run(
     terminal.show(&text);
     let mut code = DONE;
     if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {
+        let written = match watched.files.has_rows() {
+            true => format!("; all up to {} s is written", short_number(outcome.time, 9)),
+            false => String::new(),
+        };
         terminal.tell_text(&format!(
-            "error: {name}: {failure}{}\n  help: {}; all up to {} s is written",
+            "error: {name}: {failure}{}\n  help: {}{written}",
             cards_of(input, failure),
-            failure.remedy(),
-            short_number(outcome.time, 9)
+            failure.remedy()
         ));
         code = NOT_REACHED;
     }

@@ -141,7 +141,9 @@ type Find<'a> = dyn Fn(&str) -> Option<Named> + 'a;
 fn drive(item: &Item<'_>, measure: Measure, find: &Find<'_>) -> Option<Drive> {
     if let Some(table) = item.table(&format!("the drive under \"{}\"", item.key())) {
         let drive = kinds::read(&table, measure, find);
-        table.finish();
+        if kinds::is_known(&table) {
+            table.finish();
+        }
         return drive;
     }
     let Some(text) = item.text() else {
@@ -235,7 +237,9 @@ impl Reader<'_, '_> {
             let drive = kinds::read(table, measure, &find)?;
             Some(Named { drive, measure })
         });
-        table.finish();
+        if measure.is_some() && kinds::is_known(table) {
+            table.finish();
+        }
         self.open.borrow_mut().pop();
         self.done
             .borrow_mut()

@@ -55,6 +55,9 @@ fn along_line(table: &Table<'_>, nodes: Option<&[usize]>) -> Option<Between> {
     if let Some(second) = ["force", "moment"].into_iter().find(|key| table.has(key)) {
         let first = "tension";
         table.note(second, &LawProblem::Twice { first, second });
+        for key in ["force", "moment", "offset", "offsets", "axes"] {
+            let _ = table.has(key);
+        }
         return None;
     }
     let Some(&[a, b]) = nodes else {

@@ -1,7 +1,7 @@
 //! One table of an input file, and the values in it.
 
 use std::cell::RefCell;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
 
@@ -166,7 +166,7 @@ impl<'a> Table<'a> {
         let problem = DocumentProblem::NoFile {
             key: key.to_owned(),
             name: written.to_owned(),
-            known: names_beside(&path),
+            known: of_its_kind(names_beside(&path), &path),
         };
         self.note(key, &problem);
         None
@@ -386,9 +386,18 @@ impl<'a> Table<'a> {
             let _: Option<()> = self.wrong_value(key, value, &format!("tables [[{key}]]"));
             return Vec::new();
         };
+        // Of [output], the tables are [[output.column]].
+        let outer = self
+            .title
+            .strip_prefix('[')
+            .and_then(|t| t.strip_suffix(']'));
+        let within = match outer.filter(|outer| !outer.starts_with('[')) {
+            Some(outer) => format!("{outer}."),
+            None => String::new(),
+        };
         let table = |(i, item): (usize, &'a Value)| match &item.kind {
             Kind::Table(entries) => {
-                let title = format!("[[{key}]] number {}", i + 1);
+                let title = format!("[[{within}{key}]] number {}", i + 1);
                 Some(Table::new(self.document, entries, title, item.line))
             }
             _ => self.wrong_value(key, item, &format!("a table [[{key}]]")),
@@ -470,4 +479,12 @@ impl<'a> Table<'a> {
     fn wrong_value<T>(&self, key: &str, value: &Value, expected: &str) -> Option<T> {
         Item::new(self.document, key, value).wrong(expected)
     }
+}
+
+/// Those of `names` that end as the name of `path` does, where it has an ending: where a
+/// table is looked for, a figure is none.
+fn of_its_kind(names: Vec<String>, path: &Path) -> Vec<String> {
+    let ending = path.extension();
+    let is_one = |name: &String| ending.is_none() || Path::new(name).extension() == ending;
+    names.into_iter().filter(is_one).collect()
 }

@@ -67,7 +67,8 @@ pub enum TransientFailure {
     Equilibrium(#[from] Box<NoEquilibrium>),
     /// No places fulfill the constraints.
     #[error(
-        "start: no places of the nodes fulfill the constraints; worst: {constraint}, off by {value:.3e} {}",
+        "start: no places of the nodes were found that fulfill the constraints; at the nearest \
+         found the worst is {constraint}, off by {value:.3e} {}",
         .constraint.unit
     )]
     Places {
@@ -75,6 +76,8 @@ pub enum TransientFailure {
         constraint: Name,
         /// What it is off by [unit of the constraint].
         value: f64,
+        /// Whether the constraints lose rank at the given places.
+        is_singular: bool,
     },
     /// A driven rotation is held where its constraints are fulfilled too.
     #[error("at {time} s a driven rotation is held half a turn off: {constraint}")]
@@ -163,6 +166,9 @@ pub enum TransientFailure {
 impl TransientFailure {
     /// Names of the joints that it is about, each once, where it tells of several.
     pub fn joints(&self) -> Vec<&str> {
+        if let Self::Jump { joint, .. } = self {
+            return vec![joint];
+        }
         let Self::Redundant(found) = self else {
             return Vec::new();
         };
@@ -190,6 +196,13 @@ impl TransientFailure {
             Self::Memory => "take fewer elements",
             Self::Equilibrium(_) => {
                 "hold what is free, or take away the load that nothing can carry"
+            }
+            Self::Places {
+                is_singular: true, ..
+            } => {
+                "the given places may be a singular position, such as links in line, from where \
+                 no direction leads on: start a little beside it; else look for lengths that \
+                 cannot meet and for drives that start elsewhere"
             }
             Self::Places { .. } => {
                 "look for lengths that cannot meet and for drives that start elsewhere, or place \

@@ -12,12 +12,16 @@ use nalgebra::Vector3;
 use shared_geom::rotation::{gibbs, vector};
 
 use crate::analysis::balance::largest_motion;
-use crate::assembly::{System, Tangent};
+use crate::assembly::{System, Tangent, redundancy};
 use crate::case::InitialMotion;
 use crate::elements::{Element, Level};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
 
 use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
+
+mod search;
+
+use search::Search;
 
 /// Iterations at most.
 const ITERATIONS: usize = 50;
@@ -52,6 +56,8 @@ pub(super) struct Unfulfilled {
     pub value: f64,
     /// Whether it is fulfilled, but half a turn from where it is driven.
     pub is_turned_over: bool,
+    /// Whether the constraints lose rank at the given places.
+    pub is_singular: bool,
 }
 
 /// The constraint that is farthest from being fulfilled.
@@ -60,11 +66,13 @@ fn worst(values: &[f64], first: usize) -> Unfulfilled {
         place: first + i,
         value: *value,
         is_turned_over: false,
+        is_singular: false,
     });
     let least = Unfulfilled {
         place: first,
         value: 0.0,
         is_turned_over: false,
+        is_singular: false,
     };
     places.fold(least, |a, b| {
         match b.value.abs() > a.value.abs() || b.value.is_nan() {
@@ -150,48 +158,40 @@ fn half_a_turn_off(system: &System, element: &dyn Element) -> Unfulfilled {
         place: NODE_UNKNOWNS * system.nodes().len() + constraints,
         value: 0.0,
         is_turned_over: true,
+        is_singular: false,
     }
 }
 
-/// The same, from where the nodes are straight to the goal.
+/// The same, from where the nodes are straight to the goal: by full steps, and where they
+/// lead nowhere by steps that are halved while the constraints come no nearer.
 fn place_at_once(
     system: &System,
     state: &State,
     conditions: &Conditions,
     initial: &[InitialMotion],
 ) -> Result<State, Unfulfilled> {
-    let nodes = state.nodes.len();
-    let first = NODE_UNKNOWNS * nodes;
-    let mut now = still(state);
-    let off = worst(&values(system, &now, conditions, Level::Position), first);
+    let first = NODE_UNKNOWNS * state.nodes.len();
+    let start = still(state);
+    let off = worst(&values(system, &start, conditions, Level::Position), first);
     if off.value.abs() <= fulfilled(FULFILLED, state) {
         return Ok(state.clone());
     }
-    let start = now.clone();
     let weights = weights(state.size(), initial, |one| [one.weight; 2]);
-    for _ in 0..ITERATIONS {
-        let Some(step) = place_step(system, (&start, &now), conditions, &weights) else {
-            break;
-        };
-        let largest = largest_motion(step[..MOTION * nodes].chunks(MOTION), state.size());
-        if !largest.is_finite() {
-            break;
-        }
-        let part = f64::min(1.0, LARGEST / largest);
-        move_by(&mut now, &step, part);
-        if largest <= SMALL {
-            let off = worst(&values(system, &now, conditions, Level::Position), first);
-            // Constraints that contradict each other come to rest between them.
-            return match off.value.abs() <= fulfilled(SMALL, state) {
-                true => Ok(with_motion_of(now, state)),
-                false => Err(off),
-            };
-        }
-    }
-    Err(worst(
-        &values(system, &now, conditions, Level::Position),
-        first,
-    ))
+    let search = Search {
+        system,
+        conditions,
+        start,
+        weights,
+    };
+    let mut nearest = off;
+    let placed = [false, true].into_iter().find_map(|is_damped| {
+        let placed = search.run(is_damped, &mut nearest)?;
+        Some(with_motion_of(placed, state))
+    });
+    placed.ok_or_else(|| Unfulfilled {
+        is_singular: !redundancy::find(system, &search.start, conditions).is_empty(),
+        ..nearest
+    })
 }
 
 /// What a constraint may be off by: a part of the size of the model, or round-off \[m\].

@@ -10,6 +10,7 @@ use crate::assembly::System;
 use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
 use crate::elements::Level;
 use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
+use crate::modes::EigenProblem;
 use crate::solver::LinearSolver;
 
 use super::dummy::dummy_rates;
@@ -22,6 +23,13 @@ use super::rates::consistent_rates;
 const VISIBLE: f64 = 1e-9;
 /// Changes of the velocities of an equilibrium that turns up to this part of the fastest.
 const TURNS: f64 = 1e-6;
+
+/// Real eigenvalues looked at, those nearest to zero, and copies of each.
+const COUNT: usize = 4;
+/// Growth over a run, as a power of e, that is more than round-off of motions at rest.
+const SEEN: f64 = 0.1;
+/// Relative residual of an eigenvalue that is one.
+const SURE: f64 = 1e-6;
 
 /// Driven velocities that differ by a larger part of the speed at which a model is to turn
 /// are those of another motion; where it is deformed they differ by less.
@@ -100,7 +108,7 @@ pub(super) fn start(
 ) -> Result<Started, TransientFailure> {
     let system = &model.system;
     let conditions = model.conditions_at(question.from);
-    let kind = given(model, question, &conditions)?;
+    let (kind, unstable) = given(model, question, &conditions)?;
     if let Start::Rotating { speed } = question.start {
         turns_as_a_whole(model, &conditions, &kind, speed)?;
     }
@@ -115,6 +123,7 @@ pub(super) fn start(
             false => TransientFailure::Places {
                 constraint,
                 value: off.value,
+                is_singular: off.is_singular,
             },
         }
     };
@@ -129,18 +138,19 @@ pub(super) fn start(
     let mut started = Started {
         state,
         changes,
-        remarks: Vec::new(),
+        remarks: unstable.into_iter().collect(),
     };
     find_rates(model, question, &conditions, &mut started)?;
     Ok(started)
 }
 
-/// Places and velocities of the kind of start that is asked for.
+/// Places and velocities of the kind of start that is asked for, and a remark where it is
+/// an equilibrium that does not last.
 fn given(
     model: &Model,
     question: &TransientQuestion,
     conditions: &Conditions,
-) -> Result<State, TransientFailure> {
+) -> Result<(State, Option<String>), TransientFailure> {
     let rest = model.system.rest();
     let alone;
     let model = match model.system.independent() {
@@ -154,7 +164,7 @@ fn given(
         }
     };
     let speed = match question.start {
-        Start::Given => return Ok(rest),
+        Start::Given => return Ok((rest, None)),
         Start::Equilibrium => 0.0,
         Start::Rotating { speed } => speed,
     };
@@ -176,6 +186,14 @@ fn given(
     let solver = LinearSolver::new(model.system.pattern()).ok_or(TransientFailure::Memory)?;
     let from = (&Conditions::at_rest(), &rest);
     let mut state = equilibrium(model, &solver, from, &turning)?.state;
+    let growth = growth(model, &solver, (&state, &turning));
+    let is_seen = |growth: &f64| growth * (question.to - question.from) > SEEN;
+    let remark = growth.filter(is_seen).map(|growth| {
+        format!(
+            "the equilibrium of the start is unstable: a motion grows with {growth:.3e} 1/s, and \
+             the model leaves it when anything disturbs it"
+        )
+    });
     // At this instant the axes that turn and those that do not are the same.
     for node in &mut state.nodes {
         node.velocity = node.velocity_in_space(&turning.frame);
@@ -184,7 +202,23 @@ fn given(
         node.momentum_rate = omega.cross(&node.momentum);
         node.angular_momentum_rate = omega.cross(&node.angular_momentum);
     }
-    Ok(state)
+    Ok((state, remark))
+}
+
+/// The fastest growth without oscillation of a small motion about an equilibrium, among the
+/// slowest motions \[1/s\].
+fn growth(
+    model: &Model,
+    solver: &LinearSolver,
+    (state, conditions): (&State, &Conditions),
+) -> Option<f64> {
+    let tangent = model.system.tangent(state, conditions);
+    let nodes = model.system.nodes().len();
+    let problem = EigenProblem::about_zero(solver, &tangent, nodes, COUNT)?;
+    let all = problem.real(COUNT).into_iter();
+    let sure = all.filter(|pair| pair.residual < SURE);
+    let growths = sure.map(|pair| pair.growth).filter(|growth| *growth > 0.0);
+    growths.reduce(f64::max)
 }
 
 /// The first element that drives velocities which are far from those of the undeformed

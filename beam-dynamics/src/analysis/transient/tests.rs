@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests end when a model cannot be run")]
 
+mod beside;
 mod bipendulum;
 mod contradicting;
 mod corners;

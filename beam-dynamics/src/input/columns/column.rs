@@ -103,10 +103,11 @@ fn kind(table: &Table<'_>) -> Option<&'static Kind> {
     Some(&KINDS[table.word("quantity", &words)?])
 }
 
-/// Whether the keys of a card are those of a quantity: of an unknown one none is wrong.
+/// Whether the keys of a card are those of a quantity: of none, and of an unknown
+/// one, none is wrong.
 fn is_known(table: &Table<'_>) -> bool {
     let is_one = |word: String| KINDS.iter().any(|kind| kind.0 == word);
-    !table.is_text("quantity") || table.text("quantity").is_some_and(is_one)
+    table.is_text("quantity") && table.text("quantity").is_some_and(is_one)
 }
 
 fn factor(table: &Table<'_>, unit: &str, dimension: Dimension) -> Option<f64> {

@@ -33,6 +33,7 @@ pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
         }
         (false, true) => (None, in_place(table)?),
         (both, _) => {
+            let _ = table.has("columns");
             let found = if both { "both" } else { "none" };
             let keys = ["file", "rows"];
             table.note("", &DriveProblem::OneOf { keys, found });

@@ -26,6 +26,16 @@ const KINDS: [&str; 10] = [
 const DEFAULT_TERMS: usize = 64;
 const MOST_TERMS: usize = 10_000;
 
+/// Whether the keys of a table are those of a kind: of none, and of an unknown one, none is
+/// wrong.
+pub(super) fn is_known(table: &Table<'_>) -> bool {
+    let is_one = |kind: String| KINDS.contains(&&*kind);
+    match table.has("kind") {
+        true => table.is_text("kind") && table.text("kind").is_some_and(is_one),
+        false => table.has("expression"),
+    }
+}
+
 /// Reads a table with the key `kind`.
 pub(super) fn read(table: &Table<'_>, measure: Measure, find: &Find<'_>) -> Option<Drive> {
     if matches!(measure, Measure::Declared(_)) && table.has("unit") {
@@ -160,49 +170,68 @@ fn doublet(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 }
 
 fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
+    // Every key is asked for before a wrong one ends it, so that each wrong one is noted.
     let mean = value_or_zero(table, "mean", measure);
-    let deviation = value(table, "deviation", measure);
-    if deviation.is_some_and(|deviation| deviation < 0.0) {
-        table.wrong("deviation", "a number that is zero or more");
-        return None;
-    }
+    let deviation = value(table, "deviation", measure).filter(|deviation| {
+        let is_right = *deviation >= 0.0;
+        if !is_right {
+            table.wrong("deviation", "a number that is zero or more");
+        }
+        is_right
+    });
     let seed = table.require_count("seed").map(|seed| seed as u64);
-    let (has_band, has_interval) = (table.has("band"), table.has("interval"));
-    if has_band == has_interval {
-        let found = if has_band { "both" } else { "none" };
-        let keys = ["band", "interval"];
-        table.note("", &DriveProblem::OneOf { keys, found });
-        return None;
+    let keys = ["band", "interval"];
+    match keys.map(|key| table.has(key)) {
+        [false, true] => {
+            let interval = table.require_positive("interval", Dimension::TIME);
+            Some(Drive::Noise(SteppedNoise {
+                mean: mean?,
+                deviation: deviation?,
+                interval: interval?,
+                seed: seed?,
+            }))
+        }
+        [true, false] => {
+            let terms = terms(table);
+            let band = band(table);
+            let noise = BandNoise::new([mean?, deviation?], band?, terms?, seed?);
+            Some(Drive::Band(Arc::new(noise)))
+        }
+        [both, _] => {
+            let found = if both { "both" } else { "none" };
+            // Terms may belong to a band that is missing.
+            table.item("terms");
+            table.note("", &DriveProblem::OneOf { keys, found });
+            None
+        }
     }
-    if has_interval {
-        let interval = table.require_positive("interval", Dimension::TIME);
-        return Some(Drive::Noise(SteppedNoise {
-            mean: mean?,
-            deviation: deviation?,
-            interval: interval?,
-            seed: seed?,
-        }));
-    }
+}
+
+/// The number of sines of a random drive.
+fn terms(table: &Table<'_>) -> Option<usize> {
     let terms = match table.has("terms") {
-        true => table.count("terms"),
-        false => Some(DEFAULT_TERMS),
+        true => table.count("terms")?,
+        false => DEFAULT_TERMS,
     };
-    let [low, high] = table.quantities("band", Dimension::FREQUENCY)?[..] else {
-        table.wrong("band", "an array of 2, each a frequency");
-        return None;
-    };
-    if low < 0.0 || high <= low {
-        let band = [low, high];
-        table.note("band", &DriveProblem::Band { band });
-        return None;
-    }
-    let terms = terms?;
     if terms > MOST_TERMS {
         table.wrong("terms", "a number of at most 10000");
         return None;
     }
-    let noise = BandNoise::new([mean?, deviation?], [low, high], terms, seed?);
-    Some(Drive::Band(Arc::new(noise)))
+    Some(terms)
+}
+
+/// The least and the largest frequency of a random drive \[Hz\].
+fn band(table: &Table<'_>) -> Option<[f64; 2]> {
+    let [low, high] = table.quantities("band", Dimension::FREQUENCY)?[..] else {
+        table.wrong("band", "an array of 2, each a frequency");
+        return None;
+    };
+    let band = [low, high];
+    if low < 0.0 || high <= low {
+        table.note("band", &DriveProblem::Band { band });
+        return None;
+    }
+    Some(band)
 }
 
 /// A sum of drives, or a product of one with plain ones.

@@ -206,3 +206,34 @@ q = \"= p\"
         assert!(shown.contains(expected), "{expected}\nis not in\n{shown}");
     }
 }
+
+#[test]
+fn of_a_wrong_drive_no_known_key_is_unknown() {
+    let told = |drive: &str| {
+        let text = format!("[drive]\n{drive}");
+        found(&text, Dimension::LENGTH).unwrap_err()
+    };
+    for (drive, expected) in [
+        (
+            "kind = \"random\"\ndeviation = -1\nseed = 1\nband = [1, 2]\nterms = 8",
+            "zero or more",
+        ),
+        (
+            "kind = \"random\"\ndeviation = 1\nseed = 1\nband = [1, 2]\ninterval = 1\nterms = 8",
+            "\"interval\"",
+        ),
+        (
+            "kind = \"table\"\nfile = \"a.csv\"\nrows = [[0, 1]]\ncolumns = [\"a\", \"b\"]",
+            "\"rows\"",
+        ),
+        ("kind = \"rmp\"\nto = 1\nduration = 2", "\"rmp\""),
+        ("to = 1\nduration = 2", "no \"kind\""),
+    ] {
+        let text = told(drive);
+        assert!(text.contains(expected), "{text}");
+        assert!(!text.contains("unknown key"), "{text}");
+    }
+    // What is no key of the kind still is told, and beside what else is wrong.
+    let text = told("kind = \"random\"\ndeviation = -1\nseed = 1\nbnd = [1, 2]");
+    assert!(text.contains("unknown key \"bnd\""), "{text}");
+}

@@ -26,10 +26,11 @@ const KINDS: [&str; 8] = [
     "section",
 ];
 
-/// Whether the keys of a term are those of a kind: of an unknown one none is wrong.
+/// Whether the keys of a term are those of a kind: of none, and of an unknown
+/// one, none is wrong.
 pub(super) fn is_known(table: &Table<'_>) -> bool {
-    !table.is_text("kind")
-        || table
+    table.is_text("kind")
+        && table
             .text("kind")
             .is_some_and(|kind| KINDS.contains(&&*kind))
 }

@@ -129,6 +129,11 @@ impl<'a> RunFiles<'a> {
         self
     }
 
+    /// Whether any row is written, by this part of the run or by the one before.
+    pub fn has_rows(&self) -> bool {
+        self.written.is_some() || self.resumed.is_some()
+    }
+
     /// The problem that ended the run, if it was output.
     pub fn problem(&self) -> Option<&RunFileProblem> {
         self.problem.as_ref()

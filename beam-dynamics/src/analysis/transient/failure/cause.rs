@@ -101,7 +101,7 @@ impl<'a> Scene<'a> {
             .or_else(|| self.turned_far())
             .unwrap_or_else(|| match (self.failure.reason, &self.failure.local_error) {
                 (Reason::LocalError, Some(error)) => self.inexact(error),
-                (Reason::Singular, _) => singular(),
+                (Reason::Singular, _) => self.singular(),
                 _ => self.not_converged(),
             })
     }
@@ -270,12 +270,6 @@ impl<'a> Scene<'a> {
     /// A local error that stays too large.
     fn inexact(&self, local: &LocalError) -> Cause {
         let least = self.failure.least;
-        if local.tolerance < ROUND_OFF {
-            return Cause::new(
-                "a local error below what round-off leaves was asked for",
-                &["ask for a \"tolerance\" of 1e-10 or more"],
-            );
-        }
         // The error falls as the square of the step at a jump of a force, else faster.
         let part = (local.tolerance / local.error).sqrt();
         let larger = format!("or allow a \"tolerance\" of {:.1e}", 2.0 * local.error);
@@ -288,6 +282,12 @@ impl<'a> Scene<'a> {
                 ),
                 remedies: vec![format!("let \"least\" be {needed:.1e} s, {larger}")],
             };
+        }
+        if local.tolerance < ROUND_OFF {
+            return Cause::new(
+                "a local error below what round-off leaves was asked for",
+                &["ask for a \"tolerance\" of 1e-10 or more"],
+            );
         }
         let feedback = self.feedback();
         let who = match feedback.is_empty() {
@@ -387,6 +387,25 @@ impl<'a> Scene<'a> {
         }
     }
 
+    /// Equations that have no single solution.
+    fn singular(&self) -> Cause {
+        let has_joints = self.model.system.numbering().multipliers() > 0;
+        if has_joints && self.question.scheme == Scheme::CubicGauss {
+            return Cause::new(
+                "the scheme: stages at Gauss' points cannot hold constraints, as those of joints",
+                &["take scheme = \"two-step\" or \"radau-iia\""],
+            );
+        }
+        Cause::new(
+            "a mechanism that is locked or can go two ways here, constraints that say the same, \
+             or a part without mass and stiffness",
+            &[
+                "look at the mechanism at this time, and at the joints of the worst equation",
+                "give what has no mass one, or hold it",
+            ],
+        )
+    }
+
     fn or_feedback(&self) -> String {
         let feedback = self.feedback();
         match feedback.is_empty() {
@@ -397,17 +416,6 @@ impl<'a> Scene<'a> {
             ),
         }
     }
-}
-
-fn singular() -> Cause {
-    Cause::new(
-        "a mechanism that is locked or can go two ways here, constraints that say the same, or a \
-         part without mass and stiffness",
-        &[
-            "look at the mechanism at this time, and at the joints of the worst equation",
-            "give what has no mass one, or hold it",
-        ],
-    )
 }
 
 /// Whether the latest corrections shrink.

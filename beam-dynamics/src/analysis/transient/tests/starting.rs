@@ -112,6 +112,11 @@ fn places_that_do_not_exist_are_told() {
     let text = failure.to_string();
     assert!(matches!(failure, TransientFailure::Places { .. }), "{text}");
     assert!(text.contains("\"rod\""), "{text}");
+    // The nearest that they come to is half a meter off; where they are given it is two.
+    let TransientFailure::Places { value, .. } = failure else {
+        unreachable!("it has been asserted above");
+    };
+    assert!((0.5 - 1e-9..=2.0).contains(&value.abs()), "{text}");
 }
 
 // A body that is clamped twice: six constraints say nothing new. Each clamp then

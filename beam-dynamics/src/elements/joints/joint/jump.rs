@@ -27,7 +27,9 @@ impl ConstraintJoint {
         let places = self.rows.iter().filter_map(|row| {
             let target = row.target.as_ref()?;
             let what = match row.held {
-                Held::Along(_, axis) => format!("displacement along its axis {}", axis + 1),
+                Held::Along(_, axis) => {
+                    format!("displacement along its {}", ["x", "y", "z"][axis % 3])
+                }
                 Held::Distance => "length".to_owned(),
                 Held::Across(..) | Held::Velocity(..) | Held::Spin(..) => return None,
             };
@@ -135,7 +137,7 @@ mod tests {
             let slide = Freedom::Driven(drive);
             told(&ConstraintJoint::prismatic("guide", &ends, &at, slide))
         };
-        let expected = "displacement along its axis 1 0.000 -0.010 m";
+        let expected = "displacement along its x 0.000 -0.010 m";
         assert_eq!(slide(step(-0.01)).unwrap(), expected);
         assert_eq!(slide(ramp()), None);
         // Of a velocity it is an impulse, and no jump of places.

@@ -62,7 +62,11 @@ impl Legend {
                 rest -= SAMPLE + GAPS[0];
             }
             let label = Label::new(SMALL);
-            let text = canvas.shortened(name, label, rest);
+            // A letter is not made shorter by dots.
+            let text = match name.chars().count() {
+                0 | 1 => name.clone(),
+                _ => canvas.shortened(name, label, rest),
+            };
             canvas.text(&text, [x, y], label)?;
         }
         Ok(())
