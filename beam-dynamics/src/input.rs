@@ -193,8 +193,7 @@ fn declare(document: &Document, root: &Table<'_>) {
 fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let root = document.root();
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
-    // They have been declared.
-    let _ = (root.has("units"), root.has("parameters"));
+    let _declared = (root.has("units"), root.has("parameters"));
     let drives = drives::read_named(&root);
     let properties = properties::read(&root, &drives);
     let hub = hub::read(&root);
@@ -227,22 +226,21 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     transient::check(&root, &draft);
     let times = questions.as_ref().and_then(Questions::times);
     if let Some(times) = times {
-        draft.drives().check(document, times);
-        draft.drives().check_corners(document, times);
-        draft.drives().check_lengths(document, times);
+        draft.drives().check_run(document, times);
     }
-    let start = times.map_or(0.0, |[start, _]| start);
-    draft.drives().check_start(document, start);
+    draft
+        .drives()
+        .check_start(document, times.map_or(0.0, |[start, _]| start));
     if let (Some(output), Some(questions)) = (&output, &questions) {
         columns::check(&root, output, questions.transient.as_ref());
     }
     let ((gravity, gravity_drive), questions) = (gravity?, questions?);
     questions.check(&root, &gravity, &draft.hub()?.spin());
-    let places = draft.initial().map(|(_, _, line)| document.place(line));
-    let node_places = places.collect();
-    let joint_places = draft.joint_lines();
-    let joint_places = joint_places.map(|(name, line)| (name.to_owned(), document.place(line)));
-    let joint_places = joint_places.collect();
+    let nodes = draft.initial();
+    let node_places = nodes.map(|(_, _, line)| document.place(line)).collect();
+    let joints = draft.joint_lines();
+    let joints = joints.map(|(name, line)| (name.to_owned(), document.place(line)));
+    let joint_places = joints.collect();
     let mut input = finish(name, draft, questions, measured?)?;
     input.node_places = node_places;
     input.joint_places = joint_places;

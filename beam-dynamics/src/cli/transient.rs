@@ -13,7 +13,7 @@ use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, r
 use crate::analysis::transient::{
     TransientFailure, TransientOutcome, difference, driven_places, transient,
 };
-use crate::case::{OutputQuestion, TransientQuestion};
+use crate::case::TransientQuestion;
 use crate::input::{Input, is_blade_file, short_number};
 use crate::integrator::{Scheme, Stepping};
 use crate::output::{RunFileProblem, RunFiles, effort_text, not_drawn_text, read_snapshot};
@@ -168,8 +168,7 @@ fn run(
         ));
         return WRONG_INPUT;
     }
-    let output: &OutputQuestion = &input.output;
-    let files = match RunFiles::new(&input.model, output, (folder, name), resumed) {
+    let files = match RunFiles::new(&input.model, &input.output, (folder, name), resumed) {
         Ok(files) => files.until(question.to),
         Err(problem) => {
             terminal.tell(&problem);

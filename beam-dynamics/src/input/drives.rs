@@ -289,6 +289,14 @@ fn unknown(name: &str, user: &str, known: Vec<String>) -> InputProblem {
 }
 
 impl Catalog {
+    /// Notes what is wrong with drives in a run from and to the given `times` \[s\]: tables
+    /// that end before, corners without end, lengths that get to zero.
+    pub fn check_run(&self, document: &Document, times: [f64; 2]) {
+        self.check(document, times);
+        self.check_corners(document, times);
+        self.check_lengths(document, times);
+    }
+
     fn find(&self, name: &str, item: &Item<'_>) -> Option<Named> {
         let found = self.named.get(name);
         if found.is_none() {

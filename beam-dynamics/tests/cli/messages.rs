@@ -313,7 +313,7 @@ const SLIPS: &[(&str, &str, &str)] = &[
     (
         "inertia = [1, 1, 1]\n",
         "",
-        "a.dynamics.toml:3: node \"bob\" has no mass",
+        "a.dynamics.toml:3: node \"bob\" has no inertia",
     ),
 ];
 

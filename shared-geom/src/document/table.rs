@@ -481,10 +481,10 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Those of `names` that end as the name of `path` does, where it has an ending: where a
-/// table is looked for, a figure is none.
+/// Those of `names` that end as the name of `path` does: where a table is looked for, a
+/// figure is none. All of them where none does.
 fn of_its_kind(names: Vec<String>, path: &Path) -> Vec<String> {
-    let ending = path.extension();
-    let is_one = |name: &String| ending.is_none() || Path::new(name).extension() == ending;
-    names.into_iter().filter(is_one).collect()
+    let is_one = |name: &&String| Path::new(name).extension() == path.extension();
+    let found: Vec<_> = names.iter().filter(is_one).cloned().collect();
+    if found.is_empty() { names } else { found }
 }
