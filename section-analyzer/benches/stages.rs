@@ -13,6 +13,7 @@ use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solve::{CentralSolution, CentralSystem, Pins, in_elimination_order};
 use shared_geom::error::Place;
 use shared_geom::mesh::CellKind;
+use shared_geom::section::InitialCurvature;
 
 fn section() -> Option<Section> {
     let rectangle = Rectangle {
@@ -43,6 +44,7 @@ fn section() -> Option<Section> {
         cells: vec![cell; mesh.cells.len()],
         mesh,
         materials: vec![steel],
+        initial_curvature: InitialCurvature::STRAIGHT,
     })
 }
 

@@ -16,6 +16,7 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::section::InitialCurvature;
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
@@ -169,6 +170,7 @@ impl WrittenSection {
             mesh: section_mesh,
             materials,
             cells: cells?,
+            initial_curvature: InitialCurvature::STRAIGHT,
         };
         let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
         summary.warnings.extend(InputWarning::of_mesh(&report));

@@ -25,6 +25,7 @@
 //! use section_analyzer::section::{CellMaterial, Section};
 //! use shared_geom::error::Place;
 //! use shared_geom::mesh::CellKind;
+//! use shared_geom::section::InitialCurvature;
 //!
 //! // a steel bar, 200 mm wide and 100 mm high
 //! let mesh = Rectangle {
@@ -49,6 +50,7 @@
 //!     cells: vec![cell; mesh.cells.len()],
 //!     mesh,
 //!     materials: vec![steel],
+//!     initial_curvature: InitialCurvature::STRAIGHT,
 //! };
 //!
 //! let solution = analyze(&section).expect("a sound section");

@@ -22,6 +22,7 @@
 //! # use section_analyzer::mesh::{SectionMesh, generate::Rectangle};
 //! # use section_analyzer::section::{CellMaterial, Section};
 //! # use shared_geom::{error::Place, mesh::CellKind};
+//! # use shared_geom::section::InitialCurvature;
 //! use nalgebra::Vector6;
 //! use section_analyzer::analysis::analyze;
 //! use section_analyzer::recovery::{LoadCase, Recoverer};
@@ -45,6 +46,7 @@
 //! #     cells: vec![cell; mesh.cells.len()],
 //! #     mesh,
 //! #     materials: vec![steel],
+//! #     initial_curvature: InitialCurvature::STRAIGHT,
 //! # };
 //! // a bar, 200 mm wide and 100 mm high, bent about y by 1 kN m
 //! let solution = analyze(&section).expect("a sound section");

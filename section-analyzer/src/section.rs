@@ -1,6 +1,8 @@
 //! The section as checked and in SI: mesh, materials, and what each cell is
 //! made of. Values only; reading and checking belong to the input stage.
 
+use shared_geom::section::InitialCurvature;
+
 use crate::material::Material;
 use crate::mesh::SectionMesh;
 
@@ -15,6 +17,8 @@ pub struct Section {
     pub materials: Vec<Material>,
     /// Material and orientation of each cell, parallel to `mesh.cells`.
     pub cells: Vec<CellMaterial>,
+    /// Curvature and twist of the undeformed beam, and the slope of its reference line.
+    pub initial_curvature: InitialCurvature,
 }
 
 /// Material and orientation of one cell, constant over it.

@@ -87,6 +87,19 @@ pub struct InitialCurvature {
     pub slope: Vector3<f64>,
 }
 
+impl InitialCurvature {
+    /// A straight beam, its reference line normal to the section.
+    pub const STRAIGHT: Self = Self {
+        curvature: Vector3::new(0.0, 0.0, 0.0),
+        slope: Vector3::new(1.0, 0.0, 0.0),
+    };
+
+    /// Whether this is a straight beam, its reference line normal to the section.
+    pub fn is_straight(&self) -> bool {
+        *self == Self::STRAIGHT
+    }
+}
+
 /// Coupling of the section with the voltages of its electrodes:
 /// internal force `theta = K psi + coupling V`.
 #[derive(Debug, Clone, PartialEq)]

@@ -11,6 +11,7 @@ use section_analyzer::mesh::{SectionCell, SectionMesh};
 use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::SectionSolution;
 use shared_geom::mesh::CellKind;
+use shared_geom::section::InitialCurvature;
 use shared_geom::wrench;
 
 use crate::record;
@@ -57,6 +58,7 @@ fn bar() -> Section {
         cells: (0..mesh.cells.len()).map(cell).collect(),
         materials: vec![orthotropic(PLY), isotropic(1.4, 0.3)],
         mesh,
+        initial_curvature: InitialCurvature::STRAIGHT,
     }
 }
 
@@ -204,6 +206,7 @@ fn order_does_not_matter() {
             .map(|new| section.cells[old_cell(new)])
             .collect(),
         materials: section.materials.clone(),
+        initial_curvature: InitialCurvature::STRAIGHT,
     };
     let (plain, found) = (solved(&section), solved(&shuffled));
     let error = scaled_error(&found.stiffness, &plain.stiffness);

@@ -18,6 +18,7 @@ use section_analyzer::properties::{AreaTable, RestrainedWarping};
 use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::SectionSolution;
 use shared_geom::mesh::CellKind;
+use shared_geom::section::InitialCurvature;
 use shared_geom::wrench;
 
 use crate::quads::{Quads, steps};
@@ -139,6 +140,7 @@ impl Recipe {
             cells: (0..mesh.cells.len()).map(cell).collect(),
             materials: self.materials.clone(),
             mesh,
+            initial_curvature: InitialCurvature::STRAIGHT,
         }
     }
 }

@@ -21,6 +21,7 @@ use section_analyzer::solution::SectionSolution;
 use serde_json::Value;
 use shared_geom::gmsh;
 use shared_geom::mesh::{Cell, CellKind, Mesh};
+use shared_geom::section::InitialCurvature;
 
 use crate::record;
 use crate::sections::{scaled_error, section_mesh, solved};
@@ -129,6 +130,7 @@ pub fn section(name: &str, case: &Value, mesh: &Mesh) -> Section {
         cells: cells.collect(),
         materials: materials.iter().map(material).collect(),
         mesh: section_mesh,
+        initial_curvature: InitialCurvature::STRAIGHT,
     }
 }
 

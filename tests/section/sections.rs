@@ -8,6 +8,7 @@ use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::SectionSolution;
 use shared_geom::error::Place;
 use shared_geom::mesh::Mesh;
+use shared_geom::section::InitialCurvature;
 
 /// A material of unit density.
 pub fn material(law: ElasticLaw) -> Material {
@@ -49,6 +50,7 @@ pub fn uniform(mesh: &Mesh, material: Material, fiber_angle: f64) -> Section {
         cells: vec![cell; mesh.cells.len()],
         mesh,
         materials: vec![material],
+        initial_curvature: InitialCurvature::STRAIGHT,
     }
 }
 

@@ -100,6 +100,7 @@ mod tests {
     use crate::section::{CellMaterial, Section};
     use shared_geom::error::Place;
     use shared_geom::mesh::CellKind;
+    use shared_geom::section::InitialCurvature;
 
     /// A bar of 0.2 x 0.1 m, far from the reference point: E A, E h b^3 / 12,
     /// E b h^3 / 12 wherever it lies; all values restrained or free are the same in
@@ -166,6 +167,7 @@ mod tests {
                 law,
                 density: 7850.0,
             }],
+            initial_curvature: InitialCurvature::STRAIGHT,
         }
     }
 }

@@ -142,6 +142,7 @@ mod tests {
     use crate::section::CellMaterial;
     use shared_geom::error::Place;
     use shared_geom::mesh::CellKind;
+    use shared_geom::section::InitialCurvature;
     use std::f64::consts::PI;
 
     /// A tube of 24 x 2 cells, one half of each of two materials, in which the
@@ -172,6 +173,7 @@ mod tests {
             cells,
             mesh,
             materials: Vec::new(),
+            initial_curvature: InitialCurvature::STRAIGHT,
         }
     }
 

@@ -3,6 +3,7 @@
 use nalgebra::Vector6;
 use shared_geom::error::Place;
 use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::section::InitialCurvature;
 
 use crate::material::{ElasticLaw, Material};
 use crate::mesh::generate::Rectangle;
@@ -44,6 +45,7 @@ pub(super) fn section(mesh: &Mesh, name: &str, halves: bool) -> Section {
             density: 2700.0,
         }],
         mesh,
+        initial_curvature: InitialCurvature::STRAIGHT,
     }
 }
 

@@ -8,6 +8,7 @@ use approx::assert_relative_eq;
 use shared_geom::error::Place;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::quadrature;
+use shared_geom::section::InitialCurvature;
 use std::f64::consts::PI;
 
 /// The section of a mesh whose cells with a center that `is_second` takes are a
@@ -37,6 +38,7 @@ fn section(mesh: &Mesh, is_second: impl Fn([f64; 2]) -> bool) -> Section {
         cells: cells.collect(),
         materials: vec![material(2.0), material(5.0)],
         mesh,
+        initial_curvature: InitialCurvature::STRAIGHT,
     }
 }
 

@@ -6,6 +6,7 @@ use crate::mesh::{SectionCell, SectionMesh};
 use crate::section::{CellMaterial, Section};
 use shared_geom::error::Place;
 use shared_geom::mesh::CellKind;
+use shared_geom::section::InitialCurvature;
 
 /// A ply without simple ratios between its constants, stiffness of order one.
 pub(crate) const PLY: EngineeringConstants = EngineeringConstants {
@@ -108,5 +109,6 @@ fn of_cells(mesh: SectionMesh, law: ElasticLaw) -> Section {
         cells: (0..mesh.cells.len()).map(cell).collect(),
         materials: vec![material],
         mesh,
+        initial_curvature: InitialCurvature::STRAIGHT,
     }
 }
