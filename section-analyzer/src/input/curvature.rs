@@ -108,12 +108,11 @@ struct Least {
 
 /// The least J, which is linear over the section: it stands at a node.
 fn least_length(initial: &InitialCurvature, mesh: &SectionMesh) -> Option<Least> {
-    let k = initial.curvature;
     let of_cells = mesh.cells.iter().flat_map(|cell| {
         cell.nodes().iter().map(move |&node| {
             let place = mesh.nodes[node as usize];
             Least {
-                length: initial.slope.x + k.y * place[1] - k.z * place[0],
+                length: initial.tangent_at(place[0], place[1]).x,
                 cell: cell.tag,
                 node: mesh.node_tag(node as usize),
                 place,
