@@ -105,7 +105,9 @@ impl Blade {
     /// Displacement of the tip along z [m] and its rotation about x [rad] under a force [N].
     fn tip(&self, elements: usize, force: [f64; 3]) -> (f64, f64) {
         let cards = format!("[[load]]\nnode = \"b/tip\"\nforce = {force:?}\n[static]\n");
-        let input = self.read(elements, &cards).unwrap_or_else(|e| panic!("{e}"));
+        let input = self
+            .read(elements, &cards)
+            .unwrap_or_else(|e| panic!("{e}"));
         let outcome = statics(&input.model, &input.statics.unwrap());
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         let result = outcome.result;
@@ -199,7 +201,10 @@ fn half_the_twist_is_a_quarter_of_the_difference() {
             0.05,
         );
         println!("{what}: {a:e} {b:e} {ratio}");
-        assert!((ratio / 4.0 - 1.0).abs() < 0.05, "{what}: {a:e} {b:e} {ratio}");
+        assert!(
+            (ratio / 4.0 - 1.0).abs() < 0.05,
+            "{what}: {a:e} {b:e} {ratio}"
+        );
     }
     // The difference is there: of torsion some (k1 b)^2 (b/t)^2 / 20, 5e-4 of stiffness.
     assert!(largest > 1e-4, "{largest:e}");
@@ -231,13 +236,27 @@ fn an_axial_force_untwists() {
         let own = untwist(k[(0, 0)], k[(0, 3)], k[(3, 3)]);
         let error = (found / own - 1.0).abs();
         let case = format!("strip, twist {degrees} deg/m");
-        record::value(SOURCE, &case, "untwist by the property file [rad]", [found, own], error, 1e-4);
+        record::value(
+            SOURCE,
+            &case,
+            "untwist by the property file [rad]",
+            [found, own],
+            error,
+            1e-4,
+        );
         assert!(error < 1e-4, "{found} {own}");
         let first_order = YOUNG * rate(degrees) * (polar - constant);
         let closed = untwist(YOUNG * b * t, first_order, shear * constant);
         let error = found / closed - 1.0;
         println!("{degrees}: {found:e} {own:e} {closed:e} {error:e}");
-        record::value(SOURCE, &case, "untwist, closed form [rad]", [found, closed], error.abs(), 0.01);
+        record::value(
+            SOURCE,
+            &case,
+            "untwist, closed form [rad]",
+            [found, closed],
+            error.abs(),
+            0.01,
+        );
         assert!(found < 0.0 && error.abs() < 0.01, "{found} {closed}");
         error
     });
@@ -288,7 +307,10 @@ fn the_case_untwists_as_its_page_says() {
     let code = section_analyzer::cli::run(arguments, &mut out, &mut err);
     assert_eq!(code, 0, "{}", String::from_utf8_lossy(&err));
     let report = String::from_utf8(out).unwrap();
-    assert!(report.contains("\nUndeformed beam, curved or twisted\n"), "{report}");
+    assert!(
+        report.contains("\nUndeformed beam, curved or twisted\n"),
+        "{report}"
+    );
     let section = section::read(&file("results/strip.properties.json")).unwrap();
     let input = beam_dynamics::input::read(&file("blade.dynamics.toml"));
     let input = input.unwrap_or_else(|e| panic!("{e}"));
