@@ -9,7 +9,7 @@ mod central;
 mod outside;
 mod si;
 
-pub use outside::{OutsideSection, analyze_matrices};
+pub use outside::analyze_matrices;
 
 use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length};
 use crate::failure::Failure;
