@@ -34,6 +34,7 @@ mod follow;
 mod groups;
 mod loads;
 mod materials;
+pub mod outside;
 mod problem;
 mod regions;
 pub mod schema;

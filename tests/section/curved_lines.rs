@@ -10,11 +10,12 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{Matrix3, Matrix6, Vector3};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use section_analyzer::analysis::analyze;
 use section_analyzer::failure::Failure;
 use section_analyzer::material::EngineeringConstants;
 use section_analyzer::mesh::generate::{Ellipse, Rectangle, Tube};
+use section_analyzer::recovery::{LoadCase, Recoverer};
 use section_analyzer::section::Section;
 use section_analyzer::solution::SectionSolution;
 use serde::Deserialize;
@@ -151,6 +152,60 @@ fn rings_are_those_of_golovin() {
         // a ring that opens towards +y: a tension moves the line in, not out
         let k = solved(&curved(&section, [0.0, 0.0, 1.0 / r])).stiffness;
         assert!(k[(0, 5)] < 0.0);
+    }
+}
+
+/// Recovered stresses of a ring of R/h = 1 in pure bending, [golovin]: along it
+///
+/// ```text
+/// s = 4 M/(w N) (b^2 - a^2 + b^2 ln(r/b) + a^2 ln(a/r) - (a b/r)^2 ln(b/a))
+/// ```
+///
+/// with r = R - y, from the middle of the section to its faces; their resultants are the
+/// load. Stresses on 32 cells of degree 2 are of second order at any place: some 1e-4 of
+/// the largest, 14 times the stress of a straight bar's half.
+#[test]
+fn stresses_of_a_ring_are_those_of_golovin() {
+    let (radius, h, w) = (1.0, 1.0, 0.5);
+    let (a, b) = (radius - 0.5 * h, radius + 0.5 * h);
+    let log = f64::ln(b / a);
+    let n = f64::powi(b * b - a * a, 2) - f64::powi(2.0 * a * b * log, 2);
+    let golovin = |y: f64| {
+        let r = radius - y;
+        let logs = b * b * (r / b).ln() + a * a * (a / r).ln() - (a * b / r).powi(2) * log;
+        4.0 / (w * n) * (b * b - a * a + logs)
+    };
+    let section = uniform(&rectangle(h, w, [32, 2]), isotropic(1.0, 0.0), 0.0);
+    let section = curved(&section, [0.0, 0.0, 1.0 / radius]);
+    let solution = sound(&section);
+    let recoverer = Recoverer::new(&section, &solution);
+    let bend = LoadCase {
+        name: "bend".into(),
+        force: Vector6::ith(5, 1.0),
+    };
+    let recovery = recoverer.recover(&bend).expect("stresses that add up");
+    assert!(recovery.resultant_error < 1e-12);
+    let largest = golovin(0.5).abs();
+    let mut worst = 0.0_f64;
+    for i in 0..=20 {
+        let y = -0.5 + f64::from(i) / 20.0;
+        let (_, tensors) = recoverer.at(&bend, [y, 0.1]).expect("inside");
+        worst = worst.max((tensors.stress[0] - golovin(y)).abs() / largest);
+    }
+    println!("ring stresses: {worst:.1e}");
+    record::largest(GOLOVIN, "ring, R/h = 1", "stresses in bending", worst, 1e-3);
+    assert!(worst < 1e-3, "{worst:e}");
+    // general loads on a general curve
+    let section = curved(&ply_bar([6, 8]), [0.2, -0.15, 0.1]);
+    let solution = sound(&section);
+    let recoverer = Recoverer::new(&section, &solution);
+    for component in 0..6 {
+        let load = LoadCase {
+            name: "unit".into(),
+            force: Vector6::ith(component, 1.0),
+        };
+        let recovery = recoverer.recover(&load).expect("stresses that add up");
+        assert!(recovery.resultant_error < 1e-12, "{component}");
     }
 }
 
