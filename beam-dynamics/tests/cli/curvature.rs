@@ -318,3 +318,30 @@ fn one_section_makes_a_blade_of_its_curvature() {
     );
     assert_good(&checked(&folder, &cards));
 }
+
+// A line that bends toward +y by 0.5 rad/m: a section whose y leads along z, turned by 90
+// degrees, sees it about its own y.
+#[test]
+fn the_angle_of_a_station_turns_its_curvature() {
+    let folder = Folder::new();
+    let station = |eta: f64| {
+        format!("[[station]]\neta = {eta}\nfile = \"strip.properties.json\"\nangle = 90\n")
+    };
+    let text = format!(
+        "units = \"SI\"\nframe = \"helicoid\"\nreference_point = \"line\"\n[line]\ntwist = 0\n\
+         [[line.arc]]\nlength = 0.5\ncurvature = [0, 0, 0.5]\ntwist_rate = 0\n{}{}",
+        station(0.0),
+        station(1.0)
+    );
+    folder.write("a.blade.toml", &text);
+    let degrees = 0.5_f64.to_degrees();
+    let section = |curvature| {
+        let section = solved_for(curvature, [1.0, 0.0, 0.0]);
+        folder.write("strip.properties.json", &section::write(&section));
+        checked(&folder, &of_file("a.blade.toml"))
+    };
+    assert_good(&section([0.0, degrees, 0.0]));
+    let run = section([0.0, 0.0, degrees]);
+    let told = "has curvature [0, 28.6479, 0] deg/m";
+    assert!(run.code == 2 && run.err.contains(told), "{}", run.err);
+}

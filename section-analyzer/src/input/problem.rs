@@ -368,14 +368,7 @@ impl Explain for InputProblem {
                 "move the mesh to its origin (in gmsh, Translate): results are about the origin"
                     .to_owned(),
             ),
-            Self::Folded { factor, far, .. } => Some(format!(
-                "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in \
-                 1/m is in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward \
-                 -z), and that the origin of the mesh is on the reference line (the farthest \
-                 node is {} away)",
-                label(*factor),
-                label(*far)
-            )),
+            Self::Folded { factor, far, .. } => Some(folded_help(*factor, *far)),
             Self::HugeLoad { .. } => Some(
                 "this is in SI units; check the unit and the \"point\" where the load acts"
                     .to_owned(),
@@ -388,6 +381,18 @@ impl Explain for InputProblem {
 
 fn label(value: f64) -> String {
     tick_label(value, 0.0)
+}
+
+/// What may be wrong with a curvature whose plain numbers count `factor` deg/m, of a
+/// section whose farthest node is `far` from the origin of the mesh.
+fn folded_help(factor: f64, far: f64) -> String {
+    format!(
+        "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in 1/m is in \
+         \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward -z), and that the \
+         origin of the mesh is on the reference line (the farthest node is {} away)",
+        label(factor),
+        label(far)
+    )
 }
 
 /// The keys of a table of strengths, in words.
