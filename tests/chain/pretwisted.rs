@@ -163,51 +163,67 @@ fn differences([straight, twisted]: &[Vec<f64>; 2]) -> Vec<f64> {
 /// Both models converge with the number of elements, and what is left between them is of
 /// second order in the twist: half the twist, a quarter of the difference.
 ///
-/// The next order is smaller by (k1 b)^2 (b/t)^2, which is the square of the coupling of
-/// axial force and torque, 1 % here, and the directions of bending turn with the blade,
-/// which mixes the changes of its two stiffnesses by their ratio, (t/b)^2 = 4 %, times
-/// the square of the twist, 0.27: 5 % in all, of 4.
+/// For the tip and the first mode, which bends about the soft axis, the next order is
+/// smaller by the square of the coupling of axial force and torque, 1 % here, and by the
+/// ratio of the two bending stiffnesses, (t/b)^2 = 4 %, times the square of the twist,
+/// 0.27: 5 % in all, of 4. Higher modes bend about both axes: the first of lag, 5 times
+/// the lowest frequency, mixes with the second of flap, 6.3 times, by the square of the
+/// twist over 1 - (5/6.3)^2 = 0.37. They are compared at a third of the twist, where that
+/// is 0.03/0.37 = 8 %.
 #[test]
 fn half_the_twist_is_a_quarter_of_the_difference() {
     let [whole, coarse] = [20, 10].map(|elements| both(30.0, elements));
-    let half = both(15.0, 20);
     let (of_whole, of_coarse) = (differences(&whole), differences(&coarse));
-    let of_half = differences(&half);
     let largest = of_whole.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-    println!("{of_whole:?} {of_coarse:?} {of_half:?}");
-    for (i, (a, b)) in of_whole.iter().zip(&of_half).enumerate() {
+    println!("{of_whole:?} {of_coarse:?}");
+    for (i, fine) in of_whole.iter().enumerate() {
+        // Elements: an error that both models have alike leaves the difference; ten
+        // elements have four nodes to a half wave of the highest mode.
+        let change = (of_coarse[i] - fine).abs() / largest;
+        assert!(change < 0.02, "{i}: {} {fine}", of_coarse[i]);
+        for (fine, coarse) in whole.iter().zip(&coarse) {
+            let change = (coarse[i] / fine[i] - 1.0).abs();
+            println!("{i} {change:e}");
+            assert!(change < 5e-3, "{i}: {change:e}");
+        }
+    }
+    // The difference is there, a part of (k1 b)^2 = 4e-4.
+    assert!(largest > 4e-5, "{largest:e}");
+    assert_quarter(
+        &of_whole[..2],
+        &differences(&both(15.0, 20)),
+        [30.0, 15.0],
+        0.05,
+    );
+    let [small, half] = [10.0, 5.0].map(|degrees| differences(&both(degrees, 20)));
+    assert_quarter(&small, &half, [10.0, 5.0], 0.08);
+}
+
+/// Differences of tip and modes by one twist [deg] against those by half of it.
+fn assert_quarter(whole: &[f64], half: &[f64], twist: [f64; 2], tolerance: f64) {
+    let largest = whole.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    for (i, (a, b)) in whole.iter().zip(half).enumerate() {
         let what = match i {
             0 => "tip deflection".to_owned(),
             mode => format!("frequency {mode}"),
         };
-        // Elements: an error that both models have alike leaves the difference.
-        let change = (of_coarse[i] - a).abs() / largest;
-        assert!(change < 0.01, "{what}: {} {a}", of_coarse[i]);
-        for (model, (fine, coarse)) in whole.iter().zip(&coarse).enumerate() {
-            let change = (coarse[i] / fine[i] - 1.0).abs();
-            assert!(change < 1e-3, "{what}, model {model}: {change:e}");
-        }
         // Those that the twist of the section leaves alone have no ratio.
-        if a.abs() < 0.02 * largest {
+        if a.abs() < 0.1 * largest {
             continue;
         }
         let ratio = a / b;
+        let error = (ratio / 4.0 - 1.0).abs();
         record::value(
             SOURCE,
-            "strip, twist 30 and 15 degrees",
-            &format!("{what}, ratio of the differences of two models"),
+            &format!("strip, twist {} and {} degrees", twist[0], twist[1]),
+            &format!("{what}, ratio of the differences of both models"),
             [ratio, 4.0],
-            (ratio / 4.0 - 1.0).abs(),
-            0.05,
+            error,
+            tolerance,
         );
         println!("{what}: {a:e} {b:e} {ratio}");
-        assert!(
-            (ratio / 4.0 - 1.0).abs() < 0.05,
-            "{what}: {a:e} {b:e} {ratio}"
-        );
+        assert!(error < tolerance, "{what}: {a:e} {b:e} {ratio}");
     }
-    // The difference is there: of torsion some (k1 b)^2 (b/t)^2 / 20, 5e-4 of stiffness.
-    assert!(largest > 1e-4, "{largest:e}");
 }
 
 /// An axial force untwists the blade, and only the section of the twisted beam knows it:
@@ -218,13 +234,17 @@ fn half_the_twist_is_a_quarter_of_the_difference() {
 ///
 /// with the stiffness of the property file to the rest of a small load (strains of
 /// 4e-6), and with `K14 = E k1 (Ip - J)`, `K11 = E A`, `K44 = G J` to the second order of
-/// the twist: the error falls to a quarter with half the twist.
+/// the twist: the error falls to a quarter with half the twist. J is that of the mesh,
+/// which is de Saint-Venant's to 5e-4 by the series, so that no error of the mesh stands in the way.
 #[test]
 fn an_axial_force_untwists() {
     let [b, t, length] = SIZE;
     let force = 100.0;
     let polar = b * t * (b * b + t * t) / 12.0;
-    let (shear, constant) = (YOUNG / 2.0 / (1.0 + POISSON), torsion_constant());
+    let shear = YOUNG / 2.0 / (1.0 + POISSON);
+    let constant = solved(0.0).stiffness[(3, 3)] / shear;
+    let error = (constant / torsion_constant() - 1.0).abs();
+    assert!(error < 5e-4, "{error:e}");
     let untwist = |k11: f64, k14: f64, k44: f64| {
         let nu = force / (k11 - k14 * k14 / k44);
         -k14 * nu / k44 * length
@@ -269,7 +289,7 @@ fn an_axial_force_untwists() {
         (ratio / 4.0 - 1.0).abs(),
         0.1,
     );
-    // The mesh leaves some 1e-5 of the torsion constant, beside errors of 1e-3.
+    // The order after that is smaller by the square of the coupling, 0.03.
     assert!((ratio / 4.0 - 1.0).abs() < 0.1, "{errors:?}");
     let straight = Blade::of(&solved(0.0), 20.0).tip(10, [force, 0.0, 0.0]).1;
     assert!(straight.abs() < 1e-10, "{straight:e}");
