@@ -3,11 +3,13 @@
 
 mod blocks;
 mod forces;
+mod gradient;
 mod point;
 mod strain;
 
 pub use blocks::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
 pub use forces::{CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, rows_of};
+pub use gradient::PointGradient;
 pub use point::{CellPoint, RulePoint, cell_points, rule_points};
 pub use strain::{
     FACE_STRAINS, NO_COLUMNS, NodalColumns, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS,

@@ -6,6 +6,7 @@ mod converged;
 mod gmsh_formats;
 mod gmsh_pairs;
 mod invariances;
+mod prestress;
 mod quads;
 mod random_sections;
 #[path = "../common/record.rs"]

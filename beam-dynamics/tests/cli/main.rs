@@ -128,6 +128,7 @@ fn strip() -> SectionProperties {
         piezo: None,
         thermal_force: None,
         damping: None,
+        prestress: None,
         provenance: Provenance {
             program: "by hand".to_owned(),
             version: "1".to_owned(),

@@ -38,6 +38,7 @@ pub fn properties(
         piezo: None,
         thermal_force: None,
         damping: None,
+        prestress: None,
         provenance: Provenance {
             program: env!("CARGO_PKG_NAME").to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),

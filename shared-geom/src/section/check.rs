@@ -262,6 +262,9 @@ fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     if let Some(thermal) = &section.thermal_force {
         finite("thermal_force", all(thermal.as_slice()));
     }
+    if let Some(prestress) = &section.prestress {
+        finite("prestress", prestress.third.is_finite());
+    }
 }
 
 fn piezo(section: &SectionProperties, found: &mut Vec<FieldProblem>) {

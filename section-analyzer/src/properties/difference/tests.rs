@@ -48,6 +48,7 @@ fn section() -> SectionProperties {
         }),
         thermal_force: Some(Vector6::new(100.0, 0.0, 0.0, 0.1, 0.2, 0.3)),
         damping: Some(Damping::StiffnessProportional(1e-3)),
+        prestress: None,
         provenance: Provenance {
             program: "by hand".to_owned(),
             version: "1".to_owned(),
