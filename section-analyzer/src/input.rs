@@ -16,13 +16,13 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
-use shared_geom::section::InitialCurvature;
+use shared_geom::section::{InitialCurvature, StrainMeasure};
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, SectionMesh};
-use crate::properties::{AreaMoments, AreaTable};
+use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
 use crate::section::Section;
 
@@ -59,6 +59,8 @@ pub struct Input {
     pub limits: Vec<MaterialLimits>,
     /// The load cases to recover stresses for.
     pub loads: Vec<LoadCase>,
+    /// The measure of strain for the effect of prestress, where it is asked for.
+    pub prestress: Option<StrainMeasure>,
     /// What went into it.
     pub summary: InputSummary,
 }
@@ -102,6 +104,9 @@ struct WrittenSection {
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
     loads: Vec<LoadCase>,
+    prestress: Option<StrainMeasure>,
+    /// Line of the key.
+    prestress_line: usize,
 }
 
 impl WrittenSection {
@@ -122,6 +127,10 @@ impl WrittenSection {
             materials: materials::read(&root),
             regions: regions::read(&root),
             loads: loads::read(&root),
+            prestress: root
+                .word("prestress", &StrainMeasure::NAMES)
+                .map(|word| StrainMeasure::ALL[word]),
+            prestress_line: root.line_of("prestress"),
         };
         root.finish();
         written
@@ -172,6 +181,10 @@ impl WrittenSection {
             cells: cells?,
             initial_curvature: InitialCurvature::STRAIGHT,
         };
+        if self.prestress.is_some() && !section.initial_curvature.is_straight() {
+            let reason = NoPrestress::Curved;
+            document.note(self.prestress_line, &InputProblem::Prestress { reason });
+        }
         let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
         summary.warnings.extend(InputWarning::of_mesh(&report));
         summary.rate(&section.mesh);
@@ -180,6 +193,7 @@ impl WrittenSection {
             section,
             limits: self.materials.iter().map(|known| known.limits).collect(),
             loads: self.loads.clone(),
+            prestress: self.prestress,
             summary,
         })
     }

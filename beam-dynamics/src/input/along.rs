@@ -1,10 +1,11 @@
 //! Section properties along a beam, as its elements want them.
 
 use nalgebra::Matrix6;
+use shared_geom::section::CubicTable;
 
 use super::properties::Properties;
 use crate::elements::beams::MassAlong;
-use crate::elements::laws::Law;
+use crate::elements::laws::{Law, LawKind};
 
 /// Stiffness and mass per length along one beam, by xi from -1 to 1.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +16,8 @@ pub(super) struct Along {
     pub damping: Option<[Matrix6<f64>; 2]>,
     /// Law in place of stiffness and viscosity; `None` for these.
     pub law: Option<Law<6>>,
+    /// Effect of prestress on the stiffness there; `None` where it is not asked for.
+    prestress: Option<[CubicTable; 2]>,
     /// xi and 6x6 mass per length \[kg/m, kg, kg m\], in the order of xi; linear between
     /// them, and one alone holds everywhere.
     mass: Vec<(f64, Matrix6<f64>)>,
@@ -32,6 +35,7 @@ impl Along {
             stiffness: [properties.stiffness; 2],
             damping: properties.damping.map(|damping| [damping; 2]),
             law: properties.law.clone(),
+            prestress: properties.prestress.map(|third| [third; 2]),
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
             length: None,
@@ -50,6 +54,7 @@ impl Along {
             stiffness,
             damping: None,
             law: None,
+            prestress: None,
             breaks: inside.filter(|xi| xi.abs() < 1.0).collect(),
             mass,
             length: Some(length),
@@ -69,11 +74,36 @@ impl Along {
             mass: zero,
             damping: None,
             law: None,
+            prestress: None,
         });
         Self {
             law: Some(law),
             ..Self::constant(&of_mass)
         }
+    }
+
+    /// The laws at the evaluation points; `None` for those of stiffness and damping alone.
+    ///
+    /// ```text
+    /// f = K e + D e' + 1/2 T e e                                           (D-241)
+    /// ```
+    pub fn laws(&self) -> Option<[Law<6>; 2]> {
+        if let Some(law) = &self.law {
+            return Some([law.clone(), law.clone()]);
+        }
+        let prestress = self.prestress.as_ref()?;
+        Some(std::array::from_fn(|point| {
+            let stiffness = self.stiffness[point];
+            let linear = match self.damping {
+                None => LawKind::Linear { stiffness },
+                Some(damping) => LawKind::Viscoelastic {
+                    stiffness,
+                    viscosity: damping[point],
+                },
+            };
+            let quadratic = LawKind::quadratic(&prestress[point]);
+            Law::sum(vec![linear.into(), quadratic.into()])
+        }))
     }
 
     /// Calls `user` with the mass along the beam.
@@ -120,6 +150,7 @@ mod tests {
             mass: 7.0 * unit,
             damping: None,
             law: None,
+            prestress: None,
         };
         let constant = Along::constant(&properties);
         for xi in [-1.0, 0.0, 0.3, 1.0] {

@@ -4,6 +4,7 @@ use shared_geom::error::{Explain, nearest_name};
 use shared_geom::wrench::COMPONENTS;
 
 use crate::material::{MaterialProblem, StrengthProblem};
+use crate::properties::NoPrestress;
 
 /// How many names a message lists before it counts the rest.
 const NAMES_SHOWN: usize = 5;
@@ -21,6 +22,12 @@ pub enum InputProblem {
         file: String,
         /// The reason in words.
         reason: String,
+    },
+    /// The effect of prestress is asked for where it is not known.
+    #[error("\"prestress\": {reason}")]
+    Prestress {
+        /// Why there is none.
+        reason: NoPrestress,
     },
     /// A material with keys of two kinds of law.
     #[error(
