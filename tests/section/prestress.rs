@@ -118,7 +118,7 @@ fn tables_of_the_prototype() {
     ] {
         for measure in StrainMeasure::ALL {
             let case = &file["cases"][format!("{name} {}", measure.name())];
-            let (solution, found) = of(&section, measure);
+            let (_, found) = of(&section, measure);
             let expected = expected(case);
             println!("{name} {measure:?}");
             for (at, value) in found.third.entries() {

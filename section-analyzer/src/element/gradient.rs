@@ -99,7 +99,7 @@ fn engineering(a: &Matrix3<f64>) -> Vector6<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::{NO_COLUMNS, strain_at};
+    use crate::element::{Line, NO_COLUMNS, strain_at};
     use approx::assert_relative_eq;
     use nalgebra::Matrix6;
     use shared_geom::mesh::CellKind;
@@ -127,7 +127,7 @@ mod tests {
         }
         let mut all = Matrix6::zeros();
         all.set_column(0, &psi);
-        let expected = strain_at(&point, None, Some(&columns), &all);
+        let expected = strain_at(&Line::STRAIGHT, &point, None, Some(&columns), &all);
         let found = PointGradient::at(&point, &psi, &warping).strain();
         assert_relative_eq!(found, expected.column(0).into_owned(), epsilon = 1e-15);
     }
