@@ -16,7 +16,7 @@
 //! ```
 //!
 //! # References
-//! - [Masarati1999], section 5.3.6: decoupling of warping and rigid section motion.
+//! - [Masarati], section 5.3.6: decoupling of warping and rigid section motion.
 
 use super::system::CentralSystem;
 use crate::assembly::{Domain, Rate, SectionForces, State, add_rigid_motions, largest};
