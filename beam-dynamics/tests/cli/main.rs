@@ -21,6 +21,7 @@ use tempfile::TempDir;
 mod loads;
 mod messages;
 mod netcdf;
+mod prestress;
 mod transient;
 
 /// A blade of a strip whose properties are in a file.

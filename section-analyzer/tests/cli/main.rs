@@ -11,6 +11,7 @@ mod compare;
 mod help;
 mod many;
 mod mesh_checks;
+mod prestress;
 mod property_files;
 mod stress;
 mod unchanged;
