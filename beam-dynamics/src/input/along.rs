@@ -3,6 +3,7 @@
 use nalgebra::Matrix6;
 use shared_geom::section::CubicTable;
 
+use super::curved::Curved;
 use super::properties::Properties;
 use crate::elements::beams::MassAlong;
 use crate::elements::laws::{Law, LawKind};
@@ -18,6 +19,9 @@ pub(super) struct Along {
     pub law: Option<Law<6>>,
     /// Effect of prestress on the stiffness there; `None` where it is not asked for.
     prestress: Option<[CubicTable; 2]>,
+    /// What the section was solved for; `None` for a straight beam, and where a blade
+    /// file has compared it with its line.
+    pub curved: Option<Curved>,
     /// xi and 6x6 mass per length \[kg/m, kg, kg m\], in the order of xi; linear between
     /// them, and one alone holds everywhere.
     mass: Vec<(f64, Matrix6<f64>)>,
@@ -36,6 +40,7 @@ impl Along {
             damping: properties.damping.map(|damping| [damping; 2]),
             law: properties.law.clone(),
             prestress: properties.prestress.map(|third| [third; 2]),
+            curved: properties.curved.clone(),
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
             length: None,
@@ -55,6 +60,7 @@ impl Along {
             damping: None,
             law: None,
             prestress: None,
+            curved: None,
             breaks: inside.filter(|xi| xi.abs() < 1.0).collect(),
             mass,
             length: Some(length),
@@ -75,6 +81,7 @@ impl Along {
             damping: None,
             law: None,
             prestress: None,
+            curved: None,
         });
         Self {
             law: Some(law),
@@ -151,6 +158,7 @@ mod tests {
             damping: None,
             law: None,
             prestress: None,
+            curved: None,
         };
         let constant = Along::constant(&properties);
         for xi in [-1.0, 0.0, 0.3, 1.0] {

@@ -34,7 +34,8 @@ pub fn properties(
             inertia_angle: inertia.map_or(0.0, |axes| axes.angle),
             inertia: inertia.map_or([0.0; 2], |axes| [axes.first, axes.second]),
         },
-        initial_curvature: None,
+        initial_curvature: (!section.initial_curvature.is_straight())
+            .then_some(section.initial_curvature),
         piezo: None,
         thermal_force: None,
         damping: None,
