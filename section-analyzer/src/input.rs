@@ -190,10 +190,7 @@ impl WrittenSection {
             cells: cells?,
             initial_curvature: beam?,
         };
-        if self.prestress.is_some() && !section.initial_curvature.is_straight() {
-            let reason = NoPrestress::Curved;
-            document.note(self.prestress_line, &InputProblem::Prestress { reason });
-        }
+        self.note_prestress(document, &section);
         let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
         summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
@@ -210,6 +207,14 @@ impl WrittenSection {
 }
 
 impl WrittenSection {
+    /// Notes prestress that is asked for where it is not known.
+    fn note_prestress(&self, document: &Document, section: &Section) {
+        if self.prestress.is_some() && !section.initial_curvature.is_straight() {
+            let reason = NoPrestress::Curved;
+            document.note(self.prestress_line, &InputProblem::Prestress { reason });
+        }
+    }
+
     /// What went in; regions have the materials `of_region`.
     fn summary(
         &self,

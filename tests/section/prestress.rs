@@ -69,7 +69,8 @@ pub fn composite_strip(cells: [usize; 2]) -> Section {
 
 fn of(section: &Section, measure: StrainMeasure) -> (SectionSolution, Prestress) {
     let solution = solved(section);
-    let found = prestress(section, &solution, measure).unwrap_or_else(|reason| panic!("{reason}"));
+    let found = prestress(section, &solution.warping, &solution.strain, measure)
+        .unwrap_or_else(|reason| panic!("{reason}"));
     (solution, found)
 }
 

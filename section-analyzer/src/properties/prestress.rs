@@ -25,6 +25,9 @@
 //! All of it is done about the area centroid, where no digits are lost, and the table
 //! is moved to the reference point.
 //!
+//! What comes of it in axes along the tangent of the reference line is (S-87); closed
+//! forms of isotropic sections are (S-88), and (S-89) the gain of a strip.
+//!
 //! # References
 //! - [HouboltBrooks1958]: tension stiffens torsion by N Ip/A.
 //! - [Wagner1936]: torsion of open sections under compression and bending.
@@ -32,14 +35,13 @@
 
 use std::fmt;
 
-use nalgebra::{Matrix4, Matrix6, Matrix6x4, SMatrix, Vector2, Vector3, Vector4, Vector6};
+use nalgebra::{DMatrix, Matrix4, Matrix6, Matrix6x4, SMatrix, Vector2, Vector3, Vector4, Vector6};
 use shared_geom::section::{CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure};
 use shared_geom::wrench;
 
 use crate::element::{CellPoint, PointGradient, cell_points};
 use crate::material::section_stiffness;
 use crate::section::Section;
-use crate::solution::SectionSolution;
 
 /// Why a section has no table of prestress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,19 +64,22 @@ impl fmt::Display for NoPrestress {
     }
 }
 
-/// The table of `section` about its reference point; `solution` is the section's own.
+/// The table of `section` about its reference point, from its central solutions:
+/// `warping` (rows ux, uy, uz of each node) and `strain` per unit internal force, as
+/// [`crate::solution::SectionSolution`] holds them.
 ///
 /// # Errors
 /// [`NoPrestress`] for a curved beam.
 pub fn prestress(
     section: &Section,
-    solution: &SectionSolution,
+    warping: &DMatrix<f64>,
+    strain: &Matrix6<f64>,
     strain_measure: StrainMeasure,
 ) -> Result<Prestress, NoPrestress> {
     if !section.initial_curvature.is_straight() {
         return Err(NoPrestress::Curved);
     }
-    let fields = Fields::new(section, solution).ok_or(NoPrestress::Singular)?;
+    let fields = Fields::new(section, warping, strain).ok_or(NoPrestress::Singular)?;
     let third = fields.table(strain_measure);
     Ok(Prestress {
         strain_measure,
@@ -94,10 +99,11 @@ struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    fn new(section: &'a Section, solution: &SectionSolution) -> Option<Self> {
+    fn new(section: &'a Section, warping: &DMatrix<f64>, strain: &Matrix6<f64>) -> Option<Self> {
         let center = centroid(section);
         let back = wrench::shift_matrix(&-Vector3::new(0.0, center[0], center[1]));
-        let compliance = back.transpose() * solution.compliance * back;
+        let about_center = back.transpose() * strain * back;
+        let compliance = 0.5 * (about_center + about_center.transpose());
         let selected =
             |i: usize, j: usize| compliance[(PRESTRESS_COMPONENTS[i], PRESTRESS_COMPONENTS[j])];
         let stiffness = inverse(&Matrix4::from_fn(selected))?;
@@ -108,11 +114,11 @@ impl<'a> Fields<'a> {
         }
         let about_reference: Matrix6x4<f64> = back * force;
         let nodes = 0..section.mesh.nodes.len();
-        let of_node = |node| solution.warping.fixed_view::<3, 6>(3 * node, 0) * about_reference;
+        let of_node = |node| warping.fixed_view::<3, 6>(3 * node, 0) * about_reference;
         let mut fields = Self {
             section,
             center,
-            strain: back.transpose() * solution.strain * about_reference,
+            strain: about_center * force,
             warping: nodes.map(of_node).collect(),
         };
         fields.remove_mean();

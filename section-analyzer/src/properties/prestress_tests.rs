@@ -9,7 +9,7 @@ use energy::LargeStrain;
 
 fn of(section: &Section, measure: StrainMeasure) -> CubicTable {
     let solution = analyze(section).expect("sound");
-    prestress(section, &solution, measure)
+    prestress(section, &solution.warping, &solution.strain, measure)
         .expect("straight")
         .third
 }
@@ -75,8 +75,9 @@ fn far_from_the_origin_the_digits_are_kept() {
         *node = [node[0] + 1e2, node[1] - 2e2];
     }
     let solution = analyze(&far).expect("sound");
-    let found = Fields::new(&far, &solution).expect("sound");
-    let here = Fields::new(&section, &analyze(&section).expect("sound")).expect("sound");
+    let found = Fields::new(&far, &solution.warping, &solution.strain).expect("sound");
+    let near = analyze(&section).expect("sound");
+    let here = Fields::new(&section, &near.warping, &near.strain).expect("sound");
     let tables = [found, here].map(|fields| fields.table(StrainMeasure::Green));
     let error = difference(&section, &tables[0], &tables[1]);
     // the forces of each state about the origin cancel by the square of the distance, 1e5
@@ -88,7 +89,12 @@ fn curved_beams_have_no_table() {
     let mut section = coupled_rectangle(CellKind::Triangle6);
     let solution = analyze(&section).expect("sound");
     section.initial_curvature.curvature.x = 0.1;
-    let found = prestress(&section, &solution, StrainMeasure::Biot);
+    let found = prestress(
+        &section,
+        &solution.warping,
+        &solution.strain,
+        StrainMeasure::Biot,
+    );
     assert_eq!(found, Err(NoPrestress::Curved));
     assert!(
         NoPrestress::Curved
@@ -112,7 +118,7 @@ fn form(stiffness: &Matrix4<f64>, second: impl Fn(&Vector4<f64>) -> Vector4<f64>
 ///
 /// ```text
 /// nu = nu1 + 1/2 (nu2^2 + nu3^2)      kappa' = kappa - r x kappa
-/// U3'(p) = U3(p) - (K4 p) . second-order part of (p' - p)
+/// U3'(p) = U3(p) - (K4 p) . second-order part of (p' - p)                   (S-87)
 /// ```
 pub(super) fn along_tangent(fields: &Fields<'_>, compliance: &Matrix6<f64>) -> CubicTable {
     let pick = |i: usize, j: usize| compliance[(PRESTRESS_COMPONENTS[i], PRESTRESS_COMPONENTS[j])];
@@ -158,7 +164,7 @@ fn the_table_begins_the_energy_of_large_strain() {
         *node = [node[0] - center[0], node[1] - center[1]];
     }
     let solution = analyze(&section).expect("sound");
-    let fields = Fields::new(&section, &solution).expect("sound");
+    let fields = Fields::new(&section, &solution.warping, &solution.strain).expect("sound");
     let own = fields.table(StrainMeasure::Green);
     let change = along_tangent(&fields, &solution.compliance);
     let expected = own.plus(&change);

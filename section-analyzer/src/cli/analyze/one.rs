@@ -172,7 +172,7 @@ fn solved(
     let mut properties = properties(section, solution, &summary.input_hash);
     let mut prestress_part = String::new();
     if let Some(measure) = input.prestress {
-        match prestress(section, solution, measure) {
+        match prestress(section, &solution.warping, &solution.strain, measure) {
             Ok(found) => properties.prestress = Some(found),
             Err(reason) => prestress_part = format!("Prestress\n  none: {reason}\n"),
         }
