@@ -375,14 +375,10 @@ impl Explain for InputProblem {
                 "move the mesh to its origin (in gmsh, Translate): results are about the origin"
                     .to_owned(),
             ),
-            Self::Folded { factor, far, .. } => Some(format!(
-                "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in \
-                 1/m is in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward \
-                 -z), and that the origin of the mesh is on the reference line (the farthest \
-                 node is {} away)",
-                label(*factor),
-                label(*far)
-            )),
+            Self::Folded { factor, far, .. } => Some(help_of_folded(*factor, *far)),
+            Self::Prestress { .. } => {
+                Some("remove \"prestress\" or [initial_curvature]".to_owned())
+            }
             Self::HugeLoad { .. } => Some(
                 "this is in SI units; check the unit and the \"point\" where the load acts"
                     .to_owned(),
@@ -391,6 +387,16 @@ impl Explain for InputProblem {
             _ => None,
         }
     }
+}
+
+fn help_of_folded(factor: f64, far: f64) -> String {
+    format!(
+        "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in 1/m is \
+         in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward -z), and that \
+         the origin of the mesh is on the reference line (the farthest node is {} away)",
+        label(factor),
+        label(far)
+    )
 }
 
 fn label(value: f64) -> String {
