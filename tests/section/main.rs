@@ -7,6 +7,7 @@ mod curved_lines;
 mod gmsh_formats;
 mod gmsh_pairs;
 mod invariances;
+mod outside_matrices;
 mod prestress;
 mod quads;
 mod random_sections;

@@ -237,7 +237,8 @@ fn principal_axes(solution: &SectionSolution) -> String {
     )
 }
 
-fn checks(checks: &Checks) -> String {
+/// What vouches for the numbers.
+pub fn checks(checks: &Checks) -> String {
     let worst = checks
         .identities
         .iter()

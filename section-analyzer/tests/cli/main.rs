@@ -11,6 +11,7 @@ mod compare;
 mod curvature;
 mod help;
 mod many;
+mod matrices;
 mod mesh_checks;
 mod prestress;
 mod property_files;
