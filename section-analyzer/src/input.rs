@@ -16,12 +16,13 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, SectionMesh};
-use crate::properties::{AreaMoments, AreaTable};
+use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
 use crate::section::Section;
 
@@ -61,6 +62,8 @@ pub struct Input {
     pub limits: Vec<MaterialLimits>,
     /// The load cases to recover stresses for.
     pub loads: Vec<LoadCase>,
+    /// The measure of strain for the effect of prestress, where it is asked for.
+    pub prestress: Option<StrainMeasure>,
     /// What went into it.
     pub summary: InputSummary,
 }
@@ -105,6 +108,9 @@ struct WrittenSection {
     regions: Vec<WrittenRegion>,
     curvature: Option<WrittenCurvature>,
     loads: Vec<LoadCase>,
+    prestress: Option<StrainMeasure>,
+    /// Line of the key.
+    prestress_line: usize,
 }
 
 impl WrittenSection {
@@ -126,6 +132,10 @@ impl WrittenSection {
             regions: regions::read(&root),
             curvature: curvature::read(&root),
             loads: loads::read(&root),
+            prestress: root
+                .word("prestress", &StrainMeasure::NAMES)
+                .map(|word| StrainMeasure::ALL[word]),
+            prestress_line: root.line_of("prestress"),
         };
         root.finish();
         written
@@ -180,6 +190,7 @@ impl WrittenSection {
             cells: cells?,
             initial_curvature: beam?,
         };
+        self.note_prestress(document, &section);
         let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
         summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
@@ -189,12 +200,21 @@ impl WrittenSection {
             section,
             limits: self.materials.iter().map(|known| known.limits).collect(),
             loads: self.loads.clone(),
+            prestress: self.prestress,
             summary,
         })
     }
 }
 
 impl WrittenSection {
+    /// Notes prestress that is asked for where it is not known.
+    fn note_prestress(&self, document: &Document, section: &Section) {
+        if self.prestress.is_some() && !section.initial_curvature.is_straight() {
+            let reason = NoPrestress::Curved;
+            document.note(self.prestress_line, &InputProblem::Prestress { reason });
+        }
+    }
+
     /// What went in; regions have the materials `of_region`.
     fn summary(
         &self,

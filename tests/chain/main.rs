@@ -7,3 +7,4 @@ mod princeton;
 #[path = "../common/record.rs"]
 mod record;
 mod swept_tip;
+mod trapeze;

@@ -21,6 +21,7 @@ use tempfile::TempDir;
 mod loads;
 mod messages;
 mod netcdf;
+mod prestress;
 mod transient;
 
 /// A blade of a strip whose properties are in a file.
@@ -128,6 +129,7 @@ fn strip() -> SectionProperties {
         piezo: None,
         thermal_force: None,
         damping: None,
+        prestress: None,
         provenance: Provenance {
             program: "by hand".to_owned(),
             version: "1".to_owned(),

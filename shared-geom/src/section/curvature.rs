@@ -116,6 +116,7 @@ impl SectionProperties {
         if let Some(piezo) = &mut result.piezo {
             piezo.capacitance /= c;
         }
+        result.prestress = self.with_third(|third| third.times(c * c));
         for stiffness in &mut result.principal_axes.bending_stiffness {
             *stiffness *= c;
         }
