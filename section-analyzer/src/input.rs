@@ -24,14 +24,15 @@ use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable};
 use crate::recovery::LoadCase;
-use crate::section::Section;
+use crate::section::{ImposedStrain, Section};
 
-mod angles;
 mod assign;
+mod cell_table;
 mod extent;
 mod files;
 mod follow;
 mod groups;
+mod imposed;
 mod loads;
 mod materials;
 mod problem;
@@ -41,12 +42,14 @@ mod strengths;
 mod summary;
 mod tables;
 
+pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, checked_load, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
 use files::Files;
+use imposed::WrittenStates;
 use materials::WrittenMaterial;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
@@ -57,6 +60,8 @@ pub struct Input {
     pub section: Section,
     /// Strengths of its materials, parallel to them.
     pub limits: Vec<MaterialLimits>,
+    /// The imposed states of its file: temperatures, then initial strains.
+    pub imposed: Vec<ImposedStrain>,
     /// The load cases to recover stresses for.
     pub loads: Vec<LoadCase>,
     /// What went into it.
@@ -101,6 +106,7 @@ struct WrittenSection {
     doubled_nodes: DoubledNodes,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
+    states: WrittenStates,
     loads: Vec<LoadCase>,
 }
 
@@ -114,6 +120,7 @@ impl WrittenSection {
             text,
             line: root.line_of("mesh"),
         });
+        let states = imposed::read(&root);
         let written = Self {
             name,
             mesh,
@@ -121,7 +128,8 @@ impl WrittenSection {
             doubled_nodes: doubled_nodes(&root),
             materials: materials::read(&root),
             regions: regions::read(&root),
-            loads: loads::read(&root),
+            loads: loads::read(&root, &states),
+            states,
         };
         root.finish();
         written
@@ -131,6 +139,7 @@ impl WrittenSection {
     /// was noted that leaves no section.
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
         let of_region = materials_of_regions(document, &self.regions, &self.materials);
+        let strains = self.states.strains_of_regions(document, &self.regions);
         let mesh_key = self.mesh.as_ref()?;
         let mut mesh = read_mesh(document, files, mesh_key)?;
         let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
@@ -156,6 +165,8 @@ impl WrittenSection {
             region_of_cell: &region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
+        let tags: Vec<_> = mesh.cells.iter().map(|cell| cell.tag).collect();
+        let rises = self.states.rises(document, files, &tags);
         let materials = self
             .materials
             .iter()
@@ -172,13 +183,17 @@ impl WrittenSection {
             cells: cells?,
             initial_curvature: InitialCurvature::STRAIGHT,
         };
-        let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
+        let region_of_cell = region_of_cell?;
+        let of_regions = (strains?, &region_of_cell[..]);
+        let imposed = self.states.states(document, &section, rises?, of_regions);
+        let mut summary = self.summary(document, &section, &of_region, &region_of_cell);
         summary.warnings.extend(InputWarning::of_mesh(&report));
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();
         Some(Input {
             section,
             limits: self.materials.iter().map(|known| known.limits).collect(),
+            imposed,
             loads: self.loads.clone(),
             summary,
         })
@@ -225,6 +240,11 @@ impl WrittenSection {
 
     fn warnings(&self, of_region: &[usize]) -> Vec<InputWarning> {
         let mut warnings = Vec::new();
+        let expansion = |&index: &usize| {
+            let material = self.materials[index].material.as_ref();
+            material.and_then(|known| known.expansion)
+        };
+        let is_heated = of_region.iter().any(|index| expansion(index).is_some());
         for (index, written) in self.materials.iter().enumerate() {
             let material = written.name.clone();
             if !of_region.contains(&index) {
@@ -236,6 +256,10 @@ impl WrittenSection {
                 .is_some_and(|known| known.density == 0.0)
             {
                 warnings.push(InputWarning::NoDensity { material });
+            }
+            if is_heated && of_region.contains(&index) && expansion(&index).is_none() {
+                let material = written.name.clone();
+                warnings.push(InputWarning::NoExpansion { material });
             }
         }
         warnings

@@ -10,6 +10,7 @@
 
 use shared_geom::units::Dimension;
 
+mod imposed;
 mod json;
 mod keys;
 mod limits;

@@ -2,6 +2,7 @@
 
 use shared_geom::units::Dimension;
 
+use super::imposed::{EXPANSION, INITIAL_STRAIN, TEMPERATURE};
 use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
 use super::{Family, KeySchema, Need, TableSchema, ValueKind};
 
@@ -79,11 +80,25 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             "What each physical surface of the mesh is made of; every surface needs one.",
         ),
         key(
+            "temperature",
+            &[ValueKind::NamedTables(&TEMPERATURE)],
+            Optional,
+            "",
+            "Rises of temperature, by name.",
+        ),
+        key(
+            "initial_strain",
+            &[ValueKind::NamedTables(&INITIAL_STRAIN)],
+            Optional,
+            "",
+            "Initial strains, by name.",
+        ),
+        key(
             "load",
             &[ValueKind::NamedTables(&LOAD)],
             Optional,
             "",
-            "Internal forces for which stresses are recovered, by name.",
+            "Internal forces and imposed states for which stresses are recovered, by name.",
         ),
     ],
     families: &[],
@@ -158,6 +173,13 @@ const UNITS: TableSchema = TableSchema {
             "\"rpm\"",
             "Unit of speeds of rotation.",
         ),
+        key(
+            "temperature",
+            &[ValueKind::Unit(Dimension::TEMPERATURE)],
+            Default("\"K\""),
+            "\"degF\"",
+            "Unit of rises of temperature, which are differences.",
+        ),
     ],
     families: &[],
 };
@@ -170,13 +192,16 @@ const fn limit(name: &'static str, kinds: &'static [ValueKind]) -> KeySchema {
 const MATERIAL: TableSchema = TableSchema {
     title: "[material.NAME]",
     meaning: "A material: its elastic law, told from the keys, and its density.",
-    keys: &[key(
-        "density",
-        DENSITY,
-        Required,
-        "\"1600 kg/m^3\"",
-        "Mass per volume; 0 leaves the material without mass.",
-    )],
+    keys: &[
+        key(
+            "density",
+            DENSITY,
+            Required,
+            "\"1600 kg/m^3\"",
+            "Mass per volume; 0 leaves the material without mass.",
+        ),
+        EXPANSION,
+    ],
     families: &[
         Family {
             name: "isotropic",
@@ -389,8 +414,8 @@ const MOMENT: &[ValueKind] = &[ValueKind::Quantity(Dimension::MOMENT)];
 
 const LOAD: TableSchema = TableSchema {
     title: "[load.NAME]",
-    meaning: "An internal force, of which at least one component is not zero. NAME is made of \
-              letters, digits, - and _.",
+    meaning: "An internal force, of which at least one component is not zero, or an imposed \
+              state, or both together. NAME is made of letters, digits, - and _.",
     keys: &[
         key("axial", FORCE, Default("0"), "\"10 kN\"", "Axial force."),
         key(
@@ -434,6 +459,20 @@ const LOAD: TableSchema = TableSchema {
             Default("the origin of the mesh"),
             "[12.5, 0]",
             "Where the force acts, y and z.",
+        ),
+        key(
+            "temperature",
+            GROUP,
+            Optional,
+            "\"hot\"",
+            "The temperature that acts too, by its name.",
+        ),
+        key(
+            "initial_strain",
+            GROUP,
+            Optional,
+            "\"cure\"",
+            "The initial strain that acts too, by its name.",
         ),
     ],
     families: &[],
