@@ -10,7 +10,7 @@ use section_analyzer::material::{ElasticLaw, Material};
 use section_analyzer::mesh::SectionMesh;
 use section_analyzer::mesh::generate::Rectangle;
 use section_analyzer::section::{CellMaterial, Section};
-use section_analyzer::solve::{CentralSolution, CentralSystem, Pins, in_elimination_order};
+use section_analyzer::solve::{CentralSolution, CentralSystems, Pins, in_elimination_order};
 use shared_geom::error::Place;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::InitialCurvature;
@@ -67,7 +67,7 @@ fn stages(criterion: &mut Criterion) {
     let Ok(pins) = Pins::choose(&domain.nodes) else {
         return;
     };
-    let Ok(system) = CentralSystem::new(&pattern, matrices.clone(), pins) else {
+    let Ok(system) = CentralSystems::new(&domain, &pattern, matrices.clone(), pins) else {
         return;
     };
 
@@ -80,7 +80,9 @@ fn stages(criterion: &mut Criterion) {
         b.iter(|| black_box(SectionMatrices::assemble(&domain, &pattern).is_ok()));
     });
     group.bench_function("factorization", |b| {
-        b.iter(|| black_box(CentralSystem::new(&pattern, matrices.clone(), pins).is_ok()));
+        b.iter(|| {
+            black_box(CentralSystems::new(&domain, &pattern, matrices.clone(), pins).is_ok())
+        });
     });
     group.bench_function("central solutions", |b| {
         b.iter(|| black_box(CentralSolution::solve(&domain, &system).is_some()));

@@ -14,7 +14,8 @@ use crate::properties::{Centers, PrincipalAxes, invert_symmetric, scaled_differe
 use crate::section::Section;
 use crate::solution::{Checks, SectionSolution};
 use crate::solve::{
-    CentralSolution, CentralSystem, Decoupled, FactorError, Pins, Pivot, in_elimination_order,
+    CentralSolution, CentralSystems, Decoupled, FactorError, Load, ParticularSolution, Pins, Pivot,
+    SystemError, in_elimination_order,
 };
 use nalgebra::{DMatrix, Matrix6, Vector3};
 use shared_geom::wrench;
@@ -35,42 +36,148 @@ const PIVOT_LIMIT: f64 = 1e-14;
 ///
 /// # Errors
 /// [`Failure`] when the section has no unique, accurate solution: it falls
-/// apart, has inverted cells, or is too badly conditioned.
+/// apart, has inverted or folded cells, or is too badly conditioned.
 pub fn analyze(section: &Section) -> Result<SectionSolution, Failure> {
-    let domain = Domain::new(section)?;
-    let pattern = Pattern::new(&domain);
-    check_connected(section, &domain, &pattern)?;
-    let unknowns = domain.unknowns();
-    let (domain, pattern) =
-        in_elimination_order(domain, &pattern).ok_or(Failure::OutOfMemory { unknowns })?;
+    let (solved, systems) = Solved::new(section)?;
+    // the factors are the largest part of the memory
+    drop(systems);
+    solved.solution()
+}
 
-    let matrices = SectionMatrices::assemble(&domain, &pattern)?;
-    let identities = check_assembled_identities(&domain, &matrices);
-    require_identities(&identities)?;
+/// An analysis that keeps its factored systems: further questions to the same section
+/// cost a solution each, not a factorization.
+#[derive(Debug)]
+pub struct Analysis<'a> {
+    solved: Solved<'a>,
+    systems: CentralSystems,
+    solution: SectionSolution,
+}
 
-    let pins = Pins::choose(&domain.nodes)?;
-    let system = CentralSystem::new(&pattern, matrices, pins)
-        .map_err(|error| factor_failure(section, &domain, error))?;
-    let weakest = system.factor().smallest_pivot();
-    require_pivot(section, &domain, weakest)?;
-    let central = CentralSolution::solve(&domain, &system)
-        .ok_or_else(|| factor_failure(section, &domain, FactorError::OutOfMemory))?;
-    let condition = system.condition();
-    drop(system);
+impl<'a> Analysis<'a> {
+    /// Analyzes `section`.
+    ///
+    /// # Errors
+    /// As [`analyze`].
+    pub fn new(section: &'a Section) -> Result<Self, Failure> {
+        let (solved, systems) = Solved::new(section)?;
+        let solution = solved.solution()?;
+        Ok(Self {
+            solved,
+            systems,
+            solution,
+        })
+    }
 
-    let (compliance, resultant, correction) = (central.work, central.resultant, central.correction);
-    let decoupled = Decoupled::new(&domain, central);
-    let checks = Checks {
-        identities,
-        correction,
-        condition,
-        smallest_pivot: weakest.ratio,
-        ..check_solution(&decoupled, &compliance, &resultant)
-    };
-    require_checks(section, &domain, &checks, weakest)?;
-    let solution = in_si(section, &domain, &decoupled, &compliance, checks)?;
-    require_sound(&solution)?;
-    Ok(solution)
+    /// Properties and central solutions of the section.
+    pub fn solution(&self) -> &SectionSolution {
+        &self.solution
+    }
+
+    /// The section.
+    pub fn section(&self) -> &'a Section {
+        self.solved.section
+    }
+
+    /// The section as it was solved: units, nodes and cells.
+    pub fn domain(&self) -> &Domain {
+        &self.solved.domain
+    }
+
+    /// The central solutions in the units of the domain.
+    pub fn central(&self) -> &Decoupled {
+        &self.solved.decoupled
+    }
+
+    /// The states of up to six cases of given forces, in the units of the domain.
+    ///
+    /// # Errors
+    /// [`Failure::OutOfMemory`].
+    pub fn particular(&self, load: &Load<'_>) -> Result<ParticularSolution, Failure> {
+        let Solved {
+            domain, decoupled, ..
+        } = &self.solved;
+        let unknowns = domain.unknowns();
+        ParticularSolution::solve(domain, self.systems.steady(), &decoupled.face, load)
+            .ok_or(Failure::OutOfMemory { unknowns })
+    }
+}
+
+/// The central solutions of a section in the units of its domain, checked.
+#[derive(Debug)]
+struct Solved<'a> {
+    section: &'a Section,
+    domain: Domain,
+    decoupled: Decoupled,
+    compliance: Matrix6<f64>,
+    checks: Checks,
+}
+
+impl<'a> Solved<'a> {
+    /// The method up to the decoupled central solutions, and the systems that found
+    /// them.
+    fn new(section: &'a Section) -> Result<(Self, CentralSystems), Failure> {
+        let domain = Domain::new(section)?;
+        let pattern = Pattern::new(&domain);
+        check_connected(section, &domain, &pattern)?;
+        let unknowns = domain.unknowns();
+        let (domain, pattern) =
+            in_elimination_order(domain, &pattern).ok_or(Failure::OutOfMemory { unknowns })?;
+
+        let matrices = SectionMatrices::assemble(&domain, &pattern)?;
+        let identities = check_assembled_identities(&domain, &matrices);
+        require_identities(&identities)?;
+
+        let pins = Pins::choose(&domain.nodes)?;
+        let systems = CentralSystems::new(&domain, &pattern, matrices, pins)
+            .map_err(|error| system_failure(section, &domain, error))?;
+        let weakest = systems.smallest_pivot();
+        require_pivot(section, &domain, weakest)?;
+        let central = CentralSolution::solve(&domain, &systems)
+            .ok_or_else(|| factor_failure(section, &domain, FactorError::OutOfMemory))?;
+
+        let (compliance, resultant) = (central.work, central.resultant);
+        let correction = central.correction;
+        let decoupled = Decoupled::new(&domain, central);
+        let checks = Checks {
+            identities,
+            correction,
+            condition: systems.condition(),
+            smallest_pivot: weakest.ratio,
+            ..check_solution(&decoupled, &compliance, &resultant)
+        };
+        require_checks(section, &domain, &checks, weakest)?;
+        let solved = Self {
+            section,
+            domain,
+            decoupled,
+            compliance,
+            checks,
+        };
+        Ok((solved, systems))
+    }
+
+    /// The result in SI, about the origin of the mesh.
+    fn solution(&self) -> Result<SectionSolution, Failure> {
+        let Self {
+            section, domain, ..
+        } = self;
+        let solution = in_si(
+            section,
+            domain,
+            &self.decoupled,
+            &self.compliance,
+            self.checks,
+        )?;
+        require_sound(&solution)?;
+        Ok(solution)
+    }
+}
+
+fn system_failure(section: &Section, domain: &Domain, error: SystemError) -> Failure {
+    match error {
+        SystemError::Matrices(failure) => failure,
+        SystemError::Factor(error) => factor_failure(section, domain, error),
+    }
 }
 
 /// The checks that compare the solution with itself; the others are left at zero.

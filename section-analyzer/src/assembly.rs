@@ -16,11 +16,9 @@ mod stress;
 pub(crate) use domain::largest;
 pub use domain::{Domain, DomainCell, Scaling};
 pub use mass::mass_per_length;
-pub use matrices::SectionMatrices;
+pub use matrices::{Scalar, SectionMatrices};
 pub use pattern::Pattern;
-pub use rigid::{
-    ASSEMBLED_IDENTITIES, add_rigid_motions, check_assembled_identities, equilibrium, resultant,
-};
+pub use rigid::{ASSEMBLED_IDENTITIES, add_rigid_motions, check_assembled_identities, resultant};
 pub use stress::{Rate, SectionForces, State, section_forces};
 
 #[cfg(test)]

@@ -2,12 +2,16 @@
 //! and the blocks that a cell adds to the matrices of the section.
 
 mod blocks;
+mod curved_blocks;
 mod forces;
+mod line;
 mod point;
 mod strain;
 
 pub use blocks::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
-pub use forces::{CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, rows_of};
+pub use curved_blocks::{CurvedCell, TurningLaw};
+pub use forces::{CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, Row, rows_of};
+pub use line::{Line, Metric};
 pub use point::{CellPoint, RulePoint, cell_points, rule_points};
 pub use strain::{
     FACE_STRAINS, NO_COLUMNS, NodalColumns, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS,

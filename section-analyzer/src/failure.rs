@@ -37,6 +37,22 @@ pub enum Failure {
         /// Number of the cell in its file.
         tag: u64,
     },
+    /// The beam is curved more than the section allows.
+    #[error(
+        "cell {tag} folds over itself at y = {y:.4e} m, z = {z:.4e} m: with the initial curvature {curvature:?} 1/m its volume per area and length is {volume:.3e} there, expected more than zero"
+    )]
+    Folded {
+        /// Number of the cell in its file.
+        tag: u64,
+        /// The place \[m\].
+        y: f64,
+        /// The place \[m\].
+        z: f64,
+        /// J at the place, (S-71) \[-\].
+        volume: f64,
+        /// Initial curvature, in section axes \[1/m\].
+        curvature: [f64; 3],
+    },
     /// The cells do not hang together.
     #[error(
         "the section is in {parts} parts that share no node; one of them holds node {node}, another node {other}"
@@ -129,6 +145,9 @@ impl Explain for Failure {
             Self::NoCells => "give every surface of the mesh a physical group that has a material",
             Self::CellWithoutArea { .. } => {
                 "list the nodes of the cell counterclockwise, and move mid-side nodes near the middle of their side"
+            }
+            Self::Folded { .. } => {
+                "the center of curvature must lie outside of the section: look at the unit and the sign of the curvature, and at the reference point, where the slope is given"
             }
             Self::Disconnected { .. } => {
                 "merge coincident nodes along the seam (in gmsh: \"Coherence Mesh\"), or fill the gap with a soft material"

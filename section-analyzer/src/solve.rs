@@ -2,19 +2,24 @@
 //!
 //! Six [`Pins`] hold the rigid motions, [`Factor`] is the one sparse Cholesky
 //! factorization, [`CentralSystem`] borders it with the six generalized strains and
-//! corrects its solutions by the imbalance of their stresses,
-//! [`CentralSolution`] is the linear and then the constant step, and
-//! [`Decoupled`] the same solutions with the rigid part of the warping removed.
+//! corrects its solutions by the imbalance of their stresses, [`CentralSystems`] are
+//! those of a beam of any curvature, [`CentralSolution`] is the linear and then the
+//! constant step, [`Decoupled`] the same solutions with the rigid part of the warping
+//! removed, and [`ParticularSolution`] a state under other forces than internal ones.
 
+mod along;
 mod central;
 mod decouple;
 mod factor;
+mod particular;
 mod pins;
 mod system;
 
+pub use along::{CentralSystems, SystemError};
 pub use central::CentralSolution;
 pub use decouple::Decoupled;
-pub use factor::{Factor, FactorError, Pivot, elimination_order, in_elimination_order};
+pub use factor::{Entry, Factor, FactorError, Pivot, elimination_order, in_elimination_order};
+pub use particular::{Load, ParticularSolution};
 pub use pins::Pins;
 pub use system::CentralSystem;
 

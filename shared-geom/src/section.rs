@@ -94,6 +94,12 @@ impl InitialCurvature {
         slope: Vector3::new(1.0, 0.0, 0.0),
     };
 
+    /// Derivative along the beam of the material line through the point (y, z) from the
+    /// reference point \[m\], in section axes: `slope + curvature x (0, y, z)` \[-\].
+    pub fn tangent_at(&self, y: f64, z: f64) -> Vector3<f64> {
+        self.slope + self.curvature.cross(&Vector3::new(0.0, y, z))
+    }
+
     /// Whether this is a straight beam, its reference line normal to the section.
     pub fn is_straight(&self) -> bool {
         *self == Self::STRAIGHT

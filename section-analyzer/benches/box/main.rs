@@ -18,7 +18,7 @@ use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
 use section_analyzer::input;
 use section_analyzer::section::Section;
 use section_analyzer::solve::{
-    CentralSolution, CentralSystem, Factor, Pins, elimination_order, in_elimination_order,
+    CentralSolution, CentralSystems, Factor, Pins, elimination_order, in_elimination_order,
 };
 use shared_geom::gmsh;
 use shared_geom::mesh::Mesh;
@@ -136,8 +136,8 @@ impl Times {
         let matrices = SectionMatrices::assemble(&domain, &pattern).expect("sound cells");
         let pins = Pins::choose(&domain.nodes).expect("a plane section");
         let factor = Factor::new(matrices.e.clone(), &pattern, pins).expect("a connected section");
-        let system =
-            CentralSystem::new(&pattern, matrices.clone(), pins).expect("a connected section");
+        let system = CentralSystems::new(&domain, &pattern, matrices.clone(), pins)
+            .expect("a connected section");
         let memory = peak(|| analyze(&input::read(file).expect("a sound file").section));
         Self {
             nodes: domain.nodes.len(),

@@ -7,6 +7,7 @@
 //! from the origin and one of 10 m around it are solved with the same digits.
 //! Units of length and modulus are powers of two, so that scaling rounds nothing.
 
+use crate::element::{Line, rule_points};
 use crate::failure::Failure;
 use crate::material::section_stiffness;
 use crate::section::{CellMaterial, Section};
@@ -74,6 +75,8 @@ pub struct Domain {
     pub laws: Vec<Matrix6<f64>>,
     /// The units.
     pub scaling: Scaling,
+    /// The line of the beam through the origin of the domain, in its unit of length.
+    pub line: Line,
 }
 
 impl Domain {
@@ -81,7 +84,8 @@ impl Domain {
     ///
     /// # Errors
     /// [`Failure`] when the section has no cells, a cell lacks its material, or
-    /// coordinates and stiffness leave no finite, positive scale.
+    /// coordinates and stiffness leave no finite, positive scale; or the beam is curved
+    /// so much that the material folds over itself.
     pub fn new(section: &Section) -> Result<Self, Failure> {
         check_lists(section)?;
         let (laws, law_of_cell) = laws_in_section_axes(section);
@@ -110,7 +114,7 @@ impl Domain {
             .iter()
             .zip(&section.cells)
             .zip(law_of_cell);
-        Ok(Self {
+        let domain = Self {
             nodes: mesh_nodes.iter().map(place).collect(),
             cells: cells
                 .map(|((cell, made_of), law)| DomainCell {
@@ -124,7 +128,40 @@ impl Domain {
             laws: laws.iter().map(|law| law / scaling.modulus).collect(),
             mesh_nodes,
             scaling,
-        })
+            line: Line::through(&section.initial_curvature, scaling.origin, scaling.length),
+        };
+        domain.check_unfolded(section)?;
+        Ok(domain)
+    }
+
+    /// J must be positive at the nodes and at the integration points of every cell.
+    fn check_unfolded(&self, section: &Section) -> Result<(), Failure> {
+        if self.line.is_straight() {
+            return Ok(());
+        }
+        for cell in &self.cells {
+            let places = self.places(cell);
+            let places = &places[..cell.kind.node_count()];
+            let points = rule_points(cell.kind).iter().map(|point| {
+                let point = point.of_cell(places);
+                [point.y, point.z]
+            });
+            for [y, z] in points.chain(places.iter().copied()) {
+                let volume = self.line.metric(y, z).volume;
+                let is_positive = volume > 0.0;
+                if !is_positive {
+                    let Scaling { origin, length, .. } = self.scaling;
+                    return Err(Failure::Folded {
+                        tag: cell.tag,
+                        y: origin[0] + length * y,
+                        z: origin[1] + length * z,
+                        volume,
+                        curvature: section.initial_curvature.curvature.into(),
+                    });
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The same domain with its nodes in another order, and the cells in that of their

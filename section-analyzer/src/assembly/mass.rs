@@ -1,7 +1,7 @@
 //! Mass per length of the section.
 //!
 //! ```text
-//! Mm = int rho [I, -t x]' [I, -t x] dA     (S-28); its entries are (S-29)
+//! Mm = int rho [I, -t x]' [I, -t x] J dA   (S-28); its entries are (S-29), J = 1 straight
 //! ```
 
 use super::domain::Domain;
@@ -19,7 +19,8 @@ pub fn mass_per_length(domain: &Domain) -> Matrix6<f64> {
         let places = domain.places(cell);
         for point in rule_points(cell.kind) {
             let point = point.of_cell(&places[..cell.kind.node_count()]);
-            let (y, z, rho) = (point.y, point.z, cell.density * point.area);
+            let volume = point.area * domain.line.metric(point.y, point.z).volume;
+            let (y, z, rho) = (point.y, point.z, cell.density * volume);
             for (sum, term) in sums.iter_mut().zip([1.0, y, z, y * y, y * z, z * z]) {
                 *sum += rho * term;
             }

@@ -10,7 +10,9 @@
 //! | R | n x 6 | | u and psi |
 //! | A | 6 x 6 | yes | psi and psi |
 //!
-//! These three make the system that is factored. Products with all six, M, C and
+//! These three make the system that is factored: for a solution that varies along the
+//! beam as `exp(lambda x)` with `B0 + lambda B1` for B0, Hermitian for an imaginary
+//! lambda (S-73). Products with all six, M, C and
 //! L included, are integrals of stresses and need no matrix: see
 //! [`super::section_forces`].
 //!
@@ -20,64 +22,55 @@
 
 use super::domain::{Domain, DomainCell};
 use super::pattern::Pattern;
-use crate::element::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
+use crate::element::{CellBlocks, CellIntegrals, CurvedCell, LawBlocks, TurningLaw, a_of_moments};
 use crate::failure::Failure;
-use nalgebra::{DMatrix, Matrix6};
+use nalgebra::{ComplexField, DMatrix, Matrix3, Matrix3x6, Matrix6};
 use pulp::{Arch, Simd, WithSimd};
 use sprs::CsMatI;
 
+/// A number of a section matrix: real, or complex with real parts of double precision.
+pub trait Scalar: ComplexField<RealField = f64> + Copy {}
+
+impl<T: ComplexField<RealField = f64> + Copy> Scalar for T {}
+
 /// E, R, A in the units of the domain. Unknowns are ux, uy, uz node by node.
 #[derive(Debug, Clone)]
-pub struct SectionMatrices {
-    /// `int B0' D B0`: the lower triangle in compressed columns, the diagonal
+pub struct SectionMatrices<T> {
+    /// `int B0' D B0 J`: the lower triangle in compressed columns, the diagonal
     /// entry first in each, n x n \[-\].
-    pub e: CsMatI<f64, u32>,
-    /// `int B0' D Bpsi`, n x 6 \[-\].
-    pub r: DMatrix<f64>,
-    /// `int Bpsi' D Bpsi` \[-\].
+    pub e: CsMatI<T, u32>,
+    /// `int B0' D Bpsi J`, n x 6 \[-\].
+    pub r: DMatrix<T>,
+    /// `int Bpsi' D Bpsi J` \[-\].
     pub a: Matrix6<f64>,
 }
 
-impl SectionMatrices {
-    /// Sums the blocks of all cells.
+impl SectionMatrices<f64> {
+    /// Sums the blocks of all cells, of solutions that are steady along the beam.
     ///
     /// # Errors
     /// [`Failure::CellWithoutArea`] for an inverted or flat cell;
     /// [`Failure::OutOfMemory`] for more entries than 32 bits count.
     pub fn assemble(domain: &Domain, pattern: &Pattern) -> Result<Self, Failure> {
-        Arch::new().dispatch(Summation { domain, pattern })
-    }
-
-    #[inline(always)]
-    fn summed(domain: &Domain, pattern: &Pattern) -> Result<Self, Failure> {
-        let unknowns = domain.unknowns();
-        let structure = pattern.structure();
-        let (starts, rows) = structure.ok_or(Failure::OutOfMemory { unknowns })?;
-        let laws: Vec<LawBlocks> = domain.laws.iter().map(LawBlocks::new).collect();
-        let mut e = vec![0.0; rows.len()];
-        let mut r = DMatrix::zeros(unknowns, 6);
-        let mut moments = vec![[0.0; 6]; laws.len()];
-        for cell in &domain.cells {
-            let places = domain.places(cell);
-            let integrals = CellIntegrals::new(cell.kind, &places[..cell.kind.node_count()])
-                .map_err(|_| Failure::CellWithoutArea { tag: cell.tag })?;
-            let blocks = CellBlocks {
-                integrals: &integrals,
-                law: &laws[cell.law as usize],
-            };
-            add_e(&mut e, pattern, cell, &blocks);
-            add_r(&mut r, cell, &blocks);
-            let sums = &mut moments[cell.law as usize];
-            for (sum, moment) in sums.iter_mut().zip(integrals.area()) {
-                *sum += moment;
-            }
+        if domain.line.is_straight() {
+            Arch::new().dispatch(StraightSum { domain, pattern })
+        } else {
+            Self::of_wave(domain, pattern, 0.0)
         }
-        let of_laws = moments.iter().zip(&laws);
-        let a: Matrix6<f64> = of_laws.map(|(area, law)| a_of_moments(area, law)).sum();
-        Ok(Self {
-            e: CsMatI::new_csc((unknowns, unknowns), starts, rows, e),
-            r,
-            a: 0.5 * (a + a.transpose()),
+    }
+}
+
+impl<T: Scalar> SectionMatrices<T> {
+    /// Sums the blocks of all cells, of solutions that vary along the beam as
+    /// `exp(lambda x)`: lambda is imaginary or zero, per unit of length of the domain.
+    ///
+    /// # Errors
+    /// As [`SectionMatrices::assemble`].
+    pub fn of_wave(domain: &Domain, pattern: &Pattern, lambda: T) -> Result<Self, Failure> {
+        Arch::new().dispatch(CurvedSum {
+            domain,
+            pattern,
+            lambda,
         })
     }
 
@@ -87,44 +80,132 @@ impl SectionMatrices {
     }
 }
 
-/// The sum over the cells, compiled for each width of registers.
-struct Summation<'a> {
-    domain: &'a Domain,
+/// E and R while they are summed, and the moments of A, by law.
+struct Sums<'a, T> {
     pattern: &'a Pattern,
+    starts: Vec<u32>,
+    rows: Vec<u32>,
+    e: Vec<T>,
+    r: DMatrix<T>,
+    moments: Vec<[f64; 6]>,
 }
 
-impl WithSimd for Summation<'_> {
-    type Output = Result<SectionMatrices, Failure>;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
-        SectionMatrices::summed(self.domain, self.pattern)
+impl<'a, T: Scalar> Sums<'a, T> {
+    fn none(domain: &Domain, pattern: &'a Pattern) -> Result<Self, Failure> {
+        let unknowns = domain.unknowns();
+        let structure = pattern.structure();
+        let (starts, rows) = structure.ok_or(Failure::OutOfMemory { unknowns })?;
+        Ok(Self {
+            pattern,
+            e: vec![T::zero(); rows.len()],
+            r: DMatrix::zeros(unknowns, 6),
+            moments: vec![[0.0; 6]; domain.laws.len()],
+            starts,
+            rows,
+        })
     }
-}
 
-/// Adds the blocks of the lower triangle.
-#[inline(always)]
-fn add_e(e: &mut [f64], pattern: &Pattern, cell: &DomainCell, blocks: &CellBlocks<'_>) {
-    for (j, &column) in cell.nodes().iter().enumerate() {
-        for (i, &row) in cell.nodes().iter().enumerate() {
-            if row < column {
-                continue;
-            }
-            let block = blocks.e(i, j);
-            for (b, at) in pattern.block(row, column).into_iter().enumerate() {
-                let first = if row == column { b } else { 0 };
-                for a in first..3 {
-                    e[at + a - first] += block[(a, b)];
+    /// Adds the blocks of a cell: those of the lower triangle of E, those of R, and
+    /// what its area adds to A.
+    #[inline(always)]
+    fn add(
+        &mut self,
+        cell: &DomainCell,
+        area: &[f64; 6],
+        e: impl Fn(usize, usize) -> Matrix3<T>,
+        r: impl Fn(usize) -> Matrix3x6<T>,
+    ) {
+        for (j, &column) in cell.nodes().iter().enumerate() {
+            for (i, &row) in cell.nodes().iter().enumerate() {
+                if row < column {
+                    continue;
+                }
+                let block = e(i, j);
+                for (b, at) in self.pattern.block(row, column).into_iter().enumerate() {
+                    let first = if row == column { b } else { 0 };
+                    for a in first..3 {
+                        self.e[at + a - first] += block[(a, b)];
+                    }
                 }
             }
+        }
+        for (i, &node) in cell.nodes().iter().enumerate() {
+            let mut rows = self.r.fixed_view_mut::<3, 6>(3 * node as usize, 0);
+            rows += r(i);
+        }
+        let sums = &mut self.moments[cell.law as usize];
+        for (sum, moment) in sums.iter_mut().zip(area) {
+            *sum += moment;
+        }
+    }
+
+    fn matrices(self, laws: &[LawBlocks]) -> SectionMatrices<T> {
+        let of_laws = self.moments.iter().zip(laws);
+        let a: Matrix6<f64> = of_laws.map(|(area, law)| a_of_moments(area, law)).sum();
+        let n = self.r.nrows();
+        SectionMatrices {
+            e: CsMatI::new_csc((n, n), self.starts, self.rows, self.e),
+            r: self.r,
+            a: 0.5 * (a + a.transpose()),
         }
     }
 }
 
-#[inline(always)]
-fn add_r(r: &mut DMatrix<f64>, cell: &DomainCell, blocks: &CellBlocks<'_>) {
-    for (i, &node) in cell.nodes().iter().enumerate() {
-        let mut rows = r.fixed_view_mut::<3, 6>(3 * node as usize, 0);
-        rows += blocks.r(i);
+/// The sum over the cells of a straight beam, compiled for each width of registers.
+struct StraightSum<'a> {
+    domain: &'a Domain,
+    pattern: &'a Pattern,
+}
+
+impl WithSimd for StraightSum<'_> {
+    type Output = Result<SectionMatrices<f64>, Failure>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+        let laws: Vec<LawBlocks> = self.domain.laws.iter().map(LawBlocks::new).collect();
+        let mut sums = Sums::none(self.domain, self.pattern)?;
+        for cell in &self.domain.cells {
+            let places = self.domain.places(cell);
+            let integrals = CellIntegrals::new(cell.kind, &places[..cell.kind.node_count()])
+                .map_err(|_| Failure::CellWithoutArea { tag: cell.tag })?;
+            let blocks = CellBlocks {
+                integrals: &integrals,
+                law: &laws[cell.law as usize],
+            };
+            let (e, r) = (|i, j| blocks.e(i, j), |i| blocks.r(i));
+            sums.add(cell, integrals.area(), e, r);
+        }
+        Ok(sums.matrices(&laws))
+    }
+}
+
+/// The sum over the cells of a curved beam, compiled for each width of registers.
+struct CurvedSum<'a, T> {
+    domain: &'a Domain,
+    pattern: &'a Pattern,
+    lambda: T,
+}
+
+impl<T: Scalar> WithSimd for CurvedSum<'_, T> {
+    type Output = Result<SectionMatrices<T>, Failure>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+        let (line, laws) = (&self.domain.line, &self.domain.laws);
+        let turning = laws
+            .iter()
+            .map(|law| TurningLaw::new(line, self.lambda, law));
+        let turning: Vec<TurningLaw<T>> = turning.collect();
+        let mut sums = Sums::none(self.domain, self.pattern)?;
+        for cell in &self.domain.cells {
+            let places = self.domain.places(cell);
+            let integrals = CurvedCell::new(line, cell.kind, &places[..cell.kind.node_count()])
+                .map_err(|_| Failure::CellWithoutArea { tag: cell.tag })?;
+            let law = &turning[cell.law as usize];
+            let (e, r) = (|i, j| integrals.e(law, i, j), |i| integrals.r(law, i));
+            sums.add(cell, integrals.area(), e, r);
+        }
+        let laws: Vec<LawBlocks> = laws.iter().map(LawBlocks::new).collect();
+        Ok(sums.matrices(&laws))
     }
 }

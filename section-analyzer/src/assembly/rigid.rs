@@ -2,10 +2,12 @@
 //! section matrices meets.
 //!
 //! ```text
-//! H = [I, -t x] at each node (n x 6)          T = [0, e1 x; 0, 0]               (S-14)
+//! H = [I, -t x] at each node (n x 6)          T = [k x, l x; 0, k x]            (S-14)
 //! M H = L     C' H = R     C H = L T     E H = R T     L' H = A     R' H = A T  (S-15)
-//! theta' = T' theta:  M2' = F3,  M3' = -F2                                      (S-13)
+//! theta' = T' theta:  for a straight beam M2' = F3,  M3' = -F2                  (S-13)
 //! ```
+//!
+//! T is that of the line, [`crate::element::Line::equilibrium`].
 //!
 //! They hold to round-off because the shape functions contain the rigid motions
 //! exactly: a violation means that strains, forces and matrices do not belong
@@ -39,16 +41,6 @@ pub fn resultant(domain: &Domain, forces: &DMatrix<f64>) -> Matrix6<f64> {
     resultant
 }
 
-/// T' of `theta' = T' theta`: how internal forces change along an unloaded beam.
-///
-/// `dM2/dx = F3` and `dM3/dx = -F2`; all else is constant.
-pub fn equilibrium() -> Matrix6<f64> {
-    let mut t = Matrix6::zeros();
-    t[(4, 2)] = 1.0;
-    t[(5, 1)] = -1.0;
-    t
-}
-
 /// A rigid motion with all six parts, none a simple multiple of another: an
 /// identity that fails for any motion fails for this one.
 pub(super) const GENERIC_MOTION: [f64; 6] = [1.0, -0.71, 0.43, 0.89, -0.61, 0.53];
@@ -56,10 +48,10 @@ pub(super) const GENERIC_MOTION: [f64; 6] = [1.0, -0.71, 0.43, 0.89, -0.61, 0.53
 /// Error of each of the [`ASSEMBLED_IDENTITIES`], applied to a rigid motion with all six
 /// parts, relative to the largest entry of its right-hand side before T; that of E to
 /// the terms of its product.
-pub fn check_assembled_identities(domain: &Domain, matrices: &SectionMatrices) -> [f64; 2] {
+pub fn check_assembled_identities(domain: &Domain, matrices: &SectionMatrices<f64>) -> [f64; 2] {
     let SectionMatrices { e, r, a } = matrices;
     let motion = Vector6::from(GENERIC_MOTION);
-    let turned = equilibrium().transpose() * motion;
+    let turned = domain.line.equilibrium().transpose() * motion;
     let displacement = rigid_displacements(domain, &motion);
     let (e_motion, e_scale) = symmetric_product(e, &displacement);
     [

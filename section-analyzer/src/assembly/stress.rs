@@ -2,10 +2,10 @@
 //!
 //! ```text
 //! eps   = B1 u' + B0 u + Bpsi psi
-//! P     = int B1' D eps dA   = M u' + C u + L psi        forces on the face
-//! Q     = int B0' D eps dA   = C' u' + E u + R psi       forces within the section
-//! theta = int Bpsi' D eps dA = L' u' + R' u + A psi      internal force
-//! W     = int eps' D eps dA                              work
+//! P     = int B1' D eps J dA   = M u' + C u + L psi      forces on the face
+//! Q     = int B0' D eps J dA   = C' u' + E u + R psi     forces within the section
+//! theta = int Bpsi' D eps J dA = L' u' + R' u + A psi    internal force
+//! W     = int eps' D eps J dA                            work
 //! ```
 //!
 //! The same as products with the six matrices (S-11), but with the round-off of the
@@ -14,7 +14,7 @@
 
 use super::domain::{Domain, DomainCell};
 use crate::element::{
-    CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, rows_of, rule_points,
+    CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, Row, rows_of, rule_points,
 };
 use nalgebra::{DMatrix, Matrix6};
 use pulp::{Arch, Simd, WithSimd};
@@ -36,8 +36,9 @@ pub struct State<'a> {
 pub enum Rate<'a> {
     /// None: the state is constant along the beam.
     Zero,
-    /// Of six cases per unit internal force, in their order: `u' = X T'`, which is
-    /// minus the warping of M3 for F2, that of M2 for F3, and zero for the others.
+    /// Of six cases per unit internal force, in their order: `u' = X T'`, which on a
+    /// straight beam is minus the warping of M3 for F2, that of M2 for F3, and zero for
+    /// the others.
     Central,
     /// Any, n x k.
     Given(&'a DMatrix<f64>),
@@ -120,13 +121,19 @@ fn sum<P: Product>(domain: &Domain, state: State<'_>, target: &mut SectionForces
         rate: NO_FIELD,
         warping: NO_FIELD,
     };
+    let line = (!domain.line.is_straight()).then_some(&domain.line);
+    let along = line.map(|line| rows_of(&line.equilibrium().transpose()));
     let mut forces = CellForces::NONE;
     for cell in &domain.cells {
-        gather(cell, state, &mut of_cell);
+        gather(cell, state, along.as_ref(), &mut of_cell);
         let places = domain.places(cell);
         let geometry = (rule_points(cell.kind), &places[..cell.kind.node_count()]);
+        let law = &laws[cell.law as usize];
         forces.clear_nodes();
-        forces.add::<P>(geometry, &laws[cell.law as usize], &of_cell, &strain);
+        match line {
+            None => forces.add::<P>(geometry, law, &of_cell, &strain),
+            Some(line) => forces.add_along::<P>(line, geometry, law, &of_cell, &strain),
+        }
         scatter(cell, &forces.within, &mut target.within);
         scatter(cell, &forces.face, &mut target.face);
     }
@@ -135,9 +142,10 @@ fn sum<P: Product>(domain: &Domain, state: State<'_>, target: &mut SectionForces
     target.resultant = forces.resultant();
 }
 
-/// The state at the nodes of `cell`.
+/// The state at the nodes of `cell`; `along` is T, by rows, of a line that is not that
+/// of a straight beam.
 #[inline(always)]
-fn gather(cell: &DomainCell, state: State<'_>, of_cell: &mut CellState) {
+fn gather(cell: &DomainCell, state: State<'_>, along: Option<&[Row; 6]>, of_cell: &mut CellState) {
     if let Some(warping) = state.warping {
         take(cell, warping, &mut of_cell.warping);
     }
@@ -147,9 +155,24 @@ fn gather(cell: &DomainCell, state: State<'_>, of_cell: &mut CellState) {
         Rate::Central => {
             for (rate, warping) in of_cell.rate.iter_mut().zip(&of_cell.warping) {
                 for (rate, warping) in rate.iter_mut().zip(warping) {
-                    rate[1] = -warping[5];
-                    rate[2] = warping[4];
+                    central_rate(along, warping, rate);
                 }
+            }
+        }
+    }
+}
+
+/// `X T'` of one unknown; T as [`gather`] takes it.
+#[inline(always)]
+fn central_rate(along: Option<&[Row; 6]>, warping: &Row, rate: &mut Row) {
+    match along {
+        None => {
+            rate[1] = -warping[5];
+            rate[2] = warping[4];
+        }
+        Some(rows) => {
+            for (rate, row) in rate.iter_mut().zip(rows) {
+                *rate = (0..6).map(|k| warping[k] * row[k]).sum();
             }
         }
     }

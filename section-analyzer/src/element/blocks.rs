@@ -62,10 +62,10 @@ impl LawBlocks {
 }
 
 /// A number per pair of nodes; row i, column j.
-type PairIntegrals = [[f64; 9]; 9];
+pub(super) type PairIntegrals = [[f64; 9]; 9];
 
 /// Sums of f, f y and f z over a cell.
-type Moments = [f64; 3];
+pub(super) type Moments = [f64; 3];
 
 /// Integrals over a cell of products of shape functions and coordinates.
 #[derive(Debug, Clone)]
@@ -188,7 +188,7 @@ pub fn a_of_moments(area: &[f64; 6], law: &LawBlocks) -> Matrix6<f64> {
 }
 
 /// `int f [I, -t x]` from the sums of f, f y, f z.
-fn rigid(moments: &Moments) -> Matrix3x6<f64> {
+pub(super) fn rigid(moments: &Moments) -> Matrix3x6<f64> {
     rigid_displacement(moments[0], moments[1], moments[2])
 }
 

@@ -1,5 +1,6 @@
 use super::*;
 use crate::element::cell_points;
+use crate::element::line::Line;
 use crate::element::strain::{NO_COLUMNS, strain_at};
 use approx::assert_relative_eq;
 use nalgebra::DMatrix;
@@ -33,11 +34,11 @@ fn operators(point: &CellPoint) -> (DMatrix<f64>, DMatrix<f64>) {
     for node in 0..point.count {
         let mut unit = NO_COLUMNS;
         unit[node].fixed_view_mut::<3, 3>(0, 0).fill_with_identity();
-        let strain = strain_at(point, None, Some(&unit), &Matrix6::zeros());
+        let strain = strain_at(&Line::STRAIGHT, point, None, Some(&unit), &Matrix6::zeros());
         b0.columns_mut(3 * node, 3)
             .copy_from(&strain.fixed_columns::<3>(0));
     }
-    let bpsi = strain_at(point, None, None, &Matrix6::identity());
+    let bpsi = strain_at(&Line::STRAIGHT, point, None, None, &Matrix6::identity());
     (b0, DMatrix::from_column_slice(6, 6, bpsi.as_slice()))
 }
 

@@ -1,12 +1,14 @@
 //! The forces of a given state of one cell, by integration of its stresses.
 //!
 //! ```text
-//! eps   = S N u' + Dop N u + Bpsi psi      sigma = D eps
-//! Q     = int B0' sigma dA                 at the nodes, within the section
-//! P     = int B1' sigma dA                 at the nodes, on the face
-//! theta = int Bpsi' sigma dA               internal force
-//! W     = int eps' sigma dA                work of each case on each
+//! eps   = B1 u' + B0 u + Bpsi psi          sigma = D eps
+//! Q     = int B0' sigma J dA               at the nodes, within the section
+//! P     = int B1' sigma J dA               at the nodes, on the face
+//! theta = int Bpsi' sigma J dA             internal force
+//! W     = int eps' sigma J dA              work of each case on each
 //! ```
+//!
+//! The operators are (S-5) for a straight beam, with J = 1, and (S-73) for a curved one.
 //!
 //! This is the innermost loop of the program next to the factorization: six cases go
 //! side by side through plain arrays, so that the compiler uses the widest registers
@@ -19,14 +21,19 @@
 //! # References
 //! - Giavotto et al. 1983, section 2: the strain of a straight section.
 
+use super::line::{Line, Metric};
 use super::point::{CellPoint, RulePoint};
+use super::strain::FACE_STRAINS;
 use nalgebra::Matrix6;
+
+/// The first of the strains of the face, which follow each other.
+const FACE: usize = FACE_STRAINS[0];
 
 /// Cases side by side: six, and two that stay empty and make whole registers.
 const CASES: usize = 8;
 
 /// A number for each case.
-type Row = [f64; CASES];
+pub type Row = [f64; CASES];
 
 /// How `a b + c` is rounded: machines that have it in one instruction round once.
 pub trait Product {
@@ -85,6 +92,22 @@ pub struct CellState {
     pub warping: CellField,
 }
 
+impl CellState {
+    /// The warping less that of the first node.
+    #[inline(always)]
+    fn differences(&self) -> CellField {
+        let mut difference = self.warping;
+        for node in (0..9).rev() {
+            for axis in 0..3 {
+                for k in 0..CASES {
+                    difference[node][axis][k] -= self.warping[0][axis][k];
+                }
+            }
+        }
+        difference
+    }
+}
+
 impl CellForces {
     /// No forces yet.
     pub const NONE: Self = Self {
@@ -105,20 +128,94 @@ impl CellForces {
         state: &CellState,
         psi: &[Row; 6],
     ) {
-        let mut difference = state.warping;
-        for node in (0..9).rev() {
-            for axis in 0..3 {
-                for k in 0..CASES {
-                    difference[node][axis][k] -= state.warping[0][axis][k];
-                }
-            }
-        }
+        let difference = state.differences();
         for point in rule {
             let point = point.of_cell(nodes);
             let strain = strain::<P>(&point, &state.rate, &difference, psi);
             let stress = stress::<P>(law, &strain, point.area);
             self.add_point::<P>(&point, &strain, &stress);
         }
+    }
+
+    /// As [`CellForces::add`], for a beam along `line`.
+    #[inline(always)]
+    pub fn add_along<P: Product>(
+        &mut self,
+        line: &Line,
+        (rule, nodes): (&[RulePoint], &[[f64; 2]]),
+        law: &[[f64; 6]; 6],
+        state: &CellState,
+        psi: &[Row; 6],
+    ) {
+        let difference = state.differences();
+        for point in rule {
+            let point = point.of_cell(nodes);
+            let metric = line.metric(point.y, point.z);
+            let turn = line.curvature.as_ref();
+            let mut strain = strain::<P>(&point, &state.rate, &NO_FIELD, psi);
+            let gradients = along_section::<P>(&point, &difference);
+            let place = at_point::<P>(&point, &state.warping);
+            for k in 0..CASES {
+                let turned = cross(turn, &place, k);
+                for axis in 0..3 {
+                    let slid = metric.tilt[0] * gradients[0][axis][k]
+                        + metric.tilt[1] * gradients[1][axis][k];
+                    let face = &mut strain[FACE + axis][k];
+                    *face = (*face + turned[axis] - slid) / metric.volume;
+                }
+                let [[xy, yy, zy], [xz, yz, zz]] = gradients.map(|of| of.map(|row| row[k]));
+                for (row, part) in [(0, zy + yz), (1, yy), (2, zz), (4, xy), (5, xz)] {
+                    strain[row][k] += part;
+                }
+            }
+            let stress = stress::<P>(law, &strain, point.area * metric.volume);
+            self.add_turned::<P>(&point, (line, &metric), &strain, &stress);
+        }
+    }
+
+    /// The forces of the stresses at a point of a curved beam: those of a straight one,
+    /// with the stresses of the face over J, and what the turn and the tilt of the
+    /// material line add within the section.
+    #[inline(always)]
+    fn add_turned<P: Product>(
+        &mut self,
+        point: &CellPoint,
+        (line, metric): (&Line, &Metric),
+        strain: &[Row; 6],
+        stress: &[Row; 6],
+    ) {
+        let mut face = [[0.0; CASES]; 3];
+        for (axis, face) in face.iter_mut().enumerate() {
+            for k in 0..CASES {
+                face[k] = stress[FACE + axis][k] / metric.volume;
+            }
+        }
+        // q x k: what the stress of the face does on k x u
+        let mut turned = [[0.0; CASES]; 3];
+        for k in 0..CASES {
+            let of_case = cross(line.curvature.as_ref(), &face, k);
+            for axis in 0..3 {
+                turned[axis][k] = -of_case[axis];
+            }
+        }
+        let [yz, yy, zz, _, xy, xz] = stress;
+        let [a, b] = metric.tilt;
+        for node in 0..point.count {
+            let (n, dy, dz) = (point.n[node], point.dy[node], point.dz[node]);
+            let slid = -(a * dy + b * dz);
+            let plane = [[xy, xz], [yy, yz], [yz, zz]];
+            for (axis, [of_y, of_z]) in plane.into_iter().enumerate() {
+                let within = &mut self.within[node][axis];
+                let on_face = &mut self.face[node][axis];
+                for k in 0..CASES {
+                    within[k] = P::add(dy, of_y[k], P::add(dz, of_z[k], within[k]));
+                    within[k] = P::add(n, turned[axis][k], P::add(slid, face[axis][k], within[k]));
+                    on_face[k] = P::add(n, face[axis][k], on_face[k]);
+                }
+            }
+        }
+        self.add_resultant([point.y, point.z], &face);
+        self.add_work::<P>(strain, stress);
     }
 
     #[inline(always)]
@@ -136,7 +233,13 @@ impl CellForces {
                 face[2][k] = P::add(n, xz[k], face[2][k]);
             }
         }
-        let (y, z) = (point.y, point.z);
+        self.add_resultant([point.y, point.z], &[*xx, *xy, *xz]);
+        self.add_work::<P>(strain, stress);
+    }
+
+    /// `[I, -t x]'` times the stress of the face at t = (y, z).
+    #[inline(always)]
+    fn add_resultant(&mut self, [y, z]: [f64; 2], [xx, xy, xz]: &[Row; 3]) {
         let theta = &mut self.resultant;
         for k in 0..CASES {
             theta[0][k] += xx[k];
@@ -146,6 +249,10 @@ impl CellForces {
             theta[4][k] += z * xx[k];
             theta[5][k] -= y * xx[k];
         }
+    }
+
+    #[inline(always)]
+    fn add_work<P: Product>(&mut self, strain: &[Row; 6], stress: &[Row; 6]) {
         for (strain, stress) in strain.iter().zip(stress) {
             for (i, work) in self.work.iter_mut().enumerate() {
                 for k in 0..CASES {
@@ -209,6 +316,46 @@ fn strain<P: Product>(
     [yz, yy, zz, xx, xy, xz]
 }
 
+/// A field at a point, from its values at the nodes of the cell.
+#[inline(always)]
+fn at_point<P: Product>(point: &CellPoint, field: &CellField) -> [Row; 3] {
+    let mut sum = [[0.0; CASES]; 3];
+    for node in 0..point.count {
+        for (sum, value) in sum.iter_mut().zip(&field[node]) {
+            for k in 0..CASES {
+                sum[k] = P::add(point.n[node], value[k], sum[k]);
+            }
+        }
+    }
+    sum
+}
+
+/// Derivatives of a field along y and along z at a point, `[y or z][component][case]`.
+#[inline(always)]
+fn along_section<P: Product>(point: &CellPoint, field: &CellField) -> [[Row; 3]; 2] {
+    let mut sums = [[[0.0; CASES]; 3]; 2];
+    for node in 0..point.count {
+        for (sums, d) in sums.iter_mut().zip([point.dy[node], point.dz[node]]) {
+            for (sum, value) in sums.iter_mut().zip(&field[node]) {
+                for k in 0..CASES {
+                    sum[k] = P::add(d, value[k], sum[k]);
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// `a x v` of case `k`.
+#[inline(always)]
+fn cross(a: &[f64; 3], [x, y, z]: &[Row; 3], k: usize) -> [f64; 3] {
+    [
+        a[1] * z[k] - a[2] * y[k],
+        a[2] * x[k] - a[0] * z[k],
+        a[0] * y[k] - a[1] * x[k],
+    ]
+}
+
 /// `D eps`, times the area of the point.
 #[inline(always)]
 fn stress<P: Product>(law: &[[f64; 6]; 6], strain: &[Row; 6], area: f64) -> [Row; 6] {
@@ -229,7 +376,7 @@ mod tests {
     use super::*;
     use crate::element::{NO_COLUMNS, NodalColumns, cell_points, rule_points, strain_at};
     use approx::assert_relative_eq;
-    use nalgebra::Matrix3x6;
+    use nalgebra::{Matrix3x6, Vector3};
     use shared_geom::mesh::CellKind;
 
     const NODES: [[f64; 2]; 9] = [
@@ -243,6 +390,11 @@ mod tests {
         [0.0, 0.5],
         [0.5, 0.5],
     ];
+
+    const LINE: Line = Line {
+        curvature: Vector3::new(0.3, -0.2, 0.25),
+        slope: Vector3::new(0.9, 0.1, -0.05),
+    };
 
     fn field(seed: usize) -> (CellField, NodalColumns) {
         let (mut field, mut columns) = (NO_FIELD, NO_COLUMNS);
@@ -267,20 +419,31 @@ mod tests {
         let law_rows = std::array::from_fn(|i| std::array::from_fn(|j| law[(i, j)]));
         let psi = Matrix6::from_fn(|i, j| ((3 * i + 5 * j) % 7) as f64 - 3.0);
         let ((rate, rate_columns), (warping, warping_columns)) = (field(1), field(4));
-        for kind in CellKind::ALL {
+        for (kind, line) in CellKind::ALL
+            .into_iter()
+            .flat_map(|k| [(k, None), (k, Some(LINE))])
+        {
             let nodes = &NODES[..kind.node_count()];
-            let mut forces = CellForces::NONE;
             let state = CellState { rate, warping };
             let cell = (rule_points(kind), nodes);
-            forces.add::<Fused>(cell, &law_rows, &state, &rows_of(&psi));
-            let mut plain = CellForces::NONE;
-            plain.add::<Plain>(cell, &law_rows, &state, &rows_of(&psi));
+            let (mut forces, mut plain) = (CellForces::NONE, CellForces::NONE);
+            let rows = rows_of(&psi);
+            if let Some(line) = &line {
+                forces.add_along::<Fused>(line, cell, &law_rows, &state, &rows);
+                plain.add_along::<Plain>(line, cell, &law_rows, &state, &rows);
+            } else {
+                forces.add::<Fused>(cell, &law_rows, &state, &rows);
+                plain.add::<Plain>(cell, &law_rows, &state, &rows);
+            }
             assert_relative_eq!(forces.work(), plain.work(), max_relative = 1e-12);
 
+            let line = line.unwrap_or(Line::STRAIGHT);
             let mut work = Matrix6::zeros();
             for point in cell_points(kind, nodes) {
-                let strain = strain_at(&point, Some(&rate_columns), Some(&warping_columns), &psi);
-                work += point.area * strain.transpose() * law * strain;
+                let (rate, warping) = (Some(&rate_columns), Some(&warping_columns));
+                let strain = strain_at(&line, &point, rate, warping, &psi);
+                let volume = point.area * line.metric(point.y, point.z).volume;
+                work += volume * strain.transpose() * law * strain;
             }
             assert_relative_eq!(forces.work(), work, epsilon = 1e-13 * work.amax());
 

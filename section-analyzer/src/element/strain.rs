@@ -19,14 +19,22 @@
 //! Dop w = (uy,z + uz,y, uy,y, uz,z, 0, ux,y, ux,z)                      (S-6)
 //! ```
 //!
+//! On a beam of initial curvature k and slope l of its line, with J, a, b of (S-71),
+//!
+//! ```text
+//! Bpsi = S [I, -t x]/J      B1 = S N/J      B0 = S (k x N - a N,y - b N,z)/J + Dop N   (S-73)
+//! ```
+//!
 //! S and Dop only place components, so the operators are kept as the three
 //! lists of strain components below instead of as matrices of zeros and ones.
 //!
 //! # References
 //! - Giavotto et al. 1983, section 2: the strain of a straight section.
 
+use super::line::Line;
 use super::point::CellPoint;
 use nalgebra::{ArrayStorage, Matrix3x6, Matrix6};
+use shared_geom::rotation::skew;
 
 /// Strain components on the section's face, fed by (ux', uy', uz') and by the
 /// rigid strain: xx, xy, xz. The rows of S.
@@ -58,13 +66,15 @@ pub type NodalColumns = [Matrix3x6<f64>; 9];
 pub const NO_COLUMNS: NodalColumns =
     [Matrix3x6::from_array_storage(ArrayStorage([[0.0; 3]; 6])); 9];
 
-/// `eps = S N u' + Dop N u + Bpsi psi` at a point, six columns at once, 6x6.
+/// `eps = B1 u' + B0 u + Bpsi psi` at a point of a beam along `line`, six columns at
+/// once, 6x6.
 ///
 /// Derivatives are taken of the differences from the first node, which is the
 /// same in exact arithmetic (the derivatives of the shape functions add up to
 /// zero) and loses no digits when the cell moves much more than it strains: walls
 /// of thin sections do.
 pub fn strain_at(
+    line: &Line,
     point: &CellPoint,
     rate: Option<&NodalColumns>,
     warping: Option<&NodalColumns>,
@@ -81,9 +91,15 @@ pub fn strain_at(
     }
     let mut face = rigid_displacement(1.0, point.y, point.z) * psi;
     if let Some(rate) = rate {
-        for i in 0..point.count {
-            face += point.n[i] * rate[i];
+        face += at_point(point, rate);
+    }
+    if !line.is_straight() {
+        let metric = line.metric(point.y, point.z);
+        if let Some(warping) = warping {
+            face += skew(&line.curvature) * at_point(point, warping);
         }
+        face -= metric.tilt[0] * along_y + metric.tilt[1] * along_z;
+        face /= metric.volume;
     }
     let mut strain = Matrix6::zeros();
     for (rows, part) in [
@@ -100,13 +116,18 @@ pub fn strain_at(
     strain
 }
 
+/// A field at a point, from its values at the nodes of the cell.
+fn at_point(point: &CellPoint, field: &NodalColumns) -> Matrix3x6<f64> {
+    let nodes = field.iter().zip(&point.n).take(point.count);
+    nodes.map(|(value, n)| *n * value).sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
     use nalgebra::{Matrix3, Vector3, Vector6};
     use shared_geom::mesh::CellKind;
-    use shared_geom::rotation::skew;
 
     /// Rigid displacement is that of the cross product: translation + phi x t.
     #[test]
@@ -137,7 +158,7 @@ mod tests {
         let (y, z) = (0.3, 0.6);
         let mut psi = Matrix6::zeros();
         psi.set_column(2, &Vector6::new(1.0, 0.1, 0.2, 2.0, 10.0, 100.0));
-        let strain = strain_at(&triangle_at(y, z), None, None, &psi);
+        let strain = strain_at(&Line::STRAIGHT, &triangle_at(y, z), None, None, &psi);
         let expected = Vector6::new(
             0.0,
             0.0,
@@ -166,6 +187,7 @@ mod tests {
             warping[i].set_column(1, &value);
         }
         let strain = strain_at(
+            &Line::STRAIGHT,
             &triangle_at(0.2, 0.3),
             Some(&rate),
             Some(&warping),

@@ -26,7 +26,7 @@ use super::extrapolate::Extrapolation;
 use super::locate::{Located, locate};
 use super::resultant::{centroid_and_size, resultant, resultant_error};
 use super::state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};
-use crate::element::{CellPoint, NO_COLUMNS, NodalColumns, cell_points, strain_at};
+use crate::element::{CellPoint, Line, NO_COLUMNS, NodalColumns, cell_points, strain_at};
 use crate::failure::Failure;
 use crate::material::{material_axes, section_stiffness};
 use crate::section::Section;
@@ -52,6 +52,10 @@ pub struct Recoverer<'a> {
     center: [f64; 2],
     /// Largest distance of a node from it \[m\].
     size: f64,
+    /// The line of the beam through the centroid.
+    line: Line,
+    /// T' of that line.
+    equilibrium: Matrix6<f64>,
     /// Cells that follow each other share them.
     laws: Vec<OrientedLaw>,
     law_of_cell: Vec<usize>,
@@ -96,7 +100,10 @@ impl<'a> Recoverer<'a> {
         let (center, size) = centroid_and_size(section);
         let (nodes, cell_nodes) = nodes_by_region(section);
         let (laws, law_of_cell) = laws(section);
+        let line = Line::through(&section.initial_curvature, center, 1.0);
         let mut recoverer = Self {
+            line,
+            equilibrium: line.equilibrium(),
             section,
             solution,
             center,
@@ -205,7 +212,7 @@ impl<'a> Recoverer<'a> {
         let points: Vec<_> = cell_points(kind, &places).collect();
         let (rate, warping) = self.columns(cell);
         let strain = self.generalized();
-        let unit = |p: &CellPoint| strain_at(p, Some(&rate), Some(&warping), &strain);
+        let unit = |p: &CellPoint| strain_at(&self.line, p, Some(&rate), Some(&warping), &strain);
         CellGrid {
             extrapolation: Extrapolation::new(kind, &places, &points),
             points: points
@@ -218,7 +225,13 @@ impl<'a> Recoverer<'a> {
     /// G at a point of a cell.
     fn unit_strain(&self, cell: usize, point: &CellPoint) -> Matrix6<f64> {
         let (rate, warping) = self.columns(cell);
-        strain_at(point, Some(&rate), Some(&warping), &self.generalized())
+        strain_at(
+            &self.line,
+            point,
+            Some(&rate),
+            Some(&warping),
+            &self.generalized(),
+        )
     }
 
     /// `X U` and `X U T'` at the nodes of a cell, U from the centroid to the reference.
@@ -233,9 +246,7 @@ impl<'a> Recoverer<'a> {
                 .fixed_view::<3, 6>(3 * node as usize, 0)
                 * back;
             warping[i] = x;
-            // T' e_F2 = -e_M3, T' e_F3 = e_M2
-            rate[i].set_column(1, &-x.column(5));
-            rate[i].set_column(2, &x.column(4).into_owned());
+            rate[i] = x * self.equilibrium;
         }
         (rate, warping)
     }

@@ -18,21 +18,43 @@
 //! conditioned that one solution keeps half of the digits only. Both steps are
 //! corrected together: one integration of the stresses serves all six columns.
 //!
+//! On a curved beam the moments are the linear step and the forces the constant one:
+//! the moments stand for themselves, and the forces ask for them ([`CentralSystems`]).
+//!
 //! # References
 //! - Giavotto et al. 1983: central solutions.
 //! - Masarati 1999, section 5.3.5.
 
 use std::ops::Range;
 
-use super::system::CentralSystem;
+use super::along::CentralSystems;
 use crate::assembly::{Domain, Rate, SectionForces, State, largest};
+use crate::element::Line;
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 
-/// Internal forces whose solution is constant along the beam.
-const LINEAR_STEP: [usize; 4] = [0, 3, 4, 5];
+/// Which internal forces belong to which of the two steps.
+#[derive(Debug, Clone)]
+struct Steps {
+    /// Those whose solution asks for no other: it is constant along a straight beam.
+    linear: &'static [usize],
+    /// Those whose solution asks for those of the linear step: shears.
+    constant: Range<usize>,
+}
 
-/// The shears, whose solution is linear along the beam.
-const CONSTANT_STEP: Range<usize> = 1..3;
+impl Steps {
+    fn along(line: &Line) -> Self {
+        match line.is_straight() {
+            true => Self {
+                linear: &[0, 3, 4, 5],
+                constant: 1..3,
+            },
+            false => Self {
+                linear: &[3, 4, 5],
+                constant: 0..3,
+            },
+        }
+    }
+}
 
 /// Corrections at most. Two are the rule, more of them the mark of a section near
 /// the limit.
@@ -68,11 +90,11 @@ pub struct CentralSolution {
 
 impl CentralSolution {
     /// Solves both steps; `None` when there is no memory for it.
-    pub fn solve(domain: &Domain, system: &CentralSystem) -> Option<Self> {
-        let mut iteration = Iteration::start(domain, system);
+    pub fn solve(domain: &Domain, systems: &CentralSystems) -> Option<Self> {
+        let mut iteration = Iteration::start(domain, systems);
         for round in 0..CORRECTIONS {
             iteration.measure(domain);
-            iteration.correct(system)?;
+            iteration.correct(systems)?;
             if iteration.is_done(round) {
                 break;
             }
@@ -93,6 +115,9 @@ impl CentralSolution {
 /// constant step.
 #[derive(Debug)]
 struct Iteration {
+    steps: Steps,
+    /// T', of a line that is not that of a straight beam.
+    along: Option<Matrix6<f64>>,
     x: DMatrix<f64>,
     y: Matrix6<f64>,
     forces: SectionForces,
@@ -102,13 +127,17 @@ struct Iteration {
 
 impl Iteration {
     /// The linear step solved once, the constant step at zero.
-    fn start(domain: &Domain, system: &CentralSystem) -> Self {
+    fn start(domain: &Domain, systems: &CentralSystems) -> Self {
+        let steps = Steps::along(&domain.line);
         let mut theta = Matrix6::zeros();
-        for force in LINEAR_STEP {
+        for &force in steps.linear {
             theta[(force, force)] = 1.0;
         }
-        let (x, y) = system.balance_of(&theta);
+        let (x, y) = systems.balance_of(&theta);
+        let line = &domain.line;
         Self {
+            steps,
+            along: (!line.is_straight()).then(|| line.equilibrium()),
             x,
             y,
             forces: SectionForces::none(domain),
@@ -129,13 +158,16 @@ impl Iteration {
 
     /// Corrects the columns that are worth it by what the forces lack of balance. The
     /// forces within the section are used up: the corrections take their place.
-    fn correct(&mut self, system: &CentralSystem) -> Option<()> {
+    fn correct(&mut self, systems: &CentralSystems) -> Option<()> {
         let only_constant = self.last[0] <= SMALL_CORRECTION;
-        let columns = if only_constant { CONSTANT_STEP } else { 0..6 };
+        let columns = match only_constant {
+            true => self.steps.constant.clone(),
+            false => 0..6,
+        };
         let mut dtheta = self.imbalance(columns.clone());
         let n = self.x.nrows();
         let dq = &mut self.forces.within.as_mut_slice()[columns.start * n..columns.end * n];
-        system.correct(dq, &mut dtheta)?;
+        systems.correct(dq, &mut dtheta)?;
         for (k, column) in columns.clone().enumerate() {
             let mut x = self.x.column_mut(column);
             x += self.forces.within.column(column);
@@ -145,7 +177,7 @@ impl Iteration {
         self.before = self.last;
         let mut sizes = [0.0; 2];
         for (k, column) in columns.enumerate() {
-            let size = &mut sizes[usize::from(CONSTANT_STEP.contains(&column))];
+            let size = &mut sizes[usize::from(self.steps.constant.contains(&column))];
             *size = largest(*size, self.relative_size(column, &dtheta, k));
         }
         self.last[1] = sizes[1];
@@ -159,7 +191,7 @@ impl Iteration {
     /// force, and of Q in its own place.
     ///
     /// ```text
-    /// dQ = C u' + L psi' - Q      C u' + L psi' = Ph T': minus that of M3 for F2, of M2 for F3
+    /// dQ = P' - Q      P' = Ph T': of a straight beam minus that of M3 for F2, of M2 for F3
     /// ```
     fn imbalance(&mut self, columns: Range<usize>) -> Matrix6xX<f64> {
         let mut dtheta = Matrix6xX::zeros(columns.len());
@@ -169,10 +201,11 @@ impl Iteration {
             dtheta -= self.forces.resultant.column(column);
             let mut dq = self.forces.within.column_mut(column);
             dq.neg_mut();
-            match column {
-                1 => dq -= self.forces.face.column(5),
-                2 => dq += self.forces.face.column(4),
-                _ => {}
+            match (&self.along, column) {
+                (Some(along), _) => dq.gemv(1.0, &self.forces.face, &along.column(column), 1.0),
+                (None, 1) => dq -= self.forces.face.column(5),
+                (None, 2) => dq += self.forces.face.column(4),
+                (None, _) => {}
             }
         }
         dtheta

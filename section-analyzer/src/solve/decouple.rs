@@ -16,7 +16,7 @@
 //!   warping and rigid section motion.
 
 use super::central::CentralSolution;
-use crate::assembly::{Domain, add_rigid_motions, equilibrium, resultant};
+use crate::assembly::{Domain, add_rigid_motions, resultant};
 use nalgebra::{DMatrix, Matrix6};
 
 /// Decoupled central solutions.
@@ -28,6 +28,8 @@ pub struct Decoupled {
     /// Yd: generalized strain per unit internal force, 6 x 6, in the units of the
     /// domain \[-\].
     pub y: Matrix6<f64>,
+    /// Ph: forces on the face per unit internal force, n x 6 \[-\].
+    pub face: DMatrix<f64>,
     /// `H' Ph`: internal force of the solutions, the unit matrix up to round-off
     /// \[-\].
     pub internal_force: Matrix6<f64>,
@@ -38,12 +40,13 @@ impl Decoupled {
     pub fn new(domain: &Domain, central: CentralSolution) -> Self {
         let CentralSolution { mut x, y, face, .. } = central;
         let z: Matrix6<f64> = (-face.tr_mul(&x)).fixed_view::<6, 6>(0, 0).into();
-        let tt = equilibrium();
+        let tt = domain.line.equilibrium();
         add_rigid_motions(domain, &z, &mut x);
         Self {
             x,
             y: y - (z * tt + tt.transpose() * z),
             internal_force: resultant(domain, &face),
+            face,
         }
     }
 }

@@ -9,7 +9,7 @@
 //! neither matrix nor solutions need a second copy in another order.
 
 use super::pins::Pins;
-use crate::assembly::{Domain, Pattern, largest};
+use crate::assembly::{Domain, Pattern, Scalar, largest};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::sparse::linalg::cholesky::simplicial::{
@@ -22,8 +22,14 @@ use faer::sparse::linalg::cholesky::supernodal::{
 };
 use faer::sparse::linalg::{SymbolicSupernodalParams, amd};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::traits::ComplexField as FactorScalar;
 use faer::{Conj, MatMut, Par, Spec};
 use sprs::CsMatI;
+
+/// A number that can be factored: real or complex.
+pub trait Entry: Scalar + FactorScalar {}
+
+impl<T: Scalar + FactorScalar> Entry for T {}
 
 /// One thread: the result is the same on every machine and every run.
 const SEQUENTIAL: Par = Par::Seq;
@@ -48,32 +54,28 @@ pub enum FactorError {
     OutOfMemory,
 }
 
-/// `L L' = P E_ff P'`, with E_ff the pinned E.
+/// `L L^H = E_ff`, with E_ff the pinned E.
 #[derive(Debug)]
-pub struct Factor {
+pub struct Factor<T> {
     symbolic: SymbolicSupernodalCholesky<u32>,
-    values: Vec<f64>,
+    values: Vec<T>,
     pins: Pins,
     norm: f64,
     smallest_pivot: Pivot,
 }
 
-impl Factor {
-    /// Factors the symmetric matrix with lower triangle `e`, of the structure of
+impl<T: Entry> Factor<T> {
+    /// Factors the Hermitian matrix with lower triangle `e`, of the structure of
     /// `pattern`, after pinning. The matrix is given away: next to its factor it would
     /// take the largest part of the memory.
     ///
     /// # Errors
     /// [`FactorError`], also when a pivot is not a number.
-    pub fn new(
-        mut e: CsMatI<f64, u32>,
-        pattern: &Pattern,
-        pins: Pins,
-    ) -> Result<Self, FactorError> {
+    pub fn new(mut e: CsMatI<T, u32>, pattern: &Pattern, pins: Pins) -> Result<Self, FactorError> {
         pin(&mut e, pattern, &pins);
         let norm = one_norm(&e);
         let symbolic = analyze(pattern).ok_or(FactorError::OutOfMemory)?;
-        let mut values = vec![0.0; symbolic.len_val()];
+        let mut values = vec![T::from_real(0.0); symbolic.len_val()];
         let starts = e.indptr();
         let structure = SymbolicSparseColMatRef::new_checked(
             e.rows(),
@@ -84,7 +86,7 @@ impl Factor {
         );
         let parameters = Spec::default();
         let request =
-            factorize_supernodal_numeric_llt_scratch::<u32, f64>(&symbolic, SEQUENTIAL, parameters);
+            factorize_supernodal_numeric_llt_scratch::<u32, T>(&symbolic, SEQUENTIAL, parameters);
         let mut memory = MemBuffer::try_new(request).map_err(|_| FactorError::OutOfMemory)?;
         let outcome = factorize_supernodal_numeric_llt(
             &mut values,
@@ -116,13 +118,13 @@ impl Factor {
 
     /// Replaces the columns of `x` (n x k, column by column) by the solutions of
     /// `E_ff x = b`, pinned unknowns zero; `None` when there is no memory for it.
-    pub fn solve(&self, x: &mut [f64]) -> Option<()> {
+    pub fn solve(&self, x: &mut [T]) -> Option<()> {
         let rows = self.symbolic.nrows();
         let columns = x.len() / rows;
         self.clear_pinned(x);
         let request = self
             .symbolic
-            .solve_in_place_scratch::<f64>(columns, SEQUENTIAL);
+            .solve_in_place_scratch::<T>(columns, SEQUENTIAL);
         let mut memory = MemBuffer::try_new(request).ok()?;
         SupernodalLltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
             Conj::No,
@@ -134,10 +136,10 @@ impl Factor {
     }
 
     /// Sets the rows of pinned unknowns to zero in `x` (n x k, column by column).
-    pub fn clear_pinned(&self, x: &mut [f64]) {
+    pub fn clear_pinned(&self, x: &mut [T]) {
         for column in x.chunks_exact_mut(self.symbolic.nrows()) {
             for &pin in self.pins.unknowns() {
-                column[pin] = 0.0;
+                column[pin] = T::from_real(0.0);
             }
         }
     }
@@ -159,14 +161,14 @@ impl Factor {
 }
 
 /// Zeros in the rows and columns of pins, off the diagonal.
-fn pin(e: &mut CsMatI<f64, u32>, pattern: &Pattern, pins: &Pins) {
+fn pin<T: Scalar>(e: &mut CsMatI<T, u32>, pattern: &Pattern, pins: &Pins) {
     for &pin in pins.unknowns() {
         // the column below the diagonal entry, which comes first
         let column = e.indptr().outer_inds_sz(pin);
         e.data_mut()[column]
             .iter_mut()
             .skip(1)
-            .for_each(|v| *v = 0.0);
+            .for_each(|v| *v = T::zero());
 
         // the row left of the diagonal entry
         let (node, axis) = (pin / 3, pin % 3);
@@ -179,21 +181,22 @@ fn pin(e: &mut CsMatI<f64, u32>, pattern: &Pattern, pins: &Pins) {
             for column in left {
                 let b = column % 3;
                 let skipped = if other as usize == node { b } else { 0 };
-                e.data_mut()[starts[b] + axis - skipped] = 0.0;
+                e.data_mut()[starts[b] + axis - skipped] = T::zero();
             }
         }
     }
 }
 
-/// Largest sum of absolute values of a column of the symmetric matrix whose lower
+/// Largest sum of absolute values of a column of the Hermitian matrix whose lower
 /// triangle is given.
-fn one_norm(lower: &CsMatI<f64, u32>) -> f64 {
+fn one_norm<T: Scalar>(lower: &CsMatI<T, u32>) -> f64 {
     let mut sums = vec![0.0; lower.cols()];
     for (j, column) in lower.outer_iterator().enumerate() {
         for (i, value) in column.iter() {
-            sums[j] += value.abs();
+            let size = value.modulus();
+            sums[j] += size;
             if i != j {
-                sums[i] += value.abs();
+                sums[i] += size;
             }
         }
     }
@@ -251,10 +254,10 @@ pub fn elimination_order(pattern: &Pattern) -> Option<Vec<u32>> {
 
 /// The smallest ratio of a squared diagonal entry of the factor to the diagonal
 /// entry of the matrix; a ratio that is not a number counts as smallest.
-fn smallest_pivot(
+fn smallest_pivot<T: Scalar>(
     blocks: &SymbolicSupernodalCholesky<u32>,
-    factor: &[f64],
-    e: &CsMatI<f64, u32>,
+    factor: &[T],
+    e: &CsMatI<T, u32>,
 ) -> Pivot {
     let mut smallest = Pivot {
         node: 0,
@@ -267,8 +270,8 @@ fn smallest_pivot(
         let rows = (blocks.col_ptr_for_val()[s + 1] as usize - first) / (end - begin);
         for column in begin..end {
             let local = column - begin;
-            let pivot = factor[first + local * rows + local].powi(2);
-            let diagonal = e.data()[e.indptr().outer_inds_sz(column).start];
+            let pivot = factor[first + local * rows + local].modulus_squared();
+            let diagonal = e.data()[e.indptr().outer_inds_sz(column).start].real();
             let ratio = pivot / diagonal;
             if ratio.is_nan() || ratio < smallest.ratio {
                 smallest = Pivot {

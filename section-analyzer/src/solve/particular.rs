@@ -1,0 +1,114 @@
+//! Particular solutions: what forces within the section do to it, beside or instead of
+//! internal forces, in states that are steady along the beam.
+//!
+//! ```text
+//! C' u' + E x + R y = q      L' u' + R' x + A y = theta       u' given            (S-76)
+//! ```
+//!
+//! The factored steady system finds the state, the imbalance of its stresses corrects
+//! it. As (u, psi) and (u + H r, psi - r' - T r) strain the section alike (S-16), the
+//! split between warping and generalized strain is a choice here too; as with the
+//! central solutions it is made such that the stresses on the face do no work on the
+//! warping (S-25): without it the shears of psi depend on which unknowns are pinned.
+//!
+//! ```text
+//! r = -Ph' x      x <- x + H r      y <- y - T r                                  (S-77)
+//! ```
+//!
+//! # References
+//! - [Masarati1999], section 5.3.6: decoupling of warping and rigid section motion.
+
+use super::system::CentralSystem;
+use crate::assembly::{Domain, Rate, SectionForces, State, add_rigid_motions, largest};
+use nalgebra::{DMatrix, Matrix6, Matrix6xX};
+
+/// Corrections at most; the first finds the state.
+const CORRECTIONS: usize = 6;
+
+/// Size of a correction, relative to the state, after which the next would be below
+/// round-off.
+const SMALL_CORRECTION: f64 = 1e-8;
+
+/// Up to six cases of given forces, in the units of the domain.
+#[derive(Debug, Clone, Copy)]
+pub struct Load<'a> {
+    /// q: at the unknowns within the section, n x 6 \[-\].
+    pub within: &'a DMatrix<f64>,
+    /// theta: internal force, a column for each case \[-\].
+    pub resultant: &'a Matrix6<f64>,
+    /// u': rate of the warping along the beam, of decoupled solutions.
+    pub rate: Rate<'a>,
+}
+
+/// Warping and generalized strain under up to six cases of given forces, decoupled.
+#[derive(Debug, Clone)]
+pub struct ParticularSolution {
+    /// Warping of the unknowns, n x 6, in the units of the domain \[-\].
+    pub x: DMatrix<f64>,
+    /// Generalized strain, a column for each case, in the units of the domain \[-\].
+    pub y: Matrix6<f64>,
+    /// Last correction, relative to the solution \[-\].
+    pub correction: f64,
+}
+
+impl ParticularSolution {
+    /// Finds the state of `load` with the factored `system` of steady states; `face`
+    /// (Ph, n x 6) are the forces on the face of the central solutions. `None` when
+    /// there is no memory for it.
+    pub fn solve(
+        domain: &Domain,
+        system: &CentralSystem<f64>,
+        face: &DMatrix<f64>,
+        load: &Load<'_>,
+    ) -> Option<Self> {
+        let mut solution = Self {
+            x: DMatrix::zeros(domain.unknowns(), 6),
+            y: Matrix6::zeros(),
+            correction: 1.0,
+        };
+        let mut forces = SectionForces::none(domain);
+        for _ in 0..CORRECTIONS {
+            let state = State {
+                rate: load.rate,
+                warping: Some(&solution.x),
+                strain: &solution.y,
+            };
+            forces.measure(domain, state);
+            let before = solution.correction;
+            solution.correct(system, load, &mut forces)?;
+            let is_open = solution.correction > SMALL_CORRECTION && solution.correction <= before;
+            if !is_open {
+                break;
+            }
+        }
+        solution.decouple(domain, face);
+        Some(solution)
+    }
+
+    /// Adds the changes of state that the lack of balance asks for.
+    fn correct(
+        &mut self,
+        system: &CentralSystem<f64>,
+        load: &Load<'_>,
+        forces: &mut SectionForces,
+    ) -> Option<()> {
+        forces.within.neg_mut();
+        forces.within += load.within;
+        let missing = load.resultant - forces.resultant;
+        let mut dy: Matrix6xX<f64> = missing.columns(0, 6).into_owned();
+        system.correct(forces.within.as_mut_slice(), &mut dy)?;
+        self.x += &forces.within;
+        self.y += dy.fixed_columns::<6>(0);
+        let change = largest(forces.within.amax(), dy.amax());
+        let state = largest(self.x.amax(), self.y.amax());
+        self.correction = if change == 0.0 { 0.0 } else { change / state };
+        Some(())
+    }
+
+    /// (S-77).
+    fn decouple(&mut self, domain: &Domain, face: &DMatrix<f64>) {
+        let r: Matrix6<f64> = (-face.tr_mul(&self.x)).fixed_view::<6, 6>(0, 0).into();
+        add_rigid_motions(domain, &r, &mut self.x);
+        self.y -= domain.line.equilibrium().transpose() * r;
+    }
+}
