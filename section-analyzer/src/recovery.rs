@@ -67,6 +67,7 @@ mod axes;
 mod criteria;
 mod extrapolate;
 mod extremes;
+mod imposed;
 mod locate;
 mod recoverer;
 mod resultant;

@@ -5,6 +5,7 @@ mod closed_forms;
 mod converged;
 mod gmsh_formats;
 mod gmsh_pairs;
+mod imposed;
 mod invariances;
 mod quads;
 mod random_sections;

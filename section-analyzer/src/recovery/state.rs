@@ -27,7 +27,8 @@ impl LoadCase {
     }
 }
 
-/// Strain and stress at one place, in both systems of axes.
+/// Strain and stress at one place, in both systems of axes. The strain is that of the
+/// stress: free strains of imposed states are not part of it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tensors {
     /// Strain in section axes, order xx yy zz yz xz xy \[-\].

@@ -1,0 +1,127 @@
+//! Imposed strains: what they do to a section that is free, and what holds it back.
+//!
+//! ```text
+//! E x + R y = f0      R' x + A y = fp      r = -Ph' x      x <- x + H r      psi_T = y - T r    (S-92)
+//! theta_T = -K psi_T                                                              (S-93)
+//! ```
+//!
+//! psi_T is found a second time, by the work of the imposed stresses on the central
+//! solutions (S-94), and must be the same:
+//!
+//! ```text
+//! psi_T = X' f0 + Y' fp + T X' (C x + L psi_T)
+//! ```
+
+use super::{Analysis, CHECK_LIMIT, place_of, tag_of};
+use crate::assembly::{ImposedForces, Rate, State, imposed_forces, largest, section_forces};
+use crate::failure::Failure;
+use crate::section::ImposedStrain;
+use crate::solution::ImposedSolution;
+use crate::solve::{Load, ParticularSolution};
+use nalgebra::{DVector, Matrix6, Vector3, Vector6};
+use shared_geom::wrench;
+
+/// States that are solved together.
+const TOGETHER: usize = 6;
+
+impl Analysis<'_> {
+    /// Warping, free strain and restrained force of each of `states`, one solution for
+    /// six of them.
+    ///
+    /// # Errors
+    /// [`Failure::OutOfMemory`]; [`Failure::Inaccurate`] when the free strain found by
+    /// the work on the central solutions is another.
+    pub fn imposed(&self, states: &[ImposedStrain]) -> Result<Vec<ImposedSolution>, Failure> {
+        let mut found = Vec::with_capacity(states.len());
+        for states in states.chunks(TOGETHER) {
+            let forces = imposed_forces(self.section(), self.domain(), states);
+            let load = Load {
+                within: &forces.within,
+                resultant: &forces.resultant,
+                rate: Rate::Zero,
+            };
+            let solved = self.particular(&load)?;
+            let errors = self.errors(&forces, &solved);
+            for (case, state) in states.iter().enumerate() {
+                self.require_same(errors[case])?;
+                found.push(self.imposed_in_si(state, &solved, case, errors[case]));
+            }
+        }
+        Ok(found)
+    }
+
+    /// The difference of the free strains from those of (S-94), beside the largest strain
+    /// imposed \[-\].
+    fn errors(&self, forces: &ImposedForces, solved: &ParticularSolution) -> Vector6<f64> {
+        let (domain, central) = (self.domain(), self.central());
+        let state = State {
+            rate: Rate::Zero,
+            warping: Some(&solved.x),
+            strain: &solved.y,
+        };
+        let face = section_forces(domain, state).face;
+        let tt = domain.line.equilibrium();
+        let product = |columns| -> Matrix6<f64> {
+            let product = central.x.tr_mul(columns);
+            product.fixed_view::<6, 6>(0, 0).into_owned()
+        };
+        let work = product(&forces.within)
+            + central.y.transpose() * forces.resultant
+            + tt.transpose() * product(&face);
+        Vector6::from_fn(|case, _| {
+            let difference = (solved.y - work).column(case).amax();
+            match forces.largest[case] {
+                0.0 => difference,
+                strain => difference / strain,
+            }
+        })
+    }
+
+    fn require_same(&self, error: f64) -> Result<(), Failure> {
+        if error <= CHECK_LIMIT {
+            return Ok(());
+        }
+        let (section, domain) = (self.section(), self.domain());
+        let node = self.systems.smallest_pivot().node;
+        let [y, z] = place_of(section, domain, node);
+        Err(Failure::Inaccurate {
+            check: "the work of the imposed strains",
+            error,
+            limit: CHECK_LIMIT,
+            node: tag_of(section, domain, node),
+            y,
+            z,
+        })
+    }
+
+    /// From the units of the domain to SI, from its origin to that of the mesh, as the
+    /// generalized strains of the central solutions.
+    fn imposed_in_si(
+        &self,
+        state: &ImposedStrain,
+        solved: &ParticularSolution,
+        case: usize,
+        error: f64,
+    ) -> ImposedSolution {
+        let domain = self.domain();
+        let scaling = &domain.scaling;
+        let [y, z] = scaling.origin;
+        let v = wrench::shift_matrix(&Vector3::new(0.0, y, z));
+        let strain = solved.y.column(case).component_mul(&scaling.strain());
+        let free_strain: Vector6<f64> = v.transpose() * strain;
+        let mut warping = DVector::zeros(3 * self.section().mesh.nodes.len());
+        for (node, &mesh_node) in domain.mesh_nodes.iter().enumerate() {
+            for axis in 0..3 {
+                warping[3 * mesh_node as usize + axis] =
+                    scaling.length * solved.x[(3 * node + axis, case)];
+            }
+        }
+        ImposedSolution {
+            state: state.clone(),
+            warping,
+            free_strain,
+            restrained_force: -(self.solution.stiffness * free_strain),
+            error: largest(error, 0.0),
+        }
+    }
+}
