@@ -3,6 +3,7 @@
 mod binary_meshes;
 mod closed_forms;
 mod converged;
+mod curved_lines;
 mod gmsh_formats;
 mod gmsh_pairs;
 mod imposed;

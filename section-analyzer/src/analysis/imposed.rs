@@ -12,7 +12,8 @@
 //! psi_T = X' f0 + Y' fp + T X' (C x + L psi_T)
 //! ```
 
-use super::{Analysis, CHECK_LIMIT, place_of, tag_of};
+use super::central::OF_CELLS;
+use super::{Analysis, named};
 use crate::assembly::{ImposedForces, Rate, State, imposed_forces, largest, section_forces};
 use crate::failure::Failure;
 use crate::section::ImposedStrain;
@@ -78,17 +79,18 @@ impl Analysis<'_> {
     }
 
     fn require_same(&self, error: f64) -> Result<(), Failure> {
-        if error <= CHECK_LIMIT {
+        let limit = OF_CELLS.check;
+        if error <= limit {
             return Ok(());
         }
-        let (section, domain) = (self.section(), self.domain());
         let node = self.systems.smallest_pivot().node;
-        let [y, z] = place_of(section, domain, node);
+        let weakest = named(self.section(), self.domain(), node);
+        let [y, z] = weakest.place;
         Err(Failure::Inaccurate {
             check: "the work of the imposed strains",
             error,
-            limit: CHECK_LIMIT,
-            node: tag_of(section, domain, node),
+            limit,
+            node: weakest.tag,
             y,
             z,
         })
