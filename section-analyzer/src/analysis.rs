@@ -10,6 +10,7 @@ mod imposed;
 mod outside;
 mod si;
 
+pub use imposed::analyze_imposed;
 pub use outside::{OutsideSection, analyze_matrices};
 
 use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length};

@@ -8,6 +8,7 @@ mod fiber_plot;
 mod field_plot;
 mod figure_parts;
 mod files;
+mod imposed;
 mod mesh_plot;
 mod outline;
 mod parts;

@@ -56,6 +56,15 @@ pub struct ImposedSolution {
     pub error: f64,
 }
 
+/// What heat and other imposed strains do to a section.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ImposedSolutions {
+    /// Heated evenly by one kelvin; `None` where no material expands.
+    pub per_kelvin: Option<ImposedSolution>,
+    /// The named states.
+    pub states: Vec<ImposedSolution>,
+}
+
 /// Errors that the analysis measures on itself; all relative, all at round-off
 /// when all is well.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

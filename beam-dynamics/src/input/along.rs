@@ -2,6 +2,7 @@
 
 use nalgebra::Matrix6;
 
+use super::heat::Heat;
 use super::properties::Properties;
 use crate::elements::beams::MassAlong;
 use crate::elements::laws::Law;
@@ -31,7 +32,7 @@ impl Along {
         Self {
             stiffness: [properties.stiffness; 2],
             damping: properties.damping.map(|damping| [damping; 2]),
-            law: properties.law.clone(),
+            law: properties.law_with_heat(),
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
             length: None,
@@ -69,6 +70,7 @@ impl Along {
             mass: zero,
             damping: None,
             law: None,
+            heat: Heat::default(),
         });
         Self {
             law: Some(law),
@@ -120,6 +122,7 @@ mod tests {
             mass: 7.0 * unit,
             damping: None,
             law: None,
+            heat: Heat::default(),
         };
         let constant = Along::constant(&properties);
         for xi in [-1.0, 0.0, 0.3, 1.0] {

@@ -9,6 +9,7 @@ use shared_geom::files::names_beside;
 use shared_geom::section::{self, Damping, SectionProperties};
 use shared_geom::units::Dimension;
 
+use super::heat::{self, Heat};
 use super::in_place::{self, KEYS};
 use super::laws::LawProblem;
 use super::problem::InputProblem;
@@ -29,6 +30,8 @@ pub(super) struct Properties {
     pub damping: Option<Matrix6<f64>>,
     /// Law in place of stiffness and viscosity; `None` for these.
     pub law: Option<Law<6>>,
+    /// What heat and imposed strains do to the section.
+    pub heat: Heat,
 }
 
 /// The properties of an input by name; those that are wrong are `None`.
@@ -50,6 +53,8 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
             false => in_place::read(&name, &table),
         };
         let properties = with_law(&name, properties, &table, drives);
+        let words = format!("properties \"{name}\"");
+        let properties = heat::read(&table, properties, drives, &words);
         table.finish();
         let remark = match is_file || !is_si(&table) {
             true => section_remark,
@@ -200,5 +205,6 @@ pub(super) fn usable(
             Damping::Viscous(matrix) => *matrix,
         }),
         law: None,
+        heat: Heat::of(properties),
     })
 }

@@ -127,6 +127,7 @@ fn strip() -> SectionProperties {
         initial_curvature: None,
         piezo: None,
         thermal_force: None,
+        imposed: Vec::new(),
         damping: None,
         provenance: Provenance {
             program: "by hand".to_owned(),

@@ -13,17 +13,45 @@
 //! ```
 
 use super::central::OF_CELLS;
-use super::{Analysis, named};
+use super::{Analysis, analyze, named};
 use crate::assembly::{ImposedForces, Rate, State, imposed_forces, largest, section_forces};
 use crate::failure::Failure;
-use crate::section::ImposedStrain;
-use crate::solution::ImposedSolution;
+use crate::section::{ImposedStrain, Section, TemperatureField};
+use crate::solution::{ImposedSolution, ImposedSolutions, SectionSolution};
 use crate::solve::{Load, ParticularSolution};
 use nalgebra::{DVector, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
 /// States that are solved together.
 const TOGETHER: usize = 6;
+
+/// As [`analyze`], together with what a kelvin does to the section, where it expands, and
+/// what each of `states` does.
+///
+/// # Errors
+/// As [`analyze`] and [`Analysis::imposed`].
+pub fn analyze_imposed(
+    section: &Section,
+    states: &[ImposedStrain],
+) -> Result<(SectionSolution, ImposedSolutions), Failure> {
+    if states.is_empty() && !section.expands() {
+        return Ok((analyze(section)?, ImposedSolutions::default()));
+    }
+    let kelvin = TemperatureField {
+        rise: 1.0,
+        ..TemperatureField::default()
+    };
+    let kelvin = ImposedStrain::of_temperature("", section, &kelvin);
+    let analysis = Analysis::new(section)?;
+    let all = [&[kelvin][..], states].concat();
+    let mut solved = analysis.imposed(&all)?.into_iter();
+    let per_kelvin = solved.next().filter(|_| section.expands());
+    let imposed = ImposedSolutions {
+        per_kelvin,
+        states: solved.collect(),
+    };
+    Ok((analysis.solution, imposed))
+}
 
 impl Analysis<'_> {
     /// Warping, free strain and restrained force of each of `states`, one solution for

@@ -1,10 +1,10 @@
 //! The section properties in the form in which the two programs meet.
 
 use nalgebra::Vector2;
-use shared_geom::section::{Centers, PrincipalAxes, Provenance, SectionProperties};
+use shared_geom::section::{Centers, ImposedState, PrincipalAxes, Provenance, SectionProperties};
 
 use crate::section::Section;
-use crate::solution::SectionSolution;
+use crate::solution::{ImposedSolution, ImposedSolutions, SectionSolution};
 
 /// The properties of `section`, with the fingerprint of what they were made from.
 ///
@@ -13,6 +13,7 @@ use crate::solution::SectionSolution;
 pub fn properties(
     section: &Section,
     solution: &SectionSolution,
+    imposed: &ImposedSolutions,
     input_hash: &str,
 ) -> SectionProperties {
     let centers = &solution.centers;
@@ -36,7 +37,8 @@ pub fn properties(
         },
         initial_curvature: None,
         piezo: None,
-        thermal_force: None,
+        thermal_force: imposed.per_kelvin.as_ref().map(|one| one.restrained_force),
+        imposed: imposed.states.iter().map(imposed_state).collect(),
         damping: None,
         provenance: Provenance {
             program: env!("CARGO_PKG_NAME").to_owned(),
@@ -46,5 +48,13 @@ pub fn properties(
             cells: section.mesh.cells.len(),
             history: Vec::new(),
         },
+    }
+}
+
+fn imposed_state(solved: &ImposedSolution) -> ImposedState {
+    ImposedState {
+        name: solved.state.name.clone(),
+        restrained_force: solved.restrained_force,
+        free_strain: solved.free_strain,
     }
 }

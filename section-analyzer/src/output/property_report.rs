@@ -6,8 +6,8 @@ use shared_geom::section::{self, Change, Damping, Piezo, SectionProperties};
 use shared_geom::wrench::COMPONENTS;
 
 use super::engineering::engineering_values_of;
-use super::parts;
 use super::text::{coordinate, matrix, number, table};
+use super::{imposed, parts};
 use crate::properties::{Centers, PrincipalAxes, radius_of_gyration};
 
 const CONVENTION: &str = "\
@@ -40,7 +40,8 @@ pub fn property_report(file: &str, properties: &SectionProperties) -> String {
         parts::couplings(&properties.stiffness),
         curvature(properties),
         properties.piezo.as_ref().map_or_else(String::new, piezo),
-        thermal(properties),
+        imposed::thermal(properties.thermal_force.as_ref()),
+        imposed::states(&properties.imposed),
         damping(properties),
     ];
     parts::joined(&parts)
@@ -137,19 +138,6 @@ fn piezo(piezo: &Piezo) -> String {
          Electrodes, charge per length per voltage [F/m]\n{}",
         with_names(&COMPONENTS, electrodes, &piezo.coupling),
         with_names(&names, electrodes, &piezo.capacitance),
-    )
-}
-
-fn thermal(properties: &SectionProperties) -> String {
-    let Some(forces) = &properties.thermal_force else {
-        return String::new();
-    };
-    let rows = COMPONENTS.iter().zip(forces.iter());
-    let rows = rows.map(|(name, force)| vec![(*name).to_owned(), number(*force)]);
-    let rows: Vec<_> = rows.collect();
-    format!(
-        "Thermal force, per kelvin when fully restrained [N/K, N m/K]\n{}",
-        table(&rows, "lr")
     )
 }
 

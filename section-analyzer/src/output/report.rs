@@ -3,6 +3,7 @@
 
 use super::areas::areas;
 use super::engineering::engineering_values;
+use super::imposed;
 use super::parts::{self, couplings, joined};
 use super::quality::{quality_by_region, quality_in_short};
 use super::restrained::restrained_warping;
@@ -14,6 +15,7 @@ use crate::properties::{Anisotropic, RestrainedWarping};
 use crate::section::Section;
 use crate::solution::{Checks, SectionSolution};
 use shared_geom::error::Explain;
+use shared_geom::section::SectionProperties;
 
 const CONVENTION: &str = "\
 Convention
@@ -30,6 +32,7 @@ pub fn report(
     summary: &InputSummary,
     solution: &SectionSolution,
     restrained: &Result<RestrainedWarping, Anisotropic>,
+    properties: &SectionProperties,
 ) -> String {
     let unknowns = format!("  unknowns  {} of warping\n", solution.unknowns);
     let parts = [
@@ -54,6 +57,8 @@ pub fn report(
         couplings(&solution.stiffness),
         areas(&summary.areas),
         restrained_warping(restrained, solution, &summary.areas),
+        imposed::thermal(properties.thermal_force.as_ref()),
+        imposed::states(&properties.imposed),
         checks(&solution.checks),
     ];
     joined(&parts)
@@ -126,13 +131,27 @@ fn materials(materials: &[Material]) -> String {
     let entry = |material: &Material| {
         let (kind, constants) = law(&material.law);
         let density = Digits(material.density);
+        let expansion = expansion(material.expansion);
         format!(
-            "  {}: {kind}, {density} kg/m^3\n      {constants}\n",
+            "  {}: {kind}, {density} kg/m^3\n      {constants}\n{expansion}",
             material.name
         )
     };
     let entries: String = materials.iter().map(entry).collect();
     format!("Materials\n{entries}")
+}
+
+/// The line of the expansion of a material, if it expands.
+fn expansion(coefficients: Option<[f64; 3]>) -> String {
+    let line = |[a1, a2, a3]: [f64; 3]| {
+        let shown = [a1, a2, a3].map(|a| Digits(a).to_string());
+        let shown = match a1 == a2 && a2 == a3 {
+            true => shown[0].clone(),
+            false => shown.join(", "),
+        };
+        format!("      expansion {shown} 1/K\n")
+    };
+    coefficients.map_or_else(String::new, line)
 }
 
 /// Kind and constants of a law.

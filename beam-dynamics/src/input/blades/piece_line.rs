@@ -124,6 +124,7 @@ mod tests {
             mass: Matrix6::identity(),
             damping: None,
             law: None,
+            heat: crate::input::heat::Heat::default(),
         };
         PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))
     }

@@ -8,6 +8,7 @@ use super::piece_line::{Piece, PieceLine};
 use super::seats::shallow;
 use crate::input::along::Along;
 use crate::input::draft::Draft;
+use crate::input::heat;
 use crate::input::problem::InputProblem;
 use crate::input::properties::Properties;
 
@@ -76,6 +77,11 @@ fn pieces(
         .map(|(number, table)| {
             let words = format!("{words}, piece {}", number + 1);
             let properties = piece_properties(table, draft, &words, default);
+            // What the piece says takes the place of what the blade says.
+            let properties = match heat::is_given(table) {
+                true => heat::read(table, properties, draft.drives(), &words),
+                false => heat::read(blade, properties, draft.drives(), &words),
+            };
             let piece = piece(table);
             table.finish();
             (piece, properties)

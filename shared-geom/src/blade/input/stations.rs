@@ -172,6 +172,7 @@ fn of_section(
     for (is_there, what) in [
         (section.piezo.is_some(), "piezoelectric coupling"),
         (section.thermal_force.is_some(), "thermal force"),
+        (!section.imposed.is_empty(), "imposed strain"),
     ] {
         if is_there {
             let remark = format!("{written}: its {what} is not part of a blade");
