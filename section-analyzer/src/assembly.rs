@@ -22,7 +22,7 @@ pub use imposed::{ImposedForces, imposed_forces};
 pub use mass::mass_per_length;
 pub use matrices::{Scalar, SectionMatrices};
 pub use model::Model;
-pub use outside::{Blocks, OUTSIDE_IDENTITIES, OutsideDomain};
+pub use outside::{OUTSIDE_IDENTITIES, OutsideDomain};
 pub use pattern::Pattern;
 pub use rigid::{ASSEMBLED_IDENTITIES, add_rigid_motions, check_assembled_identities, resultant};
 pub use stress::{Rate, SectionForces, State, section_forces};

@@ -25,6 +25,7 @@ mod stress_plots;
 mod stress_report;
 mod stress_tables;
 mod text;
+mod undeformed;
 mod vtu;
 mod warping_plot;
 

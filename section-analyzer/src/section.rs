@@ -38,5 +38,8 @@ pub struct CellMaterial {
     pub plane_angle: f64,
 }
 
+mod outside;
 #[cfg(test)]
 pub(crate) mod samples;
+
+pub use outside::{Blocks, OutsideSection, Reduced, Through};

@@ -2,6 +2,7 @@
 
 use nalgebra::Matrix6;
 
+use super::curved::Curved;
 use super::heat::Heat;
 use super::properties::Properties;
 use crate::elements::beams::MassAlong;
@@ -16,6 +17,9 @@ pub(super) struct Along {
     pub damping: Option<[Matrix6<f64>; 2]>,
     /// Law in place of stiffness and viscosity; `None` for these.
     pub law: Option<Law<6>>,
+    /// What the section was solved for; `None` for a straight beam, and where a blade
+    /// file has compared it with its line.
+    pub curved: Option<Curved>,
     /// xi and 6x6 mass per length \[kg/m, kg, kg m\], in the order of xi; linear between
     /// them, and one alone holds everywhere.
     mass: Vec<(f64, Matrix6<f64>)>,
@@ -33,6 +37,7 @@ impl Along {
             stiffness: [properties.stiffness; 2],
             damping: properties.damping.map(|damping| [damping; 2]),
             law: properties.law_with_heat(),
+            curved: properties.curved.clone(),
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
             length: None,
@@ -51,6 +56,7 @@ impl Along {
             stiffness,
             damping: None,
             law: None,
+            curved: None,
             breaks: inside.filter(|xi| xi.abs() < 1.0).collect(),
             mass,
             length: Some(length),
@@ -71,6 +77,7 @@ impl Along {
             damping: None,
             law: None,
             heat: Heat::default(),
+            curved: None,
         });
         Self {
             law: Some(law),
@@ -123,6 +130,7 @@ mod tests {
             damping: None,
             law: None,
             heat: Heat::default(),
+            curved: None,
         };
         let constant = Along::constant(&properties);
         for xi in [-1.0, 0.0, 0.3, 1.0] {

@@ -124,7 +124,7 @@ pub(super) fn require_connected(pattern: &Pattern, naming: Naming<'_>) -> Result
 }
 
 /// All identities hold within `limit`.
-pub(super) fn require_identities(
+fn require_identities(
     errors: &[f64],
     identities: &[&'static str],
     limit: f64,

@@ -1,14 +1,13 @@
 //! The analysis of a section that is given by its matrices.
 
-use super::central::{Limits, Named, require_connected, require_identities, solve_central};
+use super::central::{Limits, Named, require_connected, solve_central};
 use super::si::{Frame, in_si};
-use crate::assembly::{Blocks, OUTSIDE_IDENTITIES, OutsideDomain, Pattern, Scaling, largest};
+use crate::assembly::{OUTSIDE_IDENTITIES, OutsideDomain, Pattern, Scaling, largest};
 use crate::element::Line;
 use crate::failure::Failure;
+use crate::section::{Blocks, OutsideSection};
 use crate::solution::SectionSolution;
 use crate::solve::elimination_order;
-use nalgebra::Matrix6;
-use shared_geom::section::InitialCurvature;
 use sprs::{CsMat, TriMat};
 
 /// Files of other programs have seven digits or more: an identity that they break by
@@ -18,24 +17,6 @@ const LIMITS: Limits = Limits {
     identity: 1e-6,
     check: 1e-5,
 };
-
-/// A section given by its matrices.
-#[derive(Debug, Clone)]
-pub struct OutsideSection {
-    /// Name for reports.
-    pub name: String,
-    /// Numbers of the nodes in the program that made the matrices.
-    pub tags: Vec<u64>,
-    /// Places (y, z) of the nodes in section axes \[m\].
-    pub nodes: Vec<[f64; 2]>,
-    /// M, C, E over ux, uy, uz of the nodes, in their order.
-    pub blocks: Blocks,
-    /// Mass per length about the reference point, order of
-    /// [`shared_geom::wrench::COMPONENTS`]; zeros where it is not known \[kg/m, kg, kg m\].
-    pub mass: Matrix6<f64>,
-    /// The line of the beam for which the matrices were made.
-    pub initial_curvature: InitialCurvature,
-}
 
 /// Finds stiffness, centers and central solutions of a section given by its matrices.
 ///
@@ -54,7 +35,7 @@ pub fn analyze_matrices(section: &OutsideSection) -> Result<SectionSolution, Fai
     let domain = in_order(section, &order)?;
     let pattern = self::pattern(count, &renumbered(&section.blocks, &order));
     require_connected(&pattern, &named)?;
-    require_identities(&domain.identities(), &OUTSIDE_IDENTITIES, LIMITS.identity)?;
+    require_belonging(&domain, section, &order)?;
     let matrices = domain.system(&pattern, 0.0)?;
     let (central, systems) = solve_central(&domain, &pattern, matrices, &named, LIMITS)?;
     drop(systems);
@@ -65,6 +46,28 @@ pub fn analyze_matrices(section: &OutsideSection) -> Result<SectionSolution, Fai
         mass: &section.mass,
     };
     in_si(&frame, &central)
+}
+
+/// All identities of the matrices hold; every one that does not is told.
+fn require_belonging(
+    domain: &OutsideDomain,
+    section: &OutsideSection,
+    order: &[u32],
+) -> Result<(), Failure> {
+    let between = OUTSIDE_IDENTITIES.into_iter().zip(domain.identities());
+    let given = domain.compared(&section.reduced, order);
+    let is_broken = |error: f64| error.is_nan() || error > LIMITS.identity;
+    let broken: Vec<_> = between
+        .chain(given)
+        .filter(|(_, error)| is_broken(*error))
+        .collect();
+    match broken.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Matrices {
+            broken,
+            limit: LIMITS.identity,
+        }),
+    }
 }
 
 /// Which nodes meet in any of the matrices.

@@ -21,19 +21,10 @@ use super::rigid::resultant;
 use super::stress::{Rate, SectionForces, State};
 use crate::element::{Line, rigid_displacement};
 use crate::failure::Failure;
-use nalgebra::{Complex, DMatrix, Matrix6};
+use crate::section::{Blocks, Reduced};
+use nalgebra::{Complex, DMatrix, Matrix6, Vector3, Vector6};
+use shared_geom::wrench;
 use sprs::CsMat;
-
-/// M, C, E of a section over ux, uy, uz of its nodes, node by node, n x n.
-#[derive(Debug, Clone)]
-pub struct Blocks {
-    /// `int B1' D B1`, symmetric \[N\].
-    pub m: CsMat<f64>,
-    /// `int B1' D B0`: rows belong to u', columns to u \[N/m\].
-    pub c: CsMat<f64>,
-    /// `int B0' D B0`, symmetric \[N/m^2\].
-    pub e: CsMat<f64>,
-}
 
 /// A section of given matrices in the units of the solver.
 #[derive(Debug, Clone)]
@@ -121,6 +112,50 @@ impl OutsideDomain {
             of_e.amax() / terms(&self.e, &h),
             of_r.amax() / (self.a.amax() * t.amax()),
         ]
+    }
+
+    /// Differences of L, R, A as given, in SI about the reference point and in the order
+    /// of the nodes before `order`, from those of M and C, relative to their largest
+    /// entry; those that are given, with the identity that they break.
+    pub fn compared(&self, given: &Reduced, order: &[u32]) -> Vec<(&'static str, f64)> {
+        let Scaling {
+            origin: [y, z],
+            length,
+            modulus,
+        } = self.scaling;
+        // motions about the reference point to those about the origin: H_O = H_c U(-t)'
+        let shift = wrench::shift_matrix(&Vector3::new(0.0, -y, -z)).transpose();
+        let unit = Vector6::new(1.0, 1.0, 1.0, length, length, length);
+        let to_reference = Matrix6::from_diagonal(&unit) * shift;
+        let rows = |field: &DMatrix<f64>| {
+            let mut ordered = DMatrix::zeros(field.nrows(), 6);
+            for (node, &old) in order.iter().enumerate() {
+                let at_node = field.fixed_view::<3, 6>(3 * old as usize, 0);
+                ordered
+                    .fixed_view_mut::<3, 6>(3 * node, 0)
+                    .copy_from(&at_node);
+            }
+            ordered
+        };
+        let off = |found: DMatrix<f64>, own: DMatrix<f64>| (found - &own).amax() / own.amax();
+        let field = |given: &Option<DMatrix<f64>>, own: &DMatrix<f64>, unit: f64| {
+            let given = given.as_ref()?;
+            Some(off(rows(given), times(own, &to_reference) * unit))
+        };
+        let stress = modulus * length;
+        let a = given.a.as_ref().map(|given| {
+            let own = to_reference.transpose() * self.a * to_reference * (stress * length);
+            (given - own).amax() / own.amax()
+        });
+        let compared = [
+            ("M H = L", field(&given.l, &self.l, stress * length)),
+            ("C' H = R", field(&given.r, &self.r, stress)),
+            ("L' H = A", a),
+        ];
+        let known = compared
+            .into_iter()
+            .filter_map(|(name, error)| Some((name, error?)));
+        known.collect()
     }
 
     /// E and R of solutions that vary along the beam as `exp(lambda x)`, in the

@@ -35,7 +35,8 @@ pub fn properties(
             inertia_angle: inertia.map_or(0.0, |axes| axes.angle),
             inertia: inertia.map_or([0.0; 2], |axes| [axes.first, axes.second]),
         },
-        initial_curvature: None,
+        initial_curvature: (!section.initial_curvature.is_straight())
+            .then_some(section.initial_curvature),
         piezo: None,
         thermal_force: imposed.per_kelvin.as_ref().map(|one| one.restrained_force),
         imposed: imposed.states.iter().map(imposed_state).collect(),
