@@ -20,7 +20,7 @@ use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
-use crate::mesh::{DoubledNodes, SectionMesh};
+use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable};
 use crate::recovery::LoadCase;
 use crate::section::{ImposedStrain, Section};
@@ -147,14 +147,7 @@ impl WrittenSection {
         let mesh_key = self.mesh.as_ref()?;
         let mut mesh = read_mesh(document, files, mesh_key)?;
         let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
-        let place = Place::file(files.path(mesh_key).display().to_string());
-        let unit = document.factor(Dimension::LENGTH);
-        let checked = document.keep(SectionMesh::from_mesh_with(
-            &mesh,
-            unit,
-            self.doubled_nodes,
-            &place,
-        ));
+        let checked = self.checked_mesh(document, &mesh, &files.path(mesh_key));
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
         if let Some(Err(problem)) = section_mesh.map(extent::check) {
             document.note(mesh_key.line, &problem);
@@ -175,11 +168,8 @@ impl WrittenSection {
         let cells = assignment.cells(files, of_region.as_deref());
         let tags: Vec<_> = mesh.cells.iter().map(|cell| cell.tag).collect();
         let rises = self.states.rises(document, files, &tags);
-        let materials = self
-            .materials
-            .iter()
-            .map(|written| written.material.clone());
-        let materials: Option<Vec<_>> = materials.collect();
+        let materials = self.materials.iter();
+        let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
         let (materials, of_region) = (materials?, of_region?);
         let (section_mesh, report) = checked?;
 
@@ -206,6 +196,19 @@ impl WrittenSection {
             loads: self.loads.clone(),
             summary,
         })
+    }
+
+    /// The mesh of the file at `path` in meters, and what is odd about it.
+    fn checked_mesh(
+        &self,
+        document: &Document,
+        mesh: &Mesh,
+        path: &Path,
+    ) -> Option<(SectionMesh, MeshReport)> {
+        let unit = document.factor(Dimension::LENGTH);
+        let place = Place::file(path.display().to_string());
+        let mesh = SectionMesh::from_mesh_with(mesh, unit, self.doubled_nodes, &place);
+        document.keep(mesh)
     }
 }
 

@@ -155,3 +155,84 @@ impl Analysis<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::add_rigid_motions;
+    use crate::section::FreeStrain;
+    use crate::section::samples::{Random, coupled_rectangle};
+    use nalgebra::DMatrix;
+    use shared_geom::mesh::CellKind;
+    use shared_geom::section::InitialCurvature;
+
+    /// Strains without any pattern, linear in each cell.
+    fn random(section: &Section, name: &str, random: &mut Random) -> ImposedStrain {
+        let mut any = || Vector6::from_fn(|_, _| random.next());
+        let mut cell = |_| FreeStrain {
+            at_origin: any(),
+            by_y: any(),
+            by_z: any(),
+        };
+        ImposedStrain {
+            name: name.into(),
+            cells: section.cells.iter().map(&mut cell).collect(),
+        }
+    }
+
+    /// A section off its axes, of plies in all directions; straight and curved.
+    fn sections() -> [Section; 2] {
+        let straight = coupled_rectangle(CellKind::Quadrilateral8);
+        let mut curved = straight.clone();
+        curved.initial_curvature = InitialCurvature {
+            curvature: Vector3::new(0.2, -0.15, 0.1),
+            slope: Vector3::new(0.95, 0.1, -0.05),
+        };
+        [straight, curved]
+    }
+
+    /// `H' f0 = T' fp`: imposed stresses do no work on rigid motions of the section but
+    /// what the beam knows of. Round-off of forces of order one.
+    #[test]
+    fn imposed_forces_know_of_rigid_motions() {
+        for section in sections() {
+            let state = random(&section, "any", &mut Random(3));
+            let analysis = Analysis::new(&section).expect("sound");
+            let domain = analysis.domain();
+            let forces = imposed_forces(&section, domain, &[state]);
+            let mut rigid = DMatrix::zeros(domain.unknowns(), 6);
+            add_rigid_motions(domain, &Matrix6::identity(), &mut rigid);
+            let found = rigid.tr_mul(&forces.within);
+            let expected = domain.line.equilibrium() * forces.resultant;
+            let difference = (found - DMatrix::from_column_slice(6, 6, expected.as_slice())).amax();
+            assert!(
+                difference < 1e-12 * forces.resultant.amax(),
+                "{difference:e}"
+            );
+        }
+    }
+
+    /// Both ways to the free strain agree, and each of seven states, which take two
+    /// solutions, is that of the state alone; condition of some 1e4 times round-off.
+    #[test]
+    fn random_states_have_the_free_strain_of_their_work() {
+        for section in sections() {
+            let analysis = Analysis::new(&section).expect("sound");
+            let mut seed = Random(17);
+            let states: Vec<_> = (0..7)
+                .map(|k| random(&section, &k.to_string(), &mut seed))
+                .collect();
+            let together = analysis.imposed(&states).expect("sound");
+            assert_eq!(together.len(), 7);
+            for (state, solved) in states.iter().zip(&together) {
+                assert!(solved.error < 1e-11, "{:e}", solved.error);
+                let alone = analysis.imposed(std::slice::from_ref(state));
+                let alone = &alone.expect("sound")[0];
+                let difference = (alone.free_strain - solved.free_strain).amax();
+                assert!(difference < 1e-11, "{difference:e}");
+                let force = analysis.solution().stiffness * solved.free_strain;
+                assert_eq!(solved.restrained_force, -force);
+            }
+        }
+    }
+}

@@ -14,6 +14,7 @@ mod imposed;
 mod json;
 mod keys;
 mod limits;
+mod loads;
 mod reference;
 
 pub use json::json_schema;

@@ -68,7 +68,11 @@ fn wrong_initial_strains_are_told_together() {
         ":43: [initial_strain.hot] has the name of [temperature.hot] on line 41, expected a name \
          of its own",
     ] {
-        assert!(run.err.contains(expected), "{expected}\nis not in\n{}", run.err);
+        assert!(
+            run.err.contains(expected),
+            "{expected}\nis not in\n{}",
+            run.err
+        );
     }
 }
 
@@ -106,7 +110,8 @@ fn heat_needs_something_that_expands() {
     ];
     let run = Workplace::with(&changes, &[]).run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 0);
-    let warning = "material \"foam\" has no \"expansion\", and others have: heat does not strain it";
+    let warning =
+        "material \"foam\" has no \"expansion\", and others have: heat does not strain it";
     assert!(run.out.contains(warning), "{}", run.out);
 
     let expansion = ("expansion = 12e-6", "expansion = [1e-6, 2e-6]");
@@ -144,10 +149,17 @@ fn heat_is_in_all_results() {
     assert_eq!(state.name, "hot");
     assert!((state.restrained_force[0] / (-50.0 * push) - 1.0).abs() < 1e-12);
     assert!((state.free_strain[0] / 6e-4 - 1.0).abs() < 1e-12);
-    assert!(place.read("results/a.properties.json").contains("\"version\": 3"));
+    assert!(
+        place
+            .read("results/a.properties.json")
+            .contains("\"version\": 3")
+    );
 
     let stresses = place.read("results/a.heat.stress.txt");
-    assert!(stresses.contains("under the imposed strains of hot"), "{stresses}");
+    assert!(
+        stresses.contains("under the imposed strains of hot"),
+        "{stresses}"
+    );
     let told = place.run(&["report", "results/a.properties.json"]);
     assert!(told.out.contains("Imposed state \"hot\""), "{}", told.out);
 }

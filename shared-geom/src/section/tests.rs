@@ -142,12 +142,20 @@ fn imposed_states_that_contradict_are_told() {
     section.imposed[1].free_strain[0] *= 1.01;
     let told: Vec<_> = section.problems().iter().map(|p| p.to_string()).collect();
     assert_eq!(told.len(), 2, "{told:?}");
-    assert_eq!(told[0], "two imposed states are called \"hot\", expected one of this name");
+    assert_eq!(
+        told[0],
+        "two imposed states are called \"hot\", expected one of this name"
+    );
     assert!(told[1].starts_with(
         "imposed state \"hot\": \"restrained_force\" is not minus the stiffness times"
     ));
     section.imposed[0].restrained_force[2] = f64::NAN;
-    assert!(section.problems().iter().any(|p| p.to_string().contains("not finite")));
+    assert!(
+        section
+            .problems()
+            .iter()
+            .any(|p| p.to_string().contains("not finite"))
+    );
 }
 
 /// Both versions are read, and a file without a history stays one of version 1.
