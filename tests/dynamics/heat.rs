@@ -198,3 +198,20 @@ step = 1e-3
         TOLERANCE,
     );
 }
+
+/// Heat where nothing is known of expansion is an error with its remedy.
+#[test]
+fn heat_without_thermal_force_is_told() {
+    let text = bar("", "temperature = 20", "[static]\n");
+    let text = text.replace("thermal_force = [-150, 0, 0, 0, 0, 0]\n", "");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.dynamics.toml");
+    std::fs::write(&file, text).unwrap();
+    let told = input::read(&file).unwrap_err().to_string();
+    for expected in [
+        "blade \"bar\", piece 1 has a \"temperature\", but its properties have no \"thermal_force\"",
+        "help: give the materials of the section an \"expansion\" and analyze it again",
+    ] {
+        assert!(told.contains(expected), "{told}");
+    }
+}
