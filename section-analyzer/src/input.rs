@@ -16,12 +16,13 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
-use crate::properties::{AreaMoments, AreaTable};
+use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
 use crate::section::{ImposedStrain, Section};
 
@@ -66,6 +67,8 @@ pub struct Input {
     pub imposed: Vec<ImposedStrain>,
     /// The load cases to recover stresses for.
     pub loads: Vec<LoadCase>,
+    /// The measure of strain for the effect of prestress, where it is asked for.
+    pub prestress: Option<StrainMeasure>,
     /// What went into it.
     pub summary: InputSummary,
 }
@@ -111,6 +114,9 @@ struct WrittenSection {
     states: WrittenStates,
     curvature: Option<WrittenCurvature>,
     loads: Vec<LoadCase>,
+    prestress: Option<StrainMeasure>,
+    /// Line of the key.
+    prestress_line: usize,
 }
 
 impl WrittenSection {
@@ -134,6 +140,10 @@ impl WrittenSection {
             curvature: curvature::read(&root),
             loads: loads::read(&root, &states),
             states,
+            prestress: root
+                .word("prestress", &StrainMeasure::NAMES)
+                .map(|word| StrainMeasure::ALL[word]),
+            prestress_line: root.line_of("prestress"),
         };
         root.finish();
         written
@@ -181,6 +191,7 @@ impl WrittenSection {
             cells: cells?,
             initial_curvature: beam?,
         };
+        self.note_prestress(document, &section);
         let region_of_cell = region_of_cell?;
         let of_regions = (strains?, &region_of_cell[..]);
         let imposed = self.states.states(document, &section, rises?, of_regions);
@@ -194,6 +205,7 @@ impl WrittenSection {
             limits: self.materials.iter().map(|known| known.limits).collect(),
             imposed,
             loads: self.loads.clone(),
+            prestress: self.prestress,
             summary,
         })
     }
@@ -213,6 +225,14 @@ impl WrittenSection {
 }
 
 impl WrittenSection {
+    /// Notes prestress that is asked for where it is not known.
+    fn note_prestress(&self, document: &Document, section: &Section) {
+        if self.prestress.is_some() && !section.initial_curvature.is_straight() {
+            let reason = NoPrestress::Curved;
+            document.note(self.prestress_line, &InputProblem::Prestress { reason });
+        }
+    }
+
     /// What went in; regions have the materials `of_region`.
     fn summary(
         &self,

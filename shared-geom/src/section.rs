@@ -16,6 +16,7 @@ mod engineering;
 pub(crate) mod file;
 mod history;
 pub(crate) mod json;
+mod prestress;
 
 pub(crate) use check::matrix_problems;
 pub use check::{PropertyProblem, least_eigenvalue};
@@ -23,6 +24,7 @@ pub use curvature::{Agreement, CurvatureMismatch};
 pub use engineering::Engineering;
 pub use file::{VERSION, parse, read, write};
 pub use history::{Change, Step};
+pub use prestress::{CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure, prestress_part};
 
 /// What a beam needs to know of a cross-section.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +55,8 @@ pub struct SectionProperties {
     pub imposed: Vec<ImposedState>,
     /// Internal damping; `None` for none.
     pub damping: Option<Damping>,
+    /// How internal forces change the stiffness; `None` where it was not computed.
+    pub prestress: Option<Prestress>,
     /// What the numbers were made from.
     pub provenance: Provenance,
 }
@@ -154,12 +158,13 @@ impl SectionProperties {
     ///
     /// Exact: `K' = U K U^T` with [`wrench::shift_matrix`] `U`, mass and viscous
     /// damping likewise, coupling, thermal and restrained forces by `U`, free strains by
-    /// `U^-T`.
+    /// `U^-T`, the table of prestress by [`CubicTable::shifted`].
     pub fn shift(&self, by: Vector2<f64>) -> Self {
         let d = Vector3::new(0.0, by.x, by.y);
         let u = wrench::shift_matrix(&d);
         let mut moved = self.transform(|matrix| wrench::shift(matrix, &d), &u);
         moved.reference_point += by;
+        moved.prestress = self.with_third(|third| third.shifted(by));
         for center in moved.centers.points() {
             *center -= by;
         }
@@ -178,6 +183,7 @@ impl SectionProperties {
         let mut turned = self.transform(|matrix| wrench::rotate(matrix, &q), &into);
         let plane = q.fixed_view::<2, 2>(1, 1).transpose();
         turned.reference_point = plane * turned.reference_point;
+        turned.prestress = self.with_third(|third| third.rotated(angle));
         for center in turned.centers.points() {
             *center = plane * *center;
         }
@@ -188,6 +194,13 @@ impl SectionProperties {
             *initial = initial.rotated(angle);
         }
         turned
+    }
+
+    fn with_third(&self, change: impl Fn(&CubicTable) -> CubicTable) -> Option<Prestress> {
+        self.prestress.map(|prestress| Prestress {
+            third: change(&prestress.third),
+            ..prestress
+        })
     }
 
     /// Applies a congruence to the matrices and `force` to the force-like columns.

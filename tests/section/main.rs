@@ -8,6 +8,8 @@ mod gmsh_formats;
 mod gmsh_pairs;
 mod imposed;
 mod invariances;
+mod outside_matrices;
+mod prestress;
 mod quads;
 mod random_sections;
 #[path = "../common/record.rs"]

@@ -15,7 +15,7 @@ use shared_geom::units::Dimension;
 
 use super::drives::{self, Catalog};
 use super::properties::Properties;
-use crate::elements::laws::{Driven, Law, LawKind};
+use crate::elements::laws::Driven;
 
 /// The keys, as cards have them.
 const KEYS: [&str; 2] = ["temperature", "imposed"];
@@ -96,6 +96,11 @@ impl Heat {
             imposed: properties.imposed.clone(),
             acting: Vec::new(),
         }
+    }
+
+    /// What acts: forces that are held, times drives.
+    pub fn acting(&self) -> &[Driven<6>] {
+        &self.acting
     }
 }
 
@@ -191,24 +196,4 @@ pub(super) fn refuse_without_properties(table: &Table<'_>, user: &str) -> Option
         }
     }
     is_free
-}
-
-impl Properties {
-    /// The law in place of stiffness and viscosity: what heat asks for, or what is given.
-    pub fn law_with_heat(&self) -> Option<Law<6>> {
-        let acting = &self.heat.acting;
-        if acting.is_empty() {
-            return self.law.clone();
-        }
-        let stiffness = self.stiffness;
-        let elastic = match self.damping {
-            None => LawKind::Linear { stiffness },
-            Some(viscosity) => LawKind::Viscoelastic {
-                stiffness,
-                viscosity,
-            },
-        };
-        let law = self.law.clone().unwrap_or_else(|| elastic.into());
-        Some(law.prestressed(acting.iter().cloned()))
-    }
 }

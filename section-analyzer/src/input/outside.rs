@@ -9,10 +9,10 @@ use nalgebra::{DMatrix, Matrix6, Vector6};
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::Diagnostics;
 use shared_geom::files::name_without;
-use shared_geom::section::InitialCurvature;
 use shared_geom::units::Dimension;
 use sprs::CsMat;
 
+use super::curvature;
 use super::files::Files;
 use super::regions::Written;
 use crate::section::{Blocks, OutsideSection, Reduced, Through};
@@ -81,7 +81,7 @@ impl Reading<'_> {
         let name = root.text("name").unwrap_or(name);
         let nodes = self.nodes(root);
         let count = nodes.as_ref().map(|nodes| nodes.tags.len());
-        let initial_curvature = curvature(root);
+        let initial_curvature = curvature::read(root).map(|written| written.initial);
         let given_mass = mass(root);
         let matrices = root.is_table("matrices").then(|| root.table("matrices"));
         let slice = root.is_table("slice").then(|| root.table("slice"));
@@ -223,12 +223,6 @@ type Given = (Blocks, Reduced, Option<CsMat<f64>>);
 
 fn form(found: &'static str) -> MatrixProblem {
     MatrixProblem::Form { found }
-}
-
-/// `[initial_curvature]`: of the beam for which the matrices were made. `None` when it is
-/// wrong.
-fn curvature(root: &Table<'_>) -> Option<InitialCurvature> {
-    Some(InitialCurvature::STRAIGHT)
 }
 
 /// `mass`: 6 x 6 per length about the reference point. `None` when it is wrong.

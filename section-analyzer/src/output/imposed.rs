@@ -1,13 +1,23 @@
 //! Heat and other imposed strains in words: what a kelvin does, and the named states.
 
 use nalgebra::Vector6;
-use shared_geom::section::ImposedState;
+use shared_geom::section::{ImposedState, SectionProperties};
 use shared_geom::wrench::COMPONENTS;
 
 use super::text::{number, table};
 
+/// What the properties say of heat and imposed strains; nothing where they do not.
+pub fn imposed_report(properties: &SectionProperties) -> String {
+    let thermal = thermal(properties.thermal_force.as_ref());
+    let states = states(&properties.imposed);
+    match thermal.is_empty() || states.is_empty() {
+        true => thermal + &states,
+        false => format!("{thermal}\n{states}"),
+    }
+}
+
 /// The force per kelvin of an even rise; nothing without one.
-pub(super) fn thermal(force: Option<&Vector6<f64>>) -> String {
+fn thermal(force: Option<&Vector6<f64>>) -> String {
     let Some(forces) = force else {
         return String::new();
     };
@@ -21,7 +31,7 @@ pub(super) fn thermal(force: Option<&Vector6<f64>>) -> String {
 }
 
 /// Free strain and restrained force of each state, side by side; nothing without any.
-pub(super) fn states(states: &[ImposedState]) -> String {
+fn states(states: &[ImposedState]) -> String {
     let of_state = |state: &ImposedState| {
         let heading = ["", "free strain [-, 1/m]", "restrained force [N, N m]"];
         let mut rows = vec![heading.map(str::to_owned).to_vec()];

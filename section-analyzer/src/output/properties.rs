@@ -1,10 +1,22 @@
 //! The section properties in the form in which the two programs meet.
 
 use nalgebra::Vector2;
-use shared_geom::section::{Centers, ImposedState, PrincipalAxes, Provenance, SectionProperties};
+use shared_geom::section::{
+    Centers, ImposedState, InitialCurvature, PrincipalAxes, Provenance, SectionProperties,
+};
 
 use crate::section::Section;
 use crate::solution::{ImposedSolution, ImposedSolutions, SectionSolution};
+
+/// What properties are of, and what they were made from.
+#[derive(Debug)]
+pub(super) struct Source<'a> {
+    pub name: &'a str,
+    pub nodes: usize,
+    pub cells: usize,
+    pub initial_curvature: InitialCurvature,
+    pub input_hash: &'a str,
+}
 
 /// The properties of `section`, with the fingerprint of what they were made from.
 ///
@@ -16,11 +28,27 @@ pub fn properties(
     imposed: &ImposedSolutions,
     input_hash: &str,
 ) -> SectionProperties {
+    let source = Source {
+        name: &section.name,
+        nodes: section.mesh.nodes.len(),
+        cells: section.mesh.cells.len(),
+        initial_curvature: section.initial_curvature,
+        input_hash,
+    };
+    SectionProperties {
+        thermal_force: imposed.per_kelvin.as_ref().map(|one| one.restrained_force),
+        imposed: imposed.states.iter().map(imposed_state).collect(),
+        ..properties_of(&source, solution)
+    }
+}
+
+/// The properties of `source`.
+pub(super) fn properties_of(source: &Source<'_>, solution: &SectionSolution) -> SectionProperties {
     let centers = &solution.centers;
     let bending = &solution.principal_bending;
     let inertia = solution.principal_inertia.as_ref();
     SectionProperties {
-        name: section.name.clone(),
+        name: source.name.to_owned(),
         reference_point: Vector2::zeros(),
         stiffness: solution.stiffness,
         mass: solution.mass,
@@ -35,18 +63,19 @@ pub fn properties(
             inertia_angle: inertia.map_or(0.0, |axes| axes.angle),
             inertia: inertia.map_or([0.0; 2], |axes| [axes.first, axes.second]),
         },
-        initial_curvature: (!section.initial_curvature.is_straight())
-            .then_some(section.initial_curvature),
+        initial_curvature: (!source.initial_curvature.is_straight())
+            .then_some(source.initial_curvature),
         piezo: None,
-        thermal_force: imposed.per_kelvin.as_ref().map(|one| one.restrained_force),
-        imposed: imposed.states.iter().map(imposed_state).collect(),
+        thermal_force: None,
+        imposed: Vec::new(),
         damping: None,
+        prestress: None,
         provenance: Provenance {
             program: env!("CARGO_PKG_NAME").to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            input_hash: input_hash.to_owned(),
-            nodes: section.mesh.nodes.len(),
-            cells: section.mesh.cells.len(),
+            input_hash: source.input_hash.to_owned(),
+            nodes: source.nodes,
+            cells: source.cells,
             history: Vec::new(),
         },
     }

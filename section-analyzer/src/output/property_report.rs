@@ -6,9 +6,11 @@ use shared_geom::section::{self, Change, Damping, Piezo, SectionProperties};
 use shared_geom::wrench::COMPONENTS;
 
 use super::engineering::engineering_values_of;
+use super::imposed::imposed_report;
+use super::parts;
+use super::prestress::prestress_report;
 use super::text::{coordinate, matrix, number, table};
 use super::undeformed::undeformed_beam;
-use super::{imposed, parts};
 use crate::properties::{Centers, PrincipalAxes, radius_of_gyration};
 
 const CONVENTION: &str = "\
@@ -41,9 +43,9 @@ pub fn property_report(file: &str, properties: &SectionProperties) -> String {
         property_axes(properties),
         parts::couplings(&properties.stiffness),
         properties.piezo.as_ref().map_or_else(String::new, piezo),
-        imposed::thermal(properties.thermal_force.as_ref()),
-        imposed::states(&properties.imposed),
+        imposed_report(properties),
         damping(properties),
+        prestress_report(properties, &[]),
     ];
     parts::joined(&parts)
 }

@@ -3,7 +3,6 @@
 
 use super::areas::areas;
 use super::engineering::engineering_values;
-use super::imposed;
 use super::parts::{self, couplings, joined};
 use super::quality::{quality_by_region, quality_in_short};
 use super::restrained::restrained_warping;
@@ -16,7 +15,6 @@ use crate::properties::{NoRestrainedWarping, RestrainedWarping};
 use crate::section::Section;
 use crate::solution::{Checks, SectionSolution};
 use shared_geom::error::Explain;
-use shared_geom::section::SectionProperties;
 
 const CONVENTION: &str = "\
 Convention
@@ -27,13 +25,14 @@ Convention
   SI units: N, m, kg, rad.
 ";
 
-/// The report of an analysis that reached its goal.
+/// The report of an analysis that reached its goal; `on_request` is the part on
+/// heat and prestress, empty where there is none.
 pub fn report(
     section: &Section,
     summary: &InputSummary,
     solution: &SectionSolution,
     restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
-    properties: &SectionProperties,
+    on_request: String,
 ) -> String {
     let unknowns = format!("  unknowns  {} of warping\n", solution.unknowns);
     let parts = [
@@ -59,8 +58,7 @@ pub fn report(
         couplings(&solution.stiffness),
         areas(&summary.areas),
         restrained_warping(restrained, solution, &summary.areas),
-        imposed::thermal(properties.thermal_force.as_ref()),
-        imposed::states(&properties.imposed),
+        on_request,
         checks(&solution.checks),
     ];
     joined(&parts)
@@ -253,7 +251,8 @@ fn principal_axes(solution: &SectionSolution) -> String {
     )
 }
 
-fn checks(checks: &Checks) -> String {
+/// What vouches for the numbers.
+pub fn checks(checks: &Checks) -> String {
     let worst = checks
         .identities
         .iter()

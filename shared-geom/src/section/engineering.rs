@@ -72,6 +72,7 @@ impl Engineering {
             thermal_force: None,
             imposed: Vec::new(),
             damping: None,
+            prestress: None,
             provenance,
         }
     }

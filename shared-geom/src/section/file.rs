@@ -6,17 +6,24 @@ use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Centers, Change, Damping, ImposedState, InitialCurvature, Piezo, PrincipalAxes,
+    Centers, Change, Damping, ImposedState, InitialCurvature, Piezo, Prestress, PrincipalAxes,
     PropertyProblem, Provenance, SectionProperties, Step, json,
 };
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
 
+mod prestress;
+
+use prestress::FilePrestress;
+
 /// Latest version of the file format that this program reads.
 ///
-/// Version 2 adds the history of the provenance, version 3 imposed states. A file is
-/// written in the first version that has all its fields, which older programs read.
+/// Version 2 adds the history of the provenance, version 3 the effect of prestress and
+/// imposed states. A file is written in the first version that has all its fields, which
+/// older programs read.
 pub const VERSION: u64 = 3;
+/// The version without prestress.
+const WITHOUT_PRESTRESS: u64 = 2;
 /// The version without the history.
 const WITHOUT_HISTORY: u64 = 1;
 /// The last version without imposed states.
@@ -50,6 +57,8 @@ struct File {
     imposed: Vec<FileImposed>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     damping: Option<FileDamping>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    prestress: Option<FilePrestress>,
     provenance: FileProvenance,
 }
 
@@ -212,6 +221,7 @@ fn place_of(field: &str, text: &str, file: &str) -> Place {
 fn least_version(section: &SectionProperties) -> u64 {
     let needed = [
         (!section.imposed.is_empty(), WITHOUT_IMPOSED + 1),
+        (section.prestress.is_some(), WITHOUT_PRESTRESS + 1),
         (!section.provenance.history.is_empty(), WITHOUT_HISTORY + 1),
     ];
     let needed = needed.into_iter().filter(|(is_there, _)| *is_there);
@@ -257,6 +267,7 @@ impl From<&SectionProperties> for File {
                 Damping::StiffnessProportional(time) => FileDamping::StiffnessProportional(time),
                 Damping::Viscous(matrix) => FileDamping::Viscous(rows(&matrix)),
             }),
+            prestress: section.prestress.as_ref().map(FilePrestress::from),
             provenance: FileProvenance::from(source),
         }
     }
@@ -298,10 +309,27 @@ impl File {
         known
     }
 
+    /// The table of prestress; what cannot be is noted and left out.
+    fn prestress(&self, text: &str, file: &str, problems: &mut Diagnostics) -> Option<Prestress> {
+        let mut malformed = |reason: String| {
+            let problem = PropertyProblem::Malformed { reason };
+            problems.push(place_of("prestress", text, file), &problem);
+        };
+        let written = self.prestress.as_ref()?;
+        if self.version <= WITHOUT_PRESTRESS {
+            let version = self.version;
+            malformed(format!(
+                "\"prestress\" belongs to version 3, and the file says version {version}"
+            ));
+        }
+        Some(written.prestress(malformed))
+    }
+
     /// The content; ragged matrices are noted and left empty.
     fn section(self, text: &str, file: &str, problems: &mut Diagnostics) -> SectionProperties {
         let history = self.history(text, file, problems);
         let imposed = self.imposed(text, file, problems);
+        let prestress = self.prestress(text, file, problems);
         let mut matrix = |field, rows: &[Vec<f64>]| {
             matrix_of(rows).unwrap_or_else(|| {
                 let found = "ragged".to_owned();
@@ -347,6 +375,7 @@ impl File {
                 FileDamping::StiffnessProportional(time) => Damping::StiffnessProportional(time),
                 FileDamping::Viscous(matrix) => Damping::Viscous(matrix6(&matrix)),
             }),
+            prestress,
             provenance: Provenance {
                 history,
                 ..self.provenance.without_history()

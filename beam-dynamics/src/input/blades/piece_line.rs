@@ -130,6 +130,7 @@ mod tests {
             damping: None,
             law: None,
             heat: crate::input::heat::Heat::default(),
+            prestress: None,
             curved: None,
         };
         PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))

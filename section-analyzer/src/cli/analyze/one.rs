@@ -16,9 +16,9 @@ use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
     AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv,
-    failure_report, properties, report, warping_vtu,
+    failure_report, imposed_report, prestress_report, properties, report, warping_vtu,
 };
-use crate::properties::RestrainedWarping;
+use crate::properties::{RestrainedWarping, prestress};
 use crate::solution::{ImposedSolutions, SectionSolution};
 
 /// How the analysis of a section ended.
@@ -169,9 +169,18 @@ fn solved(
     let Input {
         section, summary, ..
     } = input;
-    let properties = properties(section, solution, imposed, &summary.input_hash);
+    let mut properties = properties(section, solution, imposed, &summary.input_hash);
+    let mut prestress_part = String::new();
+    if let Some(measure) = input.prestress {
+        match prestress(section, &solution.warping, &solution.strain, measure) {
+            Ok(found) => properties.prestress = Some(found),
+            Err(reason) => prestress_part = format!("Prestress\n  none: {reason}\n"),
+        }
+        prestress_part += &prestress_report(&properties, &input.loads);
+    }
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let report = report(section, summary, solution, &restrained, &properties);
+    let on_request = imposed_report(&properties) + &prestress_part;
+    let report = report(section, summary, solution, &restrained, on_request);
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))

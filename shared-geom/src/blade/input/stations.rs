@@ -193,6 +193,7 @@ fn of_section(table: &Table<'_>, sources: &Sources) -> Option<(String, Box<Secti
         (section.piezo.is_some(), "piezoelectric coupling"),
         (section.thermal_force.is_some(), "thermal force"),
         (!section.imposed.is_empty(), "imposed strain"),
+        (section.prestress.is_some(), "table of prestress"),
     ] {
         if is_there {
             let remark = format!("{written}: its {what} is not part of a blade");
