@@ -68,11 +68,12 @@ fn arc(part: f64) -> Vector3<f64> {
     (1.0 + strain) / curvature * Vector3::new(angle.sin(), 0.0, angle.cos() - 1.0)
 }
 
-/// By the temperature and by the named state, which is that of 100 K: eight elements of an
-/// arc of 11 degrees are exact to 1e-9.
+/// By the temperature and by the named state, which is that of 100 K. The elements are of
+/// order four: eight of an arc of 0.19 rad turn by 0.024 rad each, and 0.024^4 is 3e-7, of
+/// which they leave a small part.
 #[test]
 fn heated_strips_curl_into_arcs() {
-    const TOLERANCE: f64 = 1e-9;
+    const TOLERANCE: f64 = 2e-8;
     let chain = Chain::analyzed();
     let cold = Vector3::x() * LENGTH;
     for (heat, part) in [
