@@ -396,16 +396,6 @@ impl Explain for InputProblem {
     }
 }
 
-fn help_of_folded(factor: f64, far: f64) -> String {
-    format!(
-        "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in 1/m is \
-         in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward -z), and that \
-         the origin of the mesh is on the reference line (the farthest node is {} away)",
-        label(factor),
-        label(far)
-    )
-}
-
 fn label(value: f64) -> String {
     tick_label(value, 0.0)
 }

@@ -4,6 +4,8 @@
 //! eps_p(y, z) = e + y e_y + z e_z                          in material axes
 //! of a rise of temperature T = T0 + y T_y + z T_z:   e = alpha T0,  e_y = alpha T_y,  e_z = alpha T_z
 //! ```
+//!
+//! The stress is that of the rest of the strain (S-90).
 
 use nalgebra::Vector6;
 
