@@ -8,6 +8,7 @@ mod fiber_plot;
 mod field_plot;
 mod figure_parts;
 mod files;
+mod imposed;
 mod mesh_plot;
 mod outline;
 mod outside;
@@ -39,6 +40,7 @@ pub use engineering::{EngineeringValue, engineering_values, engineering_values_o
 pub use fiber_plot::FiberPlot;
 pub use field_plot::FieldPlot;
 pub use files::OutputFiles;
+pub use imposed::imposed_report;
 pub use mesh_plot::MeshPlot;
 pub use outside::{outside_properties, outside_warping_csv};
 pub use prestress::prestress_report;

@@ -6,6 +6,7 @@ mod converged;
 mod curved_lines;
 mod gmsh_formats;
 mod gmsh_pairs;
+mod imposed;
 mod invariances;
 mod outside_matrices;
 mod prestress;

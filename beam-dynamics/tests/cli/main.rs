@@ -128,6 +128,7 @@ fn strip() -> SectionProperties {
         initial_curvature: None,
         piezo: None,
         thermal_force: None,
+        imposed: Vec::new(),
         damping: None,
         prestress: None,
         provenance: Provenance {

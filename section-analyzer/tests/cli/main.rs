@@ -10,6 +10,7 @@ mod bad_section;
 mod compare;
 mod curvature;
 mod help;
+mod imposed;
 mod many;
 mod matrices;
 mod mesh_checks;

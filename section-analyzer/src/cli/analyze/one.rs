@@ -8,7 +8,7 @@ use shared_geom::hash::sha256_of;
 use shared_geom::section::{self, SectionProperties};
 
 use super::{Job, Run};
-use crate::analysis::analyze;
+use crate::analysis::analyze_imposed;
 use crate::cli::figures::draw_section;
 use crate::cli::stress::Stresses;
 use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
@@ -16,10 +16,10 @@ use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
     AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv,
-    failure_report, prestress_report, properties, report, warping_vtu,
+    failure_report, imposed_report, prestress_report, properties, report, warping_vtu,
 };
 use crate::properties::{RestrainedWarping, prestress};
-use crate::solution::SectionSolution;
+use crate::solution::{ImposedSolutions, SectionSolution};
 
 /// How the analysis of a section ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -153,7 +153,7 @@ fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
 /// Solves the section and writes what there is.
 fn solve(job: &Job, input: &Input, files: OutputFiles, made_from: Option<&str>) -> Outcome {
     let results = ResultWriter::new(files);
-    match analyze(&input.section) {
+    match analyze_imposed(&input.section, &input.imposed) {
         Ok(solution) => solved(job, input, &solution, results, made_from),
         Err(failure) => failed(job, input, &failure, results),
     }
@@ -162,14 +162,14 @@ fn solve(job: &Job, input: &Input, files: OutputFiles, made_from: Option<&str>) 
 fn solved(
     job: &Job,
     input: &Input,
-    solution: &SectionSolution,
+    (solution, imposed): &(SectionSolution, ImposedSolutions),
     mut results: ResultWriter,
     made_from: Option<&str>,
 ) -> Outcome {
     let Input {
         section, summary, ..
     } = input;
-    let mut properties = properties(section, solution, &summary.input_hash);
+    let mut properties = properties(section, solution, imposed, &summary.input_hash);
     let mut prestress_part = String::new();
     if let Some(measure) = input.prestress {
         match prestress(section, &solution.warping, &solution.strain, measure) {
@@ -179,14 +179,15 @@ fn solved(
         prestress_part += &prestress_report(&properties, &input.loads);
     }
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let report = report(section, summary, solution, &restrained, prestress_part);
+    let on_request = imposed_report(&properties) + &prestress_part;
+    let report = report(section, summary, solution, &restrained, on_request);
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))
         .and_then(|()| results.text(results.files().report(), &report))
         .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
         .and_then(|()| write_figures(input, solution, &mut results))
-        .and_then(|()| stresses.write(input, solution, &mut results));
+        .and_then(|()| stresses.write(input, solution, &imposed.states, &mut results));
 
     let failed = stresses.problems(&job.file);
     let (files, problem) = match (written, made_from) {

@@ -195,6 +195,7 @@ fn of_section(table: &Table<'_>, sources: &Sources) -> Option<(String, Box<Secti
     for (is_there, what) in [
         (section.piezo.is_some(), "piezoelectric coupling"),
         (section.thermal_force.is_some(), "thermal force"),
+        (!section.imposed.is_empty(), "imposed strain"),
         (section.prestress.is_some(), "table of prestress"),
     ] {
         if is_there {
