@@ -15,7 +15,7 @@ mod stress;
 
 pub(crate) use domain::largest;
 pub use domain::{Domain, DomainCell, Scaling};
-pub use mass::mass_per_length;
+pub use mass::{mass_of_moments, mass_per_length};
 pub use matrices::{Scalar, SectionMatrices};
 pub use pattern::Pattern;
 pub use rigid::{ASSEMBLED_IDENTITIES, add_rigid_motions, check_assembled_identities, resultant};
