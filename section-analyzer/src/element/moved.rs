@@ -384,16 +384,24 @@ mod tests {
             }
             assert_relative_eq!(work, of_stress, epsilon = 1e-12 * of_stress.amax());
 
-            let h = 1e-5;
-            let (before, after) = (case.forces_at(&line, -h), case.forces_at(&line, h));
-            let scale = 1e-7 * forces.resultant.amax();
-            let difference = (after.resultant - before.resultant) / (2.0 * h);
-            assert_relative_eq!(rates.resultant, difference, epsilon = scale);
+            // fourth order: 1e-16 of the fifth derivative, 1e-11 of the forces by round-off
+            let h = 1e-4;
+            let [far, near, next, last] =
+                [-2.0 * h, -h, h, 2.0 * h].map(|t| case.forces_at(&line, t));
+            let weight = 1.0 / (12.0 * h);
+            let scale = 1e-8 * forces.resultant.amax();
+            let difference = |of: &dyn Fn(&NodalForces) -> Matrix3x6<f64>| {
+                weight * (of(&far) - of(&last) + 8.0 * (of(&next) - of(&near)))
+            };
+            for rows in [0, 3] {
+                let of = |forces: &NodalForces| forces.resultant.fixed_rows::<3>(rows).into_owned();
+                assert_relative_eq!(of(&rates), difference(&of), epsilon = scale);
+            }
             for i in 0..kind.node_count() {
-                let difference = (after.within[i] - before.within[i]) / (2.0 * h);
-                assert_relative_eq!(rates.within[i], difference, epsilon = scale);
-                let difference = (after.face[i] - before.face[i]) / (2.0 * h);
-                assert_relative_eq!(rates.face[i], difference, epsilon = scale);
+                let of = |forces: &NodalForces| forces.within[i];
+                assert_relative_eq!(of(&rates), difference(&of), epsilon = scale);
+                let of = |forces: &NodalForces| forces.face[i];
+                assert_relative_eq!(of(&rates), difference(&of), epsilon = scale);
             }
         }
     }

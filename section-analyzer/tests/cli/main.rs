@@ -12,6 +12,7 @@ mod help;
 mod many;
 mod mesh_checks;
 mod property_files;
+mod sensitivity;
 mod stress;
 mod unchanged;
 mod workplace;
