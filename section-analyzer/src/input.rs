@@ -16,7 +16,6 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
-use shared_geom::section::InitialCurvature;
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
@@ -28,12 +27,14 @@ use crate::section::Section;
 
 mod angles;
 mod assign;
+mod curvature;
 mod extent;
 mod files;
 mod follow;
 mod groups;
 mod loads;
 mod materials;
+pub mod outside;
 mod problem;
 mod regions;
 pub mod schema;
@@ -46,6 +47,7 @@ pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
+use curvature::WrittenCurvature;
 use files::Files;
 use materials::WrittenMaterial;
 use regions::{Written, WrittenAngle, WrittenRegion};
@@ -101,6 +103,7 @@ struct WrittenSection {
     doubled_nodes: DoubledNodes,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
+    curvature: Option<WrittenCurvature>,
     loads: Vec<LoadCase>,
 }
 
@@ -121,6 +124,7 @@ impl WrittenSection {
             doubled_nodes: doubled_nodes(&root),
             materials: materials::read(&root),
             regions: regions::read(&root),
+            curvature: curvature::read(&root),
             loads: loads::read(&root),
         };
         root.finish();
@@ -146,6 +150,10 @@ impl WrittenSection {
         if let Some(Err(problem)) = section_mesh.map(extent::check) {
             document.note(mesh_key.line, &problem);
         }
+        let mut odd = Vec::new();
+        let beam = self.curvature.as_ref().zip(section_mesh);
+        let beam =
+            beam.and_then(|(written, mesh)| curvature::checked(written, mesh, document, &mut odd));
         let centroids = section_mesh.map_or_else(Vec::new, centroids);
         let assignment = Assignment {
             document,
@@ -170,9 +178,10 @@ impl WrittenSection {
             mesh: section_mesh,
             materials,
             cells: cells?,
-            initial_curvature: InitialCurvature::STRAIGHT,
+            initial_curvature: beam?,
         };
         let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
+        summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();

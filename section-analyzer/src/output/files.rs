@@ -67,6 +67,11 @@ impl OutputFiles {
         self.path("warping.png")
     }
 
+    /// The warping of a section without cells, as a table.
+    pub fn warping_table(&self) -> PathBuf {
+        self.path("warping.csv")
+    }
+
     /// The warping as a field file.
     pub fn warping_field(&self) -> PathBuf {
         self.path("warping.vtu")
@@ -154,6 +159,7 @@ impl OutputFiles {
             self.warping(),
             self.warping_field(),
             self.sensitivity(),
+            self.warping_table(),
         ]);
     }
 
