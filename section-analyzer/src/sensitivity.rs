@@ -28,8 +28,7 @@
 //!
 //! # References
 //! - Giavotto et al. 1983: the central solutions.
-//! - E. J. Haug, K. K. Choi, V. Komkov, *Design sensitivity analysis of structural
-//!   systems*, Academic Press, 1986: direct and dual differentiation.
+//! - [Haug1986]: direct and dual differentiation.
 
 mod change;
 mod contraction;

@@ -14,8 +14,7 @@
 //! derivative of the sum.
 //!
 //! # References
-//! - E. J. Haug, K. K. Choi, V. Komkov, *Design sensitivity analysis of structural
-//!   systems*, Academic Press, 1986, chapter 3: shape as the parameter.
+//! - [Haug1986], chapter 3: shape as the parameter.
 
 use super::line::{Line, Metric};
 use super::point::CellPoint;

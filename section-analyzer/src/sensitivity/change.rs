@@ -1,7 +1,7 @@
 //! What a unit of a parameter changes: laws, densities and places of nodes, in the units
 //! of the domain.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 use super::parameter::{Cells, Parameter, SensitivityProblem};
 use crate::assembly::{Domain, DomainCell};
@@ -40,7 +40,13 @@ impl Change {
         domain: &Domain,
         parameters: &[Parameter],
     ) -> Result<Vec<Self>, SensitivityProblem> {
-        let places = Places::of(section, domain);
+        let mut places = Places::of(section, domain);
+        if parameters
+            .iter()
+            .any(|parameter| !parameter.motion().is_empty())
+        {
+            places.look_around(domain);
+        }
         let changes = parameters.iter().map(|parameter| {
             parameter.check(section)?;
             let at = (section, domain, &places);
@@ -149,9 +155,9 @@ struct Places {
     of_region: Vec<Vec<u32>>,
     /// Cells of the domain, by their index in the mesh.
     of_mesh_cell: Vec<u32>,
-    /// Nodes of the domain, by their index in the mesh.
-    nodes: BTreeMap<u32, u32>,
-    /// Cells around each node of the domain: pairs, ascending.
+    /// Nodes of the domain, by their index in the mesh, once they are looked for.
+    nodes: HashMap<u32, u32>,
+    /// Cells around each node of the domain: pairs, ascending; once they are looked for.
     around: Vec<(u32, u32)>,
 }
 
@@ -161,7 +167,7 @@ impl Places {
             of_material: vec![Vec::new(); section.materials.len()],
             of_region: vec![Vec::new(); section.mesh.groups.len()],
             of_mesh_cell: vec![0; domain.cells.len()],
-            nodes: domain.mesh_nodes.iter().copied().zip(0..).collect(),
+            nodes: HashMap::new(),
             around: Vec::new(),
         };
         for (index, cell) in (0..).zip(&domain.cells) {
@@ -169,11 +175,18 @@ impl Places {
             places.of_material[section.cells[mesh_cell].material].push(index);
             places.of_region[section.mesh.cells[mesh_cell].group].push(index);
             places.of_mesh_cell[mesh_cell] = index;
-            let pairs = cell.nodes().iter().map(|&node| (node, index));
-            places.around.extend(pairs);
         }
-        places.around.sort_unstable();
         places
+    }
+
+    /// Finds the nodes, and the cells around them.
+    fn look_around(&mut self, domain: &Domain) {
+        self.nodes = domain.mesh_nodes.iter().copied().zip(0..).collect();
+        for (index, cell) in (0..).zip(&domain.cells) {
+            let pairs = cell.nodes().iter().map(|&node| (node, index));
+            self.around.extend(pairs);
+        }
+        self.around.sort_unstable();
     }
 
     /// Cells of the domain, ascending, each once.

@@ -117,7 +117,7 @@ impl Fields {
 struct CellStates {
     nodal: Vec<(NodalColumns, NodalColumns, Matrix6<f64>)>,
     points: Vec<CellPoint>,
-    /// Volume and strains of all states, by point.
+    /// Volume and strains of all states, by point; the strains are transposed.
     strains: Vec<(f64, Vec<Matrix6<f64>>)>,
 }
 
@@ -138,9 +138,9 @@ impl CellStates {
         let points: Vec<_> = cell_points(cell.kind, &places[..cell.kind.node_count()]).collect();
         let line = &domain.line;
         let strains = points.iter().map(|point| {
-            let of_state = nodal
-                .iter()
-                .map(|(rate, warping, psi)| strain_at(line, point, Some(rate), Some(warping), psi));
+            let of_state = nodal.iter().map(|(rate, warping, psi)| {
+                strain_at(line, point, Some(rate), Some(warping), psi).transpose()
+            });
             let volume = point.area * line.metric(point.y, point.z).volume;
             (volume, of_state.collect())
         });
@@ -203,9 +203,9 @@ impl Sums {
     ) {
         if let Some(law) = change.law {
             for (volume, strains) in &states.strains {
-                let stress = *volume * law * strains[0];
-                for (form, strain) in self.forms.iter_mut().zip(strains) {
-                    *form += strain.tr_mul(&stress);
+                let stress = *volume * law * strains[0].transpose();
+                for (form, transposed) in self.forms.iter_mut().zip(strains) {
+                    form.gemm(1.0, transposed, &stress, 1.0);
                 }
             }
         }
