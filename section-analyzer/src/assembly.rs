@@ -19,7 +19,7 @@ mod stress;
 pub(crate) use domain::largest;
 pub use domain::{Domain, DomainCell, Scaling};
 pub use imposed::{ImposedForces, imposed_forces};
-pub use mass::mass_per_length;
+pub use mass::{mass_of_moments, mass_per_length};
 pub use matrices::{Scalar, SectionMatrices};
 pub use model::Model;
 pub use outside::{OUTSIDE_IDENTITIES, OutsideDomain};

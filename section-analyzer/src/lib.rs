@@ -78,5 +78,6 @@ pub mod output;
 pub mod properties;
 pub mod recovery;
 pub mod section;
+pub mod sensitivity;
 pub mod solution;
 pub mod solve;

@@ -6,22 +6,28 @@
 //! those of a beam of any curvature, [`CentralSolution`] is the linear and then the
 //! constant step, [`Decoupled`] the same solutions with the rigid part of the warping
 //! removed, and [`ParticularSolution`] a state under other forces than internal ones.
+//! How the central solutions answer to a change of the section is a [`Variation`] for
+//! one change, or the [`DualStates`] for all of them.
 
 mod along;
 mod central;
 mod decouple;
+mod dual;
 mod factor;
 mod particular;
 mod pins;
 mod system;
+mod variation;
 
 pub use along::{CentralSystems, SystemError};
 pub use central::CentralSolution;
 pub use decouple::Decoupled;
+pub use dual::{DualState, DualStates};
 pub use factor::{Entry, Factor, FactorError, Pivot, elimination_order, in_elimination_order};
 pub use particular::{Load, ParticularSolution};
 pub use pins::Pins;
 pub use system::CentralSystem;
+pub use variation::Variation;
 
 #[cfg(test)]
 mod tests;

@@ -17,4 +17,5 @@ mod record;
 mod reference_cases;
 mod restrained_warping;
 mod sections;
+mod sensitivities;
 mod stresses;

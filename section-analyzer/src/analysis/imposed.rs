@@ -37,23 +37,36 @@ pub fn analyze_imposed(
     if states.is_empty() && !section.expands() {
         return Ok((analyze(section)?, ImposedSolutions::default()));
     }
-    let kelvin = TemperatureField {
-        rise: 1.0,
-        ..TemperatureField::default()
-    };
-    let kelvin = ImposedStrain::of_temperature("", section, &kelvin);
     let analysis = Analysis::new(section)?;
-    let all = [&[kelvin][..], states].concat();
-    let mut solved = analysis.imposed(&all)?.into_iter();
-    let per_kelvin = solved.next().filter(|_| section.expands());
-    let imposed = ImposedSolutions {
-        per_kelvin,
-        states: solved.collect(),
-    };
+    let imposed = analysis.all_imposed(states)?;
     Ok((analysis.solution, imposed))
 }
 
 impl Analysis<'_> {
+    /// What a kelvin does to the section, where it expands, and what each of `states`
+    /// does.
+    ///
+    /// # Errors
+    /// As [`Analysis::imposed`].
+    pub fn all_imposed(&self, states: &[ImposedStrain]) -> Result<ImposedSolutions, Failure> {
+        let section = self.section();
+        if states.is_empty() && !section.expands() {
+            return Ok(ImposedSolutions::default());
+        }
+        let kelvin = TemperatureField {
+            rise: 1.0,
+            ..TemperatureField::default()
+        };
+        let kelvin = ImposedStrain::of_temperature("", section, &kelvin);
+        let all = [&[kelvin][..], states].concat();
+        let mut solved = self.imposed(&all)?.into_iter();
+        let per_kelvin = solved.next().filter(|_| section.expands());
+        Ok(ImposedSolutions {
+            per_kelvin,
+            states: solved.collect(),
+        })
+    }
+
     /// Warping, free strain and restrained force of each of `states`, one solution for
     /// six of them.
     ///

@@ -27,7 +27,8 @@ pub(crate) const MATERIAL_ORDER: [(usize, usize); 6] =
     [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
 
 /// Tensor index pairs of the order yz yy zz xx xy xz.
-const SECTION_ORDER: [(usize, usize); 6] = [(1, 2), (1, 1), (2, 2), (0, 0), (0, 1), (0, 2)];
+pub(super) const SECTION_ORDER: [(usize, usize); 6] =
+    [(1, 2), (1, 1), (2, 2), (0, 0), (0, 1), (0, 2)];
 
 type Tensor = [[[[f64; 3]; 3]; 3]; 3];
 

@@ -16,6 +16,7 @@ mod matrices;
 mod mesh_checks;
 mod prestress;
 mod property_files;
+mod sensitivity;
 mod stress;
 mod unchanged;
 mod workplace;

@@ -7,8 +7,8 @@ use shared_geom::files::OutputProblem;
 use shared_geom::hash::sha256_of;
 use shared_geom::section::{self, SectionProperties};
 
+use super::sensitivity::{Sensitivities, analyzed, parameters};
 use super::{Job, Run};
-use crate::analysis::analyze_imposed;
 use crate::cli::figures::draw_section;
 use crate::cli::stress::Stresses;
 use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
@@ -114,12 +114,29 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
         Ok(files) => files,
         Err(problem) => return Outcome::wrong_input(words(&problem)),
     };
+    let parameters = match parameters(&input, run) {
+        Ok(parameters) => parameters,
+        Err(problems) => return Outcome::wrong_input(problems),
+    };
     let made_from = made_from(&input, run);
     let unchanged = match &made_from {
         Some(made_from) if !run.force => unchanged(&files, made_from),
         _ => None,
     };
-    let outcome = unchanged.unwrap_or_else(|| solve(job, &input, files, made_from.as_deref()));
+    let solve = || {
+        let results = ResultWriter::new(files);
+        match analyzed(&input, parameters) {
+            Ok((solution, derivatives)) => solved(
+                job,
+                &input,
+                (&solution, &derivatives),
+                results,
+                made_from.as_deref(),
+            ),
+            Err(failure) => failed(job, &input, &failure, results),
+        }
+    };
+    let outcome = unchanged.unwrap_or_else(solve);
     Outcome {
         nodes: Some(input.section.mesh.nodes.len()),
         warnings: input.summary.warnings.len(),
@@ -131,7 +148,10 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
 /// program. Options that change results belong here too.
 fn made_from(input: &Input, run: &Run) -> Option<String> {
     let program = run.program.as_ref()?;
-    let parts = [input.summary.input_hash.as_bytes(), program.as_bytes()];
+    let mut parts = vec![input.summary.input_hash.as_bytes(), program.as_bytes()];
+    let asked = run.sensitivity.as_ref();
+    let asked = asked.map(|nodes| format!("sensitivity {nodes:?}"));
+    parts.extend(asked.as_ref().map(|asked| asked.as_bytes()));
     Some(sha256_of(&parts))
 }
 
@@ -150,19 +170,10 @@ fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
     })
 }
 
-/// Solves the section and writes what there is.
-fn solve(job: &Job, input: &Input, files: OutputFiles, made_from: Option<&str>) -> Outcome {
-    let results = ResultWriter::new(files);
-    match analyze_imposed(&input.section, &input.imposed) {
-        Ok(solution) => solved(job, input, &solution, results, made_from),
-        Err(failure) => failed(job, input, &failure, results),
-    }
-}
-
 fn solved(
     job: &Job,
     input: &Input,
-    (solution, imposed): &(SectionSolution, ImposedSolutions),
+    ((solution, imposed), derivatives): (&(SectionSolution, ImposedSolutions), &Sensitivities),
     mut results: ResultWriter,
     made_from: Option<&str>,
 ) -> Outcome {
@@ -180,12 +191,14 @@ fn solved(
     }
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
     let on_request = imposed_report(&properties) + &prestress_part;
-    let report = report(section, summary, solution, &restrained, on_request);
+    let report = report(section, summary, solution, &restrained, on_request)
+        + &derivatives.table(section, solution);
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))
         .and_then(|()| results.text(results.files().report(), &report))
         .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
+        .and_then(|()| derivatives.write(input, &mut results))
         .and_then(|()| write_figures(input, solution, &mut results))
         .and_then(|()| stresses.write(input, solution, &imposed.states, &mut results));
 
