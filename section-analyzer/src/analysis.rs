@@ -20,6 +20,8 @@ use crate::solve::{
 use nalgebra::{DMatrix, Matrix6, Vector3};
 use shared_geom::wrench;
 
+mod distributed;
+
 /// Largest relative error of a rigid-body identity. Round-off gives 1e-15; a
 /// node in the wrong place of a cell gives 1e-3 or more.
 const IDENTITY_LIMIT: f64 = 1e-10;

@@ -6,6 +6,7 @@ mod curved_blocks;
 mod forces;
 mod line;
 mod point;
+mod side;
 mod strain;
 
 pub use blocks::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
@@ -13,6 +14,7 @@ pub use curved_blocks::{CurvedCell, TurningLaw};
 pub use forces::{CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, Row, rows_of};
 pub use line::{Line, Metric};
 pub use point::{CellPoint, RulePoint, cell_points, rule_points};
+pub use side::{SidePoint, side_points};
 pub use strain::{
     FACE_STRAINS, NO_COLUMNS, NodalColumns, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS,
     rigid_displacement, strain_at,

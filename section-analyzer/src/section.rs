@@ -34,5 +34,9 @@ pub struct CellMaterial {
     pub plane_angle: f64,
 }
 
+mod distributed;
+
+pub use distributed::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
+
 #[cfg(test)]
 pub(crate) mod samples;

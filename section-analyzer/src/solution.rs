@@ -63,3 +63,7 @@ pub struct Checks {
     /// about 1e-16 for a section that falls apart.
     pub smallest_pivot: f64,
 }
+
+mod distributed;
+
+pub use distributed::DistributedState;

@@ -5,11 +5,13 @@
 //! corrects its solutions by the imbalance of their stresses, [`CentralSystems`] are
 //! those of a beam of any curvature, [`CentralSolution`] is the linear and then the
 //! constant step, [`Decoupled`] the same solutions with the rigid part of the warping
-//! removed, and [`ParticularSolution`] a state under other forces than internal ones.
+//! removed, [`ParticularSolution`] a state under other forces than internal ones, and
+//! [`DistributedSolution`] that of loads along the beam.
 
 mod along;
 mod central;
 mod decouple;
+mod distributed;
 mod factor;
 mod particular;
 mod pins;
@@ -18,10 +20,13 @@ mod system;
 pub use along::{CentralSystems, SystemError};
 pub use central::CentralSolution;
 pub use decouple::Decoupled;
+pub use distributed::DistributedSolution;
 pub use factor::{Entry, Factor, FactorError, Pivot, elimination_order, in_elimination_order};
 pub use particular::{Load, ParticularSolution};
 pub use pins::Pins;
 pub use system::CentralSystem;
 
+#[cfg(test)]
+mod distributed_tests;
 #[cfg(test)]
 mod tests;

@@ -24,13 +24,13 @@
 use super::axes::{strain_in_axes, stress_in_axes};
 use super::extrapolate::Extrapolation;
 use super::locate::{Located, locate};
-use super::resultant::{centroid_and_size, resultant, resultant_error};
+use super::resultant::{centroid_and_size, face_stress, resultant, resultant_error};
 use super::state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};
 use crate::element::{CellPoint, Line, NO_COLUMNS, NodalColumns, cell_points, strain_at};
 use crate::failure::Failure;
 use crate::material::{material_axes, section_stiffness};
 use crate::section::Section;
-use crate::solution::SectionSolution;
+use crate::solution::{DistributedState, SectionSolution};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
@@ -125,18 +125,43 @@ impl<'a> Recoverer<'a> {
     /// # Errors
     /// [`Failure::Resultant`] when the recovered stress does not add up to the load.
     pub fn recover(&self, load: &LoadCase) -> Result<Recovery, Failure> {
+        self.recovered(load, None)
+    }
+
+    /// Strain and stress under `load` where a load distributed along the beam, which
+    /// adds the state `added`, acts as well.
+    ///
+    /// # Errors
+    /// As [`Recoverer::recover`].
+    pub fn recover_with(
+        &self,
+        load: &LoadCase,
+        added: &DistributedState,
+    ) -> Result<Recovery, Failure> {
+        self.recovered(load, Some(added))
+    }
+
+    fn recovered(
+        &self,
+        load: &LoadCase,
+        added: Option<&DistributedState>,
+    ) -> Result<Recovery, Failure> {
         let theta = self.about_center(load);
         let mut points = Vec::with_capacity(self.cells.iter().map(|c| c.points.len()).sum());
         let mut cells = Vec::with_capacity(self.cells.len());
         let mut sums = vec![(Tensors::default(), 0.0); self.nodes.len()];
         for (cell, grid) in self.cells.iter().enumerate() {
             let first = points.len();
-            points.extend(grid.points.iter().map(|(unit, place, area)| PointState {
-                cell,
-                place: [place[0] + self.center[0], place[1] + self.center[1]],
-                area: *area,
-                tensors: self.tensors(cell, &(unit * theta)),
-            }));
+            let more = added.map(|state| self.added_strains(cell, state));
+            let more = |point: usize| more.as_ref().map_or(Vector6::zeros(), |more| more[point]);
+            points.extend(
+                (grid.points.iter().enumerate()).map(|(point, (unit, place, area))| PointState {
+                    cell,
+                    place: [place[0] + self.center[0], place[1] + self.center[1]],
+                    area: *area,
+                    tensors: self.tensors(cell, &(unit * theta + more(point))),
+                }),
+            );
             let of_cell = &points[first..];
             let (mean, area) = mean_of(of_cell);
             for (weights, &node) in grid.extrapolation.rows().zip(&self.cell_nodes[cell]) {
@@ -149,11 +174,14 @@ impl<'a> Recoverer<'a> {
             cells.push(mean);
         }
         let about_center = resultant(&points, self.center);
-        let error = resultant_error(&about_center, &theta, self.size);
+        // a distributed load has stresses without a resultant, which measure its error
+        let least = added.map_or(0.0, |_| face_stress(&points));
+        let error = resultant_error(&about_center, &theta, self.size, least);
         self.require(load, error)?;
+        let added = added.map_or(Vector6::zeros(), |state| state.strain);
         Ok(Recovery {
             load: load.clone(),
-            generalized_strain: self.solution.strain * load.force,
+            generalized_strain: self.solution.strain * load.force + added,
             nodes: self.nodal_states(&sums),
             points,
             cells,
@@ -169,11 +197,41 @@ impl<'a> Recoverer<'a> {
     ///
     /// It is the strain of the cell's own displacement there, without smoothing.
     pub fn at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, Tensors)> {
+        self.tensors_at(load, None, place)
+    }
+
+    /// As [`Recoverer::at`], with what a load distributed along the beam adds.
+    pub fn at_with(
+        &self,
+        load: &LoadCase,
+        added: &DistributedState,
+        place: [f64; 2],
+    ) -> Option<(usize, Tensors)> {
+        self.tensors_at(load, Some(added), place)
+    }
+
+    fn tensors_at(
+        &self,
+        load: &LoadCase,
+        added: Option<&DistributedState>,
+        place: [f64; 2],
+    ) -> Option<(usize, Tensors)> {
         let Located { cell, r, s } = locate(&self.section.mesh, place)?;
         let kind = self.section.mesh.cells[cell].kind;
         let point = CellPoint::at(kind, &self.places(cell), r, s, 1.0);
-        let strain = self.unit_strain(cell, &point) * self.about_center(load);
+        let mut strain = self.unit_strain(cell, &point) * self.about_center(load);
+        if let Some(state) = added {
+            strain += self.added_strain(cell, state, &point);
+        }
         Some((cell, self.tensors(cell, &strain)))
+    }
+
+    pub(super) fn section(&self) -> &Section {
+        self.section
+    }
+
+    pub(super) fn line(&self) -> &Line {
+        &self.line
     }
 
     fn require(&self, load: &LoadCase, error: f64) -> Result<(), Failure> {
@@ -188,7 +246,7 @@ impl<'a> Recoverer<'a> {
     }
 
     /// From the reference point to the centroid.
-    fn offset(&self) -> Vector3<f64> {
+    pub(super) fn offset(&self) -> Vector3<f64> {
         Vector3::new(0.0, self.center[0], self.center[1])
     }
 
@@ -198,7 +256,7 @@ impl<'a> Recoverer<'a> {
     }
 
     /// Places of the nodes of a cell from the centroid.
-    fn places(&self, cell: usize) -> Vec<[f64; 2]> {
+    pub(super) fn places(&self, cell: usize) -> Vec<[f64; 2]> {
         let mesh = &self.section.mesh;
         let places = mesh.places(&mesh.cells[cell]);
         places

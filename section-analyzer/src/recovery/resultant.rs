@@ -28,9 +28,24 @@ pub(super) fn resultant(points: &[PointState], center: [f64; 2]) -> Vector6<f64>
     sum
 }
 
+/// Integral of the size of the stress on the face \[N\].
+pub(super) fn face_stress(points: &[PointState]) -> f64 {
+    let sizes = points.iter().map(|point| {
+        let stress = &point.tensors.stress;
+        point.area * Vector3::new(stress[0], stress[5], stress[4]).norm()
+    });
+    sizes.sum()
+}
+
 /// Error of the internal force `found` beside `expected`, both about the centroid;
-/// `size` is l \[-\].
-pub(super) fn resultant_error(found: &Vector6<f64>, expected: &Vector6<f64>, size: f64) -> f64 {
+/// `size` is l \[m\]. It is relative to what is expected, or to the force `least` \[N\]
+/// where that is larger.
+pub(super) fn resultant_error(
+    found: &Vector6<f64>,
+    expected: &Vector6<f64>,
+    size: f64,
+    least: f64,
+) -> f64 {
     let measure = |force: &Vector6<f64>| {
         let moment = force.fixed_rows::<3>(3).norm() / size;
         largest(force.fixed_rows::<3>(0).norm(), moment)
@@ -39,7 +54,7 @@ pub(super) fn resultant_error(found: &Vector6<f64>, expected: &Vector6<f64>, siz
     if error == 0.0 {
         0.0
     } else {
-        error / measure(expected)
+        error / largest(measure(expected), least)
     }
 }
 
@@ -76,7 +91,7 @@ mod tests {
     fn moments_are_made_comparable_by_the_size() {
         let expected = Vector6::new(10.0, 0.0, 0.0, 2.0, 0.0, 0.0);
         let found = Vector6::new(10.0, 0.0, 0.0, 2.1, 0.0, 0.0);
-        let error = |size| resultant_error(&found, &expected, size);
+        let error = |size| resultant_error(&found, &expected, size, 0.0);
         assert!((error(1.0) - 0.1 / 10.0).abs() < 1e-15);
         assert!((error(0.1) - 1.0 / 20.0).abs() < 1e-15);
     }
@@ -84,10 +99,10 @@ mod tests {
     #[test]
     fn no_number_is_no_agreement() {
         let expected = Vector6::repeat(1.0);
-        let error = resultant_error(&Vector6::repeat(f64::NAN), &expected, 1.0);
+        let error = resultant_error(&Vector6::repeat(f64::NAN), &expected, 1.0, 0.0);
         assert!(error.is_nan());
         assert_eq!(
-            resultant_error(&Vector6::zeros(), &Vector6::zeros(), 1.0),
+            resultant_error(&Vector6::zeros(), &Vector6::zeros(), 1.0, 0.0),
             0.0
         );
     }
