@@ -20,6 +20,7 @@ use crate::solve::{
 use nalgebra::{DMatrix, Matrix6, Vector3};
 use shared_geom::wrench;
 
+mod decay;
 mod distributed;
 
 /// Largest relative error of a rigid-body identity. Round-off gives 1e-15; a

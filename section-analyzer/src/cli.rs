@@ -20,6 +20,7 @@ mod help;
 mod load_arguments;
 mod report;
 mod schema;
+mod solved;
 mod stress;
 
 use arguments::{Arguments, Command};

@@ -24,10 +24,11 @@ use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable};
 use crate::recovery::LoadCase;
-use crate::section::Section;
+use crate::section::{DistributedLoad, Section};
 
 mod angles;
 mod assign;
+mod distributed;
 mod extent;
 mod files;
 mod follow;
@@ -41,11 +42,13 @@ mod strengths;
 mod summary;
 mod tables;
 
+pub use distributed::DistributedProblem;
 pub use loads::{LOAD_KEYS, checked_load, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
+use distributed::WrittenDistribution;
 use files::Files;
 use materials::WrittenMaterial;
 use regions::{Written, WrittenAngle, WrittenRegion};
@@ -59,6 +62,10 @@ pub struct Input {
     pub limits: Vec<MaterialLimits>,
     /// The load cases to recover stresses for.
     pub loads: Vec<LoadCase>,
+    /// What is distributed along the beam in each of them, parallel to them.
+    pub distributed: Vec<DistributedLoad>,
+    /// Number of end effects to find.
+    pub end_effects: Option<usize>,
     /// What went into it.
     pub summary: InputSummary,
 }
@@ -101,7 +108,8 @@ struct WrittenSection {
     doubled_nodes: DoubledNodes,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
-    loads: Vec<LoadCase>,
+    loads: Vec<(LoadCase, WrittenDistribution)>,
+    end_effects: Option<usize>,
 }
 
 impl WrittenSection {
@@ -122,6 +130,7 @@ impl WrittenSection {
             materials: materials::read(&root),
             regions: regions::read(&root),
             loads: loads::read(&root),
+            end_effects: end_effects(&root),
         };
         root.finish();
         written
@@ -156,12 +165,17 @@ impl WrittenSection {
             region_of_cell: &region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
+        let loads = self.loads.iter();
+        let distributed = loads.map(|(_, load)| load.on_mesh(document, &mesh, section_mesh));
+        // every load is looked at before the first wrong one ends the search
+        let distributed: Vec<_> = distributed.collect();
+        let distributed: Option<Vec<_>> = distributed.into_iter().collect();
         let materials = self
             .materials
             .iter()
             .map(|written| written.material.clone());
         let materials: Option<Vec<_>> = materials.collect();
-        let (materials, of_region) = (materials?, of_region?);
+        let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
         let (section_mesh, report) = checked?;
 
         let region_of_cell: Option<Vec<_>> = region_of_cell.into_iter().collect();
@@ -179,7 +193,9 @@ impl WrittenSection {
         Some(Input {
             section,
             limits: self.materials.iter().map(|known| known.limits).collect(),
-            loads: self.loads.clone(),
+            loads: self.loads.iter().map(|(load, _)| load.clone()).collect(),
+            distributed,
+            end_effects: self.end_effects,
             summary,
         })
     }
@@ -277,6 +293,22 @@ fn doubled_nodes(root: &Table<'_>) -> DoubledNodes {
         None if !root.has("doubled_nodes") => DoubledNodes::Error,
         _ => DoubledNodes::Allow,
     }
+}
+
+/// End effects to find at most.
+pub(crate) const MOST_END_EFFECTS: usize = 20;
+
+/// How many end effects are to be found.
+fn end_effects(root: &Table<'_>) -> Option<usize> {
+    if !root.has("end_effects") {
+        return None;
+    }
+    let count = root.count("end_effects")?;
+    if count > MOST_END_EFFECTS {
+        let expected = format!("a whole number from 1 to {MOST_END_EFFECTS}");
+        root.wrong("end_effects", &expected);
+    }
+    Some(count)
 }
 
 /// The mesh that `key` names.

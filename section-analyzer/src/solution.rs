@@ -65,5 +65,7 @@ pub struct Checks {
 }
 
 mod distributed;
+mod end_effects;
 
 pub use distributed::DistributedState;
+pub use end_effects::{DecayingMode, EndEffects};

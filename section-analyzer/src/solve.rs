@@ -5,11 +5,12 @@
 //! corrects its solutions by the imbalance of their stresses, [`CentralSystems`] are
 //! those of a beam of any curvature, [`CentralSolution`] is the linear and then the
 //! constant step, [`Decoupled`] the same solutions with the rigid part of the warping
-//! removed, [`ParticularSolution`] a state under other forces than internal ones, and
-//! [`DistributedSolution`] that of loads along the beam.
+//! removed, [`ParticularSolution`] a state under other forces than internal ones, [`DistributedSolution`]
+//! that of loads along the beam, and [`DecayRates`] how fast end effects decay.
 
 mod along;
 mod central;
+mod decay;
 mod decouple;
 mod distributed;
 mod factor;
@@ -19,6 +20,7 @@ mod system;
 
 pub use along::{CentralSystems, SystemError};
 pub use central::CentralSolution;
+pub use decay::DecayRates;
 pub use decouple::Decoupled;
 pub use distributed::DistributedSolution;
 pub use factor::{Entry, Factor, FactorError, Pivot, elimination_order, in_elimination_order};

@@ -70,6 +70,8 @@ impl Dimension {
     pub const FORCE_PER_LENGTH: Self = Self::of(0, 1, -2, 0);
     /// Acceleration, in m/s^2 inside.
     pub const ACCELERATION: Self = Self::of(1, 0, -2, 0);
+    /// Force per volume, in N/m^3 inside.
+    pub const FORCE_PER_VOLUME: Self = Self::of(-2, 1, -2, 0);
 
     const fn of(length: i8, mass: i8, time: i8, angle: i8) -> Self {
         Self {
@@ -107,6 +109,7 @@ impl fmt::Display for Dimension {
             Self::DENSITY => "a density",
             Self::VELOCITY => "a velocity",
             Self::ACCELERATION => "an acceleration",
+            Self::FORCE_PER_VOLUME => "a force per volume",
             Self::ROTATION_SPEED => "a rotation speed",
             Self::FREQUENCY => "a frequency",
             Self::BENDING_STIFFNESS => "a bending or torsional stiffness",

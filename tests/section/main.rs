@@ -3,6 +3,8 @@
 mod binary_meshes;
 mod closed_forms;
 mod converged;
+mod distributed_loads;
+mod end_effects;
 mod gmsh_formats;
 mod gmsh_pairs;
 mod invariances;

@@ -4,6 +4,7 @@ use nalgebra::Vector6;
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
+use super::distributed::{self, WrittenDistribution};
 use super::problem::InputProblem;
 use crate::recovery::LoadCase;
 
@@ -44,20 +45,22 @@ pub fn is_load_name(name: &str) -> bool {
     !name.is_empty() && name.chars().all(fits)
 }
 
-/// Reads every `[load.NAME]`; those that are wrong are noted and left out.
-pub(super) fn read(root: &Table<'_>) -> Vec<LoadCase> {
+/// Reads every `[load.NAME]` with what is distributed along the beam; those that are
+/// wrong are noted and left out.
+pub(super) fn read(root: &Table<'_>) -> Vec<(LoadCase, WrittenDistribution)> {
     let tables = root.named_tables("load");
     tables
         .into_iter()
         .filter_map(|(name, table)| {
-            let load = read_one(&name, &table);
+            let distributed = distributed::read(&table);
+            let load = read_one(&name, &table, &distributed);
             table.finish();
-            load
+            Some((load?, distributed))
         })
         .collect()
 }
 
-fn read_one(name: &str, table: &Table<'_>) -> Option<LoadCase> {
+fn read_one(name: &str, table: &Table<'_>, distributed: &WrittenDistribution) -> Option<LoadCase> {
     let load = name.to_owned();
     if !is_load_name(name) {
         table.note("", &InputProblem::LoadName { load: load.clone() });
@@ -70,7 +73,7 @@ fn read_one(name: &str, table: &Table<'_>) -> Option<LoadCase> {
     let point = point(table);
     let components: Option<Vec<f64>> = read.into_iter().collect();
     let force = Vector6::from_vec(components?);
-    if force == Vector6::zeros() {
+    if force == Vector6::zeros() && distributed.is_empty() {
         table.note("", &InputProblem::ZeroLoad { load });
         return None;
     }

@@ -101,7 +101,7 @@ pub enum InputProblem {
     /// A load case without any load.
     #[error(
         "load \"{load}\" is zero, expected at least one of \"axial\", \"shear_y\", \"shear_z\", \
-         \"torsion\", \"bending_y\", \"bending_z\""
+         \"torsion\", \"bending_y\", \"bending_z\", \"traction\", \"volume\""
     )]
     ZeroLoad {
         /// Name of the load case.

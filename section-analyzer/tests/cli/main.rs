@@ -8,6 +8,7 @@ mod bad_files;
 mod bad_property_files;
 mod bad_section;
 mod compare;
+mod distributed;
 mod help;
 mod many;
 mod mesh_checks;

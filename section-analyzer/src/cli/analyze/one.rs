@@ -8,14 +8,14 @@ use shared_geom::hash::sha256_of;
 use shared_geom::section::{self, SectionProperties};
 
 use super::{Job, Run};
-use crate::analysis::analyze;
 use crate::cli::figures::draw_section;
+use crate::cli::solved::{Solved, solve as solve_section};
 use crate::cli::stress::Stresses;
 use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
-    AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv,
+    AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv, end_effects,
     failure_report, properties, report, warping_vtu,
 };
 use crate::properties::RestrainedWarping;
@@ -153,8 +153,8 @@ fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
 /// Solves the section and writes what there is.
 fn solve(job: &Job, input: &Input, files: OutputFiles, made_from: Option<&str>) -> Outcome {
     let results = ResultWriter::new(files);
-    match analyze(&input.section) {
-        Ok(solution) => solved(job, input, &solution, results, made_from),
+    match solve_section(input, true) {
+        Ok(found) => solved(job, input, &found, results, made_from),
         Err(failure) => failed(job, input, &failure, results),
     }
 }
@@ -162,31 +162,38 @@ fn solve(job: &Job, input: &Input, files: OutputFiles, made_from: Option<&str>) 
 fn solved(
     job: &Job,
     input: &Input,
-    solution: &SectionSolution,
+    found: &Solved,
     mut results: ResultWriter,
     made_from: Option<&str>,
 ) -> Outcome {
     let Input {
         section, summary, ..
     } = input;
+    let solution = &found.solution;
     let properties = properties(section, solution, &summary.input_hash);
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let report = report(section, summary, solution, &restrained);
+    let mut report = report(section, summary, solution, &restrained);
+    if let Some(found) = &found.end_effects {
+        report = report + "\n" + &end_effects(found);
+    }
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))
         .and_then(|()| results.text(results.files().report(), &report))
         .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
         .and_then(|()| write_figures(input, solution, &mut results))
-        .and_then(|()| stresses.write(input, solution, &mut results));
+        .and_then(|()| stresses.write(input, found, &mut results));
 
     let failed = stresses.problems(&job.file);
+    let open = found.open_problem(&job.file);
     let (files, problem) = match (written, made_from) {
-        (Ok(()), Some(made_from)) if failed.is_none() => results.finish(made_from),
+        (Ok(()), Some(made_from)) if failed.is_none() && open.is_none() => {
+            results.finish(made_from)
+        }
         (Ok(()), _) => (results.abandon(), None),
         (Err(problem), _) => (results.abandon(), Some(problem)),
     };
-    let problems: Vec<_> = [problem.map(|problem| words(&problem)), failed]
+    let problems: Vec<_> = [problem.map(|problem| words(&problem)), failed, open]
         .into_iter()
         .flatten()
         .collect();

@@ -2,6 +2,7 @@
 
 use shared_geom::units::Dimension;
 
+use super::distributed::{END_EFFECTS, TRACTIONS, VOLUMES};
 use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
 use super::{Family, KeySchema, Need, TableSchema, ValueKind};
 
@@ -83,8 +84,9 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             &[ValueKind::NamedTables(&LOAD)],
             Optional,
             "",
-            "Internal forces for which stresses are recovered, by name.",
+            "Internal forces and loads along the beam for which stresses are recovered, by name.",
         ),
+        END_EFFECTS,
     ],
     families: &[],
 };
@@ -389,8 +391,8 @@ const MOMENT: &[ValueKind] = &[ValueKind::Quantity(Dimension::MOMENT)];
 
 const LOAD: TableSchema = TableSchema {
     title: "[load.NAME]",
-    meaning: "An internal force, of which at least one component is not zero. NAME is made of \
-              letters, digits, - and _.",
+    meaning: "An internal force, of which at least one component is not zero, or a load along \
+              the beam, or both together. NAME is made of letters, digits, - and _.",
     keys: &[
         key("axial", FORCE, Default("0"), "\"10 kN\"", "Axial force."),
         key(
@@ -435,6 +437,8 @@ const LOAD: TableSchema = TableSchema {
             "[12.5, 0]",
             "Where the force acts, y and z.",
         ),
+        TRACTIONS,
+        VOLUMES,
     ],
     families: &[],
 };
