@@ -16,7 +16,6 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
-use shared_geom::section::InitialCurvature;
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
@@ -28,6 +27,7 @@ use crate::section::{DistributedLoad, Section};
 
 mod angles;
 mod assign;
+mod curvature;
 mod distributed;
 mod extent;
 mod files;
@@ -35,6 +35,7 @@ mod follow;
 mod groups;
 mod loads;
 mod materials;
+pub mod outside;
 mod problem;
 mod regions;
 pub mod schema;
@@ -48,6 +49,7 @@ pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
+use curvature::WrittenCurvature;
 use distributed::WrittenDistribution;
 use files::Files;
 use materials::WrittenMaterial;
@@ -108,6 +110,7 @@ struct WrittenSection {
     doubled_nodes: DoubledNodes,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
+    curvature: Option<WrittenCurvature>,
     loads: Vec<(LoadCase, WrittenDistribution)>,
     end_effects: Option<usize>,
 }
@@ -129,6 +132,7 @@ impl WrittenSection {
             doubled_nodes: doubled_nodes(&root),
             materials: materials::read(&root),
             regions: regions::read(&root),
+            curvature: curvature::read(&root),
             loads: loads::read(&root),
             end_effects: end_effects(&root),
         };
@@ -155,6 +159,10 @@ impl WrittenSection {
         if let Some(Err(problem)) = section_mesh.map(extent::check) {
             document.note(mesh_key.line, &problem);
         }
+        let mut odd = Vec::new();
+        let beam = self.curvature.as_ref().zip(section_mesh);
+        let beam =
+            beam.and_then(|(written, mesh)| curvature::checked(written, mesh, document, &mut odd));
         let centroids = section_mesh.map_or_else(Vec::new, centroids);
         let assignment = Assignment {
             document,
@@ -184,9 +192,10 @@ impl WrittenSection {
             mesh: section_mesh,
             materials,
             cells: cells?,
-            initial_curvature: InitialCurvature::STRAIGHT,
+            initial_curvature: beam?,
         };
         let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
+        summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();

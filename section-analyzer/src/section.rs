@@ -35,8 +35,9 @@ pub struct CellMaterial {
 }
 
 mod distributed;
-
-pub use distributed::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
-
+mod outside;
 #[cfg(test)]
 pub(crate) mod samples;
+
+pub use distributed::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
+pub use outside::{Blocks, OutsideSection, Reduced, Through};

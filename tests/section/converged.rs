@@ -11,6 +11,7 @@ use section_analyzer::mesh::generate::{Ellipse, Tube};
 use section_analyzer::section::{CellMaterial, Section};
 use serde_json::Value;
 use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::section::InitialCurvature;
 
 use crate::closed_forms::cells_of;
 use crate::quads::{Quads, graded, joined, steps};
@@ -81,6 +82,7 @@ fn section(case: &Value, mesh: &Mesh, tag: impl Fn(usize) -> usize) -> Section {
         cells: cells.collect(),
         materials: materials.iter().map(material).collect(),
         mesh,
+        initial_curvature: InitialCurvature::STRAIGHT,
     }
 }
 

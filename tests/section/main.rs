@@ -3,11 +3,13 @@
 mod binary_meshes;
 mod closed_forms;
 mod converged;
+mod curved_lines;
 mod distributed_loads;
 mod end_effects;
 mod gmsh_formats;
 mod gmsh_pairs;
 mod invariances;
+mod outside_matrices;
 mod quads;
 mod random_sections;
 #[path = "../common/record.rs"]

@@ -12,10 +12,12 @@ use std::time::{Duration, Instant};
 
 use cpu_time::ThreadTime;
 use criterion::{BenchmarkId, Criterion};
+use nalgebra::{Vector3, Vector6};
 use peak_alloc::PeakAlloc;
 use section_analyzer::analysis::analyze;
 use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
 use section_analyzer::input;
+use section_analyzer::recovery::{LoadCase, Recoverer};
 use section_analyzer::section::Section;
 use section_analyzer::solve::{
     CentralSolution, CentralSystems, Factor, Pins, elimination_order, in_elimination_order,
@@ -122,6 +124,10 @@ struct Times {
     central: Duration,
     analyze: Duration,
     total: Duration,
+    /// The same section on a beam of general curvature.
+    curved: Duration,
+    /// Stresses of a hundred load cases.
+    loads: Duration,
     /// Most memory in use at a time, over that of the factor [-].
     memory: f64,
 }
@@ -161,8 +167,35 @@ impl Times {
             central: shortest(|| CentralSolution::solve(&domain, &system)),
             analyze: shortest(|| analyze(&section)),
             total: shortest(|| analyze(&input::read(file).expect("a sound file").section)),
+            curved: shortest(|| analyze(&curved(&section))),
+            loads: hundred_loads(&section),
         }
     }
+}
+
+/// The section on a beam that turns by half a radian along its own length, about all axes.
+fn curved(section: &Section) -> Section {
+    let nodes = section.mesh.nodes.iter();
+    let size = nodes.map(|[y, z]| y.hypot(*z)).fold(0.0, f64::max);
+    let mut curved = section.clone();
+    curved.initial_curvature.curvature = Vector3::new(0.4, -0.2, 0.2) / size;
+    curved
+}
+
+/// Time to recover the stresses of a hundred load cases.
+fn hundred_loads(section: &Section) -> Duration {
+    let solution = analyze(section).expect("a sound section");
+    let load = |i: usize| LoadCase {
+        name: format!("{i}"),
+        force: Vector6::from_fn(|k, _| ((i + 1) * (k + 3) % 17) as f64 - 8.0),
+    };
+    let loads: Vec<LoadCase> = (0..100).map(load).collect();
+    shortest(|| {
+        let recoverer = Recoverer::new(section, &solution);
+        for load in &loads {
+            black_box(recoverer.recover(load).is_ok());
+        }
+    })
 }
 
 /// Prints the times and their ratios.
@@ -188,19 +221,22 @@ fn ratios(files: &[PathBuf]) {
         );
     }
     println!(
-        "\n nodes | (factor+solves)/total  mesh file/total  total/(factor+solves)  peak/factor memory"
+        "\n nodes | (factor+solves)/total  mesh file/total  total/(factor+solves)  peak/factor memory  \
+         curved/straight  100 loads/straight"
     );
     for t in &times {
         // fifteen right-hand sides: seven, six and two
         let core = t.bare.as_secs_f64() + 15.0 / 6.0 * t.solve.as_secs_f64();
         let total = t.total.as_secs_f64();
         println!(
-            "{:6} | {:20.2} {:16.2} {:22.2} {:19.2}",
+            "{:6} | {:20.2} {:16.2} {:22.2} {:19.2} {:16.2} {:19.2}",
             t.nodes,
             core / total,
             t.mesh_file.as_secs_f64() / total,
             total / core,
-            t.memory
+            t.memory,
+            t.curved.as_secs_f64() / t.analyze.as_secs_f64(),
+            t.loads.as_secs_f64() / t.analyze.as_secs_f64()
         );
     }
     if let [first, .., last] = &times[..] {

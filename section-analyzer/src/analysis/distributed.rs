@@ -8,7 +8,8 @@
 //! y = X' Q + T X' P                                                               (S-107)
 //! ```
 
-use super::{Analysis, CHECK_LIMIT, place_of, tag_of};
+use super::central::OF_CELLS;
+use super::{Analysis, named};
 use crate::assembly::{Rate, State, distributed_forces, largest, section_forces};
 use crate::failure::Failure;
 use crate::section::DistributedLoad;
@@ -84,17 +85,18 @@ impl Analysis<'_> {
     }
 
     fn require_same_work(&self, error: f64) -> Result<(), Failure> {
-        if error <= CHECK_LIMIT {
+        let limit = OF_CELLS.check;
+        if error <= limit {
             return Ok(());
         }
-        let (section, domain) = (self.section(), self.domain());
         let node = self.systems.smallest_pivot().node;
-        let [y, z] = place_of(section, domain, node);
+        let weakest = named(self.section(), self.domain(), node);
+        let [y, z] = weakest.place;
         Err(Failure::Inaccurate {
             check: "the work of the distributed load",
             error,
-            limit: CHECK_LIMIT,
-            node: tag_of(section, domain, node),
+            limit,
+            node: weakest.tag,
             y,
             z,
         })

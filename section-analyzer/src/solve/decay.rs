@@ -26,7 +26,7 @@
 //!
 //! # References
 //! - [Giavotto1983], section 5: extremity solutions.
-//! - [Masarati1999], appendix E.4.
+//! - [Masarati], appendix E.4.
 
 mod dense;
 mod krylov;
@@ -35,7 +35,7 @@ mod tests;
 
 use super::particular::{Load, ParticularSolution};
 use super::system::CentralSystem;
-use crate::assembly::{Domain, Rate, SectionForces, State};
+use crate::assembly::{Model, Rate, SectionForces, State};
 use krylov::Space;
 use nalgebra::{Complex, DMatrix, Matrix6};
 
@@ -72,8 +72,8 @@ pub struct DecayRates {
 }
 
 /// The operator (S-110) in the units of the domain.
-struct Shifted<'a> {
-    domain: &'a Domain,
+struct Shifted<'a, M> {
+    model: &'a M,
     system: &'a CentralSystem<f64>,
     /// Ph.
     face: &'a DMatrix<f64>,
@@ -86,7 +86,7 @@ struct States {
     p: DMatrix<f64>,
 }
 
-impl Shifted<'_> {
+impl<M: Model> Shifted<'_, M> {
     /// Replaces the states by those whose rate along the beam they are.
     fn multiply(&mut self, states: &mut States) -> Option<()> {
         let load = Load {
@@ -94,13 +94,13 @@ impl Shifted<'_> {
             resultant: &Matrix6::zeros(),
             rate: Rate::Given(&states.u),
         };
-        let found = ParticularSolution::solve(self.domain, self.system, self.face, &load)?;
+        let found = ParticularSolution::solve(self.model, self.system, self.face, &load)?;
         let state = State {
             rate: Rate::Given(&states.u),
             warping: Some(&found.x),
             strain: &found.y,
         };
-        self.forces.measure(self.domain, state);
+        self.model.measure(state, &mut self.forces);
         states.p.copy_from(&self.forces.face);
         states.u = found.x;
         Some(())
@@ -108,22 +108,22 @@ impl Shifted<'_> {
 }
 
 impl DecayRates {
-    /// The `wanted` slowest of the decaying solutions of `domain`, with its factored
+    /// The `wanted` slowest of the decaying solutions of `model`, with its factored
     /// `system` of steady states; `face` (Ph, n x 6) are the forces on the face of the
     /// central solutions. `None` when there is no memory for it.
     pub fn find(
-        domain: &Domain,
+        model: &impl Model,
         system: &CentralSystem<f64>,
         face: &DMatrix<f64>,
         wanted: usize,
     ) -> Option<Self> {
         let mut operator = Shifted {
-            domain,
+            model,
             system,
             face,
-            forces: SectionForces::none(domain),
+            forces: SectionForces::none(model),
         };
-        let n = domain.unknowns();
+        let n = model.unknowns();
         let mut states = States {
             u: DMatrix::from_fn(n, BLOCK, |i, j| krylov::start_value(i + j * n)),
             p: DMatrix::zeros(n, BLOCK),

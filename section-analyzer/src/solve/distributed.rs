@@ -24,12 +24,12 @@
 //! beam. Each w_j is decoupled, as X is, and so are the rates.
 //!
 //! # References
-//! - [Masarati1999], appendix E.4: polynomial loads.
+//! - [Masarati], appendix E.4: polynomial loads.
 
 use super::decouple::Decoupled;
 use super::particular::{Load, ParticularSolution};
 use super::system::CentralSystem;
-use crate::assembly::{Domain, Rate, SectionForces, State, resultant};
+use crate::assembly::{Model, Rate, SectionForces, State, resultant};
 use nalgebra::{DMatrix, Matrix6};
 
 /// What up to six loads add at the section to the central solutions, decoupled.
@@ -51,20 +51,20 @@ impl DistributedSolution {
     /// The state under `loads`, f_0, f_1, ..., n x 6 each; `central` are the central
     /// solutions of the section. `None` when there is no memory for it.
     pub fn solve(
-        domain: &Domain,
+        model: &impl Model,
         system: &CentralSystem<f64>,
         central: &Decoupled,
         loads: &[DMatrix<f64>],
     ) -> Option<Self> {
-        let n = domain.unknowns();
-        let tt = domain.line.equilibrium();
+        let n = model.unknowns();
+        let tt = model.line().equilibrium();
         let none = || (DMatrix::zeros(n, 6), Matrix6::zeros());
         // w_(j+1) with y_(j+1), w_(j+2), s_(j+1)
         let ((mut next, mut next_y), (mut second, mut next_s)) = (none(), none());
         let mut rate = DMatrix::zeros(n, 6);
-        let mut forces = SectionForces::none(domain);
+        let mut forces = SectionForces::none(model);
         for load in loads.iter().rev() {
-            let s = resultant(domain, load);
+            let s = resultant(model, load);
             rate.copy_from(&next);
             rate.gemm(-1.0, &central.x, &s, 1.0);
             second.gemm(-1.0, &central.x, &(tt * s + next_s), 1.0);
@@ -73,14 +73,14 @@ impl DistributedSolution {
                 warping: Some(&rate),
                 strain: &(next_y - central.y * s),
             };
-            forces.measure(domain, along);
+            model.measure(along, &mut forces);
             forces.face += load;
             let asked = Load {
                 within: &forces.face,
                 resultant: &Matrix6::zeros(),
                 rate: Rate::Given(&rate),
             };
-            let found = ParticularSolution::solve(domain, system, &central.face, &asked)?;
+            let found = ParticularSolution::solve(model, system, &central.face, &asked)?;
             second = std::mem::replace(&mut next, found.x);
             (next_y, next_s) = (found.y, s);
         }

@@ -80,6 +80,13 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             "What each physical surface of the mesh is made of; every surface needs one.",
         ),
         key(
+            "initial_curvature",
+            &[ValueKind::Table(&INITIAL_CURVATURE)],
+            Optional,
+            "",
+            "The undeformed beam where it is curved or twisted.",
+        ),
+        key(
             "load",
             &[ValueKind::NamedTables(&LOAD)],
             Optional,
@@ -384,6 +391,33 @@ const PLANE_ANGLE: TableSchema = TableSchema {
             ],
         },
     ],
+};
+
+const INITIAL_CURVATURE: TableSchema = TableSchema {
+    title: "[initial_curvature]",
+    meaning: "Twist and curvature of the undeformed beam at this section, constant along it, in \
+              the axes of the section: all matrices are then those of this beam, per length of \
+              its reference line, which goes through the origin of the mesh.",
+    keys: &[
+        key(
+            "curvature",
+            &[ValueKind::Vector(3, Dimension::CURVATURE)],
+            Required,
+            "[\"5 deg/m\", 0, 0]",
+            "Twist about x and curvature about y and z, k1, k2, k3: by how much the section \
+             turns per length of the reference line. Twist is positive from y toward z; k2 > 0 \
+             bends the beam toward -z, k3 > 0 toward +y.",
+        ),
+        key(
+            "slope",
+            &[ValueKind::Vector(3, Dimension::NUMBER)],
+            Default("[1, 0, 0]"),
+            "[0.99, 0.1, 0]",
+            "Direction of the reference line, of any length, the first number greater than \
+             zero; [1, 0, 0] where the line is normal to the section.",
+        ),
+    ],
+    families: &[],
 };
 
 const FORCE: &[ValueKind] = &[ValueKind::Quantity(Dimension::FORCE)];
