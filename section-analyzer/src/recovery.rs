@@ -78,5 +78,5 @@ pub use extremes::{
     Extreme, Range, RegionFailure, RegionStresses, STRESS_NAMES, criteria_of, region_failures,
     region_stresses,
 };
-pub use recoverer::{Recoverer, recover};
+pub use recoverer::{Recoverer, StressBlock, recover};
 pub use state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};

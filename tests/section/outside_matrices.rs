@@ -226,8 +226,9 @@ fn blocks_give_the_section_of_their_cells() {
         {
             write(path, name, &market(&block, 1.0));
         }
+        let written = curvature.map(|k: f64| format!("{k} rad/m"));
         let text = format!(
-            "units = \"SI\"\nnodes = \"nodes.csv\"\n[initial_curvature]\ncurvature = {curvature:?}\n\
+            "units = \"SI\"\nnodes = \"nodes.csv\"\n[initial_curvature]\ncurvature = {written:?}\n\
              [matrices]\nm = \"m.mtx\"\nc = \"c.mtx\"\ne = \"e.mtx\"\n"
         );
         let found = solved_from(path, &text).expect("sound blocks");
@@ -272,7 +273,8 @@ fn slices_give_the_section_of_their_cells() {
         let [stiffness, mass] = slice(&section, thickness, points);
         write_nodes(path, &section, 1e-3);
         write(path, "k.mtx", &market(&stiffness, 1e3));
-        write(path, "mass.mtx", &market(&mass, 1.0));
+        // mm, N and s: mass in tonnes
+        write(path, "mass.mtx", &market(&mass, 1e3));
         let text = format!(
             "nodes = \"nodes.csv\"\n[units]\nlength = \"mm\"\nforce = \"N\"\n\
              [slice]\nstiffness = \"k.mtx\"\nmass = \"mass.mtx\"\nthickness = \"{thickness} m\"\n\

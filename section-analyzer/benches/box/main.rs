@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use cpu_time::ThreadTime;
 use criterion::{BenchmarkId, Criterion};
-use nalgebra::{Vector3, Vector6};
+use nalgebra::{Matrix6xX, Vector3};
 use peak_alloc::PeakAlloc;
 use section_analyzer::analysis::analyze;
 use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
@@ -128,6 +128,8 @@ struct Times {
     curved: Duration,
     /// Stresses of a hundred load cases.
     loads: Duration,
+    /// Strains, means and smoothed values of ten of them besides.
+    recoveries: Duration,
     /// Most memory in use at a time, over that of the factor [-].
     memory: f64,
 }
@@ -169,6 +171,7 @@ impl Times {
             total: shortest(|| analyze(&input::read(file).expect("a sound file").section)),
             curved: shortest(|| analyze(&curved(&section))),
             loads: hundred_loads(&section),
+            recoveries: ten_recoveries(&section),
         }
     }
 }
@@ -182,18 +185,35 @@ fn curved(section: &Section) -> Section {
     curved
 }
 
-/// Time to recover the stresses of a hundred load cases.
+/// A hundred internal forces.
+fn forces() -> Matrix6xX<f64> {
+    Matrix6xX::from_fn(100, |k, i| ((i + 1) * (k + 3) % 17) as f64 - 8.0)
+}
+
+/// Time to find the stresses at all integration points under a hundred internal forces.
 fn hundred_loads(section: &Section) -> Duration {
     let solution = analyze(section).expect("a sound section");
-    let load = |i: usize| LoadCase {
-        name: format!("{i}"),
-        force: Vector6::from_fn(|k, _| ((i + 1) * (k + 3) % 17) as f64 - 8.0),
-    };
-    let loads: Vec<LoadCase> = (0..100).map(load).collect();
+    let forces = forces();
+    shortest(|| {
+        let mut largest = 0.0_f64;
+        Recoverer::new(section, &solution).each_stress(&forces, |block| {
+            largest = largest.max(block.stress().amax());
+        });
+        largest
+    })
+}
+
+/// Time of ten full recoveries: strains and stresses in both axes at points, in cells and
+/// at nodes.
+fn ten_recoveries(section: &Section) -> Duration {
+    let solution = analyze(section).expect("a sound section");
+    let forces = forces();
     shortest(|| {
         let recoverer = Recoverer::new(section, &solution);
-        for load in &loads {
-            black_box(recoverer.recover(load).is_ok());
+        for force in forces.column_iter().take(10) {
+            let force = force.into_owned();
+            let name = String::new();
+            black_box(recoverer.recover(&LoadCase { name, force }).is_ok());
         }
     })
 }
@@ -222,21 +242,22 @@ fn ratios(files: &[PathBuf]) {
     }
     println!(
         "\n nodes | (factor+solves)/total  mesh file/total  total/(factor+solves)  peak/factor memory  \
-         curved/straight  100 loads/straight"
+         curved/straight  100 loads/straight  10 recoveries/straight"
     );
     for t in &times {
         // fifteen right-hand sides: seven, six and two
         let core = t.bare.as_secs_f64() + 15.0 / 6.0 * t.solve.as_secs_f64();
         let total = t.total.as_secs_f64();
         println!(
-            "{:6} | {:20.2} {:16.2} {:22.2} {:19.2} {:16.2} {:19.2}",
+            "{:6} | {:20.2} {:16.2} {:22.2} {:19.2} {:16.2} {:19.2} {:23.2}",
             t.nodes,
             core / total,
             t.mesh_file.as_secs_f64() / total,
             total / core,
             t.memory,
             t.curved.as_secs_f64() / t.analyze.as_secs_f64(),
-            t.loads.as_secs_f64() / t.analyze.as_secs_f64()
+            t.loads.as_secs_f64() / t.analyze.as_secs_f64(),
+            t.recoveries.as_secs_f64() / t.analyze.as_secs_f64()
         );
     }
     if let [first, .., last] = &times[..] {

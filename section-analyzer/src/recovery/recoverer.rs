@@ -21,6 +21,10 @@
 //! # References
 //! - \[Giavotto1983\]: stresses of the central solutions.
 
+mod batch;
+
+pub use batch::StressBlock;
+
 use super::axes::{strain_in_axes, stress_in_axes};
 use super::extrapolate::Extrapolation;
 use super::locate::{Located, locate};

@@ -26,6 +26,35 @@ fn resultants_are_the_load() {
     }
 }
 
+/// Many forces at once: the stresses of each are those of its own recovery, point by
+/// point, on more points than one block holds.
+#[test]
+fn stresses_of_many_forces_are_those_of_each() {
+    let section = coupled_rectangle(CellKind::Quadrilateral9);
+    let solution = analyze(&section).unwrap();
+    let recoverer = Recoverer::new(&section, &solution);
+    let forces = nalgebra::Matrix6xX::from_fn(7, |i, k| ((5 * i + 3 * k) % 11) as f64 - 4.0);
+    let of_each = forces.column_iter().map(|force| {
+        let load = load(force.into_owned().into());
+        recoverer.recover(&load).unwrap().points
+    });
+    let of_each: Vec<_> = of_each.collect();
+    let mut seen = 0;
+    recoverer.each_stress(&forces, |block| {
+        assert_eq!(block.points().start, seen);
+        for (row, point) in block.points().enumerate() {
+            for (k, points) in of_each.iter().enumerate() {
+                let found = block.stress().fixed_view::<6, 1>(6 * row, k).into_owned();
+                let difference = (found - points[point].tensors.stress).amax();
+                assert!(difference < 1e-12, "{difference:e}");
+            }
+        }
+        seen = block.points().end;
+    });
+    assert_eq!(seen, of_each[0].len());
+    assert!(seen > 0);
+}
+
 /// A section moved by 100 times its size, under the same force at the same place of
 /// it, has the same stresses: three digits of the sixteen are lost by the coordinates,
 /// and another two by the force about the reference point.

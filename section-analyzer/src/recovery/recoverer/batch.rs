@@ -1,0 +1,77 @@
+//! Stresses under many internal forces at once.
+//!
+//! ```text
+//! sigma = D G theta                                                          (S-33)
+//! ```
+//!
+//! For k forces the stresses at a point are a product of 6 x 6 and 6 x k numbers; those
+//! of a block of points are one product of matrices, and stay near the processor until
+//! they have been seen.
+
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DMatrixView, Matrix6, Matrix6xX};
+use shared_geom::wrench;
+
+use super::{Recoverer, USUAL_ORDER};
+
+/// Points of a block: with a hundred forces its stresses are 300 kB.
+const BLOCK: usize = 64;
+
+/// Stresses at some integration points under many internal forces.
+#[derive(Debug, Clone, Copy)]
+pub struct StressBlock<'a> {
+    first: usize,
+    stress: DMatrixView<'a, f64>,
+}
+
+impl<'a> StressBlock<'a> {
+    /// The points, numbered as in [`crate::recovery::Recovery::points`].
+    pub fn points(&self) -> Range<usize> {
+        self.first..self.first + self.stress.nrows() / 6
+    }
+
+    /// Stresses in section axes: six rows a point, order xx yy zz yz xz xy, a column
+    /// each force \[Pa\].
+    pub fn stress(&self) -> DMatrixView<'a, f64> {
+        self.stress
+    }
+}
+
+impl Recoverer<'_> {
+    /// Finds the stresses at all integration points under each of `forces` (6 x k, about
+    /// the reference point, order of [`wrench::COMPONENTS`]) \[N, N m\], and shows them to
+    /// `see` block by block.
+    pub fn each_stress(&self, forces: &Matrix6xX<f64>, mut see: impl FnMut(&StressBlock<'_>)) {
+        let shifted = wrench::shift_matrix(&self.offset()) * forces;
+        let theta = DMatrix::from_column_slice(6, forces.ncols(), shifted.as_slice());
+        let mut operators = DMatrix::zeros(6 * BLOCK, 6);
+        let mut stress = DMatrix::zeros(6 * BLOCK, theta.ncols());
+        let (mut first, mut count) = (0, 0);
+        let mut flush = |operators: &DMatrix<f64>, first: usize, count: usize| {
+            let rows = 6 * count;
+            let mut stress = stress.rows_mut(0, rows);
+            stress.gemm(1.0, &operators.rows(0, rows), &theta, 0.0);
+            see(&StressBlock {
+                first,
+                stress: stress.as_view(),
+            });
+        };
+        for (cell, grid) in self.cells.iter().enumerate() {
+            let law = &self.laws[self.law_of_cell[cell]].stiffness;
+            let law = Matrix6::from_fn(|i, j| law[(USUAL_ORDER[i], j)]);
+            for (unit, ..) in &grid.points {
+                let mut rows = operators.fixed_view_mut::<6, 6>(6 * count, 0);
+                rows.copy_from(&(law * unit));
+                count += 1;
+                if count == BLOCK {
+                    flush(&operators, first, count);
+                    (first, count) = (first + count, 0);
+                }
+            }
+        }
+        if count > 0 {
+            flush(&operators, first, count);
+        }
+    }
+}
