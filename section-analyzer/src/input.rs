@@ -173,16 +173,9 @@ impl WrittenSection {
             region_of_cell: &region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
-        let loads = self.loads.iter();
-        let distributed = loads.map(|(_, load)| load.on_mesh(document, &mesh, section_mesh));
-        // every load is looked at before the first wrong one ends the search
-        let distributed: Vec<_> = distributed.collect();
-        let distributed: Option<Vec<_>> = distributed.into_iter().collect();
-        let materials = self
-            .materials
-            .iter()
-            .map(|written| written.material.clone());
-        let materials: Option<Vec<_>> = materials.collect();
+        let distributed = self.distributed(document, &mesh, section_mesh);
+        let known = self.materials.iter();
+        let materials: Option<Vec<_>> = known.map(|known| known.material.clone()).collect();
         let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
         let (section_mesh, report) = checked?;
 
@@ -211,6 +204,20 @@ impl WrittenSection {
 }
 
 impl WrittenSection {
+    /// The loads along the beam on the mesh; `None` when anything is wrong with one.
+    fn distributed(
+        &self,
+        document: &Document,
+        mesh: &Mesh,
+        section_mesh: Option<&SectionMesh>,
+    ) -> Option<Vec<DistributedLoad>> {
+        let loads = self.loads.iter();
+        let loads = loads.map(|(_, load)| load.on_mesh(document, mesh, section_mesh));
+        // every load is looked at before the first wrong one ends the search
+        let loads: Vec<_> = loads.collect();
+        loads.into_iter().collect()
+    }
+
     /// What went in; regions have the materials `of_region`.
     fn summary(
         &self,

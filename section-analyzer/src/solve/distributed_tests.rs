@@ -93,6 +93,44 @@ fn forces_are_in_balance_along_the_beam() {
     }
 }
 
+/// Warping and generalized strain of six cases.
+type Field = (DMatrix<f64>, Matrix6<f64>);
+
+/// The state under `forces` and internal forces `theta`, by order of the derivative, and
+/// that of the first derivative: the recursion from the highest degree down, with pinned
+/// solutions that are neither corrected nor decoupled.
+fn by_recursion(
+    p: &Problem,
+    pins: Pins,
+    forces: &[DMatrix<f64>],
+    theta: &[Matrix6<f64>],
+) -> (Field, Field) {
+    let systems = systems(p, pins);
+    let zero = (DMatrix::zeros(p.domain.unknowns(), 6), Matrix6::zeros());
+    let (mut next, mut second) = (zero.clone(), zero);
+    for i in (0..forces.len()).rev() {
+        let along = State {
+            rate: Rate::Given(&second.0),
+            warping: Some(&next.0),
+            strain: &next.1,
+        };
+        let face = section_forces(&p.domain, along).face;
+        let rate_alone = State {
+            rate: Rate::Given(&next.0),
+            warping: None,
+            strain: &Matrix6::zeros(),
+        };
+        let of_rate = section_forces(&p.domain, rate_alone);
+        let mut x = &forces[i] + face - of_rate.within;
+        let missing = theta[i] - of_rate.resultant;
+        let mut y: Matrix6xX<f64> = missing.columns(0, 6).into_owned();
+        let system = systems.steady();
+        system.correct(x.as_mut_slice(), &mut y).expect("memory");
+        second = std::mem::replace(&mut next, (x, y.fixed_columns::<6>(0).into_owned()));
+    }
+    (next, second)
+}
+
 /// The generalized strain against another method: the recursion of polynomials in x for
 /// internal force and state together, from the highest degree down, with pinned and not
 /// decoupled solutions; only its stresses are used, on which the rigid part has no
@@ -114,29 +152,7 @@ fn generalized_strain_is_the_work_on_the_central_solutions() {
         }
         assert!(theta[4].amax() < 1e-12);
 
-        let systems = systems(&p, pins);
-        let zero = (DMatrix::zeros(n, 6), Matrix6::zeros());
-        let (mut next, mut second) = (zero.clone(), zero);
-        for i in (0..4).rev() {
-            let along = State {
-                rate: Rate::Given(&second.0),
-                warping: Some(&next.0),
-                strain: &next.1,
-            };
-            let face = section_forces(&p.domain, along).face;
-            let rate_alone = State {
-                rate: Rate::Given(&next.0),
-                warping: None,
-                strain: &Matrix6::zeros(),
-            };
-            let of_rate = section_forces(&p.domain, rate_alone);
-            let mut x = &forces[i] + face - of_rate.within;
-            let missing = theta[i] - of_rate.resultant;
-            let mut y: Matrix6xX<f64> = missing.columns(0, 6).into_owned();
-            let system = systems.steady();
-            system.correct(x.as_mut_slice(), &mut y).expect("memory");
-            second = std::mem::replace(&mut next, (x, y.fixed_columns::<6>(0).into_owned()));
-        }
+        let (next, second) = by_recursion(&p, pins, &forces, &theta);
         let state = State {
             rate: Rate::Given(&second.0),
             warping: Some(&next.0),

@@ -68,34 +68,36 @@ fn a_load_of_the_command_line_has_no_distributed_part() {
     assert!(!run.out.contains("Distributed load"), "{}", run.out);
 }
 
+/// Loads with about every mistake there is.
+const WRONG: &str = "\
+[load.none]
+[[load.gust.traction]]
+curve = \"edges\"
+pressure = 1
+[[load.gust.traction]]
+curve = \"edge\"
+[[load.gust.traction]]
+curve = \"edge\"
+pressure = 1
+force = [1, 0, 0]
+[[load.gust.volume]]
+region = \"wed\"
+force = [1, 0, 0]
+along = []
+[[load.gust.volume]]
+acceleration = [1, 0]
+along = [0]
+[[load.gust.traction]]
+curve = \"bare\"
+tangential = \"3 mm\"
+[[load.tip.volume]]
+region = \"wed\"
+force = [1, 0, 0]
+";
+
 #[test]
 fn everything_wrong_with_loads_along_the_beam_is_told_at_once() {
-    let place = with(
-        "[load.none]\n\
-         [[load.gust.traction]]\n\
-         curve = \"edges\"\n\
-         pressure = 1\n\
-         [[load.gust.traction]]\n\
-         curve = \"edge\"\n\
-         [[load.gust.traction]]\n\
-         curve = \"edge\"\n\
-         pressure = 1\n\
-         force = [1, 0, 0]\n\
-         [[load.gust.volume]]\n\
-         region = \"wed\"\n\
-         force = [1, 0, 0]\n\
-         along = []\n\
-         [[load.gust.volume]]\n\
-         acceleration = [1, 0]\n\
-         along = [0]\n\
-         [[load.gust.traction]]\n\
-         curve = \"bare\"\n\
-         tangential = \"3 mm\"\n\
-         [[load.tip.volume]]\n\
-         region = \"wed\"\n\
-         force = [1, 0, 0]\n",
-        &[],
-    );
+    let place = with(WRONG, &[]);
     let text = format!("end_effects = 21\n{}", place.read("a.section.toml"));
     place.write("a.section.toml", &text);
     let run = place.run(&["check", "a.section.toml"]);
