@@ -16,12 +16,13 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, SectionMesh};
-use crate::properties::{AreaMoments, AreaTable};
+use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
 use crate::section::{DistributedLoad, Section};
 
@@ -68,6 +69,8 @@ pub struct Input {
     pub distributed: Vec<DistributedLoad>,
     /// Number of end effects to find.
     pub end_effects: Option<usize>,
+    /// The measure of strain for the effect of prestress, where it is asked for.
+    pub prestress: Option<StrainMeasure>,
     /// What went into it.
     pub summary: InputSummary,
 }
@@ -113,6 +116,9 @@ struct WrittenSection {
     curvature: Option<WrittenCurvature>,
     loads: Vec<(LoadCase, WrittenDistribution)>,
     end_effects: Option<usize>,
+    prestress: Option<StrainMeasure>,
+    /// Line of the key.
+    prestress_line: usize,
 }
 
 impl WrittenSection {
@@ -135,6 +141,10 @@ impl WrittenSection {
             curvature: curvature::read(&root),
             loads: loads::read(&root),
             end_effects: end_effects(&root),
+            prestress: root
+                .word("prestress", &StrainMeasure::NAMES)
+                .map(|word| StrainMeasure::ALL[word]),
+            prestress_line: root.line_of("prestress"),
         };
         root.finish();
         written
@@ -178,7 +188,6 @@ impl WrittenSection {
         let materials: Option<Vec<_>> = known.map(|known| known.material.clone()).collect();
         let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
         let (section_mesh, report) = checked?;
-
         let region_of_cell: Option<Vec<_>> = region_of_cell.into_iter().collect();
         let section = Section {
             name: self.name.clone(),
@@ -187,6 +196,7 @@ impl WrittenSection {
             cells: cells?,
             initial_curvature: beam?,
         };
+        self.note_prestress(document, &section);
         let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
         summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
@@ -198,12 +208,21 @@ impl WrittenSection {
             loads: self.loads.iter().map(|(load, _)| load.clone()).collect(),
             distributed,
             end_effects: self.end_effects,
+            prestress: self.prestress,
             summary,
         })
     }
 }
 
 impl WrittenSection {
+    /// Notes prestress that is asked for where it is not known.
+    fn note_prestress(&self, document: &Document, section: &Section) {
+        if self.prestress.is_some() && !section.initial_curvature.is_straight() {
+            let reason = NoPrestress::Curved;
+            document.note(self.prestress_line, &InputProblem::Prestress { reason });
+        }
+    }
+
     /// The loads along the beam on the mesh; `None` when anything is wrong with one.
     fn distributed(
         &self,

@@ -16,6 +16,7 @@ mod engineering;
 pub(crate) mod file;
 mod history;
 pub(crate) mod json;
+mod prestress;
 
 pub(crate) use check::matrix_problems;
 pub use check::{PropertyProblem, least_eigenvalue};
@@ -23,6 +24,7 @@ pub use curvature::{Agreement, CurvatureMismatch};
 pub use engineering::Engineering;
 pub use file::{VERSION, parse, read, write};
 pub use history::{Change, Step};
+pub use prestress::{CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure, prestress_part};
 
 /// What a beam needs to know of a cross-section.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,6 +53,8 @@ pub struct SectionProperties {
     pub thermal_force: Option<Vector6<f64>>,
     /// Internal damping; `None` for none.
     pub damping: Option<Damping>,
+    /// How internal forces change the stiffness; `None` where it was not computed.
+    pub prestress: Option<Prestress>,
     /// What the numbers were made from.
     pub provenance: Provenance,
 }
@@ -139,12 +143,14 @@ impl SectionProperties {
     /// The same section about the reference point moved by `by` = (y, z) [m].
     ///
     /// Exact: `K' = U K U^T` with [`wrench::shift_matrix`] `U`, mass and viscous
-    /// damping likewise, coupling and thermal force by `U`.
+    /// damping likewise, coupling and thermal force by `U`, the table of prestress by
+    /// [`CubicTable::shifted`].
     pub fn shift(&self, by: Vector2<f64>) -> Self {
         let d = Vector3::new(0.0, by.x, by.y);
         let u = wrench::shift_matrix(&d);
         let mut moved = self.transform(|matrix| wrench::shift(matrix, &d), &u);
         moved.reference_point += by;
+        moved.prestress = self.with_third(|third| third.shifted(by));
         for center in moved.centers.points() {
             *center -= by;
         }
@@ -163,6 +169,7 @@ impl SectionProperties {
         let mut turned = self.transform(|matrix| wrench::rotate(matrix, &q), &into);
         let plane = q.fixed_view::<2, 2>(1, 1).transpose();
         turned.reference_point = plane * turned.reference_point;
+        turned.prestress = self.with_third(|third| third.rotated(angle));
         for center in turned.centers.points() {
             *center = plane * *center;
         }
@@ -173,6 +180,13 @@ impl SectionProperties {
             *initial = initial.rotated(angle);
         }
         turned
+    }
+
+    fn with_third(&self, change: impl Fn(&CubicTable) -> CubicTable) -> Option<Prestress> {
+        self.prestress.map(|prestress| Prestress {
+            third: change(&prestress.third),
+            ..prestress
+        })
     }
 
     /// Applies a congruence to the matrices and `force` to the force-like columns.

@@ -27,6 +27,7 @@ mod mbdyn_model;
 mod mechanisms;
 mod pendulum;
 mod postbuckling;
+mod prestress;
 mod random_joints;
 mod random_mechanisms;
 #[path = "../common/record.rs"]

@@ -10,6 +10,7 @@ mod gmsh_formats;
 mod gmsh_pairs;
 mod invariances;
 mod outside_matrices;
+mod prestress;
 mod quads;
 mod random_sections;
 #[path = "../common/record.rs"]

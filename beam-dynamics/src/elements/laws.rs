@@ -135,6 +135,16 @@ impl<const N: usize> Law<N> {
         self.terms.iter().map(of_term).sum()
     }
 
+    /// Growth of the stiffness with a growth of the strain, by the terms whose force is
+    /// quadratic.
+    pub fn growth_of_stiffness(&self, growth: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        let mut sum = SMatrix::zeros();
+        for term in &self.terms {
+            term.kind.add_growth(growth, &mut sum);
+        }
+        sum
+    }
+
     /// Stiffness without strain, at the time zero.
     pub fn stiffness_at_rest(&self) -> SMatrix<f64, N, N> {
         let zero = SVector::zeros();

@@ -66,6 +66,16 @@ fn along(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Along> {
     if table.has("law") {
         let is_named = properties.is_some();
         let known = properties.flatten();
+        if known
+            .as_ref()
+            .is_some_and(|found| found.prestress.is_some())
+        {
+            let problem = LawProblem::LawAndPrestress {
+                beam: words.to_owned(),
+            };
+            table.note("law", &problem);
+            return None;
+        }
         let law = law(table, draft.drives(), words, known.as_ref())?;
         return (!is_named || known.is_some()).then(|| Along::of_law(law, known.as_ref()));
     }

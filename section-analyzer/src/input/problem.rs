@@ -5,6 +5,7 @@ use shared_geom::figure::tick_label;
 use shared_geom::wrench::COMPONENTS;
 
 use crate::material::{MaterialProblem, StrengthProblem};
+use crate::properties::NoPrestress;
 
 /// How many names a message lists before it counts the rest.
 const NAMES_SHOWN: usize = 5;
@@ -22,6 +23,12 @@ pub enum InputProblem {
         file: String,
         /// The reason in words.
         reason: String,
+    },
+    /// The effect of prestress is asked for where it is not known.
+    #[error("\"prestress\": {reason}")]
+    Prestress {
+        /// Why there is none.
+        reason: NoPrestress,
     },
     /// A material with keys of two kinds of law.
     #[error(
@@ -368,14 +375,10 @@ impl Explain for InputProblem {
                 "move the mesh to its origin (in gmsh, Translate): results are about the origin"
                     .to_owned(),
             ),
-            Self::Folded { factor, far, .. } => Some(format!(
-                "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in \
-                 1/m is in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward \
-                 -z), and that the origin of the mesh is on the reference line (the farthest \
-                 node is {} away)",
-                label(*factor),
-                label(*far)
-            )),
+            Self::Folded { factor, far, .. } => Some(folded_help(*factor, *far)),
+            Self::Prestress { .. } => {
+                Some("remove \"prestress\" or [initial_curvature]".to_owned())
+            }
             Self::HugeLoad { .. } => Some(
                 "this is in SI units; check the unit and the \"point\" where the load acts"
                     .to_owned(),
@@ -386,8 +389,30 @@ impl Explain for InputProblem {
     }
 }
 
+fn help_of_folded(factor: f64, far: f64) -> String {
+    format!(
+        "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in 1/m is \
+         in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward -z), and that \
+         the origin of the mesh is on the reference line (the farthest node is {} away)",
+        label(factor),
+        label(far)
+    )
+}
+
 fn label(value: f64) -> String {
     tick_label(value, 0.0)
+}
+
+/// What may be wrong with a curvature whose plain numbers count `factor` deg/m, of a
+/// section whose farthest node is `far` from the origin of the mesh.
+fn folded_help(factor: f64, far: f64) -> String {
+    format!(
+        "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in 1/m is in \
+         \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward -z), and that the \
+         origin of the mesh is on the reference line (the farthest node is {} away)",
+        label(factor),
+        label(far)
+    )
 }
 
 /// The keys of a table of strengths, in words.

@@ -63,6 +63,7 @@ pub(super) fn properties_of(source: &Source<'_>, solution: &SectionSolution) -> 
         piezo: None,
         thermal_force: None,
         damping: None,
+        prestress: None,
         provenance: Provenance {
             program: env!("CARGO_PKG_NAME").to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),

@@ -7,6 +7,7 @@ use shared_geom::wrench::COMPONENTS;
 
 use super::engineering::engineering_values_of;
 use super::parts;
+use super::prestress::prestress_report;
 use super::text::{coordinate, matrix, number, table};
 use super::undeformed::undeformed_beam;
 use crate::properties::{Centers, PrincipalAxes, radius_of_gyration};
@@ -43,6 +44,7 @@ pub fn property_report(file: &str, properties: &SectionProperties) -> String {
         properties.piezo.as_ref().map_or_else(String::new, piezo),
         thermal(properties),
         damping(properties),
+        prestress_report(properties, &[]),
     ];
     parts::joined(&parts)
 }

@@ -25,12 +25,14 @@ Convention
   SI units: N, m, kg, rad.
 ";
 
-/// The report of an analysis that reached its goal.
+/// The report of an analysis that reached its goal; `prestress` is the part on it, empty
+/// where it was not asked for.
 pub fn report(
     section: &Section,
     summary: &InputSummary,
     solution: &SectionSolution,
     restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
+    prestress: String,
 ) -> String {
     let unknowns = format!("  unknowns  {} of warping\n", solution.unknowns);
     let parts = [
@@ -56,6 +58,7 @@ pub fn report(
         couplings(&solution.stiffness),
         areas(&summary.areas),
         restrained_warping(restrained, solution, &summary.areas),
+        prestress,
         checks(&solution.checks),
     ];
     joined(&parts)

@@ -66,6 +66,8 @@ pub enum Part {
     Piezo,
     /// The thermal force.
     Thermal,
+    /// The effect of prestress.
+    Prestress,
     /// The damping matrix.
     Damping,
 }

@@ -14,6 +14,7 @@ mod help;
 mod many;
 mod matrices;
 mod mesh_checks;
+mod prestress;
 mod property_files;
 mod stress;
 mod unchanged;

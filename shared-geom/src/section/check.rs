@@ -112,6 +112,9 @@ pub enum PropertyProblem {
         /// The slope [-].
         found: [f64; 3],
     },
+    /// A table of prestress of a curved beam.
+    #[error("prestress is known for straight beams only, and the section has an initial curvature")]
+    CurvedPrestress,
     /// A damping factor below zero.
     #[error("damping is {found}, expected zero or more")]
     NegativeDamping {
@@ -273,6 +276,13 @@ fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     }
     if let Some(thermal) = &section.thermal_force {
         finite("thermal_force", all(thermal.as_slice()));
+    }
+    if let Some(prestress) = &section.prestress {
+        finite("prestress", prestress.third.is_finite());
+        let mut initial = section.initial_curvature.iter();
+        if initial.any(|initial| !initial.is_straight()) {
+            found.push(("prestress", PropertyProblem::CurvedPrestress));
+        }
     }
 }
 

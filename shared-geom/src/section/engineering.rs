@@ -71,6 +71,7 @@ impl Engineering {
             piezo: None,
             thermal_force: None,
             damping: None,
+            prestress: None,
             provenance,
         }
     }

@@ -6,17 +6,23 @@ use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Centers, Change, Damping, InitialCurvature, Piezo, PrincipalAxes, PropertyProblem, Provenance,
-    SectionProperties, Step, json,
+    Centers, Change, Damping, InitialCurvature, Piezo, Prestress, PrincipalAxes, PropertyProblem,
+    Provenance, SectionProperties, Step, json,
 };
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
 
+mod prestress;
+
+use prestress::FilePrestress;
+
 /// Latest version of the file format that this program reads.
 ///
-/// Version 2 adds the history of the provenance. A file without one is written as
-/// version 1, which older programs read.
-pub const VERSION: u64 = 2;
+/// Version 2 adds the history of the provenance, version 3 the effect of prestress. A file
+/// without them is written as version 1 or 2, which older programs read.
+pub const VERSION: u64 = 3;
+/// The version without prestress.
+const WITHOUT_PRESTRESS: u64 = 2;
 /// The version without the history.
 const WITHOUT_HISTORY: u64 = 1;
 const FORMAT: &str = "helicoid section properties";
@@ -46,6 +52,8 @@ struct File {
     thermal_force: Option<[f64; 6]>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     damping: Option<FileDamping>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    prestress: Option<FilePrestress>,
     provenance: FileProvenance,
 }
 
@@ -202,9 +210,10 @@ impl From<&SectionProperties> for File {
         let source = &section.provenance;
         Self {
             format: FORMAT.to_owned(),
-            version: match source.history[..] {
-                [] => WITHOUT_HISTORY,
-                _ => VERSION,
+            version: match (section.prestress, &source.history[..]) {
+                (Some(_), _) => VERSION,
+                (None, []) => WITHOUT_HISTORY,
+                (None, _) => WITHOUT_PRESTRESS,
             },
             name: section.name.clone(),
             units: "SI".to_owned(),
@@ -237,6 +246,7 @@ impl From<&SectionProperties> for File {
                 Damping::StiffnessProportional(time) => FileDamping::StiffnessProportional(time),
                 Damping::Viscous(matrix) => FileDamping::Viscous(rows(&matrix)),
             }),
+            prestress: section.prestress.as_ref().map(FilePrestress::from),
             provenance: FileProvenance::from(source),
         }
     }
@@ -261,9 +271,26 @@ impl File {
         known
     }
 
+    /// The table of prestress; what cannot be is noted and left out.
+    fn prestress(&self, text: &str, file: &str, problems: &mut Diagnostics) -> Option<Prestress> {
+        let mut malformed = |reason: String| {
+            let problem = PropertyProblem::Malformed { reason };
+            problems.push(place_of("prestress", text, file), &problem);
+        };
+        let written = self.prestress.as_ref()?;
+        if self.version <= WITHOUT_PRESTRESS {
+            let version = self.version;
+            malformed(format!(
+                "\"prestress\" belongs to version 3, and the file says version {version}"
+            ));
+        }
+        Some(written.prestress(malformed))
+    }
+
     /// The content; ragged matrices are noted and left empty.
     fn section(self, text: &str, file: &str, problems: &mut Diagnostics) -> SectionProperties {
         let history = self.history(text, file, problems);
+        let prestress = self.prestress(text, file, problems);
         let mut matrix = |field, rows: &[Vec<f64>]| {
             matrix_of(rows).unwrap_or_else(|| {
                 let found = "ragged".to_owned();
@@ -308,6 +335,7 @@ impl File {
                 FileDamping::StiffnessProportional(time) => Damping::StiffnessProportional(time),
                 FileDamping::Viscous(matrix) => Damping::Viscous(matrix6(&matrix)),
             }),
+            prestress,
             provenance: Provenance {
                 history,
                 ..self.provenance.without_history()

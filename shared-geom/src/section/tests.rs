@@ -36,6 +36,7 @@ pub(super) fn section() -> SectionProperties {
         }),
         thermal_force: Some(Vector6::new(100.0, 0.0, 0.0, 0.1, 0.2, 1.0 / 3.0)),
         damping: Some(Damping::Viscous(1e-3 * stiffness)),
+        prestress: None,
         provenance: Provenance {
             program: "section-analyzer".to_owned(),
             version: "0.1.0".to_owned(),
@@ -78,10 +79,10 @@ fn refused(old: &str, new: &str) -> String {
 
 #[test]
 fn a_newer_version_is_refused_with_the_remedy() {
-    let shown = refused("\"version\": 1", "\"version\": 3");
+    let shown = refused("\"version\": 1", "\"version\": 4");
     assert_eq!(
         shown,
-        "error: a.json:3: written in version 3 of the property-file format, expected at most 2\n  \
+        "error: a.json:3: written in version 4 of the property-file format, expected at most 3\n  \
          help: use a newer version of this program"
     );
 }
@@ -290,4 +291,104 @@ fn thermal_force_and_coupling_move_with_the_stiffness() {
     let column = moved.piezo.unwrap().coupling.column(0).into_owned();
     let expected = wrench::shift_matrix(&d) * section.piezo.unwrap().coupling.column(0);
     assert!((column - expected).amax() < 1e-14);
+}
+
+/// A table of distinct entries.
+fn with_prestress() -> SectionProperties {
+    let third = |[i, j, k]: [usize; 3]| 1e4 * (1 + i + 5 * j + 25 * k) as f64 / 3.0;
+    SectionProperties {
+        prestress: Some(Prestress {
+            strain_measure: StrainMeasure::Biot,
+            third: CubicTable::from_fn(third),
+        }),
+        initial_curvature: None,
+        ..section()
+    }
+}
+
+/// Version 3 is that of files with prestress; those without stay as they were.
+#[test]
+fn prestress_is_kept_in_version_three() {
+    let section = with_prestress();
+    let text = write(&section);
+    assert!(text.contains("\n  \"version\": 3,\n"), "{text}");
+    assert!(
+        text.contains("\n      [1, 4, 4, 103333.33333333333],\n"),
+        "{text}"
+    );
+    assert_eq!(parse(&text, "a.json").unwrap(), section);
+    // the rows left out are zero, and their order does not matter
+    let sparse = text.replacen(
+        "\n      [1, 1, 1, ",
+        "\n      [6, 4, 6, 2.5],\n      [1, 1, 1, ",
+        1,
+    );
+    let sparse: String = sparse
+        .lines()
+        .filter(|line| !line.contains("[4, 6, 6, ") && !line.contains("[1, 1, 4, "))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let found = parse(&sparse, "a.json").unwrap().prestress.unwrap();
+    assert_eq!(found.third.at([1, 3, 3]), 2.5);
+    assert_eq!(found.third.at([0, 0, 1]), 0.0);
+}
+
+#[test]
+fn a_wrong_table_is_refused_where_it_stands() {
+    let text = write(&with_prestress());
+    let line = 1 + text
+        .lines()
+        .position(|line| line.contains("\"prestress\""))
+        .unwrap();
+    let cases = [
+        ("[1, 4, 4, ", "[1, 2, 4, ", "another index than 1 (axial)"),
+        ("[1, 4, 4, ", "[1, 4, 1, ", "that another row gives already"),
+        (
+            "\"version\": 3",
+            "\"version\": 2",
+            "belongs to version 3, and the file says version 2",
+        ),
+    ];
+    for (old, new, expected) in cases {
+        let shown = parse(&text.replacen(old, new, 1), "a.json")
+            .unwrap_err()
+            .to_string();
+        assert!(shown.contains(expected), "{shown}");
+        assert!(
+            shown.starts_with(&format!("error: a.json:{line}: ")),
+            "{shown}"
+        );
+    }
+    let word = parse(&text.replace("biot", "log"), "a.json")
+        .unwrap_err()
+        .to_string();
+    assert!(word.contains("expected `biot` or `green`"), "{word}");
+    let mut endless = with_prestress();
+    endless.prestress.as_mut().unwrap().third = CubicTable::from_fn(|_| f64::NAN);
+    let field = "prestress";
+    assert!(
+        endless
+            .problems()
+            .contains(&PropertyProblem::NotFinite { field })
+    );
+}
+
+/// The tangent stiffness moves like the stiffness: the same section at the same load,
+/// seen from elsewhere. The condition number of the moved stiffness, 1e6, costs the
+/// strain digits: 1e-9 of the largest entry.
+#[test]
+fn stiffness_under_load_moves_with_the_section() {
+    let section = with_prestress();
+    let force = Vector6::new(3e3, 0.0, 0.0, 0.2, -0.4, 5.0);
+    let tangent = section.stiffness_at(&force).unwrap();
+    assert!((tangent - section.stiffness).amax() > 1e3);
+    let by = Vector2::new(0.3, -0.7);
+    let d = Vector3::new(0.0, by.x, by.y);
+    let u = wrench::shift_matrix(&d);
+    let moved = section.shift(by).stiffness_at(&(u * force)).unwrap();
+    assert!((moved - wrench::shift(&tangent, &d)).amax() < 1e-9 * tangent.amax());
+    let q = rotation_about_x(0.7);
+    let into = wrench::rotation_matrix(&q).transpose();
+    let turned = section.rotate(0.7).stiffness_at(&(into * force)).unwrap();
+    assert!((turned - wrench::rotate(&tangent, &q)).amax() < 1e-9 * tangent.amax());
 }

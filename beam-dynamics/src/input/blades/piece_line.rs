@@ -129,6 +129,7 @@ mod tests {
             mass: Matrix6::identity(),
             damping: None,
             law: None,
+            prestress: None,
             curved: None,
         };
         PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))

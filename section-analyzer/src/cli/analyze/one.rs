@@ -16,9 +16,9 @@ use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
     AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv, end_effects,
-    failure_report, properties, report, warping_vtu,
+    failure_report, prestress_report, properties, report, warping_vtu,
 };
-use crate::properties::RestrainedWarping;
+use crate::properties::{RestrainedWarping, prestress};
 use crate::solution::SectionSolution;
 
 /// How the analysis of a section ended.
@@ -170,9 +170,17 @@ fn solved(
         section, summary, ..
     } = input;
     let solution = &found.solution;
-    let properties = properties(section, solution, &summary.input_hash);
+    let mut properties = properties(section, solution, &summary.input_hash);
+    let mut prestress_part = String::new();
+    if let Some(measure) = input.prestress {
+        match prestress(section, &solution.warping, &solution.strain, measure) {
+            Ok(found) => properties.prestress = Some(found),
+            Err(reason) => prestress_part = format!("Prestress\n  none: {reason}\n"),
+        }
+        prestress_part += &prestress_report(&properties, &input.loads);
+    }
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let mut report = report(section, summary, solution, &restrained);
+    let mut report = report(section, summary, solution, &restrained, prestress_part);
     if let Some(found) = &found.end_effects {
         report = report + "\n" + &end_effects(found);
     }

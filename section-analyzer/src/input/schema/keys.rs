@@ -1,5 +1,6 @@
 //! The keys of the section file.
 
+use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
 use super::distributed::{END_EFFECTS, TRACTIONS, VOLUMES};
@@ -94,6 +95,14 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             "Internal forces and loads along the beam for which stresses are recovered, by name.",
         ),
         END_EFFECTS,
+        key(
+            "prestress",
+            &[ValueKind::Word(&StrainMeasure::NAMES)],
+            Optional,
+            "\"biot\"",
+            "Asks for the change of the stiffness with the internal forces, by a strain to \
+             second order: biot is the usual one, green is 1/2 (F'F - 1).",
+        ),
     ],
     families: &[],
 };

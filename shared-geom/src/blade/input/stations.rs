@@ -192,6 +192,7 @@ fn of_section(table: &Table<'_>, sources: &Sources) -> Option<(String, Box<Secti
     for (is_there, what) in [
         (section.piezo.is_some(), "piezoelectric coupling"),
         (section.thermal_force.is_some(), "thermal force"),
+        (section.prestress.is_some(), "table of prestress"),
     ] {
         if is_there {
             let remark = format!("{written}: its {what} is not part of a blade");
