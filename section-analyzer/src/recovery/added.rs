@@ -6,6 +6,9 @@
 //! ```
 
 use super::recoverer::Recoverer;
+use super::resultant::{face_stress, force_size};
+use super::state::PointState;
+use crate::assembly::largest;
 use crate::element::{CellPoint, NO_COLUMNS, NodalColumns, cell_points, strain_at};
 use crate::solution::DistributedState;
 use nalgebra::{DVector, Matrix6, Vector6};
@@ -31,6 +34,15 @@ impl Recoverer<'_> {
         point: &CellPoint,
     ) -> Vector6<f64> {
         self.strain_of(&self.added_fields(cell, state), point)
+    }
+
+    /// The force that the error of a distributed load is measured beside \[N\], as its
+    /// stresses have no resultant: that of their size, or of the load over a length as
+    /// large as the section.
+    pub(super) fn size_of(&self, state: &DistributedState, points: &[PointState]) -> f64 {
+        let per_length = wrench::shift_matrix(&self.offset()) * state.force_per_length;
+        let load = force_size(&per_length, self.size()) * self.size();
+        largest(face_stress(points), load)
     }
 
     /// w', w at the nodes of a cell and y about the centroid, each in the first column.

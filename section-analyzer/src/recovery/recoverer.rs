@@ -28,7 +28,7 @@ pub use batch::StressBlock;
 use super::axes::{strain_in_axes, stress_in_axes};
 use super::extrapolate::Extrapolation;
 use super::locate::{Located, locate};
-use super::resultant::{centroid_and_size, face_stress, resultant, resultant_error};
+use super::resultant::{centroid_and_size, resultant, resultant_error};
 use super::state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};
 use crate::element::{CellPoint, Line, NO_COLUMNS, NodalColumns, cell_points, strain_at};
 use crate::failure::Failure;
@@ -178,8 +178,7 @@ impl<'a> Recoverer<'a> {
             cells.push(mean);
         }
         let about_center = resultant(&points, self.center);
-        // a distributed load has stresses without a resultant, which measure its error
-        let least = added.map_or(0.0, |_| face_stress(&points));
+        let least = added.map_or(0.0, |state| self.size_of(state, &points));
         let error = resultant_error(&about_center, &theta, self.size, least);
         self.require(load, error)?;
         let added = added.map_or(Vector6::zeros(), |state| state.strain);
@@ -232,6 +231,11 @@ impl<'a> Recoverer<'a> {
 
     pub(super) fn section(&self) -> &Section {
         self.section
+    }
+
+    /// Largest distance of a node from the centroid \[m\].
+    pub(super) fn size(&self) -> f64 {
+        self.size
     }
 
     pub(super) fn line(&self) -> &Line {

@@ -28,6 +28,12 @@ pub(super) fn resultant(points: &[PointState], center: [f64; 2]) -> Vector6<f64>
     sum
 }
 
+/// The larger of force and moment over the length `size` \[N\].
+pub(super) fn force_size(force: &Vector6<f64>, size: f64) -> f64 {
+    let moment = force.fixed_rows::<3>(3).norm() / size;
+    largest(force.fixed_rows::<3>(0).norm(), moment)
+}
+
 /// Integral of the size of the stress on the face \[N\].
 pub(super) fn face_stress(points: &[PointState]) -> f64 {
     let sizes = points.iter().map(|point| {
@@ -46,15 +52,11 @@ pub(super) fn resultant_error(
     size: f64,
     least: f64,
 ) -> f64 {
-    let measure = |force: &Vector6<f64>| {
-        let moment = force.fixed_rows::<3>(3).norm() / size;
-        largest(force.fixed_rows::<3>(0).norm(), moment)
-    };
-    let error = measure(&(found - expected));
+    let error = force_size(&(found - expected), size);
     if error == 0.0 {
         0.0
     } else {
-        error / largest(measure(expected), least)
+        error / largest(force_size(expected, size), least)
     }
 }
 

@@ -43,7 +43,7 @@ use nalgebra::{Complex, DMatrix, Matrix6};
 const BLOCK: usize = 6;
 
 /// Blocks of the space at most.
-const MOST_BLOCKS: usize = 24;
+const MOST_BLOCKS: usize = 48;
 
 /// Rates that are looked for beyond those that are wanted: the nearest to zero need not
 /// decay slowest, as they may oscillate.
@@ -133,7 +133,8 @@ impl DecayRates {
         // forces are integrals over the cells around a node: made comparable
         let weight = states.u.norm() / states.p.norm();
         // the twelve rigid motions and central solutions are no part of the space
-        let most = (MOST_BLOCKS * BLOCK).min((2 * n).saturating_sub(12));
+        let all = (2 * n).saturating_sub(12);
+        let most = (MOST_BLOCKS * BLOCK).min(all);
         let mut space = Space::new(&stacked(&states, weight), most);
         let mut before: Vec<Complex<f64>> = Vec::new();
         loop {
@@ -144,7 +145,8 @@ impl DecayRates {
             let mut rates = distinct(dense::eigenvalues(&space.projection()));
             rates.truncate(wanted + SPARE);
             let change = change(&before, &rates);
-            let is_converged = change <= FOUND || space.is_whole();
+            let is_whole = space.is_whole() || space.dimension() >= all;
+            let is_converged = change <= FOUND || is_whole;
             if is_converged || space.is_full() {
                 rates.sort_by(|a, b| a.re.total_cmp(&b.re));
                 rates.truncate(wanted);

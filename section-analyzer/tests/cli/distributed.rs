@@ -118,7 +118,10 @@ fn everything_wrong_with_loads_along_the_beam_is_told_at_once() {
             "the traction has \"pressure\" and \"force\", expected one of them",
         ),
         (35, "expected an array of 1 to 9 numbers, not all zero"),
-        (37, "\"acceleration\" is [1, 0], expected an array of 3"),
+        (
+            37,
+            "\"acceleration\" is an array of 2, expected an array of 3",
+        ),
         (38, "expected an array of 1 to 9 numbers, not all zero"),
         (41, "\"mm\" measures a length, expected a stress"),
         (24, "the mesh has no physical curve \"edges\""),
