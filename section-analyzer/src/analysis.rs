@@ -6,6 +6,8 @@
 //!   (1983) 403-413.
 
 mod central;
+mod decay;
+mod distributed;
 mod imposed;
 mod outside;
 mod si;

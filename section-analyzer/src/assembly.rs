@@ -3,9 +3,11 @@
 //! [`Domain`] is the section as the solver sees it (attached nodes, centered and
 //! scaled), [`Pattern`] which unknowns meet in a cell, [`SectionMatrices`] the
 //! matrices E, R, A of the system to factor, [`State`] with its forces and energy
-//! the products with all six matrices by integration of stresses; the rigid motions are
+//! the products with all six matrices by integration of stresses, [`distributed_forces`]
+//! what loads along the beam put on its nodes; the rigid motions are
 //! what their identities are checked with.
 
+mod distributed;
 mod domain;
 mod imposed;
 mod mass;
@@ -16,6 +18,7 @@ mod pattern;
 mod rigid;
 mod stress;
 
+pub use distributed::distributed_forces;
 pub(crate) use domain::largest;
 pub use domain::{Domain, DomainCell, Scaling};
 pub use imposed::{ImposedForces, imposed_forces};

@@ -21,6 +21,7 @@ mod load_arguments;
 mod matrices;
 mod report;
 mod schema;
+mod solved;
 mod stress;
 
 use arguments::{Arguments, Command};

@@ -9,6 +9,7 @@ mod gradient;
 mod line;
 mod moved;
 mod point;
+mod side;
 mod strain;
 
 pub use blocks::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
@@ -18,6 +19,7 @@ pub use gradient::PointGradient;
 pub use line::{Line, Metric};
 pub use moved::{MovedPoint, NodalForces, NodalState};
 pub use point::{CellPoint, RulePoint, cell_points, rule_points};
+pub use side::{SidePoint, side_points};
 pub use strain::{
     FACE_STRAINS, NO_COLUMNS, NodalColumns, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS,
     rigid_displacement, strain_at,

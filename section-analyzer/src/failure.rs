@@ -150,6 +150,16 @@ pub enum Failure {
         /// Name of the state.
         state: String,
     },
+    /// The search for end effects ended before their rates stood still.
+    #[error(
+        "the rates of decay of end effects still change by {change:.1e} with {vectors} vectors"
+    )]
+    EndEffects {
+        /// The largest relative change \[-\].
+        change: f64,
+        /// Vectors that the search took.
+        vectors: usize,
+    },
     /// The factorization does not fit in memory.
     #[error("a factorization for {unknowns} unknowns does not fit in memory")]
     OutOfMemory {
@@ -195,6 +205,7 @@ impl Explain for Failure {
                 "look for moduli many orders of magnitude apart, a shear modulus of nearly zero, and an origin of the mesh far from the section"
             }
             Self::NodesOnOneLine => "a section needs an area: give the wall a thickness",
+            Self::EndEffects { .. } => "ask for fewer \"end_effects\"",
             Self::OutOfMemory { .. } => "coarsen the mesh, or use a machine with more memory",
             Self::CellsWithoutMaterial { .. }
             | Self::DanglingCell { .. }

@@ -24,11 +24,12 @@ use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
-use crate::section::{ImposedStrain, Section};
+use crate::section::{DistributedLoad, ImposedStrain, Section};
 
 mod assign;
 mod cell_table;
 mod curvature;
+mod distributed;
 mod extent;
 mod files;
 mod follow;
@@ -44,6 +45,7 @@ mod strengths;
 mod summary;
 mod tables;
 
+pub use distributed::DistributedProblem;
 pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, checked_load, is_load_name};
 pub use problem::InputProblem;
@@ -51,6 +53,7 @@ pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
+use distributed::WrittenDistribution;
 use files::Files;
 use imposed::WrittenStates;
 use materials::WrittenMaterial;
@@ -67,6 +70,10 @@ pub struct Input {
     pub imposed: Vec<ImposedStrain>,
     /// The load cases to recover stresses for.
     pub loads: Vec<LoadCase>,
+    /// What is distributed along the beam in each of them, parallel to them.
+    pub distributed: Vec<DistributedLoad>,
+    /// Number of end effects to find.
+    pub end_effects: Option<usize>,
     /// The measure of strain for the effect of prestress, where it is asked for.
     pub prestress: Option<StrainMeasure>,
     /// What went into it.
@@ -113,7 +120,8 @@ struct WrittenSection {
     regions: Vec<WrittenRegion>,
     states: WrittenStates,
     curvature: Option<WrittenCurvature>,
-    loads: Vec<LoadCase>,
+    loads: Vec<(LoadCase, WrittenDistribution)>,
+    end_effects: Option<usize>,
     prestress: Option<StrainMeasure>,
     /// Line of the key.
     prestress_line: usize,
@@ -140,6 +148,7 @@ impl WrittenSection {
             curvature: curvature::read(&root),
             loads: loads::read(&root, &states),
             states,
+            end_effects: end_effects(&root),
             prestress: root
                 .word("prestress", &StrainMeasure::NAMES)
                 .map(|word| StrainMeasure::ALL[word]),
@@ -176,13 +185,13 @@ impl WrittenSection {
             region_of_cell: &region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
+        let distributed = self.distributed(document, &mesh, section_mesh);
         let tags: Vec<_> = mesh.cells.iter().map(|cell| cell.tag).collect();
         let rises = self.states.rises(document, files, &tags);
         let materials = self.materials.iter();
         let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
-        let (materials, of_region) = (materials?, of_region?);
+        let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
         let (section_mesh, report) = checked?;
-
         let region_of_cell: Option<Vec<_>> = region_of_cell.into_iter().collect();
         let section = Section {
             name: self.name.clone(),
@@ -204,7 +213,9 @@ impl WrittenSection {
             section,
             limits: self.materials.iter().map(|known| known.limits).collect(),
             imposed,
-            loads: self.loads.clone(),
+            loads: self.loads.iter().map(|(load, _)| load.clone()).collect(),
+            distributed,
+            end_effects: self.end_effects,
             prestress: self.prestress,
             summary,
         })
@@ -231,6 +242,20 @@ impl WrittenSection {
             let reason = NoPrestress::Curved;
             document.note(self.prestress_line, &InputProblem::Prestress { reason });
         }
+    }
+
+    /// The loads along the beam on the mesh; `None` when anything is wrong with one.
+    fn distributed(
+        &self,
+        document: &Document,
+        mesh: &Mesh,
+        section_mesh: Option<&SectionMesh>,
+    ) -> Option<Vec<DistributedLoad>> {
+        let loads = self.loads.iter();
+        let loads = loads.map(|(_, load)| load.on_mesh(document, mesh, section_mesh));
+        // every load is looked at before the first wrong one ends the search
+        let loads: Vec<_> = loads.collect();
+        loads.into_iter().collect()
     }
 
     /// What went in; regions have the materials `of_region`.
@@ -333,6 +358,22 @@ fn doubled_nodes(root: &Table<'_>) -> DoubledNodes {
         None if !root.has("doubled_nodes") => DoubledNodes::Error,
         _ => DoubledNodes::Allow,
     }
+}
+
+/// End effects to find at most.
+pub(crate) const MOST_END_EFFECTS: usize = 20;
+
+/// How many end effects are to be found.
+fn end_effects(root: &Table<'_>) -> Option<usize> {
+    if !root.has("end_effects") {
+        return None;
+    }
+    let count = root.count("end_effects")?;
+    if count > MOST_END_EFFECTS {
+        let expected = format!("a whole number from 1 to {MOST_END_EFFECTS}");
+        root.wrong("end_effects", &expected);
+    }
+    Some(count)
 }
 
 /// The mesh that `key` names.

@@ -3,6 +3,8 @@
 
 mod areas;
 mod comparison;
+mod distributed;
+mod end_effects;
 mod engineering;
 mod fiber_plot;
 mod field_plot;
@@ -37,6 +39,8 @@ mod samples;
 
 pub use areas::areas_csv;
 pub use comparison::{Named, comparison};
+pub use distributed::distributed_load;
+pub use end_effects::end_effects;
 pub use engineering::{EngineeringValue, engineering_values, engineering_values_of};
 pub use fiber_plot::FiberPlot;
 pub use field_plot::FieldPlot;

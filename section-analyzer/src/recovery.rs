@@ -63,6 +63,7 @@
 //! # References
 //! - \[Giavotto1983\]: stresses of the central solutions.
 
+mod added;
 mod axes;
 mod criteria;
 mod extrapolate;

@@ -38,8 +38,10 @@ pub struct CellMaterial {
     pub plane_angle: f64,
 }
 
+mod distributed;
 mod outside;
 #[cfg(test)]
 pub(crate) mod samples;
 
+pub use distributed::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
 pub use outside::{Blocks, OutsideSection, Reduced, Through};

@@ -92,3 +92,9 @@ pub struct Checks {
     /// about 1e-16 for a section that falls apart.
     pub smallest_pivot: f64,
 }
+
+mod distributed;
+mod end_effects;
+
+pub use distributed::DistributedState;
+pub use end_effects::{DecayingMode, EndEffects};

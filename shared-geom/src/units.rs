@@ -83,6 +83,8 @@ impl Dimension {
     pub const THERMAL_FORCE: Self = Self::of(1, 1, -2, 0).of_temperature(-1);
     /// Moment per rise of temperature, in N m/K inside.
     pub const THERMAL_MOMENT: Self = Self::of(2, 1, -2, 0).of_temperature(-1);
+    /// Force per volume, in N/m^3 inside.
+    pub const FORCE_PER_VOLUME: Self = Self::of(-2, 1, -2, 0);
     /// Twist rate and curvature of a line, in rad/m inside.
     pub const CURVATURE: Self = Self::of(-1, 0, 0, 1);
 
@@ -131,6 +133,7 @@ impl fmt::Display for Dimension {
             Self::DENSITY => "a density",
             Self::VELOCITY => "a velocity",
             Self::ACCELERATION => "an acceleration",
+            Self::FORCE_PER_VOLUME => "a force per volume",
             Self::ROTATION_SPEED => "a rotation speed",
             Self::FREQUENCY => "a frequency",
             Self::BENDING_STIFFNESS => "a bending or torsional stiffness",

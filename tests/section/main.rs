@@ -4,6 +4,8 @@ mod binary_meshes;
 mod closed_forms;
 mod converged;
 mod curved_lines;
+mod distributed_loads;
+mod end_effects;
 mod gmsh_formats;
 mod gmsh_pairs;
 mod imposed;

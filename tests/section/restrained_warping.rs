@@ -161,11 +161,10 @@ fn thin_channel_of_two_materials() {
     assert!(error < 0.01, "{error:e}");
 }
 
-/// `Gamma = t b^3 h^2 / 24`; the center is that of symmetry.
-#[test]
-fn thin_i_section() {
+/// An I section with walls of 1/100 of its height.
+pub fn thin_i_mesh() -> Mesh {
     let (y, z) = (B / 2.0, H / 2.0);
-    let mesh = walls(
+    walls(
         &[
             wall([0.0, -z], [0.0, z], T, [true, true]),
             wall([-y, -z], [y, -z], T, [false, false]),
@@ -173,8 +172,13 @@ fn thin_i_section() {
         ],
         T,
         24,
-    );
-    let found = of_mesh(&mesh);
+    )
+}
+
+/// `Gamma = t b^3 h^2 / 24`; the center is that of symmetry.
+#[test]
+fn thin_i_section() {
+    let found = of_mesh(&thin_i_mesh());
     let expected = T * B.powi(3) * H * H / 24.0;
     let error = relative_error(gamma(&found), expected);
     println!("I: {error:.1e}");

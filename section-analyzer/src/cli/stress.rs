@@ -8,16 +8,17 @@ use shared_geom::error::{Diagnostics, Explain, Place};
 use shared_geom::files::OutputProblem;
 
 use super::arguments::LoadArguments;
+use super::solved::{Solved, solve};
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, words};
-use crate::analysis::analyze_imposed;
 use crate::failure::Failure;
 use crate::input::{self, Input, InputProblem};
 use crate::output::{
-    OutputFiles, ResultWriter, failure_indices_of_cells, stress_cells_csv, stress_nodes_csv,
-    stress_plots, stress_points_csv, stress_report, stress_vtu,
+    OutputFiles, ResultWriter, distributed_load, failure_indices_of_cells, stress_cells_csv,
+    stress_nodes_csv, stress_plots, stress_points_csv, stress_report, stress_vtu,
 };
 use crate::recovery::{LoadCase, Recoverer, Recovery};
-use crate::solution::{ImposedSolution, SectionSolution};
+use crate::section::DistributedLoad;
+use crate::solution::{DistributedState, SectionSolution};
 
 /// Nothing to recover stresses for.
 #[derive(Debug, thiserror::Error)]
@@ -43,6 +44,7 @@ pub(super) fn recover_file(
     let mut input = terminal.read(file)?;
     if let Some(load) = written_load(load, terminal)? {
         input.loads = vec![load];
+        input.distributed = vec![DistributedLoad::default()];
     }
     let place = Place::file(file.display().to_string());
     if input.loads.is_empty() {
@@ -51,18 +53,17 @@ pub(super) fn recover_file(
     let folder = out.unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).join("results"));
     let files = OutputFiles::new(&folder, &input::name_of(file))
         .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
-    let (solution, imposed) =
-        analyze_imposed(&input.section, &input.imposed).map_err(|failure| {
-            for load in &input.loads {
-                files.remove_stresses(&load.name);
-            }
-            let problem = Diagnostics::one(place, &failure);
-            terminal.tell_text(&problem.to_string(), NOT_REACHED)
-        })?;
+    let solved = solve(&input, false).map_err(|failure| {
+        for load in &input.loads {
+            files.remove_stresses(&load.name);
+        }
+        let problem = Diagnostics::one(place, &failure);
+        terminal.tell_text(&problem.to_string(), NOT_REACHED)
+    })?;
 
     let mut results = ResultWriter::beside(files);
     let mut stresses = Stresses::default();
-    let written = stresses.write(&input, &solution, &imposed.states, &mut results);
+    let written = stresses.write(&input, &solved, &mut results);
     write!(terminal.out, "{}", stresses.reports.join("\n"))?;
     let problems = [
         written.err().map(|problem| words(&problem)),
@@ -115,17 +116,24 @@ impl Stresses {
     pub fn write(
         &mut self,
         input: &Input,
-        solution: &SectionSolution,
-        imposed: &[ImposedSolution],
+        solved: &Solved,
         results: &mut ResultWriter,
     ) -> Result<(), OutputProblem> {
         if input.loads.is_empty() {
             return Ok(());
         }
-        let recoverer = Recoverer::new(&input.section, solution).with_imposed(imposed);
-        for load in &input.loads {
-            match recoverer.recover(load) {
-                Ok(recovery) => self.write_one(input, solution, &recovery, results)?,
+        let recoverer = Recoverer::new(&input.section, &solved.solution)
+            .with_imposed(&solved.imposed.states);
+        for (load, added) in input.loads.iter().zip(&solved.distributed) {
+            let recovered = match added {
+                Some(added) => recoverer.recover_with(load, added),
+                None => recoverer.recover(load),
+            };
+            match recovered {
+                Ok(recovery) => {
+                    let state = (&solved.solution, added.as_ref());
+                    self.write_one(input, state, &recovery, results)?;
+                }
                 Err(failure) => {
                     results.files().remove_stresses(&load.name);
                     self.failures.push(failure);
@@ -139,7 +147,7 @@ impl Stresses {
     fn write_one(
         &mut self,
         input: &Input,
-        solution: &SectionSolution,
+        (solution, added): (&SectionSolution, Option<&DistributedState>),
         recovery: &Recovery,
         results: &mut ResultWriter,
     ) -> Result<(), OutputProblem> {
@@ -150,7 +158,10 @@ impl Stresses {
         let files = results.files().clone();
         // of an earlier run, which may have had strengths
         files.remove_stresses(load);
-        let report = stress_report(section, limits, recovery);
+        let mut report = stress_report(section, limits, recovery);
+        if let Some(added) = added {
+            report = report + "\n" + &distributed_load(section, added);
+        }
         results.text(files.stress_report(load), &report)?;
         self.reports.push(report);
         let points = stress_points_csv(section, limits, recovery);

@@ -54,6 +54,11 @@ pub(super) fn curve(document: &Document, mesh: &Mesh, written: &Written) -> Opti
     has_lines.then_some(group)
 }
 
+/// The surface that `written` names: its index in the groups of the mesh.
+pub(super) fn surface(document: &Document, mesh: &Mesh, written: &Written) -> Option<usize> {
+    find(document, mesh, SURFACE, written)
+}
+
 fn note_empty(document: &Document, written: &Written, dimension: u8, content: &'static str) {
     let problem = InputProblem::EmptyGroup {
         kind: word(dimension),

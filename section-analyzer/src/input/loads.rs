@@ -4,6 +4,7 @@ use nalgebra::Vector6;
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
+use super::distributed::{self, WrittenDistribution};
 use super::imposed::{ImposedProblem, WrittenStates};
 use super::problem::InputProblem;
 use crate::recovery::LoadCase;
@@ -45,21 +46,29 @@ pub fn is_load_name(name: &str) -> bool {
     !name.is_empty() && name.chars().all(fits)
 }
 
-/// Reads every `[load.NAME]`, of which some act with imposed `states`; those that are
-/// wrong are noted and left out.
-pub(super) fn read(root: &Table<'_>, states: &WrittenStates) -> Vec<LoadCase> {
+/// Reads every `[load.NAME]` with what is distributed along the beam, of which some act
+/// with imposed `states`; those that are wrong are noted and left out.
+pub(super) fn read(
+    root: &Table<'_>,
+    states: &WrittenStates,
+) -> Vec<(LoadCase, WrittenDistribution)> {
     let tables = root.named_tables("load");
     tables
         .into_iter()
         .filter_map(|(name, table)| {
-            let load = read_one(&name, &table, states);
+            let distributed = distributed::read(&table);
+            let load = read_one(&name, &table, (states, &distributed));
             table.finish();
-            load
+            Some((load?, distributed))
         })
         .collect()
 }
 
-fn read_one(name: &str, table: &Table<'_>, states: &WrittenStates) -> Option<LoadCase> {
+fn read_one(
+    name: &str,
+    table: &Table<'_>,
+    (states, distributed): (&WrittenStates, &WrittenDistribution),
+) -> Option<LoadCase> {
     let load = name.to_owned();
     if !is_load_name(name) {
         table.note("", &InputProblem::LoadName { load: load.clone() });
@@ -75,7 +84,7 @@ fn read_one(name: &str, table: &Table<'_>, states: &WrittenStates) -> Option<Loa
     let force = Vector6::from_vec(components?);
     let [temperature, initial_strain] = imposed;
     let imposed: Vec<_> = temperature?.into_iter().chain(initial_strain?).collect();
-    if force == Vector6::zeros() && imposed.is_empty() {
+    if force == Vector6::zeros() && imposed.is_empty() && distributed.is_empty() {
         table.note("", &InputProblem::ZeroLoad { load });
         return None;
     }

@@ -109,7 +109,8 @@ pub enum InputProblem {
     /// A load case without any load.
     #[error(
         "load \"{load}\" is zero, expected at least one of \"axial\", \"shear_y\", \"shear_z\", \
-         \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \"initial_strain\""
+         \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \"initial_strain\", \
+         \"traction\", \"volume\""
     )]
     ZeroLoad {
         /// Name of the load case.

@@ -10,6 +10,7 @@
 
 use shared_geom::units::Dimension;
 
+mod distributed;
 mod imposed;
 mod json;
 mod keys;
@@ -89,6 +90,10 @@ pub enum ValueKind {
     Quantity(Dimension),
     /// As many quantities.
     Vector(usize, Dimension),
+    /// A whole number from 1 to this one.
+    Count(usize),
+    /// A list of one to as many plain numbers.
+    Numbers(usize),
     /// Rows and columns of plain numbers.
     Rows(usize, usize),
     /// A table, `[key]`.

@@ -12,6 +12,7 @@ mod checks;
 mod coincident;
 mod components;
 mod contact;
+mod curve_sides;
 mod findings;
 pub mod generate;
 mod jacobian;
@@ -24,6 +25,7 @@ mod seams;
 mod section_mesh;
 mod sides;
 
+pub use curve_sides::{Bank, CurveSide};
 pub use findings::{CellOverlap, DoubledNodes, HangingNode, NarrowGap, Seam};
 pub(crate) use plane::{distance, polygon_area};
 pub use problem::{Inversion, MeshProblem, Part};

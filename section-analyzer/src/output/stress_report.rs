@@ -77,7 +77,7 @@ fn acting_with(recovery: &Recovery) -> String {
 
 /// What is zero beside the largest component, shown as zero; the last three times
 /// `length` are comparable with the first three.
-fn without_round_off(values: &Vector6<f64>, length: f64) -> Vector6<f64> {
+pub(super) fn without_round_off(values: &Vector6<f64>, length: f64) -> Vector6<f64> {
     let weight = |i: usize| if i < 3 { 1.0 } else { length };
     let compared = Vector6::from_fn(|i, _| (values[i] * weight(i)).abs());
     let scale = compared.amax();
@@ -114,7 +114,7 @@ fn has_material_axes(section: &Section, group: usize) -> bool {
 }
 
 /// Largest coordinate of a node: what is zero beside it is shown as zero \[m\].
-fn size(section: &Section) -> f64 {
+pub(super) fn size(section: &Section) -> f64 {
     let coordinates = section.mesh.nodes.iter().flatten();
     coordinates.fold(0.0, |size, x| x.abs().max(size))
 }

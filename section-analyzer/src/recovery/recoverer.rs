@@ -35,7 +35,7 @@ use crate::element::{CellPoint, Line, NO_COLUMNS, NodalColumns, cell_points, str
 use crate::failure::Failure;
 use crate::material::{material_axes, section_stiffness};
 use crate::section::Section;
-use crate::solution::{ImposedSolution, SectionSolution};
+use crate::solution::{DistributedState, ImposedSolution, SectionSolution};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
@@ -141,6 +141,27 @@ impl<'a> Recoverer<'a> {
     /// [`Failure::Resultant`] when the recovered stress does not add up to the load;
     /// [`Failure::UnknownState`] for an imposed state whose solution was not given.
     pub fn recover(&self, load: &LoadCase) -> Result<Recovery, Failure> {
+        self.recovered(load, None)
+    }
+
+    /// Strain and stress under `load` where a load distributed along the beam, which
+    /// adds the state `added`, acts as well.
+    ///
+    /// # Errors
+    /// As [`Recoverer::recover`].
+    pub fn recover_with(
+        &self,
+        load: &LoadCase,
+        added: &DistributedState,
+    ) -> Result<Recovery, Failure> {
+        self.recovered(load, Some(added))
+    }
+
+    fn recovered(
+        &self,
+        load: &LoadCase,
+        added: Option<&DistributedState>,
+    ) -> Result<Recovery, Failure> {
         let theta = self.about_center(load);
         let imposed = Imposed::of_load(self.section, self.imposed, load)?;
         let mut points = Vec::with_capacity(self.cells.iter().map(|c| c.points.len()).sum());
@@ -148,12 +169,16 @@ impl<'a> Recoverer<'a> {
         let mut sums = vec![(Tensors::default(), 0.0); self.nodes.len()];
         for (cell, grid) in self.cells.iter().enumerate() {
             let first = points.len();
-            points.extend(grid.points.iter().map(|(unit, place, area)| PointState {
-                cell,
-                place: [place[0] + self.center[0], place[1] + self.center[1]],
-                area: *area,
-                tensors: self.tensors(cell, &(unit * theta)),
-            }));
+            let more = added.map(|state| self.added_strains(cell, state));
+            let more = |point: usize| more.as_ref().map_or(Vector6::zeros(), |more| more[point]);
+            points.extend(
+                (grid.points.iter().enumerate()).map(|(point, (unit, place, area))| PointState {
+                    cell,
+                    place: [place[0] + self.center[0], place[1] + self.center[1]],
+                    area: *area,
+                    tensors: self.tensors(cell, &(unit * theta + more(point))),
+                }),
+            );
             if let Some(imposed) = &imposed {
                 self.add_imposed(imposed, cell, &mut points[first..]);
             }
@@ -172,12 +197,15 @@ impl<'a> Recoverer<'a> {
         let held = imposed
             .as_ref()
             .map_or(0.0, |imposed| self.held(imposed, &points));
-        let error = resultant_error(&about_center, &theta, self.size, held);
+        let least = held + added.map_or(0.0, |state| self.size_of(state, &points));
+        let error = resultant_error(&about_center, &theta, self.size, least);
         self.require(load, error)?;
+        let added = added.map_or(Vector6::zeros(), |state| state.strain);
         Ok(Recovery {
             load: load.clone(),
             generalized_strain: self.solution.strain * load.force
-                + imposed.map_or_else(Vector6::zeros, |imposed| imposed.strain),
+                + imposed.map_or_else(Vector6::zeros, |imposed| imposed.strain)
+                + added,
             nodes: self.nodal_states(&sums),
             points,
             cells,
@@ -194,6 +222,25 @@ impl<'a> Recoverer<'a> {
     /// It is the strain of the cell's own displacement there, without smoothing. Imposed
     /// states whose solution was not given are left out.
     pub fn at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, Tensors)> {
+        self.tensors_at(load, None, place)
+    }
+
+    /// As [`Recoverer::at`], with what a load distributed along the beam adds.
+    pub fn at_with(
+        &self,
+        load: &LoadCase,
+        added: &DistributedState,
+        place: [f64; 2],
+    ) -> Option<(usize, Tensors)> {
+        self.tensors_at(load, Some(added), place)
+    }
+
+    fn tensors_at(
+        &self,
+        load: &LoadCase,
+        added: Option<&DistributedState>,
+        place: [f64; 2],
+    ) -> Option<(usize, Tensors)> {
         let Located { cell, r, s } = locate(&self.section.mesh, place)?;
         let kind = self.section.mesh.cells[cell].kind;
         let point = CellPoint::at(kind, &self.places(cell), r, s, 1.0);
@@ -201,6 +248,9 @@ impl<'a> Recoverer<'a> {
         let imposed = Imposed::of_load(self.section, self.imposed, load);
         if let Some(imposed) = imposed.ok().flatten() {
             strain += self.imposed_strain(&imposed, cell, &point);
+        }
+        if let Some(state) = added {
+            strain += self.added_strain(cell, state, &point);
         }
         Some((cell, self.tensors(cell, &strain)))
     }
@@ -234,6 +284,19 @@ impl<'a> Recoverer<'a> {
         points.iter().map(of_point).sum()
     }
 
+    pub(super) fn section(&self) -> &Section {
+        self.section
+    }
+
+    /// Largest distance of a node from the centroid \[m\].
+    pub(super) fn size(&self) -> f64 {
+        self.size
+    }
+
+    pub(super) fn line(&self) -> &Line {
+        &self.line
+    }
+
     fn require(&self, load: &LoadCase, error: f64) -> Result<(), Failure> {
         if error <= RESULTANT_LIMIT {
             return Ok(());
@@ -246,7 +309,7 @@ impl<'a> Recoverer<'a> {
     }
 
     /// From the reference point to the centroid.
-    fn offset(&self) -> Vector3<f64> {
+    pub(super) fn offset(&self) -> Vector3<f64> {
         Vector3::new(0.0, self.center[0], self.center[1])
     }
 
@@ -256,7 +319,7 @@ impl<'a> Recoverer<'a> {
     }
 
     /// Places of the nodes of a cell from the centroid.
-    fn places(&self, cell: usize) -> Vec<[f64; 2]> {
+    pub(super) fn places(&self, cell: usize) -> Vec<[f64; 2]> {
         let mesh = &self.section.mesh;
         let places = mesh.places(&mesh.cells[cell]);
         places

@@ -28,24 +28,35 @@ pub(super) fn resultant(points: &[PointState], center: [f64; 2]) -> Vector6<f64>
     sum
 }
 
+/// The larger of force and moment over the length `size` \[N\].
+pub(super) fn force_size(force: &Vector6<f64>, size: f64) -> f64 {
+    let moment = force.fixed_rows::<3>(3).norm() / size;
+    largest(force.fixed_rows::<3>(0).norm(), moment)
+}
+
+/// Integral of the size of the stress on the face \[N\].
+pub(super) fn face_stress(points: &[PointState]) -> f64 {
+    let sizes = points.iter().map(|point| {
+        let stress = &point.tensors.stress;
+        point.area * Vector3::new(stress[0], stress[5], stress[4]).norm()
+    });
+    sizes.sum()
+}
+
 /// Error of the internal force `found` beside `expected`, both about the centroid;
-/// `size` is l. Imposed stresses, whose own force `held` is in balance, count beside the
-/// load \[-\].
+/// `size` is l \[m\]. It is relative to what is expected, or to the force `least` \[N\]
+/// where that is larger: what imposed states and loads along the beam hold in balance.
 pub(super) fn resultant_error(
     found: &Vector6<f64>,
     expected: &Vector6<f64>,
     size: f64,
-    held: f64,
+    least: f64,
 ) -> f64 {
-    let measure = |force: &Vector6<f64>| {
-        let moment = force.fixed_rows::<3>(3).norm() / size;
-        largest(force.fixed_rows::<3>(0).norm(), moment)
-    };
-    let error = measure(&(found - expected));
+    let error = force_size(&(found - expected), size);
     if error == 0.0 {
         0.0
     } else {
-        error / largest(measure(expected), held)
+        error / largest(force_size(expected, size), least)
     }
 }
 

@@ -6,13 +6,13 @@ use approx::assert_relative_eq;
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 use shared_geom::mesh::CellKind;
 
-struct Problem {
-    domain: Domain,
-    pattern: Pattern,
-    matrices: SectionMatrices<f64>,
+pub(super) struct Problem {
+    pub domain: Domain,
+    pub pattern: Pattern,
+    pub matrices: SectionMatrices<f64>,
 }
 
-fn problem() -> Problem {
+pub(super) fn problem() -> Problem {
     let domain = Domain::new(&coupled_rectangle(CellKind::Quadrilateral8)).expect("sound");
     let pattern = Pattern::new(&domain);
     let matrices = SectionMatrices::assemble(&domain, &pattern).expect("sound");
@@ -204,7 +204,7 @@ fn condition_is_bounded_from_below() {
     assert!(found <= exact && found > 0.05 * exact, "{found} {exact}");
 }
 
-fn systems(p: &Problem, pins: Pins) -> CentralSystems {
+pub(super) fn systems(p: &Problem, pins: Pins) -> CentralSystems {
     CentralSystems::new(&p.domain, &p.pattern, p.matrices.clone(), pins).expect("definite")
 }
 
@@ -214,7 +214,7 @@ fn decoupled(p: &Problem, pins: Pins) -> Decoupled {
 }
 
 /// The problem of the sample on a beam of given line, in units of the domain.
-fn problem_along(curvature: [f64; 3], slope: [f64; 3]) -> Problem {
+pub(super) fn problem_along(curvature: [f64; 3], slope: [f64; 3]) -> Problem {
     let mut p = problem();
     p.domain.line = Line {
         curvature: curvature.into(),
@@ -225,7 +225,7 @@ fn problem_along(curvature: [f64; 3], slope: [f64; 3]) -> Problem {
 }
 
 /// A straight beam, one with an oblique line, and curved ones: strongly, and hardly.
-fn problems() -> [Problem; 4] {
+pub(super) fn problems() -> [Problem; 4] {
     [
         problem(),
         problem_along([0.0; 3], [1.0, 0.3, -0.2]),
@@ -322,7 +322,7 @@ fn solutions_do_not_depend_on_the_pins() {
 }
 
 /// Triples of nodes, pseudo-random, whose triangle has an area.
-fn random_triangles(nodes: &[[f64; 2]]) -> Vec<[usize; 3]> {
+pub(super) fn random_triangles(nodes: &[[f64; 2]]) -> Vec<[usize; 3]> {
     let mut state = 12345_u64;
     let mut next = || {
         state = state

@@ -9,6 +9,7 @@ mod bad_property_files;
 mod bad_section;
 mod compare;
 mod curvature;
+mod distributed;
 mod help;
 mod imposed;
 mod many;

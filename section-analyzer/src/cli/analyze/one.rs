@@ -10,16 +10,17 @@ use shared_geom::section::{self, SectionProperties};
 use super::sensitivity::{Sensitivities, analyzed, parameters};
 use super::{Job, Run};
 use crate::cli::figures::draw_section;
+use crate::cli::solved::Solved;
 use crate::cli::stress::Stresses;
 use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
-    AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv,
+    AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv, end_effects,
     failure_report, imposed_report, prestress_report, properties, report, warping_vtu,
 };
 use crate::properties::{RestrainedWarping, prestress};
-use crate::solution::{ImposedSolutions, SectionSolution};
+use crate::solution::SectionSolution;
 
 /// How the analysis of a section ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -126,10 +127,10 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
     let solve = || {
         let results = ResultWriter::new(files);
         match analyzed(&input, parameters) {
-            Ok((solution, derivatives)) => solved(
+            Ok((found, derivatives)) => solved(
                 job,
                 &input,
-                (&solution, &derivatives),
+                (&found, &derivatives),
                 results,
                 made_from.as_deref(),
             ),
@@ -173,14 +174,15 @@ fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
 fn solved(
     job: &Job,
     input: &Input,
-    ((solution, imposed), derivatives): (&(SectionSolution, ImposedSolutions), &Sensitivities),
+    (found, derivatives): (&Solved, &Sensitivities),
     mut results: ResultWriter,
     made_from: Option<&str>,
 ) -> Outcome {
     let Input {
         section, summary, ..
     } = input;
-    let mut properties = properties(section, solution, imposed, &summary.input_hash);
+    let solution = &found.solution;
+    let mut properties = properties(section, solution, &found.imposed, &summary.input_hash);
     let mut prestress_part = String::new();
     if let Some(measure) = input.prestress {
         match prestress(section, &solution.warping, &solution.strain, measure) {
@@ -191,8 +193,11 @@ fn solved(
     }
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
     let on_request = imposed_report(&properties) + &prestress_part;
-    let report = report(section, summary, solution, &restrained, on_request)
+    let mut report = report(section, summary, solution, &restrained, on_request)
         + &derivatives.table(section, solution);
+    if let Some(found) = &found.end_effects {
+        report = report + "\n" + &end_effects(found);
+    }
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))
@@ -200,15 +205,18 @@ fn solved(
         .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
         .and_then(|()| derivatives.write(input, &mut results))
         .and_then(|()| write_figures(input, solution, &mut results))
-        .and_then(|()| stresses.write(input, solution, &imposed.states, &mut results));
+        .and_then(|()| stresses.write(input, found, &mut results));
 
     let failed = stresses.problems(&job.file);
+    let open = found.open_problem(&job.file);
     let (files, problem) = match (written, made_from) {
-        (Ok(()), Some(made_from)) if failed.is_none() => results.finish(made_from),
+        (Ok(()), Some(made_from)) if failed.is_none() && open.is_none() => {
+            results.finish(made_from)
+        }
         (Ok(()), _) => (results.abandon(), None),
         (Err(problem), _) => (results.abandon(), Some(problem)),
     };
-    let problems: Vec<_> = [problem.map(|problem| words(&problem)), failed]
+    let problems: Vec<_> = [problem.map(|problem| words(&problem)), failed, open]
         .into_iter()
         .flatten()
         .collect();

@@ -5,13 +5,14 @@ use shared_geom::files::OutputProblem;
 use thiserror::Error;
 
 use super::Run;
-use crate::analysis::{Analysis, analyze_imposed};
+use crate::analysis::Analysis;
+use crate::cli::solved::{Solved, solve};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{ResultWriter, sensitivity_json, sensitivity_table};
 use crate::section::Section;
 use crate::sensitivity::{Axis, Derivative, Parameter, SensitivityProblem};
-use crate::solution::{ImposedSolutions, SectionSolution};
+use crate::solution::SectionSolution;
 use shared_geom::error::Explain;
 
 /// A node that derivatives are asked for, and that is not there.
@@ -108,18 +109,16 @@ fn index_of(input: &Input, tag: u64) -> Result<usize, NodeProblem> {
     }
 }
 
-/// Solves the section under all imposed states, with the derivatives if they are asked
-/// for.
+/// Solves the section with all that its file asks for, and the derivatives if they are
+/// asked for.
 pub(super) fn analyzed(
     input: &Input,
     parameters: Option<Vec<Parameter>>,
-) -> Result<((SectionSolution, ImposedSolutions), Sensitivities), Failure> {
-    let section = &input.section;
+) -> Result<(Solved, Sensitivities), Failure> {
     let Some(parameters) = parameters else {
-        let solved = analyze_imposed(section, &input.imposed)?;
-        return Ok((solved, Sensitivities::default()));
+        return Ok((solve(input, true)?, Sensitivities::default()));
     };
-    let analysis = Analysis::new(section)?;
+    let analysis = Analysis::new(&input.section)?;
     let derivatives = analysis.sensitivities(&parameters).map_err(|problem| {
         // the parameters are those of the section
         let unknowns = match problem {
@@ -128,8 +127,6 @@ pub(super) fn analyzed(
         };
         Failure::OutOfMemory { unknowns }
     })?;
-    let imposed = analysis.all_imposed(&input.imposed)?;
-    let solution = analysis.solution().clone();
-    let derivatives = Sensitivities(Some((parameters, derivatives)));
-    Ok(((solution, imposed), derivatives))
+    let solved = Solved::by(&analysis, input, true)?;
+    Ok((solved, Sensitivities(Some((parameters, derivatives)))))
 }

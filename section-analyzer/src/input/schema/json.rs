@@ -111,6 +111,11 @@ fn forms(kind: &ValueKind) -> Vec<Value> {
         ValueKind::Boolean => vec![json!({ "type": "boolean" })],
         ValueKind::Quantity(_) => quantity(),
         ValueKind::Vector(count, _) => vec![array(*count, json!({ "anyOf": quantity() }))],
+        ValueKind::Count(most) => vec![json!({ "type": "integer", "minimum": 1, "maximum": most })],
+        ValueKind::Numbers(most) => {
+            let items = json!({ "anyOf": quantity() });
+            vec![json!({ "type": "array", "items": items, "minItems": 1, "maxItems": most })]
+        }
         ValueKind::Rows(rows, columns) => {
             vec![array(
                 *rows,

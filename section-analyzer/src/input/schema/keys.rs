@@ -3,6 +3,7 @@
 use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
+use super::distributed::END_EFFECTS;
 use super::imposed::{EXPANSION, INITIAL_STRAIN, TEMPERATURE};
 use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
 use super::loads::LOAD;
@@ -107,8 +108,9 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             &[ValueKind::NamedTables(&LOAD)],
             Optional,
             "",
-            "Internal forces and imposed states for which stresses are recovered, by name.",
+            "Internal forces, imposed states and loads along the beam for which stresses are recovered, by name.",
         ),
+        END_EFFECTS,
         key(
             "prestress",
             &[ValueKind::Word(&StrainMeasure::NAMES)],

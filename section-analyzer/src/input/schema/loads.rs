@@ -2,6 +2,7 @@
 
 use shared_geom::units::Dimension;
 
+use super::distributed::{TRACTIONS, VOLUMES};
 use super::keys::key;
 use super::{Need, TableSchema, ValueKind};
 
@@ -14,8 +15,8 @@ const MOMENT: &[ValueKind] = &[ValueKind::Quantity(Dimension::MOMENT)];
 /// A load case.
 pub(super) const LOAD: TableSchema = TableSchema {
     title: "[load.NAME]",
-    meaning: "An internal force, of which at least one component is not zero, or an imposed \
-              state, or both together. NAME is made of letters, digits, - and _.",
+    meaning: "An internal force, of which at least one component is not zero, imposed states, \
+              a load along the beam, or several of them together. NAME is made of letters, digits, - and _.",
     keys: &[
         key("axial", FORCE, Default("0"), "\"10 kN\"", "Axial force."),
         key(
@@ -74,6 +75,8 @@ pub(super) const LOAD: TableSchema = TableSchema {
             "\"cure\"",
             "The initial strain that acts too, by its name.",
         ),
+        TRACTIONS,
+        VOLUMES,
     ],
     families: &[],
 };

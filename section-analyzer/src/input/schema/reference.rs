@@ -87,6 +87,8 @@ fn words(kind: &ValueKind) -> String {
         ValueKind::Unit(dimension) => format!("unit of {dimension}"),
         ValueKind::Quantity(dimension) => format!("quantity: {dimension}"),
         ValueKind::Vector(count, dimension) => format!("{count} quantities, each {dimension}"),
+        ValueKind::Count(most) => format!("whole number from 1 to {most}"),
+        ValueKind::Numbers(most) => format!("1 to {most} numbers"),
         ValueKind::Rows(rows, columns) => format!("{rows} rows of {columns} numbers"),
         ValueKind::Table(table) => format!("table `{}`", table.title),
         ValueKind::NamedTables(table) => format!("tables `{}`", table.title),

@@ -1,0 +1,140 @@
+//! Loads distributed along the beam: the state that they add to that of the internal
+//! force.
+//!
+//! Its generalized strain is found a second time, by the work of its stresses on the
+//! central solutions, and must be the same:
+//!
+//! ```text
+//! y = X' Q + T X' P                                                               (S-107)
+//! ```
+
+use super::central::OF_CELLS;
+use super::{Analysis, named};
+use crate::assembly::{Rate, State, distributed_forces, largest, section_forces};
+use crate::failure::Failure;
+use crate::section::DistributedLoad;
+use crate::solution::DistributedState;
+use crate::solve::DistributedSolution;
+use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
+use shared_geom::wrench;
+
+/// Loads that are solved together.
+const TOGETHER: usize = 6;
+
+impl Analysis<'_> {
+    /// The state that each of `loads` adds, one solution a degree for six of them.
+    ///
+    /// # Errors
+    /// [`Failure::OutOfMemory`]; [`Failure::Inaccurate`] when the generalized strain
+    /// found by the work on the central solutions is another.
+    pub fn distributed(
+        &self,
+        loads: &[&DistributedLoad],
+    ) -> Result<Vec<DistributedState>, Failure> {
+        let mut found = Vec::with_capacity(loads.len());
+        for loads in loads.chunks(TOGETHER) {
+            let forces = distributed_forces(self.section(), self.domain(), loads);
+            let solved = self.distributed_solution(&forces)?;
+            let errors = self.distributed_errors(&solved);
+            for case in 0..loads.len() {
+                self.require_same_work(errors[case])?;
+                found.push(self.distributed_in_si(&solved, case, errors[case]));
+            }
+        }
+        Ok(found)
+    }
+
+    /// The state under the derivatives `forces` of up to six loads, in the units of the
+    /// domain.
+    fn distributed_solution(
+        &self,
+        forces: &[DMatrix<f64>],
+    ) -> Result<DistributedSolution, Failure> {
+        let domain = self.domain();
+        let unknowns = domain.unknowns();
+        DistributedSolution::solve(domain, self.systems.steady(), self.central(), forces)
+            .ok_or(Failure::OutOfMemory { unknowns })
+    }
+
+    /// The differences of the generalized strains from those of (S-107), relative to
+    /// the largest of warping, rate and strain \[-\].
+    fn distributed_errors(&self, solved: &DistributedSolution) -> Vector6<f64> {
+        let (domain, central) = (self.domain(), self.central());
+        let state = State {
+            rate: Rate::Given(&solved.rate),
+            warping: Some(&solved.x),
+            strain: &solved.y,
+        };
+        let forces = section_forces(domain, state);
+        let product = |columns| -> Matrix6<f64> {
+            let product = central.x.tr_mul(columns);
+            product.fixed_view::<6, 6>(0, 0).into_owned()
+        };
+        let along = domain.line.equilibrium().transpose();
+        let work = product(&forces.within) + along * product(&forces.face);
+        Vector6::from_fn(|case, _| {
+            let difference = (solved.y - work).column(case).amax();
+            let sizes = [&solved.x, &solved.rate].map(|field| field.column(case).amax());
+            let size = largest(largest(sizes[0], sizes[1]), solved.y.column(case).amax());
+            if difference == 0.0 {
+                0.0
+            } else {
+                difference / size
+            }
+        })
+    }
+
+    fn require_same_work(&self, error: f64) -> Result<(), Failure> {
+        let limit = OF_CELLS.check;
+        if error <= limit {
+            return Ok(());
+        }
+        let node = self.systems.smallest_pivot().node;
+        let weakest = named(self.section(), self.domain(), node);
+        let [y, z] = weakest.place;
+        Err(Failure::Inaccurate {
+            check: "the work of the distributed load",
+            error,
+            limit,
+            node: weakest.tag,
+            y,
+            z,
+        })
+    }
+
+    /// From the units of the domain to SI, from its origin to that of the mesh, as the
+    /// central solutions.
+    fn distributed_in_si(
+        &self,
+        solved: &DistributedSolution,
+        case: usize,
+        error: f64,
+    ) -> DistributedState {
+        let scaling = &self.domain().scaling;
+        let [y, z] = scaling.origin;
+        let t = Vector3::new(0.0, y, z);
+        let strain = solved.y.column(case).component_mul(&scaling.strain());
+        let force = solved
+            .resultant
+            .column(case)
+            .component_mul(&scaling.force())
+            / scaling.length;
+        DistributedState {
+            warping: scaling.length * self.on_mesh(&solved.x, case),
+            rate: self.on_mesh(&solved.rate, case),
+            strain: wrench::shift_matrix(&t).transpose() * strain,
+            force_per_length: wrench::shift_matrix(&-t) * force,
+            error,
+        }
+    }
+
+    /// A column of a field of the domain at the nodes of the mesh.
+    fn on_mesh(&self, field: &DMatrix<f64>, column: usize) -> DVector<f64> {
+        let mut on_mesh = DVector::zeros(3 * self.section().mesh.nodes.len());
+        for (node, &mesh_node) in self.domain().mesh_nodes.iter().enumerate() {
+            let mut at_node = on_mesh.fixed_rows_mut::<3>(3 * mesh_node as usize);
+            at_node.copy_from(&field.fixed_view::<3, 1>(3 * node, column));
+        }
+        on_mesh
+    }
+}

@@ -1,0 +1,274 @@
+//! Loads along the beam as written: `[[load.NAME.traction]]` on curves of the mesh and
+//! `[[load.NAME.volume]]` in its regions.
+
+use nalgebra::Vector3;
+use shared_geom::document::{Document, Table};
+use shared_geom::mesh::Mesh;
+use shared_geom::units::Dimension;
+
+use super::groups;
+use super::regions::{Written, name};
+use crate::mesh::{Bank, CurveSide, SectionMesh};
+use crate::section::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
+
+mod problem;
+
+pub use problem::DistributedProblem;
+
+/// Coefficients of a polynomial at most: a degree of eight.
+pub(super) const MOST_COEFFICIENTS: usize = 9;
+
+/// Largest component \[Pa, N/m^3, m/s^2\] and coefficient: far beyond all structures, and
+/// such that the squares of its stresses are numbers.
+const LARGEST: f64 = 1e20;
+
+/// The distributed parts of a load as far as they could be read.
+#[derive(Debug, Clone, Default)]
+pub(super) struct WrittenDistribution {
+    parts: Vec<Option<WrittenPart>>,
+}
+
+/// A part, whose curve or region is not yet compared with the mesh.
+#[derive(Debug, Clone)]
+struct WrittenPart {
+    place: WrittenPlace,
+    along: Vec<f64>,
+}
+
+#[derive(Debug, Clone)]
+enum WrittenPlace {
+    Curve(Written, Traction),
+    Region(Option<Written>, VolumeForce),
+}
+
+/// Reads the distributed parts of the load in `table`; what is wrong is noted.
+pub(super) fn read(table: &Table<'_>) -> WrittenDistribution {
+    let mut parts = Vec::new();
+    for part in table.tables("traction") {
+        parts.push(traction(&part));
+        part.finish();
+    }
+    for part in table.tables("volume") {
+        parts.push(volume(&part));
+        part.finish();
+    }
+    WrittenDistribution { parts }
+}
+
+fn traction(table: &Table<'_>) -> Option<WrittenPart> {
+    let curve = name(table, "curve", "the name of a physical curve");
+    let along = along(table);
+    let pressure = number(table, "pressure").map(Traction::Pressure);
+    let tangential = number(table, "tangential").map(Traction::Tangential);
+    let force = vector(table, "force", Dimension::STRESS).map(Traction::Force);
+    let found = [
+        ("pressure", pressure),
+        ("tangential", tangential),
+        ("force", force),
+    ];
+    let expected = "\"pressure\", \"tangential\" or \"force\"";
+    let traction = only(table, "traction", expected, found);
+    Some(WrittenPart {
+        place: WrittenPlace::Curve(curve?, traction?),
+        along: along?,
+    })
+}
+
+fn volume(table: &Table<'_>) -> Option<WrittenPart> {
+    let region = match table.has("region") {
+        true => name(table, "region", "the name of a physical surface").map(Some),
+        false => Some(None),
+    };
+    let along = along(table);
+    let force = vector(table, "force", Dimension::FORCE_PER_VOLUME).map(VolumeForce::Force);
+    let acceleration = vector(table, "acceleration", Dimension::ACCELERATION);
+    let acceleration = acceleration.map(VolumeForce::Acceleration);
+    let found = [("force", force), ("acceleration", acceleration)];
+    let force = only(
+        table,
+        "volume force",
+        "\"force\" or \"acceleration\"",
+        found,
+    );
+    Some(WrittenPart {
+        place: WrittenPlace::Region(region?, force?),
+        along: along?,
+    })
+}
+
+/// The one of several forces that is given; else the problem is noted. Those that could
+/// not be read have been told.
+fn only<T, const N: usize>(
+    table: &Table<'_>,
+    part: &'static str,
+    expected: &'static str,
+    found: [(&'static str, Option<T>); N],
+) -> Option<T> {
+    let given: Vec<_> = found
+        .into_iter()
+        .filter(|(key, _)| table.has(key))
+        .collect();
+    match &given[..] {
+        [] => table.note("", &DistributedProblem::NoForce { part, expected }),
+        [_] => {}
+        [(first, _), (second, _), ..] => {
+            let (first, second) = (*first, *second);
+            let problem = DistributedProblem::TwoForces {
+                part,
+                first,
+                second,
+            };
+            table.note(second, &problem);
+            return None;
+        }
+    }
+    given.into_iter().next().and_then(|(_, force)| force)
+}
+
+/// A stress under `key`, if it is there.
+fn number(table: &Table<'_>, key: &str) -> Option<f64> {
+    if !table.has(key) {
+        return None;
+    }
+    let value = table.quantity(key, Dimension::STRESS)?;
+    checked(table, key, &[value]).then_some(value)
+}
+
+fn vector(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
+    if !table.has(key) {
+        return None;
+    }
+    let value = table.vector(key, dimension)?;
+    checked(table, key, value.as_slice()).then_some(value)
+}
+
+/// Coefficients of the polynomial along the beam, per power of a meter; one where not
+/// given.
+fn along(table: &Table<'_>) -> Option<Vec<f64>> {
+    if !table.has("along") {
+        return Some(vec![1.0]);
+    }
+    let expected = format!("an array of 1 to {MOST_COEFFICIENTS} numbers, not all zero");
+    let coefficients = match table.is_list("along") {
+        true => table.quantities("along", Dimension::NUMBER)?,
+        false => Vec::new(),
+    };
+    let count = coefficients.len();
+    if !(1..=MOST_COEFFICIENTS).contains(&count) || coefficients.iter().all(|c| *c == 0.0) {
+        table.wrong("along", &expected);
+        return None;
+    }
+    let unit = table.document().factor(Dimension::LENGTH);
+    let powers = (0..).map(|power| unit.powi(power));
+    let in_si = coefficients.iter().zip(powers).map(|(c, unit)| c / unit);
+    let in_si: Vec<f64> = in_si.collect();
+    checked(table, "along", &in_si).then_some(in_si)
+}
+
+/// Whether no number is beyond all structures.
+fn checked(table: &Table<'_>, key: &str, values: &[f64]) -> bool {
+    let fits = |value: &f64| value.abs() <= LARGEST;
+    let fit = values.iter().all(fits);
+    if !fit {
+        table.wrong(key, &format!("at most {LARGEST:e} in SI units"));
+    }
+    fit
+}
+
+impl WrittenDistribution {
+    /// Whether nothing was written.
+    pub fn is_empty(&self) -> bool {
+        self.parts.is_empty()
+    }
+
+    /// The load on the mesh; `None` when anything is wrong with it, which has been noted.
+    /// `section_mesh` is `mesh` in meters, when that is sound.
+    pub fn on_mesh(
+        &self,
+        document: &Document,
+        mesh: &Mesh,
+        section_mesh: Option<&SectionMesh>,
+    ) -> Option<DistributedLoad> {
+        // every part is looked at before the first wrong one ends the search
+        let parts = self.parts.iter().map(|part| {
+            let part = part.as_ref()?;
+            let action = match &part.place {
+                WrittenPlace::Curve(curve, traction) => Action::Traction {
+                    sides: sides(document, mesh, section_mesh, curve, traction)?,
+                    traction: *traction,
+                },
+                WrittenPlace::Region(region, force) => Action::Volume {
+                    group: match region {
+                        Some(region) => Some(group(document, mesh, section_mesh, region)?),
+                        None => None,
+                    },
+                    force: *force,
+                },
+            };
+            let along = part.along.clone();
+            Some(DistributedForce { action, along })
+        });
+        let parts: Vec<_> = parts.collect();
+        let parts: Option<Vec<_>> = parts.into_iter().collect();
+        Some(DistributedLoad { parts: parts? })
+    }
+}
+
+/// The sides on the curve that `written` names.
+fn sides(
+    document: &Document,
+    mesh: &Mesh,
+    section_mesh: Option<&SectionMesh>,
+    written: &Written,
+    traction: &Traction,
+) -> Option<Vec<CurveSide>> {
+    let group = groups::curve(document, mesh, written)?;
+    let label = mesh.groups[group].label();
+    let section_mesh = section_mesh?;
+    let curve = section_mesh.curves.iter().find(|c| c.label == label)?;
+    let sides = match section_mesh.sides_of_curve(curve) {
+        Ok(sides) => sides,
+        Err(line) => {
+            let problem = DistributedProblem::NoSide {
+                curve: written.text.clone(),
+                line: line.tag,
+                at: [0, 1].map(|axis| 0.5 * (line.first[axis] + line.second[axis])),
+            };
+            document.note(written.line, &problem);
+            return None;
+        }
+    };
+    let inside = sides.iter().find(|side| side.bank == Bank::Both);
+    match (traction, inside) {
+        (Traction::Pressure(_), Some(side)) => {
+            let problem = DistributedProblem::Inside {
+                curve: written.text.clone(),
+                line: side.tag,
+            };
+            document.note(written.line, &problem);
+            None
+        }
+        _ => Some(sides),
+    }
+}
+
+/// The region that `written` names: its index in the groups of the section mesh.
+fn group(
+    document: &Document,
+    mesh: &Mesh,
+    section_mesh: Option<&SectionMesh>,
+    written: &Written,
+) -> Option<usize> {
+    let group = groups::surface(document, mesh, written)?;
+    let label = mesh.groups[group].label();
+    let known = &section_mesh?.groups;
+    let found = known.iter().position(|known| *known == label);
+    if found.is_none() {
+        let problem = DistributedProblem::NoRegion {
+            group: written.text.clone(),
+            known: known.clone(),
+        };
+        document.note(written.line, &problem);
+    }
+    found
+}

@@ -1,0 +1,80 @@
+//! What can be wrong with loads distributed along the beam.
+
+use shared_geom::error::Explain;
+
+/// A problem of a traction or of a volume force.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DistributedProblem {
+    /// A part of a load without a force.
+    #[error("the {part} has no {expected}, expected one of them")]
+    NoForce {
+        /// `traction` or `volume force`.
+        part: &'static str,
+        /// The keys, in words.
+        expected: &'static str,
+    },
+    /// A part of a load with two forces.
+    #[error("the {part} has \"{first}\" and \"{second}\", expected one of them")]
+    TwoForces {
+        /// `traction` or `volume force`.
+        part: &'static str,
+        /// A key.
+        first: &'static str,
+        /// Another.
+        second: &'static str,
+    },
+    /// A curve whose lines belong to no cell.
+    #[error(
+        "line {line} of physical curve \"{curve}\", at ({}, {}) m, is no side of a cell, expected \
+         a curve along sides of cells",
+        .at[0], .at[1]
+    )]
+    NoSide {
+        /// Name of the curve.
+        curve: String,
+        /// Tag of the line.
+        line: u64,
+        /// Its middle (y, z) \[m\].
+        at: [f64; 2],
+    },
+    /// A pressure on a curve that has cells at both sides.
+    #[error(
+        "physical curve \"{curve}\" has cells at both sides of line {line}, expected a pressure \
+         on a surface"
+    )]
+    Inside {
+        /// Name of the curve.
+        curve: String,
+        /// Tag of the line.
+        line: u64,
+    },
+    /// A region that has no cells.
+    #[error("physical surface \"{group}\" is no region of the section")]
+    NoRegion {
+        /// The name found.
+        group: String,
+        /// The regions of the section.
+        known: Vec<String>,
+    },
+}
+
+impl Explain for DistributedProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::NoSide { .. } => Some(
+                "in gmsh, make the physical curve of curves that bound surfaces of the section"
+                    .to_owned(),
+            ),
+            Self::Inside { .. } => Some(
+                "which way would it push? Give \"force\" in section axes, or name a curve on the \
+                 outline or around a hole"
+                    .to_owned(),
+            ),
+            Self::NoRegion { known, .. } => {
+                let names: Vec<_> = known.iter().map(|name| format!("\"{name}\"")).collect();
+                Some(format!("regions of the section: {}", names.join(", ")))
+            }
+            Self::NoForce { .. } | Self::TwoForces { .. } => None,
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! The sides of cells on a physical curve.
+//!
+//! A line of the curve and a side of a cell are one if their ends lie at the same
+//! places: a mesh tells lines by the nodes of its cells. The shape of the side is that
+//! of the cell, whether the line has a node in its middle or not.
+
+use std::collections::HashMap;
+
+use super::section_mesh::{Curve, CurveLine, SectionMesh};
+
+/// On which side of a line, seen along it with y to the right and z up, its cells lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bank {
+    /// One cell, at the left: the surface outside is at the right.
+    Left,
+    /// One cell, at the right: the surface outside is at the left.
+    Right,
+    /// Cells at both sides: the line lies inside the section.
+    Both,
+}
+
+/// A side of a cell on a curve, in the direction of the curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CurveSide {
+    /// Tag of the line in the mesh file.
+    pub tag: u64,
+    /// Where the cells lie.
+    pub bank: Bank,
+    nodes: [u32; 3],
+    count: usize,
+}
+
+impl CurveSide {
+    /// The nodes: first end, second end, and the middle one of quadratic cells; indices
+    /// in [`SectionMesh::nodes`].
+    pub fn nodes(&self) -> &[u32] {
+        &self.nodes[..self.count]
+    }
+}
+
+/// A side of the mesh, from its end with the smaller number.
+#[derive(Debug, Clone, Copy)]
+struct Side {
+    middle: Option<u32>,
+    /// Cells that have the side counterclockwise in the direction of rising numbers,
+    /// and in the other one.
+    cells: [usize; 2],
+}
+
+impl SectionMesh {
+    /// The sides of cells on `curve`, parallel to its lines.
+    ///
+    /// # Errors
+    /// The first line that is not a side of a cell.
+    pub fn sides_of_curve<'a>(&self, curve: &'a Curve) -> Result<Vec<CurveSide>, &'a CurveLine> {
+        let sides = self.sides_by_ends();
+        let mut nodes_at: HashMap<[u64; 2], Vec<u32>> = HashMap::new();
+        for (node, place) in self.nodes.iter().enumerate() {
+            nodes_at.entry(key(place)).or_default().push(node as u32);
+        }
+        let none = Vec::new();
+        let found = curve.lines.iter().map(|line| {
+            let [first, second] = [line.first, line.second]
+                .map(|end| nodes_at.get(&key(&end)).unwrap_or(&none).as_slice());
+            side_between(&sides, line.tag, first, second).ok_or(line)
+        });
+        found.collect()
+    }
+
+    fn sides_by_ends(&self) -> HashMap<[u32; 2], Side> {
+        let mut sides = HashMap::with_capacity(2 * self.cells.len());
+        for cell in &self.cells {
+            for ([first, second], middle) in cell.kind.sides(cell.nodes()) {
+                let side = sides
+                    .entry([first.min(second), first.max(second)])
+                    .or_insert(Side {
+                        middle,
+                        cells: [0; 2],
+                    });
+                side.cells[usize::from(first > second)] += 1;
+            }
+        }
+        sides
+    }
+}
+
+/// A place as a key; both zeros are one.
+fn key(place: &[f64; 2]) -> [u64; 2] {
+    place.map(|x| (x + 0.0).to_bits())
+}
+
+/// The side from a node of `first` to one of `second`. Where nodes are doubled along a
+/// slit, both banks are found, and they count as the cells of one line.
+fn side_between(
+    sides: &HashMap<[u32; 2], Side>,
+    tag: u64,
+    first: &[u32],
+    second: &[u32],
+) -> Option<CurveSide> {
+    let mut found: Option<CurveSide> = None;
+    for (&a, &b) in first
+        .iter()
+        .flat_map(|a| second.iter().map(move |b| (a, b)))
+    {
+        let Some(side) = sides.get(&[a.min(b), a.max(b)]) else {
+            continue;
+        };
+        let [along, against] = match a < b {
+            true => side.cells,
+            false => [side.cells[1], side.cells[0]],
+        };
+        let bank = match (along > 0, against > 0) {
+            (true, false) => Bank::Left,
+            (false, true) => Bank::Right,
+            _ => Bank::Both,
+        };
+        match &mut found {
+            Some(known) => known.bank = Bank::Both,
+            None => {
+                found = Some(CurveSide {
+                    tag,
+                    bank,
+                    nodes: [a, b, side.middle.unwrap_or(0)],
+                    count: 2 + usize::from(side.middle.is_some()),
+                });
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::generate::Rectangle;
+    use shared_geom::error::Place;
+    use shared_geom::mesh::CellKind;
+
+    fn rectangle(kind: CellKind) -> SectionMesh {
+        let mesh = Rectangle {
+            width: 3.0,
+            height: 1.0,
+            cells_y: 3,
+            cells_z: 2,
+            kind,
+            name: "bar".into(),
+        };
+        let mesh = mesh.generate().expect("sound measures");
+        let (mesh, _) = SectionMesh::from_mesh(&mesh, 1e-3, &Place::file("test")).expect("sound");
+        mesh
+    }
+
+    fn line([first, second]: [[f64; 2]; 2]) -> Curve {
+        let line = CurveLine {
+            tag: 7,
+            first,
+            second,
+            middle: None,
+        };
+        Curve {
+            label: "line".into(),
+            lines: vec![line],
+        }
+    }
+
+    /// The borders of the generator run clockwise: cells at the right, nodes where the
+    /// lines have them.
+    #[test]
+    fn borders_have_cells_at_one_side() {
+        for kind in CellKind::ALL {
+            let mesh = rectangle(kind);
+            for curve in &mesh.curves {
+                let sides = mesh.sides_of_curve(curve).expect("sides of cells");
+                assert_eq!(sides.len(), curve.lines.len());
+                for (side, line) in sides.iter().zip(&curve.lines) {
+                    assert_eq!(side.bank, Bank::Right, "{kind:?}");
+                    let places = [line.first, line.second].into_iter().chain(line.middle);
+                    let nodes = side.nodes().iter().map(|&node| mesh.nodes[node as usize]);
+                    assert!(nodes.eq(places), "{kind:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn lines_inside_and_lines_of_no_cell_are_told() {
+        let mesh = rectangle(CellKind::Quadrilateral8);
+        let inside = [mesh.nodes[0], mesh.nodes[0]];
+        assert!(mesh.sides_of_curve(&line(inside)).is_err());
+        // the two corners on z = 0 of the first cell of the lower row
+        let cell = &mesh.cells[0];
+        let [_, _, c, d] = cell.corners() else {
+            panic!("four corners")
+        };
+        let ends = [*d, *c].map(|node| mesh.nodes[node as usize]);
+        let forward = line(ends);
+        let backward = line([ends[1], ends[0]]);
+        let side = mesh.sides_of_curve(&forward).expect("a side")[0];
+        assert_eq!((side.bank, side.nodes().len()), (Bank::Both, 3));
+        assert_eq!(side.tag, 7);
+        let back = mesh.sides_of_curve(&backward).expect("a side")[0];
+        assert_eq!(back.nodes()[0], side.nodes()[1]);
+    }
+}

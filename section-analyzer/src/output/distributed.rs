@@ -1,0 +1,31 @@
+//! What a load distributed along the beam adds, in the report of stresses.
+
+use shared_geom::wrench::COMPONENTS;
+
+use super::stress_report::{size, without_round_off};
+use super::text::{number, table};
+use crate::section::Section;
+use crate::solution::DistributedState;
+
+/// The force per length of a load on `section` and the generalized strain that it adds.
+pub fn distributed_load(section: &Section, state: &DistributedState) -> String {
+    let size = size(section);
+    let heading = ["", "force per length", "generalized strain"];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    let force = without_round_off(&state.force_per_length, size.recip());
+    let strain = without_round_off(&state.strain, size);
+    for (i, component) in COMPONENTS.iter().enumerate() {
+        rows.push(vec![
+            (*component).to_owned(),
+            number(force[i]),
+            number(strain[i]),
+        ]);
+    }
+    format!(
+        "Distributed load at the section: force per length about the reference point [N/m, N]\n\
+         and the generalized strain that it adds to that of the internal force [-, 1/m]\n{}  \
+         (the work of its stresses on the central solutions differs from that strain by {:.1e})\n",
+        table(&rows, "lr"),
+        state.error
+    )
+}

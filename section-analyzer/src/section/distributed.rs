@@ -1,0 +1,108 @@
+//! Loads distributed along the beam: tractions on curves and forces in volumes, each a
+//! distribution over the section times a polynomial along the beam.
+//!
+//! ```text
+//! q(x) = c0 + c1 x + c2 x^2 + ...      x from the section, along the beam          (S-100)
+//! ```
+
+use crate::mesh::CurveSide;
+use nalgebra::Vector3;
+
+/// All that is distributed along the beam under one load.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct DistributedLoad {
+    /// Its parts, which add up.
+    pub parts: Vec<DistributedForce>,
+}
+
+/// A distribution over the section, and how it varies along the beam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DistributedForce {
+    /// Where it acts and how strong it is where q = 1.
+    pub action: Action,
+    /// c0, c1, ...: coefficients of q(x) \[-, 1/m, 1/m^2, ...\].
+    pub along: Vec<f64>,
+}
+
+/// A distribution over the section.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Action {
+    /// Force per area of the surface that the sides make along the beam.
+    Traction {
+        /// The sides it acts on.
+        sides: Vec<CurveSide>,
+        /// The force.
+        traction: Traction,
+    },
+    /// Force per volume.
+    Volume {
+        /// Physical surface it acts in, an index in [`crate::mesh::SectionMesh::groups`];
+        /// everywhere if `None`.
+        group: Option<usize>,
+        /// The force.
+        force: VolumeForce,
+    },
+}
+
+/// Force per area, the same all along a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Traction {
+    /// Components in section axes \[Pa\].
+    Force(Vector3<f64>),
+    /// Pressure on the surface, against its outward normal \[Pa\].
+    Pressure(f64),
+    /// In the section, along the direction of the curve \[Pa\].
+    Tangential(f64),
+}
+
+/// Force per volume.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum VolumeForce {
+    /// Components in section axes \[N/m^3\].
+    Force(Vector3<f64>),
+    /// The density of each material times this acceleration, in section axes
+    /// \[m/s^2\]: for weight that of gravity, for a turning blade that of the
+    /// centrifugal force, outward.
+    Acceleration(Vector3<f64>),
+}
+
+impl DistributedLoad {
+    /// Whether there is nothing.
+    pub fn is_empty(&self) -> bool {
+        self.parts.is_empty()
+    }
+
+    /// Number of coefficients of the longest polynomial.
+    pub fn terms(&self) -> usize {
+        let terms = self.parts.iter().map(|part| part.along.len());
+        terms.max().unwrap_or(0)
+    }
+}
+
+impl DistributedForce {
+    /// The `order`-th derivative of q at x = 0 \[1/m^order\].
+    pub fn derivative(&self, order: usize) -> f64 {
+        let factorial: f64 = (1..=order).map(|i| i as f64).product();
+        self.along.get(order).map_or(0.0, |c| factorial * c)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coefficients_are_those_of_a_plain_polynomial() {
+        let force = DistributedForce {
+            action: Action::Volume {
+                group: None,
+                force: VolumeForce::Force(Vector3::x()),
+            },
+            along: vec![2.0, 0.0, 5.0, 7.0],
+        };
+        let derivatives: Vec<_> = (0..5).map(|order| force.derivative(order)).collect();
+        assert_eq!(derivatives, [2.0, 0.0, 10.0, 42.0, 0.0]);
+        let load = DistributedLoad { parts: vec![force] };
+        assert_eq!((load.terms(), DistributedLoad::default().terms()), (4, 0));
+    }
+}

@@ -1,0 +1,24 @@
+//! What a load distributed along the beam does to its section.
+
+use nalgebra::{DVector, Vector6};
+
+/// The state that a load distributed along the beam adds to that of the internal force
+/// at the section: about the reference point, in section axes, as
+/// [`super::SectionSolution`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct DistributedState {
+    /// w: warping, rows ux, uy, uz of each node of the mesh \[m\]; zero at nodes without
+    /// a cell. The rigid part is removed: the stress of internal forces does no work on
+    /// it.
+    pub warping: DVector<f64>,
+    /// w': rate of the warping along the beam, beside that of the internal force at the
+    /// section, rows as those of `warping` \[-\].
+    pub rate: DVector<f64>,
+    /// y: generalized strain \[-, 1/m\].
+    pub strain: Vector6<f64>,
+    /// Force and moment per length \[N/m, N\].
+    pub force_per_length: Vector6<f64>,
+    /// Difference of the generalized strain from that of the work on the central
+    /// solutions (S-107), relative to the largest deformation \[-\].
+    pub error: f64,
+}
