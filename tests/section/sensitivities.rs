@@ -80,12 +80,15 @@ fn general(line: InitialCurvature) -> Section {
     section
 }
 
+/// Changes a section by a step.
+type Change = Box<dyn Fn(&mut Section, f64)>;
+
 /// A parameter, and the section with it moved by some amount of its unit.
 struct Moved {
     name: &'static str,
     parameter: Parameter,
     step: f64,
-    by: Box<dyn Fn(&mut Section, f64)>,
+    by: Change,
 }
 
 fn of_constant(

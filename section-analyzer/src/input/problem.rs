@@ -329,9 +329,9 @@ pub enum InputProblem {
         /// What takes its values from it: groups, or the mesh.
         users: String,
         /// Cells without a value.
-        missing: Vec<u64>,
+        missing: Box<[u64]>,
         /// Cells that are not among these.
-        unknown: Vec<u64>,
+        unknown: Box<[u64]>,
     },
 }
 
