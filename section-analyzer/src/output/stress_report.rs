@@ -44,7 +44,12 @@ fn load(recovery: &Recovery, size: f64) -> String {
     let heading = ["", "load", "of the stresses", "generalized strain"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     let strain = without_round_off(&recovery.generalized_strain, size);
-    let resultant = without_round_off(&recovery.resultant, size.recip());
+    // without internal force, that of a load along the beam is round-off
+    let has_force = recovery.load.force.amax() > 0.0;
+    let resultant = match has_force {
+        true => without_round_off(&recovery.resultant, size.recip()),
+        false => Vector6::zeros(),
+    };
     for (i, component) in COMPONENTS.iter().enumerate() {
         rows.push(vec![
             (*component).to_owned(),
@@ -55,9 +60,10 @@ fn load(recovery: &Recovery, size: f64) -> String {
     }
     format!(
         "Internal force about the reference point [N, N m] and generalized strain [-, 1/m]\n{}  \
-         (the resultants of the stresses differ from the load by {:.1e} of it)\n",
+         (the resultants of the stresses differ from the load by {:.1e} of {})\n",
         table(&rows, "lr"),
-        recovery.resultant_error
+        recovery.resultant_error,
+        if has_force { "it" } else { "their size" }
     )
 }
 
