@@ -44,7 +44,12 @@ fn load(recovery: &Recovery, size: f64) -> String {
     let heading = ["", "load", "of the stresses", "generalized strain"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     let strain = without_round_off(&recovery.generalized_strain, size);
-    let resultant = without_round_off(&recovery.resultant, size.recip());
+    // without internal force, that of a load along the beam is round-off
+    let has_force = recovery.load.force.amax() > 0.0;
+    let resultant = match has_force {
+        true => without_round_off(&recovery.resultant, size.recip()),
+        false => Vector6::zeros(),
+    };
     for (i, component) in COMPONENTS.iter().enumerate() {
         rows.push(vec![
             (*component).to_owned(),
@@ -59,9 +64,10 @@ fn load(recovery: &Recovery, size: f64) -> String {
         table(&rows, "lr"),
         acting_with(recovery),
         recovery.resultant_error,
-        match recovery.load.imposed.is_empty() {
-            true => "it",
-            false => "it or of the imposed stresses",
+        match (recovery.load.imposed.is_empty(), has_force) {
+            (true, true) => "it",
+            (true, false) => "their size",
+            (false, _) => "it or of the imposed stresses",
         },
     )
 }
