@@ -6,9 +6,11 @@
 //!   (1983) 403-413.
 
 mod central;
+mod imposed;
 mod outside;
 mod si;
 
+pub use imposed::analyze_imposed;
 pub use outside::analyze_matrices;
 
 use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length};

@@ -7,6 +7,7 @@
 //! what their identities are checked with.
 
 mod domain;
+mod imposed;
 mod mass;
 mod matrices;
 mod model;
@@ -17,6 +18,7 @@ mod stress;
 
 pub(crate) use domain::largest;
 pub use domain::{Domain, DomainCell, Scaling};
+pub use imposed::{ImposedForces, imposed_forces};
 pub use mass::{mass_of_moments, mass_per_length};
 pub use matrices::{Scalar, SectionMatrices};
 pub use model::Model;

@@ -5,6 +5,7 @@
 mod blocks;
 mod curved_blocks;
 mod forces;
+mod gradient;
 mod line;
 mod moved;
 mod point;
@@ -13,6 +14,7 @@ mod strain;
 pub use blocks::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
 pub use curved_blocks::{CurvedCell, TurningLaw};
 pub use forces::{CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, Row, rows_of};
+pub use gradient::PointGradient;
 pub use line::{Line, Metric};
 pub use moved::{MovedPoint, NodalForces, NodalState};
 pub use point::{CellPoint, RulePoint, cell_points, rule_points};

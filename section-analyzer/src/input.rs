@@ -16,22 +16,24 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
-use crate::mesh::{DoubledNodes, SectionMesh};
-use crate::properties::{AreaMoments, AreaTable};
+use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
+use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
-use crate::section::Section;
+use crate::section::{ImposedStrain, Section};
 
-mod angles;
 mod assign;
+mod cell_table;
 mod curvature;
 mod extent;
 mod files;
 mod follow;
 mod groups;
+mod imposed;
 mod loads;
 mod materials;
 pub mod outside;
@@ -42,6 +44,7 @@ mod strengths;
 mod summary;
 mod tables;
 
+pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, checked_load, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
@@ -49,6 +52,7 @@ pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
 use files::Files;
+use imposed::WrittenStates;
 use materials::WrittenMaterial;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
@@ -59,8 +63,12 @@ pub struct Input {
     pub section: Section,
     /// Strengths of its materials, parallel to them.
     pub limits: Vec<MaterialLimits>,
+    /// The imposed states of its file: temperatures, then initial strains.
+    pub imposed: Vec<ImposedStrain>,
     /// The load cases to recover stresses for.
     pub loads: Vec<LoadCase>,
+    /// The measure of strain for the effect of prestress, where it is asked for.
+    pub prestress: Option<StrainMeasure>,
     /// What went into it.
     pub summary: InputSummary,
 }
@@ -103,8 +111,12 @@ struct WrittenSection {
     doubled_nodes: DoubledNodes,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
+    states: WrittenStates,
     curvature: Option<WrittenCurvature>,
     loads: Vec<LoadCase>,
+    prestress: Option<StrainMeasure>,
+    /// Line of the key.
+    prestress_line: usize,
 }
 
 impl WrittenSection {
@@ -117,6 +129,7 @@ impl WrittenSection {
             text,
             line: root.line_of("mesh"),
         });
+        let states = imposed::read(&root);
         let written = Self {
             name,
             mesh,
@@ -125,7 +138,12 @@ impl WrittenSection {
             materials: materials::read(&root),
             regions: regions::read(&root),
             curvature: curvature::read(&root),
-            loads: loads::read(&root),
+            loads: loads::read(&root, &states),
+            states,
+            prestress: root
+                .word("prestress", &StrainMeasure::NAMES)
+                .map(|word| StrainMeasure::ALL[word]),
+            prestress_line: root.line_of("prestress"),
         };
         root.finish();
         written
@@ -135,17 +153,11 @@ impl WrittenSection {
     /// was noted that leaves no section.
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
         let of_region = materials_of_regions(document, &self.regions, &self.materials);
+        let strains = self.states.strains_of_regions(document, &self.regions);
         let mesh_key = self.mesh.as_ref()?;
         let mut mesh = read_mesh(document, files, mesh_key)?;
         let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
-        let place = Place::file(files.path(mesh_key).display().to_string());
-        let unit = document.factor(Dimension::LENGTH);
-        let checked = document.keep(SectionMesh::from_mesh_with(
-            &mesh,
-            unit,
-            self.doubled_nodes,
-            &place,
-        ));
+        let checked = self.checked_mesh(document, &mesh, &files.path(mesh_key));
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
         if let Some(Err(problem)) = section_mesh.map(extent::check) {
             document.note(mesh_key.line, &problem);
@@ -164,11 +176,10 @@ impl WrittenSection {
             region_of_cell: &region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
-        let materials = self
-            .materials
-            .iter()
-            .map(|written| written.material.clone());
-        let materials: Option<Vec<_>> = materials.collect();
+        let tags: Vec<_> = mesh.cells.iter().map(|cell| cell.tag).collect();
+        let rises = self.states.rises(document, files, &tags);
+        let materials = self.materials.iter();
+        let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
         let (materials, of_region) = (materials?, of_region?);
         let (section_mesh, report) = checked?;
 
@@ -180,7 +191,11 @@ impl WrittenSection {
             cells: cells?,
             initial_curvature: beam?,
         };
-        let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
+        self.note_prestress(document, &section);
+        let region_of_cell = region_of_cell?;
+        let of_regions = (strains?, &region_of_cell[..]);
+        let imposed = self.states.states(document, &section, rises?, of_regions);
+        let mut summary = self.summary(document, &section, &of_region, &region_of_cell);
         summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
         summary.rate(&section.mesh);
@@ -188,13 +203,36 @@ impl WrittenSection {
         Some(Input {
             section,
             limits: self.materials.iter().map(|known| known.limits).collect(),
+            imposed,
             loads: self.loads.clone(),
+            prestress: self.prestress,
             summary,
         })
+    }
+
+    /// The mesh of the file at `path` in meters, and what is odd about it.
+    fn checked_mesh(
+        &self,
+        document: &Document,
+        mesh: &Mesh,
+        path: &Path,
+    ) -> Option<(SectionMesh, MeshReport)> {
+        let unit = document.factor(Dimension::LENGTH);
+        let place = Place::file(path.display().to_string());
+        let mesh = SectionMesh::from_mesh_with(mesh, unit, self.doubled_nodes, &place);
+        document.keep(mesh)
     }
 }
 
 impl WrittenSection {
+    /// Notes prestress that is asked for where it is not known.
+    fn note_prestress(&self, document: &Document, section: &Section) {
+        if self.prestress.is_some() && !section.initial_curvature.is_straight() {
+            let reason = NoPrestress::Curved;
+            document.note(self.prestress_line, &InputProblem::Prestress { reason });
+        }
+    }
+
     /// What went in; regions have the materials `of_region`.
     fn summary(
         &self,
@@ -234,6 +272,11 @@ impl WrittenSection {
 
     fn warnings(&self, of_region: &[usize]) -> Vec<InputWarning> {
         let mut warnings = Vec::new();
+        let expansion = |&index: &usize| {
+            let material = self.materials[index].material.as_ref();
+            material.and_then(|known| known.expansion)
+        };
+        let is_heated = of_region.iter().any(|index| expansion(index).is_some());
         for (index, written) in self.materials.iter().enumerate() {
             let material = written.name.clone();
             if !of_region.contains(&index) {
@@ -245,6 +288,10 @@ impl WrittenSection {
                 .is_some_and(|known| known.density == 0.0)
             {
                 warnings.push(InputWarning::NoDensity { material });
+            }
+            if is_heated && of_region.contains(&index) && expansion(&index).is_none() {
+                let material = written.name.clone();
+                warnings.push(InputWarning::NoExpansion { material });
             }
         }
         warnings

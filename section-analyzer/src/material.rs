@@ -11,7 +11,7 @@ pub use admissibility::MaterialProblem;
 pub use derivative::{Constant, fiber_angle_rate, plane_angle_rate};
 pub use elastic::{ElasticLaw, EngineeringConstants, Material};
 pub(crate) use orientation::MATERIAL_ORDER;
-pub use orientation::{material_axes, section_stiffness};
+pub use orientation::{material_axes, section_stiffness, section_strain};
 pub use strength::{
     DEFAULT_INTERACTION, DirectionalLimits, MaterialLimits, StrainLimit, Strength, StrengthProblem,
     UniformLimits,

@@ -16,6 +16,7 @@ mod engineering;
 pub(crate) mod file;
 mod history;
 pub(crate) mod json;
+mod prestress;
 
 pub(crate) use check::matrix_problems;
 pub use check::{PropertyProblem, least_eigenvalue};
@@ -23,6 +24,7 @@ pub use curvature::{Agreement, CurvatureMismatch};
 pub use engineering::Engineering;
 pub use file::{VERSION, parse, read, write};
 pub use history::{Change, Step};
+pub use prestress::{CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure, prestress_part};
 
 /// What a beam needs to know of a cross-section.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,11 +48,15 @@ pub struct SectionProperties {
     pub initial_curvature: Option<InitialCurvature>,
     /// Piezoelectric coupling; `None` without electrodes.
     pub piezo: Option<Piezo>,
-    /// Internal force per kelvin of a fully restrained section, 6 components
-    /// [N/K, N m/K]; `None` where it was not computed.
+    /// Internal force per kelvin of a fully restrained section heated evenly, 6 components
+    /// [N/K, N m/K]: `theta = K psi + thermal_force T`. `None` where it was not computed.
     pub thermal_force: Option<Vector6<f64>>,
+    /// Named states of imposed strain: heat, cure and the like.
+    pub imposed: Vec<ImposedState>,
     /// Internal damping; `None` for none.
     pub damping: Option<Damping>,
+    /// How internal forces change the stiffness; `None` where it was not computed.
+    pub prestress: Option<Prestress>,
     /// What the numbers were made from.
     pub provenance: Provenance,
 }
@@ -104,6 +110,18 @@ pub struct Piezo {
     pub capacitance: DMatrix<f64>,
 }
 
+/// What a state of imposed strain does to the section:
+/// `theta = K (psi - free_strain) = K psi + restrained_force`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImposedState {
+    /// Name, unlike those of the other states.
+    pub name: String,
+    /// Internal force where the generalized strain is held at zero, 6 components [N, N m].
+    pub restrained_force: Vector6<f64>,
+    /// Generalized strain where there is no internal force, 6 components [-, 1/m].
+    pub free_strain: Vector6<f64>,
+}
+
 /// Internal damping of the beam: internal force per rate of generalized strain.
 #[expect(
     clippy::large_enum_variant,
@@ -139,12 +157,14 @@ impl SectionProperties {
     /// The same section about the reference point moved by `by` = (y, z) [m].
     ///
     /// Exact: `K' = U K U^T` with [`wrench::shift_matrix`] `U`, mass and viscous
-    /// damping likewise, coupling and thermal force by `U`.
+    /// damping likewise, coupling, thermal and restrained forces by `U`, free strains by
+    /// `U^-T`, the table of prestress by [`CubicTable::shifted`].
     pub fn shift(&self, by: Vector2<f64>) -> Self {
         let d = Vector3::new(0.0, by.x, by.y);
         let u = wrench::shift_matrix(&d);
         let mut moved = self.transform(|matrix| wrench::shift(matrix, &d), &u);
         moved.reference_point += by;
+        moved.prestress = self.with_third(|third| third.shifted(by));
         for center in moved.centers.points() {
             *center -= by;
         }
@@ -163,6 +183,7 @@ impl SectionProperties {
         let mut turned = self.transform(|matrix| wrench::rotate(matrix, &q), &into);
         let plane = q.fixed_view::<2, 2>(1, 1).transpose();
         turned.reference_point = plane * turned.reference_point;
+        turned.prestress = self.with_third(|third| third.rotated(angle));
         for center in turned.centers.points() {
             *center = plane * *center;
         }
@@ -173,6 +194,13 @@ impl SectionProperties {
             *initial = initial.rotated(angle);
         }
         turned
+    }
+
+    fn with_third(&self, change: impl Fn(&CubicTable) -> CubicTable) -> Option<Prestress> {
+        self.prestress.map(|prestress| Prestress {
+            third: change(&prestress.third),
+            ..prestress
+        })
     }
 
     /// Applies a congruence to the matrices and `force` to the force-like columns.
@@ -192,6 +220,13 @@ impl SectionProperties {
             piezo.coupling = force * &piezo.coupling;
         }
         result.thermal_force = self.thermal_force.map(|thermal| force * thermal);
+        // Work is the same: psi' = U^-T psi for theta' = U theta.
+        if let Some(strain) = force.transpose().try_inverse() {
+            for state in &mut result.imposed {
+                state.restrained_force = force * state.restrained_force;
+                state.free_strain = strain * state.free_strain;
+            }
+        }
         result
     }
 }

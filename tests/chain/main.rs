@@ -2,7 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+mod bimetal;
+mod pretwisted;
 mod princeton;
 #[path = "../common/record.rs"]
 mod record;
 mod swept_tip;
+mod trapeze;

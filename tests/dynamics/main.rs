@@ -15,6 +15,7 @@ mod elastic_pendulums;
 mod equal_blades;
 mod formats;
 mod free_flight;
+mod heat;
 mod in_time;
 mod integrators;
 mod joint_guides;
@@ -27,6 +28,7 @@ mod mbdyn_model;
 mod mechanisms;
 mod pendulum;
 mod postbuckling;
+mod prestress;
 mod random_joints;
 mod random_mechanisms;
 #[path = "../common/record.rs"]

@@ -6,8 +6,10 @@ mod converged;
 mod curved_lines;
 mod gmsh_formats;
 mod gmsh_pairs;
+mod imposed;
 mod invariances;
 mod outside_matrices;
+mod prestress;
 mod quads;
 mod random_sections;
 #[path = "../common/record.rs"]

@@ -6,6 +6,7 @@
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3};
 use shared_geom::rotation::{gibbs, vector};
+use shared_geom::section::CubicTable;
 use shared_geom::wrench;
 
 use super::beams::{
@@ -544,6 +545,33 @@ fn beams_of_any_law_with_offsets_and_turned_sections() {
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let stiff = Law::linear(random.stiffness());
         let beam = LawBeam::new("beam", [0, 1, 2], geometry, undeformed, [law, stiff]);
+        check(&beam, &nodes, &mut random);
+    }
+}
+
+/// `K psi + 1/2 T psi psi`, T of unit size over the components that a section has it for,
+/// and a viscosity beside it.
+fn prestressed_law(random: &mut Random) -> Law<6> {
+    let table = CubicTable::from_fn(|_| random.number());
+    Law::sum(vec![
+        LawKind::Viscoelastic {
+            stiffness: random.stiffness(),
+            viscosity: random.stiffness(),
+        }
+        .into(),
+        LawKind::quadratic(&table).into(),
+    ])
+}
+
+#[test]
+fn beams_of_prestressed_sections() {
+    let mut random = Random(21);
+    for _ in 0..3 {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let laws = [prestressed_law(&mut random), prestressed_law(&mut random)];
+        let beam = LawBeam::new("beam", [0, 1, 2], geometry, undeformed, laws);
         check(&beam, &nodes, &mut random);
     }
 }

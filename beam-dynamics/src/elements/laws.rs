@@ -98,6 +98,18 @@ impl<const N: usize> Law<N> {
         Self { terms }
     }
 
+    /// The same with further prestresses.
+    pub fn prestressed(mut self, prestresses: impl IntoIterator<Item = Driven<N>>) -> Self {
+        let stiffness = SMatrix::zeros();
+        let term = |prestress| Term {
+            kind: LawKind::Linear { stiffness },
+            prestrain: None,
+            prestress: Some(prestress),
+        };
+        self.terms.extend(prestresses.into_iter().map(term));
+        self
+    }
+
     /// A linear law.
     pub fn linear(stiffness: SMatrix<f64, N, N>) -> Self {
         LawKind::Linear { stiffness }.into()
@@ -133,6 +145,16 @@ impl<const N: usize> Law<N> {
             term.kind.energy(&elastic) + value(&term.prestress).dot(strain)
         };
         self.terms.iter().map(of_term).sum()
+    }
+
+    /// Growth of the stiffness with a growth of the strain, by the terms whose force is
+    /// quadratic.
+    pub fn growth_of_stiffness(&self, growth: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        let mut sum = SMatrix::zeros();
+        for term in &self.terms {
+            term.kind.add_growth(growth, &mut sum);
+        }
+        sum
     }
 
     /// Stiffness without strain, at the time zero.

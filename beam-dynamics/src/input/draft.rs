@@ -459,8 +459,7 @@ impl Draft {
         } = beam;
         let mut elements = Vec::new();
         let ends = self.ends(beam);
-        if let Some(law) = &along.law {
-            let laws = [law.clone(), law.clone()];
+        if let Some(laws) = along.laws() {
             elements.push(boxed(LawBeam::new(label, *nodes, *geometry, ends, laws)));
         } else {
             let stiffness = along.stiffness;

@@ -77,7 +77,7 @@ pub enum InputProblem {
         /// Name of the properties.
         name: String,
         /// Both curvatures.
-        mismatch: CurvatureMismatch,
+        mismatch: Box<CurvatureMismatch>,
     },
     /// Properties with something that this program would leave out.
     #[error("properties \"{name}\" have {what}, which this program does not use yet")]
@@ -88,6 +88,22 @@ pub enum InputProblem {
         what: &'static str,
         /// The field of the property file to remove.
         field: &'static str,
+    },
+    /// Prestress is asked for, and the file has none.
+    #[error(
+        "properties \"{name}\" ask for the effect of prestress, and \"{file}\" has no table of it"
+    )]
+    NoPrestress {
+        /// Name of the properties.
+        name: String,
+        /// The property file.
+        file: String,
+    },
+    /// Prestress is asked for, and there is no file.
+    #[error("properties \"{name}\" ask for the effect of prestress, and have no \"file\"")]
+    PrestressInPlace {
+        /// Name of the properties.
+        name: String,
     },
     /// Internal damping that is given in no way or in two.
     #[error("\"damping\" needs a \"time\" or a \"matrix\", and not both")]
@@ -379,6 +395,11 @@ impl Explain for InputProblem {
                     "remove \"{field}\" from the property file to go without"
                 ));
             }
+            Self::NoPrestress { .. } => {
+                "put prestress = \"biot\" into the section file and analyze it again, or remove \
+                 \"prestress\" to go without"
+            }
+            Self::PrestressInPlace { .. } => "only property files have tables of prestress",
             Self::ShapeSpeed { nearest, .. } => {
                 return Some(format!("the nearest is {} rpm", six(*nearest)));
             }

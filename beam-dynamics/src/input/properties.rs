@@ -6,10 +6,11 @@ use nalgebra::Matrix6;
 use shared_geom::blade::{section_remark, written_section_remark};
 use shared_geom::document::Table;
 use shared_geom::files::names_beside;
-use shared_geom::section::{self, Damping, SectionProperties};
+use shared_geom::section::{self, CubicTable, Damping, SectionProperties};
 use shared_geom::units::Dimension;
 
 use super::curved::Curved;
+use super::heat::{self, Heat};
 use super::in_place::{self, KEYS};
 use super::laws::LawProblem;
 use super::problem::InputProblem;
@@ -30,6 +31,10 @@ pub(super) struct Properties {
     pub damping: Option<Matrix6<f64>>,
     /// Law in place of stiffness and viscosity; `None` for these.
     pub law: Option<Law<6>>,
+    /// What heat and imposed strains do to the section.
+    pub heat: Heat,
+    /// Effect of prestress on the stiffness; `None` where it is not asked for.
+    pub prestress: Option<CubicTable>,
     /// What the section was solved for; `None` for a straight beam.
     pub curved: Option<Curved>,
 }
@@ -50,9 +55,14 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
         let is_file = table.has("file");
         let properties = match is_file {
             true => from_file(&name, &table),
-            false => in_place::read(&name, &table),
+            false => {
+                note_prestress_in_place(&name, &table);
+                in_place::read(&name, &table)
+            }
         };
         let properties = with_law(&name, properties, &table, drives);
+        let words = format!("properties \"{name}\"");
+        let properties = heat::read(&table, properties, drives, &words);
         table.finish();
         let remark = match is_file || !is_si(&table) {
             true => section_remark,
@@ -112,6 +122,13 @@ fn with_law(
         return None;
     }
     let words = format!("properties \"{name}\"");
+    if let Some(Properties {
+        prestress: Some(_), ..
+    }) = properties
+    {
+        table.note("prestress", &LawProblem::LawAndPrestress { beam: words });
+        return None;
+    }
     let properties = properties?;
     let law = beams::law(table, drives, &words, Some(&properties))?;
     Some(Properties {
@@ -147,14 +164,51 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
         return None;
     }
     let damping = damping::read(table);
+    let is_prestressed = match table.has("prestress") {
+        true => table.boolean("prestress"),
+        false => Some(false),
+    };
     let found = table.document().keep(section::read(&path))?;
     let mut properties = found.per_arc_length();
     // The damping of the card takes the place of that of the file.
     if let Some(damping) = damping? {
         properties.damping = Some(damping);
     }
-    let curved = Curved::of(name, &found);
-    usable(name, table, "file", &properties).map(|usable| Properties { curved, ..usable })
+    let prestress = match is_prestressed? {
+        true => Some(third_of(name, table, &properties, &path)?),
+        false => None,
+    };
+    let usable = usable(name, table, "file", &properties)?;
+    Some(Properties {
+        prestress,
+        curved: Curved::of(name, &found),
+        ..usable
+    })
+}
+
+/// The table of prestress of a file, for those who ask for it.
+fn third_of(
+    name: &str,
+    table: &Table<'_>,
+    properties: &SectionProperties,
+    path: &Path,
+) -> Option<CubicTable> {
+    if properties.prestress.is_none() {
+        let problem = InputProblem::NoPrestress {
+            name: name.to_owned(),
+            file: path.display().to_string(),
+        };
+        table.note("prestress", &problem);
+    }
+    properties.prestress.map(|prestress| prestress.third)
+}
+
+/// Numbers in place have no table of prestress.
+fn note_prestress_in_place(name: &str, table: &Table<'_>) {
+    if table.has("prestress") {
+        let name = name.to_owned();
+        table.note("prestress", &InputProblem::PrestressInPlace { name });
+    }
 }
 
 /// Names of the property files in the folder of `path`, in order.
@@ -197,5 +251,7 @@ pub(super) fn usable(
             Damping::Viscous(matrix) => *matrix,
         }),
         law: None,
+        heat: Heat::of(properties),
+        prestress: None,
     })
 }

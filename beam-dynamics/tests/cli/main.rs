@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod blades;
+mod curvature;
 mod exchange;
 mod keys;
 
@@ -11,16 +12,16 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
+use nalgebra::{DMatrix, Matrix6, Vector2, Vector6};
 use shared_geom::section::{
-    self, Centers, Change, InitialCurvature, Piezo, PrincipalAxes, Provenance, SectionProperties,
-    Step,
+    self, Centers, Change, Piezo, PrincipalAxes, Provenance, SectionProperties, Step,
 };
 use tempfile::TempDir;
 
 mod loads;
 mod messages;
 mod netcdf;
+mod prestress;
 mod transient;
 
 /// A blade of a strip whose properties are in a file.
@@ -127,7 +128,9 @@ fn strip() -> SectionProperties {
         initial_curvature: None,
         piezo: None,
         thermal_force: None,
+        imposed: Vec::new(),
         damping: None,
+        prestress: None,
         provenance: Provenance {
             program: "by hand".to_owned(),
             version: "1".to_owned(),
@@ -304,7 +307,7 @@ fn a_newer_property_file_is_told() {
     let text = section::write(&strip()).replace("\"version\": 1,", "\"version\": 7,");
     folder.write("strip.properties.json", &text);
     let message = "\
-error: strip.properties.json:3: written in version 7 of the property-file format, expected at most 2
+error: strip.properties.json:3: written in version 7 of the property-file format, expected at most 3
   help: use a newer version of this program";
     folder.refuses(BLADE, message);
 }
@@ -335,10 +338,6 @@ fn a_property_file_with_a_history_is_read() {
 fn what_would_be_left_out_is_refused() {
     let folder = Folder::new();
     let mut properties = strip();
-    properties.initial_curvature = Some(InitialCurvature {
-        curvature: Vector3::y(),
-        slope: Vector3::x(),
-    });
     properties.piezo = Some(Piezo {
         electrodes: vec!["top".to_owned()],
         coupling: DMatrix::zeros(6, 1),
@@ -351,11 +350,7 @@ fn what_would_be_left_out_is_refused() {
              not use yet\n  help: remove \"{field}\" from the property file to go without"
         )
     };
-    let all = [
-        line("an initial curvature", "initial_curvature"),
-        line("a piezoelectric coupling", "piezo"),
-    ];
-    folder.refuses(BLADE, &all.join("\n"));
+    folder.refuses(BLADE, &line("a piezoelectric coupling", "piezo"));
 }
 
 #[test]

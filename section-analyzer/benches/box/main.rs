@@ -231,7 +231,11 @@ fn ten_recoveries(section: &Section) -> Duration {
         for force in forces.column_iter().take(10) {
             let force = force.into_owned();
             let name = String::new();
-            black_box(recoverer.recover(&LoadCase { name, force }).is_ok());
+            black_box(
+                recoverer
+                    .recover(&LoadCase::at_point(&name, &force, [0.0; 2]))
+                    .is_ok(),
+            );
         }
     })
 }

@@ -9,7 +9,7 @@ use shared_geom::files::OutputProblem;
 
 use super::arguments::LoadArguments;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, words};
-use crate::analysis::analyze;
+use crate::analysis::analyze_imposed;
 use crate::failure::Failure;
 use crate::input::{self, Input, InputProblem};
 use crate::output::{
@@ -17,7 +17,7 @@ use crate::output::{
     stress_plots, stress_points_csv, stress_report, stress_vtu,
 };
 use crate::recovery::{LoadCase, Recoverer, Recovery};
-use crate::solution::SectionSolution;
+use crate::solution::{ImposedSolution, SectionSolution};
 
 /// Nothing to recover stresses for.
 #[derive(Debug, thiserror::Error)]
@@ -51,17 +51,18 @@ pub(super) fn recover_file(
     let folder = out.unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).join("results"));
     let files = OutputFiles::new(&folder, &input::name_of(file))
         .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
-    let solution = analyze(&input.section).map_err(|failure| {
-        for load in &input.loads {
-            files.remove_stresses(&load.name);
-        }
-        let problem = Diagnostics::one(place, &failure);
-        terminal.tell_text(&problem.to_string(), NOT_REACHED)
-    })?;
+    let (solution, imposed) =
+        analyze_imposed(&input.section, &input.imposed).map_err(|failure| {
+            for load in &input.loads {
+                files.remove_stresses(&load.name);
+            }
+            let problem = Diagnostics::one(place, &failure);
+            terminal.tell_text(&problem.to_string(), NOT_REACHED)
+        })?;
 
     let mut results = ResultWriter::beside(files);
     let mut stresses = Stresses::default();
-    let written = stresses.write(&input, &solution, &mut results);
+    let written = stresses.write(&input, &solution, &imposed.states, &mut results);
     write!(terminal.out, "{}", stresses.reports.join("\n"))?;
     let problems = [
         written.err().map(|problem| words(&problem)),
@@ -115,12 +116,13 @@ impl Stresses {
         &mut self,
         input: &Input,
         solution: &SectionSolution,
+        imposed: &[ImposedSolution],
         results: &mut ResultWriter,
     ) -> Result<(), OutputProblem> {
         if input.loads.is_empty() {
             return Ok(());
         }
-        let recoverer = Recoverer::new(&input.section, solution);
+        let recoverer = Recoverer::new(&input.section, solution).with_imposed(imposed);
         for load in &input.loads {
             match recoverer.recover(load) {
                 Ok(recovery) => self.write_one(input, solution, &recovery, results)?,

@@ -3,7 +3,7 @@
 //! Fibers of a curved beam are longer or shorter than its reference line by
 //!
 //! ```text
-//! J = l1 + k2 z - k3 y
+//! J = l1 + k2 z - k3 y                                                        (S-71)
 //! ```
 //!
 //! and a section that reaches the center of curvature, J = 0, would lie on itself.
@@ -106,7 +106,7 @@ struct Least {
     place: [f64; 2],
 }
 
-/// The least J, which is linear over the section: it stands at a node.
+/// The least J of (S-71), which is linear over the section: it stands at a node.
 fn least_length(initial: &InitialCurvature, mesh: &SectionMesh) -> Option<Least> {
     let of_cells = mesh.cells.iter().flat_map(|cell| {
         cell.nodes().iter().map(move |&node| {

@@ -57,7 +57,7 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenRegion> {
 }
 
 /// A required name, or a number that stands for one.
-fn name(table: &Table<'_>, key: &str, expected: &str) -> Option<Written> {
+pub(super) fn name(table: &Table<'_>, key: &str, expected: &str) -> Option<Written> {
     let text = if table.has(key) && !table.is_text(key) {
         table.count(key)?.to_string()
     } else {

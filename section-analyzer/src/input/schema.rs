@@ -10,9 +10,11 @@
 
 use shared_geom::units::Dimension;
 
+mod imposed;
 mod json;
 mod keys;
 mod limits;
+mod loads;
 mod reference;
 
 pub use json::json_schema;

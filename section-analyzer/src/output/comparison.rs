@@ -209,6 +209,7 @@ fn part(part: Part) -> &'static str {
         Part::Curvature => "undeformed beam",
         Part::Piezo => "electrodes",
         Part::Thermal => "temperature",
+        Part::Prestress => "prestress",
         Part::Damping => "damping",
     }
 }

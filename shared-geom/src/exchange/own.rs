@@ -109,6 +109,9 @@ fn uniform(section: &SectionProperties, length: f64, file: &str) -> Result<Readi
     if section.piezo.is_some() {
         remarks.push("the coupling with electrodes is not taken over".to_owned());
     }
+    if section.prestress.is_some() {
+        remarks.push("the effect of prestress on the stiffness is not taken over".to_owned());
+    }
     let blade = Blade {
         name: section.name.clone(),
         line,

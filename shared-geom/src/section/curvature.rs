@@ -97,7 +97,7 @@ impl SectionProperties {
     /// ```
     ///
     /// Viscous damping goes with the stiffness, the capacitance of electrodes with the
-    /// mass; forces per kelvin and per volt stay.
+    /// mass, free strains with psi; forces per kelvin, per volt and of imposed states stay.
     pub fn per_arc_length(&self) -> Self {
         let Some(initial) = &self.initial_curvature else {
             return self.clone();
@@ -116,6 +116,10 @@ impl SectionProperties {
         if let Some(piezo) = &mut result.piezo {
             piezo.capacitance /= c;
         }
+        for state in &mut result.imposed {
+            state.free_strain /= c;
+        }
+        result.prestress = self.with_third(|third| third.times(c * c));
         for stiffness in &mut result.principal_axes.bending_stiffness {
             *stiffness *= c;
         }
@@ -216,8 +220,8 @@ impl CurvatureMismatch {
         format!(
             "couplings Kij/sqrt(Kii Kjj) differ by {} at most, those of the section by \
              curvature are up to {}",
-            tick_label(self.delta, 0.0),
-            tick_label(self.whole, 0.0)
+            three_digits(self.delta),
+            three_digits(self.whole)
         )
     }
 
@@ -260,15 +264,27 @@ impl CurvatureMismatch {
 
 impl Explain for CurvatureMismatch {
     fn help(&self) -> Option<String> {
-        let cause = self
-            .cause()
-            .map_or_else(String::new, |cause| format!("{cause}; "));
+        let cause = self.cause();
+        if self.line.is_straight() {
+            return Some(
+                cause
+                    .unwrap_or("a section for this line has none")
+                    .to_owned(),
+            );
+        }
+        let cause = cause.map_or_else(String::new, |cause| format!("{cause}; "));
         let [k, l] = [degrees(&self.line), self.line.slope].map(|v| list(&v));
         Some(format!(
             "{cause}a section for this line has [initial_curvature] with curvature = {k} in \
              deg/m and slope = {l}"
         ))
     }
+}
+
+/// A number in three digits.
+fn three_digits(value: f64) -> String {
+    let rounded = format!("{value:.2e}").parse().unwrap_or(value);
+    tick_label(rounded, 0.0)
 }
 
 /// A vector with zeros for what is round-off beside its largest entry.

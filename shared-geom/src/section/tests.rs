@@ -35,7 +35,9 @@ pub(super) fn section() -> SectionProperties {
             capacitance: DMatrix::from_row_slice(2, 2, &[2e-9, -1e-9, -1e-9, 2e-9]),
         }),
         thermal_force: Some(Vector6::new(100.0, 0.0, 0.0, 0.1, 0.2, 1.0 / 3.0)),
+        imposed: Vec::new(),
         damping: Some(Damping::Viscous(1e-3 * stiffness)),
+        prestress: None,
         provenance: Provenance {
             program: "section-analyzer".to_owned(),
             version: "0.1.0".to_owned(),
@@ -78,11 +80,82 @@ fn refused(old: &str, new: &str) -> String {
 
 #[test]
 fn a_newer_version_is_refused_with_the_remedy() {
-    let shown = refused("\"version\": 1", "\"version\": 3");
+    let shown = refused("\"version\": 1", "\"version\": 4");
     assert_eq!(
         shown,
-        "error: a.json:3: written in version 3 of the property-file format, expected at most 2\n  \
+        "error: a.json:3: written in version 4 of the property-file format, expected at most 3\n  \
          help: use a newer version of this program"
+    );
+}
+
+/// The section with one imposed state, sound.
+fn with_imposed() -> SectionProperties {
+    let mut section = section();
+    let free_strain = Vector6::new(1e-3, -2e-4, 1e-4, 0.02, -0.3, 0.1);
+    section.imposed = vec![ImposedState {
+        name: "hot".to_owned(),
+        restrained_force: -(section.stiffness * free_strain),
+        free_strain,
+    }];
+    section
+}
+
+/// A file with imposed states is of version 3, and one of an earlier version has none.
+#[test]
+fn imposed_states_are_kept_in_version_three() {
+    let section = with_imposed();
+    let text = write(&section);
+    assert!(text.contains("\n  \"version\": 3,\n"), "{text}");
+    assert_eq!(parse(&text, "a.json").unwrap(), section);
+    let earlier = text.replace("\"version\": 3", "\"version\": 2");
+    let told = parse(&earlier, "a.json").unwrap_err().to_string();
+    let expected = "\"imposed\" belongs to version 3, and the file says version 2";
+    assert!(told.contains(expected), "{told}");
+}
+
+/// Force and strain of a state are those of each other about every point and in all axes:
+/// `theta = -K psi` and the work `theta . psi` stay, to round-off.
+#[test]
+fn imposed_states_move_with_point_and_axes() {
+    let section = with_imposed();
+    let work = |section: &SectionProperties| {
+        let state = &section.imposed[0];
+        let force = -(section.stiffness * state.free_strain);
+        let scale = force.amax();
+        assert!((force - state.restrained_force).amax() < 1e-12 * scale);
+        assert_eq!(section.problems(), []);
+        state.restrained_force.dot(&state.free_strain)
+    };
+    let before = work(&section);
+    let moved = section.shift(Vector2::new(0.3, -0.4)).rotate(0.7);
+    assert!((work(&moved) / before - 1.0).abs() < 1e-12);
+    // a bent beam is longer where it bends away: nu_x of the point moved by d is
+    // nu_x + z kappa_y - y kappa_z
+    let moved = section.shift(Vector2::new(0.3, -0.4));
+    let axial = 1e-3 - 0.4 * -0.3 - 0.3 * 0.1;
+    assert!((moved.imposed[0].free_strain[0] - axial).abs() < 1e-15);
+}
+
+#[test]
+fn imposed_states_that_contradict_are_told() {
+    let mut section = with_imposed();
+    section.imposed.push(section.imposed[0].clone());
+    section.imposed[1].free_strain[0] *= 1.01;
+    let told: Vec<_> = section.problems().iter().map(|p| p.to_string()).collect();
+    assert_eq!(told.len(), 2, "{told:?}");
+    assert_eq!(
+        told[0],
+        "two imposed states are called \"hot\", expected one of this name"
+    );
+    assert!(told[1].starts_with(
+        "imposed state \"hot\": \"restrained_force\" is not minus the stiffness times"
+    ));
+    section.imposed[0].restrained_force[2] = f64::NAN;
+    assert!(
+        section
+            .problems()
+            .iter()
+            .any(|p| p.to_string().contains("not finite"))
     );
 }
 
@@ -290,4 +363,104 @@ fn thermal_force_and_coupling_move_with_the_stiffness() {
     let column = moved.piezo.unwrap().coupling.column(0).into_owned();
     let expected = wrench::shift_matrix(&d) * section.piezo.unwrap().coupling.column(0);
     assert!((column - expected).amax() < 1e-14);
+}
+
+/// A table of distinct entries.
+fn with_prestress() -> SectionProperties {
+    let third = |[i, j, k]: [usize; 3]| 1e4 * (1 + i + 5 * j + 25 * k) as f64 / 3.0;
+    SectionProperties {
+        prestress: Some(Prestress {
+            strain_measure: StrainMeasure::Biot,
+            third: CubicTable::from_fn(third),
+        }),
+        initial_curvature: None,
+        ..section()
+    }
+}
+
+/// Version 3 is that of files with prestress; those without stay as they were.
+#[test]
+fn prestress_is_kept_in_version_three() {
+    let section = with_prestress();
+    let text = write(&section);
+    assert!(text.contains("\n  \"version\": 3,\n"), "{text}");
+    assert!(
+        text.contains("\n      [1, 4, 4, 103333.33333333333],\n"),
+        "{text}"
+    );
+    assert_eq!(parse(&text, "a.json").unwrap(), section);
+    // the rows left out are zero, and their order does not matter
+    let sparse = text.replacen(
+        "\n      [1, 1, 1, ",
+        "\n      [6, 4, 6, 2.5],\n      [1, 1, 1, ",
+        1,
+    );
+    let sparse: String = sparse
+        .lines()
+        .filter(|line| !line.contains("[4, 6, 6, ") && !line.contains("[1, 1, 4, "))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let found = parse(&sparse, "a.json").unwrap().prestress.unwrap();
+    assert_eq!(found.third.at([1, 3, 3]), 2.5);
+    assert_eq!(found.third.at([0, 0, 1]), 0.0);
+}
+
+#[test]
+fn a_wrong_table_is_refused_where_it_stands() {
+    let text = write(&with_prestress());
+    let line = 1 + text
+        .lines()
+        .position(|line| line.contains("\"prestress\""))
+        .unwrap();
+    let cases = [
+        ("[1, 4, 4, ", "[1, 2, 4, ", "another index than 1 (axial)"),
+        ("[1, 4, 4, ", "[1, 4, 1, ", "that another row gives already"),
+        (
+            "\"version\": 3",
+            "\"version\": 2",
+            "belongs to version 3, and the file says version 2",
+        ),
+    ];
+    for (old, new, expected) in cases {
+        let shown = parse(&text.replacen(old, new, 1), "a.json")
+            .unwrap_err()
+            .to_string();
+        assert!(shown.contains(expected), "{shown}");
+        assert!(
+            shown.starts_with(&format!("error: a.json:{line}: ")),
+            "{shown}"
+        );
+    }
+    let word = parse(&text.replace("biot", "log"), "a.json")
+        .unwrap_err()
+        .to_string();
+    assert!(word.contains("expected `biot` or `green`"), "{word}");
+    let mut endless = with_prestress();
+    endless.prestress.as_mut().unwrap().third = CubicTable::from_fn(|_| f64::NAN);
+    let field = "prestress";
+    assert!(
+        endless
+            .problems()
+            .contains(&PropertyProblem::NotFinite { field })
+    );
+}
+
+/// The tangent stiffness moves like the stiffness: the same section at the same load,
+/// seen from elsewhere. The condition number of the moved stiffness, 1e6, costs the
+/// strain digits: 1e-9 of the largest entry.
+#[test]
+fn stiffness_under_load_moves_with_the_section() {
+    let section = with_prestress();
+    let force = Vector6::new(3e3, 0.0, 0.0, 0.2, -0.4, 5.0);
+    let tangent = section.stiffness_at(&force).unwrap();
+    assert!((tangent - section.stiffness).amax() > 1e3);
+    let by = Vector2::new(0.3, -0.7);
+    let d = Vector3::new(0.0, by.x, by.y);
+    let u = wrench::shift_matrix(&d);
+    let moved = section.shift(by).stiffness_at(&(u * force)).unwrap();
+    assert!((moved - wrench::shift(&tangent, &d)).amax() < 1e-9 * tangent.amax());
+    let q = rotation_about_x(0.7);
+    let into = wrench::rotation_matrix(&q).transpose();
+    let turned = section.rotate(0.7).stiffness_at(&(into * force)).unwrap();
+    assert!((turned - wrench::rotate(&tangent, &q)).amax() < 1e-9 * tangent.amax());
 }

@@ -231,7 +231,7 @@ impl Element for LawBeam {
     }
 
     /// The part that is proportional to the internal forces, for their growth along the
-    /// motion.
+    /// motion, with the stiffness of the section where it grows with the strain.
     fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         for (point, neighbors) in self.points.iter().zip(NEIGHBORS) {
@@ -241,8 +241,9 @@ impl Element for LawBeam {
             };
             let strain: Vector6<f64> = state.variation.iter().zip(along.nodes).map(of_node).sum();
             let growth = state.internal(&(state.response.by_strain * strain));
-            let none = [Matrix6x3::zeros(); 2];
-            let by = std::array::from_fn(|j| state.by_unknowns(j, &none, &growth));
+            let stiffer = point.law.growth_of_stiffness(&strain);
+            let sections = state.variation.map(|by| by.map(|by| stiffer * by));
+            let by = std::array::from_fn(|j| state.by_unknowns(j, &sections[j], &growth));
             growth.add_tangent(&nodal, &point.shape, &by, neighbors, out);
         }
     }

@@ -4,6 +4,7 @@
 //! linear          f = K e                     energy  1/2 e . K e
 //! viscous         f = D e'                            none
 //! viscoelastic    f = K e + D e'                      1/2 e . K e       (Kelvin, Voigt)
+//! quadratic       f_i = 1/2 T_ijk e_j e_k             1/6 T_ijk e_i e_j e_k
 //! ```
 //!
 //! and for each component by itself
@@ -18,6 +19,7 @@
 //! energy here.
 
 use nalgebra::{SMatrix, SVector};
+use shared_geom::section::{CubicTable, PRESTRESS_COMPONENTS};
 
 use super::{Bilinear, Cubic, Curve, ExpressionLaw, Response};
 
@@ -40,6 +42,12 @@ pub enum LawKind<const N: usize> {
         stiffness: SMatrix<f64, N, N>,
         /// Viscosity [unit of force s / unit of strain].
         viscosity: SMatrix<f64, N, N>,
+    },
+    /// The quadratic force of a cubic energy.
+    Quadratic {
+        /// `T_ijk`, symmetric in all its indices: the derivative of the stiffness by the
+        /// strain k is the matrix number k [unit of force / unit of strain^2].
+        third: Box<[SMatrix<f64, N, N>; N]>,
     },
     /// A polynomial of each component.
     Cubic([Cubic; N]),
@@ -77,6 +85,11 @@ impl<const N: usize> LawKind<N> {
                 out.by_strain += stiffness;
                 out.by_rate += viscosity;
             }
+            Self::Quadratic { third } => {
+                let change = change_of_stiffness(third, strain);
+                out.force += 0.5 * (change * strain);
+                out.by_strain += change;
+            }
             Self::Cubic(of) => add_each(strain, out, |i, e| of[i].at(e)),
             Self::Bilinear(of) => add_each(strain, out, |i, e| of[i].at(e)),
             Self::Table(of) => add_each(strain, out, |i, e| match &of[i] {
@@ -95,9 +108,20 @@ impl<const N: usize> LawKind<N> {
                 0.5 * strain.dot(&(stiffness * strain))
             }
             Self::Viscous { .. } | Self::Expression(_) => 0.0,
+            Self::Quadratic { third } => {
+                strain.dot(&(change_of_stiffness(third, strain) * strain)) / 6.0
+            }
             Self::Cubic(of) => sum(&|i, e| of[i].energy(e)),
             Self::Bilinear(of) => sum(&|i, e| of[i].energy(e)),
             Self::Table(of) => sum(&|i, e| of[i].as_ref().map_or(0.0, |curve| curve.integral(e))),
+        }
+    }
+
+    /// Growth of the stiffness with a growth of the strain: that of the quadratic force. Of
+    /// the other functions none is known, since their stiffness may jump.
+    pub(super) fn add_growth(&self, growth: &SVector<f64, N>, out: &mut SMatrix<f64, N, N>) {
+        if let Self::Quadratic { third } = self {
+            *out += change_of_stiffness(third, growth);
         }
     }
 
@@ -109,6 +133,37 @@ impl<const N: usize> LawKind<N> {
             _ => false,
         }
     }
+}
+
+impl LawKind<6> {
+    /// The quadratic force of a prestressed section: its table over axial, torsion, bending
+    /// y and bending z, no part of the shears.
+    ///
+    /// ```text
+    /// f_i = 1/2 T_ijk e_j e_k                                              (D-240)
+    /// ```
+    pub fn quadratic(table: &CubicTable) -> Self {
+        let place = |component: usize| {
+            let mut known = PRESTRESS_COMPONENTS.into_iter();
+            known.position(|index| index == component)
+        };
+        let entry = |i, j, k| match (place(i), place(j), place(k)) {
+            (Some(i), Some(j), Some(k)) => table.at([i, j, k]),
+            _ => 0.0,
+        };
+        let third = std::array::from_fn(|k| SMatrix::from_fn(|i, j| entry(i, j, k)));
+        Self::Quadratic {
+            third: Box::new(third),
+        }
+    }
+}
+
+/// `T_ijk e_k`.
+fn change_of_stiffness<const N: usize>(
+    third: &[SMatrix<f64, N, N>; N],
+    strain: &SVector<f64, N>,
+) -> SMatrix<f64, N, N> {
+    third.iter().zip(strain).map(|(by, e)| by * *e).sum()
 }
 
 /// Adds force and slope of each component by itself.

@@ -23,6 +23,18 @@ fn cubic() -> Cubic {
     }
 }
 
+/// T_ijk of distinct entries, symmetric.
+fn third() -> Box<[Matrix3<f64>; 3]> {
+    let entry = |i: usize, j: usize, k: usize| {
+        let mut sorted = [i, j, k];
+        sorted.sort_unstable();
+        (sorted[0] + 2 * sorted[1] + 5 * sorted[2]) as f64 - 4.0
+    };
+    Box::new(std::array::from_fn(|k| {
+        Matrix3::from_fn(|i, j| entry(i, j, k))
+    }))
+}
+
 fn curve(between: Between, outside: Outside) -> Curve {
     Curve::new(
         &[-1.0, -0.2, 0.3, 1.0],
@@ -52,6 +64,7 @@ fn laws() -> Vec<Law<3>> {
             stiffness,
             viscosity,
         },
+        LawKind::Quadratic { third: third() },
         LawKind::Cubic([cubic(); 3]),
         LawKind::Bilinear([bilinear; 3]),
         LawKind::Table([a, None, b]),
@@ -144,6 +157,23 @@ fn values_are_those_of_the_closed_forms() {
         assert!((beyond.0 - force).abs() < 1e-14 && (beyond.1 - tangent).abs() < 1e-14);
         assert_eq!(one(table(outside), 0.0).2, 0.0);
     }
+}
+
+/// The growth of the slope along a strain is the difference of the slopes, which are
+/// linear: a few roundings of numbers below 100.
+#[test]
+fn the_slope_of_a_quadratic_force_grows_with_the_strain() {
+    let law = Law::from(LawKind::Quadratic { third: third() });
+    let growth = Vector3::new(0.2, -0.3, 0.7);
+    let strain = Vector3::new(1.1, 0.4, -0.6);
+    let slope = |strain| law.at(&strain, &Vector3::zeros(), 0.0).by_strain;
+    let difference = slope(strain + growth) - slope(strain);
+    assert!(difference.amax() > 1.0);
+    assert!((law.growth_of_stiffness(&growth) - difference).amax() < 1e-13);
+    assert_eq!(
+        Law::linear(symmetric()).growth_of_stiffness(&growth),
+        Matrix3::zeros()
+    );
 }
 
 /// The force of a sum is the sum; a prestrain shifts it, a prestress adds to it.

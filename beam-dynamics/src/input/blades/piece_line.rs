@@ -129,6 +129,8 @@ mod tests {
             mass: Matrix6::identity(),
             damping: None,
             law: None,
+            heat: crate::input::heat::Heat::default(),
+            prestress: None,
             curved: None,
         };
         PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))

@@ -45,6 +45,12 @@ pub enum LawProblem {
         /// The eigenvalue [-].
         least: f64,
     },
+    /// A law beside properties whose own law has the effect of prestress.
+    #[error("{beam}: a \"law\" takes the place of the stiffness, and with it of \"prestress\"")]
+    LawAndPrestress {
+        /// The beam, in words.
+        beam: String,
+    },
     /// A viscoelastic law without viscosity, or with two.
     #[error("the viscoelastic law needs a \"viscosity\" or a \"time\", and not both")]
     OneViscosity,
@@ -151,6 +157,7 @@ impl Explain for LawProblem {
             Self::SoftBeam { .. } => {
                 "add a law that holds every component, such as { kind = \"section\" }"
             }
+            Self::LawAndPrestress { .. } => "remove one of the two",
             Self::NoRest => {
                 "add a point, or take outside = \"extend\" or \"hold\"; a \"prestrain\" moves \
                  the place of the zero"

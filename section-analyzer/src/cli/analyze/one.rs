@@ -7,7 +7,7 @@ use shared_geom::files::OutputProblem;
 use shared_geom::hash::sha256_of;
 use shared_geom::section::{self, SectionProperties};
 
-use super::sensitivity::{Sensitivities, analyzed, parameters};
+use super::sensitivity::{Answer, analyzed, parameters};
 use super::{Job, Run};
 use crate::cli::figures::draw_section;
 use crate::cli::stress::Stresses;
@@ -16,9 +16,9 @@ use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
     AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv,
-    failure_report, properties, report, warping_vtu,
+    failure_report, imposed_report, prestress_report, properties, report, warping_vtu,
 };
-use crate::properties::RestrainedWarping;
+use crate::properties::{RestrainedWarping, prestress};
 use crate::solution::SectionSolution;
 
 /// How the analysis of a section ended.
@@ -126,13 +126,7 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
     let solve = || {
         let results = ResultWriter::new(files);
         match analyzed(&input, parameters) {
-            Ok((solution, derivatives)) => solved(
-                job,
-                &input,
-                (&solution, &derivatives),
-                results,
-                made_from.as_deref(),
-            ),
+            Ok(answer) => solved(job, &input, &answer, results, made_from.as_deref()),
             Err(failure) => failed(job, &input, &failure, results),
         }
     };
@@ -173,17 +167,31 @@ fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
 fn solved(
     job: &Job,
     input: &Input,
-    (solution, derivatives): (&SectionSolution, &Sensitivities),
+    answer: &Answer,
     mut results: ResultWriter,
     made_from: Option<&str>,
 ) -> Outcome {
     let Input {
         section, summary, ..
     } = input;
-    let properties = properties(section, solution, &summary.input_hash);
+    let Answer {
+        solution,
+        imposed,
+        derivatives,
+    } = answer;
+    let mut properties = properties(section, solution, imposed, &summary.input_hash);
+    let mut prestress_part = String::new();
+    if let Some(measure) = input.prestress {
+        match prestress(section, &solution.warping, &solution.strain, measure) {
+            Ok(found) => properties.prestress = Some(found),
+            Err(reason) => prestress_part = format!("Prestress\n  none: {reason}\n"),
+        }
+        prestress_part += &prestress_report(&properties, &input.loads);
+    }
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let report =
-        report(section, summary, solution, &restrained) + &derivatives.table(section, solution);
+    let on_request =
+        imposed_report(&properties) + &prestress_part + &derivatives.table(section, solution);
+    let report = report(section, summary, solution, &restrained, on_request);
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))
@@ -191,7 +199,7 @@ fn solved(
         .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
         .and_then(|()| derivatives.write(input, &mut results))
         .and_then(|()| write_figures(input, solution, &mut results))
-        .and_then(|()| stresses.write(input, solution, &mut results));
+        .and_then(|()| stresses.write(input, solution, &imposed.states, &mut results));
 
     let failed = stresses.problems(&job.file);
     let (files, problem) = match (written, made_from) {

@@ -5,13 +5,13 @@ use shared_geom::files::OutputProblem;
 use thiserror::Error;
 
 use super::Run;
-use crate::analysis::{Analysis, analyze};
+use crate::analysis::{Analysis, analyze_imposed};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{ResultWriter, sensitivity_json, sensitivity_table};
 use crate::section::Section;
 use crate::sensitivity::{Axis, Derivative, Parameter, SensitivityProblem};
-use crate::solution::SectionSolution;
+use crate::solution::{ImposedSolutions, SectionSolution};
 use shared_geom::error::Explain;
 
 /// A node that derivatives are asked for, and that is not there.
@@ -43,13 +43,12 @@ impl Explain for NodeProblem {
 pub(super) struct Sensitivities(Option<(Vec<Parameter>, Vec<Derivative>)>);
 
 impl Sensitivities {
-    /// The part of the report, behind an empty line.
+    /// The part of the report.
     pub fn table(&self, section: &Section, solution: &SectionSolution) -> String {
         self.0
             .as_ref()
             .map_or_else(String::new, |(of, derivatives)| {
-                let table = sensitivity_table(section, solution, of, derivatives);
-                format!("\n{table}")
+                sensitivity_table(section, solution, of, derivatives)
             })
     }
 
@@ -108,14 +107,27 @@ fn index_of(input: &Input, tag: u64) -> Result<usize, NodeProblem> {
     }
 }
 
+/// All that is solved for a section.
+#[derive(Debug)]
+pub(super) struct Answer {
+    pub solution: SectionSolution,
+    pub imposed: ImposedSolutions,
+    pub derivatives: Sensitivities,
+}
+
 /// Solves the section, with the derivatives if they are asked for.
 pub(super) fn analyzed(
     input: &Input,
     parameters: Option<Vec<Parameter>>,
-) -> Result<(SectionSolution, Sensitivities), Failure> {
+) -> Result<Answer, Failure> {
     let section = &input.section;
     let Some(parameters) = parameters else {
-        return Ok((analyze(section)?, Sensitivities::default()));
+        let (solution, imposed) = analyze_imposed(section, &input.imposed)?;
+        return Ok(Answer {
+            solution,
+            imposed,
+            derivatives: Sensitivities::default(),
+        });
     };
     let analysis = Analysis::new(section)?;
     let derivatives = analysis.sensitivities(&parameters).map_err(|problem| {
@@ -126,6 +138,9 @@ pub(super) fn analyzed(
         };
         Failure::OutOfMemory { unknowns }
     })?;
-    let solution = analysis.solution().clone();
-    Ok((solution, Sensitivities(Some((parameters, derivatives)))))
+    Ok(Answer {
+        imposed: analysis.imposed_and_heated(&input.imposed)?,
+        solution: analysis.solution().clone(),
+        derivatives: Sensitivities(Some((parameters, derivatives))),
+    })
 }

@@ -1,7 +1,9 @@
 //! What only some sections have: curvature, electrodes, thermal force, damping.
 
 use nalgebra::{Matrix6, Vector3};
-use shared_geom::section::{Damping, InitialCurvature, Piezo, SectionProperties};
+use shared_geom::section::{
+    Damping, InitialCurvature, PRESTRESS_COMPONENTS, Piezo, Prestress, SectionProperties,
+};
 use shared_geom::wrench::COMPONENTS;
 
 use super::Part;
@@ -25,10 +27,35 @@ pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mu
             entries,
         );
     }
+    imposed(a, b, entries);
+    let tables = (a.prestress.as_ref(), b.prestress.as_ref());
+    if let Some((first, second)) = entries.both("a table of prestress", tables.0, tables.1) {
+        prestress(a, first, second, entries);
+    }
     let dampings = (damping(a), damping(b));
     if dampings != (None, None) {
         let matrix = |damping: Option<Matrix6<f64>>| damping.unwrap_or_else(Matrix6::zeros);
         entries.matrix(Part::Damping, &matrix(dampings.0), &matrix(dampings.1));
+    }
+}
+
+/// The restrained forces of states of one name; the free strains are theirs.
+fn imposed(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries) {
+    for first in &a.imposed {
+        let second = b.imposed.iter().find(|state| state.name == first.name);
+        let what = format!("the imposed state {}", first.name);
+        if let Some((first, second)) = entries.both(&what, Some(first), second) {
+            let name = format!("imposed {}", first.name);
+            let columns = [&first.restrained_force, &second.restrained_force];
+            let columns = columns.map(|force| force.as_slice());
+            forces(a, columns, Part::Thermal, &name, ["N", "N m"], entries);
+        }
+    }
+    for second in &b.imposed {
+        if !a.imposed.iter().any(|state| state.name == second.name) {
+            let words = format!("only B has the imposed state {}", second.name);
+            entries.unlike.push(words);
+        }
     }
 }
 
@@ -111,6 +138,32 @@ fn forces(
         let name = format!("{name}, {}", COMPONENTS[i]);
         let unit = units[usize::from(i > 2)];
         entries.add(part, name, [a[i], b[i]], unit, scale * root[i]);
+    }
+}
+
+/// Entries beside what they add to the stiffness at an axial strain of one.
+///
+/// ```text
+/// (b - a)_ijk / sqrt(K_ii K_jj K_kk / K_11)
+/// ```
+fn prestress(section: &SectionProperties, a: &Prestress, b: &Prestress, entries: &mut Entries) {
+    if a.strain_measure != b.strain_measure {
+        let names = [a, b].map(|table| table.strain_measure.name());
+        let words = format!(
+            "the prestress of A is by the strain of {}, that of B by {}",
+            names[0], names[1]
+        );
+        return entries.unlike.push(words);
+    }
+    let root = section.stiffness.diagonal().map(f64::sqrt);
+    for (at, value) in a.third.entries() {
+        let [i, j, k] = at.map(|index| PRESTRESS_COMPONENTS[index]);
+        let name = format!("prestress {}{}{}", i + 1, j + 1, k + 1);
+        let lengths = [i, j, k].iter().filter(|component| **component > 2).count();
+        let unit = ["N", "N m", "N m^2", "N m^3"][lengths];
+        let scale = root[i] * root[j] * root[k] / root[0];
+        let values = [value, b.third.at(at)];
+        entries.add(Part::Prestress, name, values, unit, scale);
     }
 }
 

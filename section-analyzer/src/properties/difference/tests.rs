@@ -6,7 +6,8 @@ use super::*;
 use approx::assert_relative_eq;
 use nalgebra::{DMatrix, Vector6};
 use shared_geom::section::{
-    Centers, Damping, InitialCurvature, Piezo, PrincipalAxes, Provenance, Step,
+    Centers, CubicTable, Damping, InitialCurvature, Piezo, Prestress, PrincipalAxes, Provenance,
+    Step, StrainMeasure,
 };
 
 /// A bar of 0.2 m x 0.1 m with E = 1 GPa about its center, with a coupling of
@@ -47,7 +48,9 @@ fn section() -> SectionProperties {
             capacitance: DMatrix::from_row_slice(2, 2, &[2e-9, -1e-9, -1e-9, 2e-9]),
         }),
         thermal_force: Some(Vector6::new(100.0, 0.0, 0.0, 0.1, 0.2, 0.3)),
+        imposed: Vec::new(),
         damping: Some(Damping::StiffnessProportional(1e-3)),
+        prestress: None,
         provenance: Provenance {
             program: "by hand".to_owned(),
             version: "1".to_owned(),
@@ -281,4 +284,22 @@ fn turns_of_a_history_add_up() {
         .history
         .push(step(Change::Shift(Vector2::new(1.0, 1.0))));
     assert_eq!(turn(&section), 0.5 - 0.2);
+}
+
+/// Entries of a table beside `sqrt(K_ii K_jj K_kk / K_11)`.
+#[test]
+fn tables_of_prestress_are_compared_beside_the_stiffness() {
+    let mut a = section();
+    let table = |value: f64| {
+        Some(Prestress {
+            strain_measure: StrainMeasure::Biot,
+            third: CubicTable::from_fn(|at| if at == [0, 1, 1] { value } else { 0.0 }),
+        })
+    };
+    let mut b = a.clone();
+    (a.prestress, b.prestress) = (table(2.0), table(2.5));
+    let expected = 0.5 / a.stiffness[(3, 3)];
+    assert_relative_eq!(between(&a, &b).largest(), expected, max_relative = 1e-12);
+    b.prestress = None;
+    assert_eq!(between(&a, &b).unlike, ["only A has a table of prestress"]);
 }

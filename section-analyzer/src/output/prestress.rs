@@ -1,0 +1,113 @@
+//! The effect of the internal forces on the stiffness, in a report.
+
+use nalgebra::{Matrix4, Vector6};
+use shared_geom::section::{PRESTRESS_COMPONENTS, Prestress, SectionProperties, least_eigenvalue};
+use shared_geom::wrench::COMPONENTS;
+
+use super::text::{matrix, number, table};
+use crate::properties::radius_of_gyration;
+use crate::recovery::LoadCase;
+
+/// Entries below this part of what they are compared with are left out: round-off of
+/// the solution.
+const ZERO: f64 = 1e-10;
+
+/// The table of a section and what follows from it: the change of the stiffness with an
+/// axial force, and the stiffness under each load. Empty without a table.
+pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> String {
+    let Some(prestress) = &properties.prestress else {
+        return String::new();
+    };
+    let measure = prestress.strain_measure.name();
+    let mut text = format!(
+        "Prestress, third derivatives T of the energy by strain ({measure} strain)\n\
+         {}  (1 axial, 4 torsion, 5 bending y, 6 bending z; all others are zero)\n",
+        entries(properties, prestress),
+    );
+    if let Some(compliance) = properties.stiffness.try_inverse() {
+        let by_axial = prestress.by_force(&compliance, 0);
+        text += &format!(
+            "Prestress, change of the stiffness per axial force at the reference point [-, m, m^2]\n{}",
+            of_four(&by_axial, properties)
+        );
+        let at_center = at_tension_center(properties);
+        let change = prestress.at_strain(&(compliance * at_center))[(3, 3)];
+        let square = radius_of_gyration(properties).powi(2);
+        text += &format!(
+            "  (per axial force at the tension center torsion gains {} m^2, {:.4} of \
+             (EIy + EIz)/EA)\n",
+            number(change),
+            change / square
+        );
+    }
+    for load in loads {
+        text += &under_load(properties, load);
+    }
+    text
+}
+
+/// An axial force of one at the tension center, about the reference point.
+fn at_tension_center(properties: &SectionProperties) -> Vector6<f64> {
+    let center = properties.centers.tension;
+    Vector6::new(1.0, 0.0, 0.0, 0.0, center.y, -center.x)
+}
+
+/// The entries that are more than round-off, a line each.
+fn entries(properties: &SectionProperties, prestress: &Prestress) -> String {
+    let root = properties.stiffness.diagonal().map(f64::sqrt);
+    let mut rows = Vec::new();
+    for (at, value) in prestress.third.entries() {
+        let [i, j, k] = at.map(|index| PRESTRESS_COMPONENTS[index]);
+        let scale = root[i] * root[j] * root[k] / root[0];
+        if value.abs() > ZERO * scale {
+            let lengths = [i, j, k].iter().filter(|component| **component > 2).count();
+            rows.push(vec![
+                format!("T{}{}{}", i + 1, j + 1, k + 1),
+                number(value),
+                ["N", "N m", "N m^2", "N m^3"][lengths].to_owned(),
+                [i, j, k].map(|component| COMPONENTS[component]).join(", "),
+            ]);
+        }
+    }
+    table(&rows, "lrll")
+}
+
+/// A 4x4 matrix under the names of its components; round-off beside `sqrt(Kii Kjj)/K11`
+/// is shown as zero.
+fn of_four(a: &Matrix4<f64>, properties: &SectionProperties) -> String {
+    let names = PRESTRESS_COMPONENTS.map(|component| COMPONENTS[component]);
+    let root = properties.stiffness.diagonal().map(f64::sqrt);
+    let heading = std::iter::once("").chain(names).map(str::to_owned);
+    let mut rows = vec![heading.collect::<Vec<_>>()];
+    for (i, name) in names.into_iter().enumerate() {
+        let mut row = vec![name.to_owned()];
+        for j in 0..4 {
+            let [first, second] = [i, j].map(|index| root[PRESTRESS_COMPONENTS[index]]);
+            let scale = first * second / (root[0] * root[0]);
+            let is_zero = a[(i, j)].abs() <= ZERO * scale;
+            row.push(number(if is_zero { 0.0 } else { a[(i, j)] }));
+        }
+        rows.push(row);
+    }
+    table(&rows, "lr")
+}
+
+/// The stiffness under a load, and whether it still is one.
+fn under_load(properties: &SectionProperties, load: &LoadCase) -> String {
+    let Some(stiffness) = properties.stiffness_at(&load.force) else {
+        return String::new();
+    };
+    let least = least_eigenvalue(&stiffness);
+    let remark = match least > 0.0 {
+        true => "",
+        false => {
+            "  (not positive definite: at this load the section is unstable by itself, or the \
+             load is too large for the first order)\n"
+        }
+    };
+    format!(
+        "Stiffness under load \"{}\", to first order [N, N m, N m^2]\n{}{remark}",
+        load.name,
+        matrix(&stiffness)
+    )
+}
