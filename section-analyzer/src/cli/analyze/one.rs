@@ -192,9 +192,9 @@ fn solved(
         prestress_part += &prestress_report(&properties, &input.loads);
     }
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let on_request = imposed_report(&properties) + &prestress_part;
-    let mut report = report(section, summary, solution, &restrained, on_request)
-        + &derivatives.table(section, solution);
+    let on_request =
+        imposed_report(&properties) + &prestress_part + &derivatives.table(section, solution);
+    let mut report = report(section, summary, solution, &restrained, on_request);
     if let Some(found) = &found.end_effects {
         report = report + "\n" + &end_effects(found);
     }
