@@ -7,6 +7,8 @@ mod curved_lines;
 mod gmsh_formats;
 mod gmsh_pairs;
 mod invariances;
+mod line_cells;
+mod lines;
 mod quads;
 mod random_sections;
 #[path = "../common/record.rs"]

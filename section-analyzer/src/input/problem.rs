@@ -231,6 +231,21 @@ pub enum InputProblem {
         /// Tag of one of them.
         example: u64,
     },
+    /// A laminate with a list of plies and the keys of one.
+    #[error("a lamina has \"plies\" and \"{key}\", expected one of them")]
+    PliesAndPly {
+        /// A key of a ply.
+        key: &'static str,
+    },
+    /// A laminate without plies.
+    #[error("a lamina has no plies")]
+    NoPlies,
+    /// A laminate that is called as something else.
+    #[error("the name \"{name}\" of a lamina is taken by a surface or another lamina")]
+    LaminaName {
+        /// The name.
+        name: String,
+    },
     /// An angle given in two ways, or in none that is known.
     #[error("\"{key}\" has both \"table\" and \"follow\", expected one of them")]
     TableAndFollow {
@@ -345,6 +360,14 @@ impl Explain for InputProblem {
             Self::HugeLoad { .. } => Some(
                 "this is in SI units; check the unit and the \"point\" where the load acts"
                     .to_owned(),
+            ),
+            Self::NoPlies => Some(
+                "give \"material\" and \"thickness\", or plies = [{ material = ..., thickness = \
+                 ... }, ...]"
+                    .to_owned(),
+            ),
+            Self::LaminaName { .. } => Some(
+                "tables and reports go by it: give the lamina a \"name\" of its own".to_owned(),
             ),
             Self::LoadName { .. } => Some("the name becomes part of file names".to_owned()),
             _ => None,

@@ -15,6 +15,7 @@ mod contact;
 mod findings;
 pub mod generate;
 mod jacobian;
+mod laminate;
 mod orientation;
 mod overlap;
 mod plane;
@@ -25,6 +26,7 @@ mod section_mesh;
 mod sides;
 
 pub use findings::{CellOverlap, DoubledNodes, HangingNode, NarrowGap, Seam};
+pub use laminate::{Lamina, LaminaCell, LaminaProblem, LaminaSide, Laminated, add_laminae};
 pub(crate) use plane::{distance, polygon_area};
 pub use problem::{Inversion, MeshProblem, Part};
 pub use section_mesh::{Curve, CurveLine, MeshReport, SectionCell, SectionMesh};

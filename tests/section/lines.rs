@@ -1,0 +1,127 @@
+//! Meshes with lines and sections of laminates along them.
+
+use section_analyzer::material::Material;
+use section_analyzer::mesh::{Lamina, LaminaCell, LaminaSide, add_laminae};
+use section_analyzer::section::{CellMaterial, Section};
+use shared_geom::mesh::{Line, LineKind, Mesh, Node, PhysicalGroup};
+use shared_geom::section::InitialCurvature;
+
+use crate::sections::section_mesh;
+
+/// A ply: thickness [m], fiber angle [rad], material.
+pub type Ply = (f64, f64, usize);
+
+/// A laminate along the curve of a name.
+#[derive(Debug, Clone)]
+pub struct Wall {
+    pub curve: &'static str,
+    pub side: Option<LaminaSide>,
+    pub plies: Vec<Ply>,
+}
+
+/// A curve made of quadratic lines: `points` are ends and middles in turn, the first
+/// again at the end of a closed curve.
+pub fn add_curve(mesh: &mut Mesh, name: &str, points: &[[f64; 2]]) {
+    let nodes: Vec<u32> = points
+        .iter()
+        .map(|&[y, z]| {
+            let same = |node: &Node| {
+                (node.position.x - y).abs() < 1e-12 && (node.position.y - z).abs() < 1e-12
+            };
+            let known = mesh.nodes.iter().position(same);
+            known.unwrap_or_else(|| {
+                mesh.nodes.push(Node {
+                    tag: mesh.nodes.len() as u64 + 1,
+                    position: [y, z, 0.0].into(),
+                });
+                mesh.nodes.len() - 1
+            }) as u32
+        })
+        .collect();
+    for ends in nodes.windows(3).step_by(2) {
+        let tag = 1000 + mesh.lines.len() as u64;
+        let mut line = Line::new(tag, LineKind::Line3, 1, |i| ends[[0, 2, 1][i]]);
+        line.groups = mesh.groups.len().into();
+        mesh.lines.push(line);
+    }
+    mesh.groups.push(PhysicalGroup {
+        dimension: 1,
+        tag: mesh.groups.len() as i32 + 1,
+        name: Some(name.to_owned()),
+    });
+}
+
+/// Straight lines between corners, each in `cells` equal parts, with their middles.
+pub fn polygon(corners: &[[f64; 2]], cells: usize) -> Vec<[f64; 2]> {
+    let mut points = vec![corners[0]];
+    for ends in corners.windows(2) {
+        for i in 1..=2 * cells {
+            let part = i as f64 / (2 * cells) as f64;
+            points.push([0, 1].map(|axis| ends[0][axis] + part * (ends[1][axis] - ends[0][axis])));
+        }
+    }
+    points
+}
+
+/// The section of `mesh` with these laminates, and what each of their cells is part of;
+/// the cells of the mesh itself are of the first material, unturned.
+pub fn laminated(
+    mut mesh: Mesh,
+    materials: &[Material],
+    walls: &[Wall],
+) -> (Section, Vec<LaminaCell>) {
+    let mut laminae = Vec::new();
+    for wall in walls {
+        let curve = mesh.group(1, wall.curve).expect("the curve");
+        let groups = wall.plies.iter().map(|_| {
+            mesh.groups.push(PhysicalGroup {
+                dimension: 2,
+                tag: mesh.groups.len() as i32 + 100,
+                name: Some(format!("ply {}", mesh.groups.len())),
+            });
+            mesh.groups.len() - 1
+        });
+        laminae.push(Lamina {
+            curve,
+            side: wall.side,
+            groups: groups.collect(),
+            thicknesses: wall.plies.iter().map(|ply| ply.0).collect(),
+        });
+    }
+    let solid = mesh.cells.len();
+    let found = add_laminae(&mut mesh, &laminae).expect("sound laminates");
+    let core = CellMaterial {
+        material: 0,
+        fiber_angle: 0.0,
+        plane_angle: 0.0,
+    };
+    let mut cells = vec![core; solid];
+    cells.extend(found.cells.iter().map(|cell| {
+        let (_, fiber_angle, material) = walls[cell.lamina].plies[cell.ply];
+        CellMaterial {
+            material,
+            fiber_angle,
+            plane_angle: cell.direction,
+        }
+    }));
+    let section = Section {
+        name: "laminated".into(),
+        mesh: section_mesh(&mesh),
+        materials: materials.to_vec(),
+        cells,
+        initial_curvature: InitialCurvature::STRAIGHT,
+    };
+    (section, found.cells)
+}
+
+/// The laminate centered on a curve of lines alone.
+pub fn alone(curve: &[[f64; 2]], materials: &[Material], plies: &[Ply]) -> Section {
+    let mut mesh = Mesh::default();
+    add_curve(&mut mesh, "wall", curve);
+    let wall = Wall {
+        curve: "wall",
+        side: None,
+        plies: plies.to_vec(),
+    };
+    laminated(mesh, materials, &[wall]).0
+}
