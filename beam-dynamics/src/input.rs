@@ -26,6 +26,7 @@ mod bodies;
 mod clamps;
 mod columns;
 mod csv_rows;
+mod curved;
 mod damping;
 mod draft;
 mod drives;

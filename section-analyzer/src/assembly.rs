@@ -9,6 +9,8 @@
 mod domain;
 mod mass;
 mod matrices;
+mod model;
+mod outside;
 mod pattern;
 mod rigid;
 mod stress;
@@ -17,6 +19,8 @@ pub(crate) use domain::largest;
 pub use domain::{Domain, DomainCell, Scaling};
 pub use mass::mass_per_length;
 pub use matrices::{Scalar, SectionMatrices};
+pub use model::Model;
+pub use outside::{OUTSIDE_IDENTITIES, OutsideDomain};
 pub use pattern::Pattern;
 pub use rigid::{ASSEMBLED_IDENTITIES, add_rigid_motions, check_assembled_identities, resultant};
 pub use stress::{Rate, SectionForces, State, section_forces};

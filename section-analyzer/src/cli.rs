@@ -18,6 +18,7 @@ mod figures;
 mod generate;
 mod help;
 mod load_arguments;
+mod matrices;
 mod report;
 mod schema;
 mod stress;
@@ -93,6 +94,7 @@ fn dispatch(
         Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),
         Command::Check { file, out } => check::check_file(&file, out, terminal),
         Command::Stress { file, load, out } => stress::recover_file(&file, &load, out, terminal),
+        Command::Matrices { file, out } => matrices::analyze_file(&file, out, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
         Command::Report(arguments) => report::report_files(&arguments, terminal),
         Command::Compare(arguments) => compare::compare_files(&arguments, terminal),

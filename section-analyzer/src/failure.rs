@@ -96,6 +96,17 @@ pub enum Failure {
         /// The limit \[-\].
         limit: f64,
     },
+    /// Matrices from another program do not belong together.
+    #[error(
+        "the matrices do not belong to one section: {}, expected less than {limit:.0e}",
+        told(.broken)
+    )]
+    Matrices {
+        /// Each identity that is broken, with its relative error.
+        broken: Vec<(&'static str, f64)>,
+        /// The limit \[-\].
+        limit: f64,
+    },
     /// The solution fails one of its own checks.
     #[error(
         "{check} is off by {error:.1e}, expected less than {limit:.0e}; the weakest place is node {node} (y = {y:.4e} m, z = {z:.4e} m)"
@@ -139,6 +150,14 @@ pub enum Failure {
     },
 }
 
+/// Identities with their errors.
+fn told(broken: &[(&str, f64)]) -> String {
+    let each = broken
+        .iter()
+        .map(|(identity, error)| format!("{identity} is broken by {error:.1e}"));
+    each.collect::<Vec<_>>().join(", ")
+}
+
 impl Explain for Failure {
     fn help(&self) -> Option<String> {
         let text = match self {
@@ -154,6 +173,9 @@ impl Explain for Failure {
             }
             Self::Loose { .. } => {
                 "look for parts joined at a single node, seams whose nodes are doubled, walls or cells thousands of times longer than thick, and moduli many orders of magnitude apart"
+            }
+            Self::Matrices { .. } => {
+                "H are the rigid motions of the nodes: look at the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), the unit of length of the node table, and whether the rows of C belong to u'"
             }
             Self::Identity { .. } => {
                 "look for mid-side nodes that do not belong to their cell and for cells of extreme aspect ratio"

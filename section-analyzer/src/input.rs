@@ -16,7 +16,6 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Mesh};
-use shared_geom::section::InitialCurvature;
 use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
@@ -28,6 +27,7 @@ use crate::section::Section;
 
 mod angles;
 mod assign;
+mod curvature;
 mod extent;
 mod files;
 mod follow;
@@ -35,6 +35,7 @@ mod groups;
 mod laminae;
 mod loads;
 mod materials;
+pub mod outside;
 mod problem;
 mod regions;
 pub mod schema;
@@ -47,6 +48,7 @@ pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
+use curvature::WrittenCurvature;
 use files::Files;
 use laminae::WrittenLamina;
 use materials::WrittenMaterial;
@@ -104,6 +106,7 @@ struct WrittenSection {
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
     laminae: Vec<WrittenLamina>,
+    curvature: Option<WrittenCurvature>,
     loads: Vec<LoadCase>,
 }
 
@@ -125,6 +128,7 @@ impl WrittenSection {
             materials: materials::read(&root),
             regions: regions::read(&root),
             laminae: laminae::read(&root),
+            curvature: curvature::read(&root),
             loads: loads::read(&root),
         };
         root.finish();
@@ -141,6 +145,10 @@ impl WrittenSection {
             .checked
             .as_ref()
             .map(|(section_mesh, _)| section_mesh);
+        let mut odd = Vec::new();
+        let beam = self.curvature.as_ref().zip(section_mesh);
+        let beam =
+            beam.and_then(|(written, mesh)| curvature::checked(written, mesh, document, &mut odd));
         let centroids = section_mesh.map_or_else(Vec::new, centroids);
         let assignment = Assignment {
             document,
@@ -172,9 +180,10 @@ impl WrittenSection {
             mesh: section_mesh,
             materials,
             cells,
-            initial_curvature: InitialCurvature::STRAIGHT,
+            initial_curvature: beam?,
         };
         let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
+        summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();

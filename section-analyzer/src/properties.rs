@@ -17,5 +17,5 @@ pub use centers::Centers;
 pub use difference::{Difference, Entry, Part, radius_of_gyration};
 pub use moments::{AreaMoments, SecondMoments};
 pub use principal::PrincipalAxes;
-pub use restrained::{Anisotropic, RestrainedWarping};
+pub use restrained::{NoRestrainedWarping, RestrainedWarping};
 pub use scaled::{invert_symmetric, scaled_difference};

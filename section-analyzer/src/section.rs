@@ -34,5 +34,8 @@ pub struct CellMaterial {
     pub plane_angle: f64,
 }
 
+mod outside;
 #[cfg(test)]
 pub(crate) mod samples;
+
+pub use outside::{Blocks, OutsideSection, Reduced, Through};

@@ -11,6 +11,7 @@ use crate::line::ReferenceLine;
 use crate::section::Provenance;
 
 mod check;
+mod curved;
 mod evaluate;
 mod file;
 mod input;
@@ -20,6 +21,7 @@ mod remark;
 mod transform;
 
 pub use crate::line::Side;
+pub(crate) use curved::CurvedStation;
 pub use file::{VERSION, parse, read, write};
 pub use input::InputProblem;
 pub use moments::MassMoments;

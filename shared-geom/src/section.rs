@@ -11,6 +11,7 @@ use crate::wrench;
 
 mod centers;
 mod check;
+mod curvature;
 mod engineering;
 pub(crate) mod file;
 mod history;
@@ -18,6 +19,7 @@ pub(crate) mod json;
 
 pub(crate) use check::matrix_problems;
 pub use check::{PropertyProblem, least_eigenvalue};
+pub use curvature::{Agreement, CurvatureMismatch};
 pub use engineering::Engineering;
 pub use file::{VERSION, parse, read, write};
 pub use history::{Change, Step};
@@ -79,31 +81,15 @@ pub struct PrincipalAxes {
 }
 
 /// Constant curvature and twist of the undeformed beam, in section axes.
+///
+/// Both are derivatives by the parameter of the line, which is its arc length where the
+/// slope is a unit vector; stiffness and mass are per unit of the same parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InitialCurvature {
     /// Twist about x, curvature about y and about z [1/m].
     pub curvature: Vector3<f64>,
     /// Slope of the reference line: (1, 0, 0) where it is normal to the section [-].
     pub slope: Vector3<f64>,
-}
-
-impl InitialCurvature {
-    /// A straight beam, its reference line normal to the section.
-    pub const STRAIGHT: Self = Self {
-        curvature: Vector3::new(0.0, 0.0, 0.0),
-        slope: Vector3::new(1.0, 0.0, 0.0),
-    };
-
-    /// Derivative along the beam of the material line through the point (y, z) from the
-    /// reference point \[m\], in section axes: `slope + curvature x (0, y, z)` \[-\].
-    pub fn tangent_at(&self, y: f64, z: f64) -> Vector3<f64> {
-        self.slope + self.curvature.cross(&Vector3::new(0.0, y, z))
-    }
-
-    /// Whether this is a straight beam, its reference line normal to the section.
-    pub fn is_straight(&self) -> bool {
-        *self == Self::STRAIGHT
-    }
 }
 
 /// Coupling of the section with the voltages of its electrodes:
@@ -163,7 +149,7 @@ impl SectionProperties {
             *center -= by;
         }
         if let Some(initial) = &mut moved.initial_curvature {
-            initial.slope += initial.curvature.cross(&d);
+            *initial = initial.shifted(by);
         }
         moved
     }
@@ -184,8 +170,7 @@ impl SectionProperties {
         axes.bending_angle = half_turn(axes.bending_angle - angle);
         axes.inertia_angle = half_turn(axes.inertia_angle - angle);
         if let Some(initial) = &mut turned.initial_curvature {
-            initial.curvature = q.transpose() * initial.curvature;
-            initial.slope = q.transpose() * initial.slope;
+            *initial = initial.rotated(angle);
         }
         turned
     }

@@ -70,6 +70,8 @@ impl Dimension {
     pub const FORCE_PER_LENGTH: Self = Self::of(0, 1, -2, 0);
     /// Acceleration, in m/s^2 inside.
     pub const ACCELERATION: Self = Self::of(1, 0, -2, 0);
+    /// Twist rate and curvature of a line, in rad/m inside.
+    pub const CURVATURE: Self = Self::of(-1, 0, 0, 1);
 
     const fn of(length: i8, mass: i8, time: i8, angle: i8) -> Self {
         Self {
@@ -117,6 +119,7 @@ impl fmt::Display for Dimension {
             Self::SPRING_STIFFNESS => "a force per length",
             Self::DAMPER => "a force per velocity",
             Self::TURNING_DAMPER => "a moment per angular velocity",
+            Self::CURVATURE => "a curvature (angle per length)",
             _ => return self.write_units(f),
         };
         f.write_str(word)
@@ -239,6 +242,9 @@ fn quantity_words(expected: Option<Dimension>) -> String {
     if expected == Some(Dimension::NUMBER) {
         return "a number".to_owned();
     }
+    if expected == Some(Dimension::CURVATURE) {
+        return "a number, a space and a unit, as in \"5 deg/m\"".to_owned();
+    }
     let unit = expected.filter(|expected| *expected != Dimension::STRESS);
     let unit = unit.and_then(|expected| NAMES.iter().find(|unit| unit.1 == expected));
     let example = unit.map_or("73.1 GPa".to_owned(), |unit| format!("3 {}", unit.0));
@@ -250,6 +256,10 @@ impl Explain for UnitProblem {
         match self {
             Self::Unknown { found, expected } => Some(help_with_unknown(found, *expected)),
             Self::Malformed { .. } | Self::Quantity { .. } => None,
+            Self::Dimension {
+                expected: Dimension::CURVATURE,
+                ..
+            } => Some("units of it: deg/m, rad/m; the inverse of a radius in m is in rad/m".into()),
             Self::Dimension { expected, .. } => {
                 let fitting: Vec<_> = NAMES
                     .iter()

@@ -15,7 +15,7 @@ use section_analyzer::section::{CellMaterial, Section};
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::section::InitialCurvature;
 
-use crate::lines::{Ply, Wall, add_curve, alone, laminated, polygon};
+use crate::lines::{Ply, Wall, add_curve, alone, graded_to_ends, laminated, polygon};
 use crate::quads::{Quads, joined, steps};
 use crate::record;
 use crate::sections::{
@@ -69,8 +69,9 @@ fn wound(thickness: f64) -> [Ply; 2] {
     ]
 }
 
-/// The difference of the offset of a parabola and that of the circle is of the sixth
-/// order of the angle of a line, 0.13 rad: 1e-7 at most, whatever the thickness.
+/// The normals of two parabolas that meet differ from that of the circle by a quarter of
+/// the cube of half the angle of a line, 0.065 rad, and the length of the mitre by half of
+/// its square: 1e-8 at most, whatever the thickness.
 #[test]
 fn a_tube_of_lines_is_that_of_cells() {
     for ratio in THIN {
@@ -97,8 +98,8 @@ fn a_tube_of_lines_is_that_of_cells() {
             let error = scaled_error(&solved(&lines).stiffness, &solved(&solid).stiffness);
             println!("tube t/R = {ratio}, {name}: {error:.1e}");
             let case = format!("tube of {name}, t/R = {ratio}");
-            record::largest(CELLS, &case, "stiffness", error, 1e-7);
-            assert!(error < 1e-7, "{case}: {error:e}");
+            record::largest(CELLS, &case, "stiffness", error, 1e-8);
+            assert!(error < 1e-8, "{case}: {error:e}");
         }
     }
 }
@@ -128,7 +129,7 @@ fn a_thin_tube_tends_to_the_closed_form() {
             let bredt = shear * TAU * RADIUS.powi(3) * t;
             relative_error(solved(&section).stiffness[(3, 3)], bredt)
         });
-        println!("thin tube {name}: {errors:.2e?}");
+        println!("thin tube {name}: {errors:?}");
         check_orders(&format!("tube, wall {name}"), "GJ", errors, least);
     }
 }
@@ -151,35 +152,39 @@ fn corners([y, z]: [f64; 2]) -> [[f64; 2]; 5] {
 
 /// A mitred box of cells: the cells of the lines, by hand. Walls run clockwise, layers
 /// outward; group is 4 times the layer plus the wall.
-fn box_of_cells(cells: usize, levels: &[f64]) -> Quads {
+fn box_of_cells(first: f64, levels: &[f64]) -> Quads {
     let corners = corners(HALF);
     let mut shape = Quads::default();
+    let mut walls = Vec::new();
     for &level in levels {
+        walls.clear();
         for wall in 0..4 {
             let (a, b) = (corners[wall], corners[wall + 1]);
             let length = (b[0] - a[0]).hypot(b[1] - a[1]);
             let t = [0, 1].map(|i| (b[i] - a[i]) / length);
-            for i in 0..cells {
-                let along = length * i as f64 / cells as f64;
+            let places = graded_to_ends(length, first);
+            for (i, along) in places[..places.len() - 1].iter().enumerate() {
                 // at the corner the level is that of both walls
                 let back = if i == 0 { level } else { 0.0 };
                 shape.points.push([
                     a[0] + (along - back) * t[0] - level * t[1],
                     a[1] + (along - back) * t[1] + level * t[0],
                 ]);
+                walls.push(wall);
             }
         }
     }
+    let around = walls.len();
     for layer in 0..levels.len() - 1 {
-        for i in 0..4 * cells {
-            let point = |level: usize, i: usize| level * 4 * cells + i % (4 * cells);
+        for (i, wall) in walls.iter().enumerate() {
+            let point = |level: usize, i: usize| level * around + i % around;
             let quad = [
                 point(layer, i),
                 point(layer, i + 1),
                 point(layer + 1, i + 1),
                 point(layer + 1, i),
             ];
-            shape.quads.push((quad, 4 * layer + i / cells));
+            shape.quads.push((quad, 4 * layer + wall));
         }
     }
     shape
@@ -187,7 +192,7 @@ fn box_of_cells(cells: usize, levels: &[f64]) -> Quads {
 
 fn solid_box(thickness: f64, plies: &[Ply], material: &Material) -> Section {
     let levels: Vec<f64> = steps(-0.5 * thickness, 0.5 * thickness, plies.len());
-    let mesh = box_of_cells(12, &levels).mesh(|_| CellKind::Quadrilateral9);
+    let mesh = box_of_cells(thickness, &levels).mesh(|_| CellKind::Quadrilateral9);
     let mesh = section_mesh(&mesh);
     let walls = [0.5 * PI, 0.0, -0.5 * PI, PI];
     let cells = mesh.cells.iter().map(|cell| {
@@ -219,7 +224,7 @@ fn a_box_of_lines_is_the_mitred_box_of_cells() {
         ] {
             let plies = wound(t).map(|(t, angle, material)| (t, turned * angle, material));
             let solid = solved(&solid_box(t, &plies, &material)).stiffness;
-            let curve = polygon(&corners(HALF), 12);
+            let curve = polygon(&corners(HALF), t);
             let lines = solved(&alone(&curve, &[material], &plies)).stiffness;
             let error = scaled_error(&lines, &solid);
             println!("box t/h = {ratio}, {name}: {error:.1e}");
@@ -243,7 +248,7 @@ fn a_thin_box_tends_to_the_closed_forms() {
     let mut errors = [[0.0; 3]; 2];
     for (i, ratio) in THIN.into_iter().enumerate() {
         let t = ratio * HALF[1];
-        let curve = polygon(&corners(HALF), 12);
+        let curve = polygon(&corners(HALF), t);
         let section = alone(&curve, &[isotropic(young, nu)], &[(t, 0.0, 0)]);
         let stiffness = solved(&section).stiffness;
         let axial = young * t * 2.0 * (y + z);
@@ -253,7 +258,7 @@ fn a_thin_box_tends_to_the_closed_forms() {
         let bredt = shear * t * 4.0 * (y * z).powi(2) / (2.0 * (y + z));
         errors[1][i] = relative_error(stiffness[(3, 3)], bredt);
     }
-    println!("thin box: {errors:.2e?}");
+    println!("thin box: {errors:?}");
     for (what, errors) in ["EI", "GJ"].into_iter().zip(errors) {
         check_orders("box", what, errors, 0.9);
     }
@@ -343,14 +348,14 @@ fn a_ply_that_ends_is_that_of_cells() {
 }
 
 /// A skin around a solid ellipse with curved sides, against cells whose nodes lie on the
-/// exact normals of the ellipse. The normals of two parabolas that meet differ from it
-/// by the square of the angle of a line: the error of the thickness has at least the
-/// fourth order, which the three meshes show.
+/// exact normals of the ellipse. Where lines meet, their parabolas turn by the cube of the
+/// length of a line, and the length of the mitre is off by the square of that: the sixth
+/// order, less a tenth for what is left of the next on coarse meshes.
 #[test]
 fn a_skin_on_a_curved_border_is_that_of_cells() {
     let (a, b, t) = (1.0, 0.5, 0.05);
     let materials = [isotropic(1.0, 0.3), isotropic(10.0, 0.3)];
-    let errors = [4, 8, 16].map(|cells| {
+    let errors = [2, 4, 8].map(|cells| {
         let ellipse = Ellipse {
             semi_y: a,
             semi_z: b,
@@ -373,7 +378,7 @@ fn a_skin_on_a_curved_border_is_that_of_cells() {
         }
         scaled_error(&found, &solved(&exact).stiffness)
     });
-    println!("ellipse: {errors:.1e?}");
+    println!("ellipse: {errors:?}");
     for pair in errors.windows(2) {
         let order = (pair[0] / pair[1]).log2();
         record::order(
@@ -381,9 +386,9 @@ fn a_skin_on_a_curved_border_is_that_of_cells() {
             "skin of an ellipse",
             "stiffness, order in h",
             order,
-            3.7,
+            5.9,
         );
-        assert!(order >= 3.7, "{errors:e?}");
+        assert!(order >= 5.9, "{errors:?}");
     }
 }
 
@@ -422,8 +427,8 @@ fn a_web_that_ends_on_walls_is_that_of_cells() {
         [0.0, -z],
         [-y, -z],
     ];
-    add_curve(&mut mesh, "wall", &polygon(&outline, 6));
-    add_curve(&mut mesh, "web", &polygon(&[[0.0, -z], [0.0, z]], 6));
+    add_curve(&mut mesh, "wall", &polygon(&outline, 0.005));
+    add_curve(&mut mesh, "web", &polygon(&[[0.0, -z], [0.0, z]], 0.004));
     let wall = |curve, plies: &[Ply]| Wall {
         curve,
         side: None,
@@ -467,8 +472,9 @@ fn a_web_that_ends_on_walls_is_that_of_cells() {
 }
 
 /// Stresses of plies along lines: the resultants are the load, and in a thin tube under
-/// torsion the shear along the wall is that of Bredt, linear through the wall:
-/// `T r / (GJ)` of the exact tube, within 1e-4 on 48 quadratic cells.
+/// torsion the shear of each ply is that of the exact tube at its middle radius. The plane
+/// angle is constant in a cell, which spans a = 2 pi / 48: the mean of the shear along it
+/// misses 1 - (a/2)^2 / 6, 7e-4; the rest, (t/R)^2 / 48, is 5e-5.
 #[test]
 fn stresses_of_plies_are_those_of_the_wall() {
     let t = 0.05 * RADIUS;

@@ -6,6 +6,7 @@ use section_analyzer::section::{CellMaterial, Section};
 use shared_geom::mesh::{Line, LineKind, Mesh, Node, PhysicalGroup};
 use shared_geom::section::InitialCurvature;
 
+use crate::quads::{joined, steps};
 use crate::sections::section_mesh;
 
 /// A ply: thickness [m], fiber angle [rad], material.
@@ -51,16 +52,36 @@ pub fn add_curve(mesh: &mut Mesh, name: &str, points: &[[f64; 2]]) {
     });
 }
 
-/// Straight lines between corners, each in `cells` equal parts, with their middles.
-pub fn polygon(corners: &[[f64; 2]], cells: usize) -> Vec<[f64; 2]> {
+/// Straight lines between corners, with their middles: at each corner one as long as
+/// `first`, then twice that and so on, up to an eighth of the way between corners.
+pub fn polygon(corners: &[[f64; 2]], first: f64) -> Vec<[f64; 2]> {
     let mut points = vec![corners[0]];
     for ends in corners.windows(2) {
-        for i in 1..=2 * cells {
-            let part = i as f64 / (2 * cells) as f64;
-            points.push([0, 1].map(|axis| ends[0][axis] + part * (ends[1][axis] - ends[0][axis])));
+        let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
+        for parts in graded_to_ends(length, first).windows(2) {
+            for part in [0.5 * (parts[0] + parts[1]), parts[1]] {
+                let part = part / length;
+                points.push(
+                    [0, 1].map(|axis| ends[0][axis] + part * (ends[1][axis] - ends[0][axis])),
+                );
+            }
         }
     }
     points
+}
+
+/// Places from 0 to `length`, as [`polygon`] has them.
+pub fn graded_to_ends(length: f64, first: f64) -> Vec<f64> {
+    let mut near = vec![0.0];
+    let mut step = first;
+    while step < length / 8.0 {
+        near.push(near[near.len() - 1] + step);
+        step *= 2.0;
+    }
+    let reach = near[near.len() - 1];
+    let between = ((length - 2.0 * reach) / (length / 8.0)).ceil() as usize;
+    let far = near.iter().rev().map(|x| length - x).collect();
+    joined(&[near, steps(reach, length - reach, between), far])
 }
 
 /// The section of `mesh` with these laminates, and what each of their cells is part of;

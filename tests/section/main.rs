@@ -9,6 +9,7 @@ mod gmsh_pairs;
 mod invariances;
 mod line_cells;
 mod lines;
+mod outside_matrices;
 mod quads;
 mod random_sections;
 #[path = "../common/record.rs"]

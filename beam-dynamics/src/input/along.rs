@@ -2,6 +2,7 @@
 
 use nalgebra::Matrix6;
 
+use super::curved::Curved;
 use super::properties::Properties;
 use crate::elements::beams::MassAlong;
 use crate::elements::laws::Law;
@@ -15,6 +16,9 @@ pub(super) struct Along {
     pub damping: Option<[Matrix6<f64>; 2]>,
     /// Law in place of stiffness and viscosity; `None` for these.
     pub law: Option<Law<6>>,
+    /// What the section was solved for; `None` for a straight beam, and where a blade
+    /// file has compared it with its line.
+    pub curved: Option<Curved>,
     /// xi and 6x6 mass per length \[kg/m, kg, kg m\], in the order of xi; linear between
     /// them, and one alone holds everywhere.
     mass: Vec<(f64, Matrix6<f64>)>,
@@ -32,6 +36,7 @@ impl Along {
             stiffness: [properties.stiffness; 2],
             damping: properties.damping.map(|damping| [damping; 2]),
             law: properties.law.clone(),
+            curved: properties.curved.clone(),
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
             length: None,
@@ -50,6 +55,7 @@ impl Along {
             stiffness,
             damping: None,
             law: None,
+            curved: None,
             breaks: inside.filter(|xi| xi.abs() < 1.0).collect(),
             mass,
             length: Some(length),
@@ -69,6 +75,7 @@ impl Along {
             mass: zero,
             damping: None,
             law: None,
+            curved: None,
         });
         Self {
             law: Some(law),
@@ -120,6 +127,7 @@ mod tests {
             mass: 7.0 * unit,
             damping: None,
             law: None,
+            curved: None,
         };
         let constant = Along::constant(&properties);
         for xi in [-1.0, 0.0, 0.3, 1.0] {

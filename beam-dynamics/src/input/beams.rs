@@ -8,6 +8,7 @@ use shared_geom::units::Dimension;
 
 use super::along::Along;
 use super::beam_check::BeamCheck;
+use super::curved;
 use super::draft::{Beam, Draft, Inertia};
 use super::drives::Catalog;
 use super::laws::{self, Components, LawProblem};
@@ -33,7 +34,8 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
             let words = format!("beam \"{}\"", beam.label);
             BeamCheck::new(&words, beam, draft.nodes()).note_on(table, "nodes")
         };
-        match beam.filter(sound) {
+        let beam = beam.filter(sound);
+        match beam.filter(|beam| curved::suits_beam(beam, table, draft)) {
             Some(beam) if is_new => draft.add_beam(beam),
             _ => draft.note_broken(),
         }

@@ -2,7 +2,7 @@
 
 use shared_geom::document::DocumentProblem;
 use shared_geom::error::{Explain, nearest_name};
-use shared_geom::section::PropertyProblem;
+use shared_geom::section::{CurvatureMismatch, PropertyProblem};
 
 use super::number::short_number;
 
@@ -68,6 +68,16 @@ pub enum InputProblem {
         name: String,
         /// What is wrong with them.
         problem: PropertyProblem,
+    },
+    /// Properties that were solved for a beam of another curvature.
+    #[error("{user}, properties \"{name}\": {mismatch}; {}", .mismatch.size())]
+    OtherCurvature {
+        /// Who uses them and where, in words.
+        user: String,
+        /// Name of the properties.
+        name: String,
+        /// Both curvatures.
+        mismatch: CurvatureMismatch,
     },
     /// Properties with something that this program would leave out.
     #[error("properties \"{name}\" have {what}, which this program does not use yet")]
@@ -362,6 +372,7 @@ impl Explain for InputProblem {
             } => return Some(nearest(kind, name, known)),
             Self::NoPropertyFile { file, known, .. } => return Some(nearest_file(file, known)),
             Self::Unsound { problem, .. } => return problem.help(),
+            Self::OtherCurvature { mismatch, .. } => return mismatch.help(),
             Self::Document(problem) => return problem.help(),
             Self::NotUsed { field, .. } => {
                 return Some(format!(

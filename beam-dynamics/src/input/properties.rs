@@ -9,6 +9,7 @@ use shared_geom::files::names_beside;
 use shared_geom::section::{self, Damping, SectionProperties};
 use shared_geom::units::Dimension;
 
+use super::curved::Curved;
 use super::in_place::{self, KEYS};
 use super::laws::LawProblem;
 use super::problem::InputProblem;
@@ -29,6 +30,8 @@ pub(super) struct Properties {
     pub damping: Option<Matrix6<f64>>,
     /// Law in place of stiffness and viscosity; `None` for these.
     pub law: Option<Law<6>>,
+    /// What the section was solved for; `None` for a straight beam.
+    pub curved: Option<Curved>,
 }
 
 /// The properties of an input by name; those that are wrong are `None`.
@@ -58,8 +61,11 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
         let remark = properties
             .as_ref()
             .and_then(|found| remark(&found.stiffness, &found.mass));
-        let remark = remark.map(|remark| format!("properties \"{name}\": {remark}"));
-        catalog.remarks.extend(remark);
+        let curved = properties.as_ref().and_then(|found| found.curved.as_ref());
+        let remarks = [remark, curved.and_then(Curved::conversion)];
+        let remarks = remarks.into_iter().flatten();
+        let remarks = remarks.map(|remark| format!("properties \"{name}\": {remark}"));
+        catalog.remarks.extend(remarks);
         catalog.named.push((name, properties));
     }
     catalog
@@ -141,12 +147,14 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
         return None;
     }
     let damping = damping::read(table);
-    let mut properties = table.document().keep(section::read(&path))?;
+    let found = table.document().keep(section::read(&path))?;
+    let mut properties = found.per_arc_length();
     // The damping of the card takes the place of that of the file.
     if let Some(damping) = damping? {
         properties.damping = Some(damping);
     }
-    usable(name, table, "file", &properties)
+    let curved = Curved::of(name, &found);
+    usable(name, table, "file", &properties).map(|usable| Properties { curved, ..usable })
 }
 
 /// Names of the property files in the folder of `path`, in order.
@@ -169,30 +177,19 @@ pub(super) fn usable(
         let (name, problem) = (name.to_owned(), problem.clone());
         table.note(key, &InputProblem::Unsound { name, problem });
     }
-    let left_out = [
-        (
-            properties.initial_curvature.is_some(),
-            "an initial curvature",
-            "initial_curvature",
-        ),
-        (
-            properties.piezo.is_some(),
-            "a piezoelectric coupling",
-            "piezo",
-        ),
-    ];
-    let left_out = left_out.iter().filter(|part| part.0);
-    for &(_, what, field) in left_out.clone() {
+    let has_piezo = properties.piezo.is_some();
+    if has_piezo {
         table.note(
             key,
             &InputProblem::NotUsed {
                 name: name.to_owned(),
-                what,
-                field,
+                what: "a piezoelectric coupling",
+                field: "piezo",
             },
         );
     }
-    (problems.is_empty() && left_out.count() == 0).then_some(Properties {
+    (problems.is_empty() && !has_piezo).then(|| Properties {
+        curved: None,
         stiffness: properties.stiffness,
         mass: properties.mass,
         damping: properties.damping.as_ref().map(|damping| match damping {

@@ -52,6 +52,32 @@ impl Pattern {
         Self::from_adjacency(starts, neighbors)
     }
 
+    /// The adjacency of `count` nodes that meet as `pairs` say; each pair in either
+    /// order, any number of times, and each node with itself.
+    pub fn of_pairs(count: usize, pairs: impl Iterator<Item = (u32, u32)>) -> Self {
+        let mut lists: Vec<Vec<u32>> = (0..count as u32).map(|node| vec![node]).collect();
+        for (a, b) in pairs {
+            lists[a as usize].push(b);
+            lists[b as usize].push(a);
+        }
+        let (mut starts, mut neighbors) = (vec![0], Vec::new());
+        for mut list in lists {
+            list.sort_unstable();
+            list.dedup();
+            neighbors.extend(list);
+            starts.push(neighbors.len() as u32);
+        }
+        Self::from_adjacency(starts, neighbors)
+    }
+
+    /// Where the entry of unknowns `row >= column` stands; their nodes meet.
+    pub fn entry(&self, row: usize, column: usize) -> usize {
+        let (node, other) = ((row / 3) as u32, (column / 3) as u32);
+        let (a, b) = (row % 3, column % 3);
+        let skipped = if node == other { b } else { 0 };
+        self.block(node, other)[b] + a - skipped
+    }
+
     fn from_adjacency(starts: Vec<u32>, neighbors: Vec<u32>) -> Self {
         let count = starts.len() - 1;
         let mut own = Vec::with_capacity(count);

@@ -13,8 +13,8 @@
 //! exactly: a violation means that strains, forces and matrices do not belong
 //! together.
 
-use super::domain::Domain;
 use super::matrices::SectionMatrices;
+use super::model::Model;
 use crate::element::rigid_displacement;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 use sprs::CsMatI;
@@ -24,17 +24,17 @@ use sprs::CsMatI;
 pub const ASSEMBLED_IDENTITIES: [&str; 2] = ["E H = R T", "R' H = A T"];
 
 /// `H z`: adds rigid motions, a column of `z` each, to the columns of `x` (n x 6).
-pub fn add_rigid_motions(domain: &Domain, z: &Matrix6<f64>, x: &mut DMatrix<f64>) {
-    for (node, &[y, z_place]) in domain.nodes.iter().enumerate() {
+pub fn add_rigid_motions(model: &impl Model, z: &Matrix6<f64>, x: &mut DMatrix<f64>) {
+    for (node, &[y, z_place]) in model.nodes().iter().enumerate() {
         let mut rows = x.fixed_view_mut::<3, 6>(3 * node, 0);
         rows += rigid_displacement(1.0, y, z_place) * z;
     }
 }
 
 /// `H' P`: resultant of forces at the unknowns (n x 6), a column for each case.
-pub fn resultant(domain: &Domain, forces: &DMatrix<f64>) -> Matrix6<f64> {
+pub fn resultant(model: &impl Model, forces: &DMatrix<f64>) -> Matrix6<f64> {
     let mut resultant = Matrix6::zeros();
-    for (node, &[y, z]) in domain.nodes.iter().enumerate() {
+    for (node, &[y, z]) in model.nodes().iter().enumerate() {
         let at_node = forces.fixed_view::<3, 6>(3 * node, 0);
         resultant += rigid_displacement(1.0, y, z).transpose() * at_node;
     }
@@ -48,11 +48,11 @@ pub(super) const GENERIC_MOTION: [f64; 6] = [1.0, -0.71, 0.43, 0.89, -0.61, 0.53
 /// Error of each of the [`ASSEMBLED_IDENTITIES`], applied to a rigid motion with all six
 /// parts, relative to the largest entry of its right-hand side before T; that of E to
 /// the terms of its product.
-pub fn check_assembled_identities(domain: &Domain, matrices: &SectionMatrices<f64>) -> [f64; 2] {
+pub fn check_assembled_identities(model: &impl Model, matrices: &SectionMatrices<f64>) -> [f64; 2] {
     let SectionMatrices { e, r, a } = matrices;
     let motion = Vector6::from(GENERIC_MOTION);
-    let turned = domain.line.equilibrium().transpose() * motion;
-    let displacement = rigid_displacements(domain, &motion);
+    let turned = model.line().equilibrium().transpose() * motion;
+    let displacement = rigid_displacements(model, &motion);
     let (e_motion, e_scale) = symmetric_product(e, &displacement);
     [
         (e_motion - r * turned).amax() / e_scale,
@@ -61,9 +61,9 @@ pub fn check_assembled_identities(domain: &Domain, matrices: &SectionMatrices<f6
 }
 
 /// `H m`: displacement of the unknowns in one rigid motion.
-pub(super) fn rigid_displacements(domain: &Domain, motion: &Vector6<f64>) -> DVector<f64> {
-    let mut displacement = DVector::zeros(domain.unknowns());
-    for (node, &[y, z]) in domain.nodes.iter().enumerate() {
+pub(super) fn rigid_displacements(model: &impl Model, motion: &Vector6<f64>) -> DVector<f64> {
+    let mut displacement = DVector::zeros(model.unknowns());
+    for (node, &[y, z]) in model.nodes().iter().enumerate() {
         displacement
             .fixed_rows_mut::<3>(3 * node)
             .copy_from(&(rigid_displacement(1.0, y, z) * motion));

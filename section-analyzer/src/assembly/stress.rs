@@ -13,6 +13,7 @@
 //! bends, the terms of the product E u are (size/thickness)^3 times their sum.
 
 use super::domain::{Domain, DomainCell};
+use super::model::Model;
 use crate::element::{
     CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, Row, rows_of, rule_points,
 };
@@ -66,8 +67,8 @@ pub fn section_forces(domain: &Domain, state: State<'_>) -> SectionForces {
 
 impl SectionForces {
     /// No forces.
-    pub fn none(domain: &Domain) -> Self {
-        let n = domain.unknowns();
+    pub fn none(model: &impl Model) -> Self {
+        let n = model.unknowns();
         Self {
             within: DMatrix::zeros(n, 6),
             face: DMatrix::zeros(n, 6),

@@ -7,12 +7,14 @@ use clap_complete::Shell;
 use shared_geom::mesh::CellKind;
 
 mod analyze;
+mod matrices;
 mod property_files;
 mod stress;
 
 pub(super) use super::load_arguments::LoadArguments;
 pub(super) use analyze::AnalyzeArguments;
 use analyze::{ANALYZE, ANALYZE_EXAMPLE};
+use matrices::{MATRICES, MATRICES_EXAMPLE};
 use property_files::{
     COMPARE, COMPARE_EXAMPLE, REPORT, REPORT_EXAMPLE, ROTATE, ROTATE_EXAMPLE, SHIFT, SHIFT_EXAMPLE,
 };
@@ -161,6 +163,14 @@ pub(super) enum Command {
         file: PathBuf,
         #[command(flatten)]
         load: LoadArguments,
+        /// Folder for the results; the folder "results" beside FILE if not given
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
+    #[command(about = first_line(MATRICES), long_about = MATRICES, after_help = MATRICES_EXAMPLE)]
+    Matrices {
+        /// Matrices file, NAME.matrices.toml
+        file: PathBuf,
         /// Folder for the results; the folder "results" beside FILE if not given
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,

@@ -1,6 +1,7 @@
 //! What can be wrong with a section input, beyond what any input file can have.
 
 use shared_geom::error::{Explain, nearest_name};
+use shared_geom::figure::tick_label;
 use shared_geom::wrench::COMPONENTS;
 
 use crate::material::{MaterialProblem, StrengthProblem};
@@ -130,6 +131,31 @@ pub enum InputProblem {
         ratio: f64,
         /// Largest ratio \[-\].
         limit: f64,
+    },
+    /// A section that reaches the center of curvature of its beam.
+    #[error(
+        "the beam is curved by {} deg/m, and the section reaches its center of curvature: at \
+         node {node} of cell {cell}, ({}, {}) in the mesh, J = l1 + k2 z - k3 y is {}, expected \
+         more than 0 everywhere; less than {} deg/m would do",
+        label(*.curvature), label(.place[0]), label(.place[1]), label(*.length), label(*.largest)
+    )]
+    Folded {
+        /// Tag of a cell there.
+        cell: u64,
+        /// Tag of the node with the least J.
+        node: u64,
+        /// Its place (y, z) \[unit of length of the file\].
+        place: [f64; 2],
+        /// J there \[-\].
+        length: f64,
+        /// Curvature about y and z together \[deg/m\].
+        curvature: f64,
+        /// The curvature for which the least J is zero \[deg/m\].
+        largest: f64,
+        /// Degrees per meter in a plain number of the file \[deg/m\].
+        factor: f64,
+        /// Distance of the farthest node from the origin \[unit of length of the file\].
+        far: f64,
     },
     /// A load beyond all structures, whose stresses would have no value.
     #[error(
@@ -357,6 +383,14 @@ impl Explain for InputProblem {
                 "move the mesh to its origin (in gmsh, Translate): results are about the origin"
                     .to_owned(),
             ),
+            Self::Folded { factor, far, .. } => Some(format!(
+                "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in \
+                 1/m is in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward \
+                 -z), and that the origin of the mesh is on the reference line (the farthest \
+                 node is {} away)",
+                label(*factor),
+                label(*far)
+            )),
             Self::HugeLoad { .. } => Some(
                 "this is in SI units; check the unit and the \"point\" where the load acts"
                     .to_owned(),
@@ -373,6 +407,10 @@ impl Explain for InputProblem {
             _ => None,
         }
     }
+}
+
+fn label(value: f64) -> String {
+    tick_label(value, 0.0)
 }
 
 /// The keys of a table of strengths, in words.

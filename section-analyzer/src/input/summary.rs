@@ -154,6 +154,12 @@ pub enum InputWarning {
         /// The worst of them, places in the unit of the mesh file.
         worst: Vec<NamedCell>,
     },
+    /// A beam so curved or twisted that it may be a mistake.
+    StrongCurvature {
+        /// Largest curvature times the distance of the farthest node from the reference
+        /// line \[-\].
+        strength: f64,
+    },
     /// Further warnings of a kind.
     More {
         /// Their number.
@@ -235,6 +241,12 @@ impl fmt::Display for InputWarning {
             }
             Self::Gap(gap) => write!(f, "narrow gap: {gap}"),
             Self::PoorCells { count, worst } => write_poor_cells(f, *count, worst),
+            Self::StrongCurvature { strength } => write!(
+                f,
+                "curvature times size is {}: more than blades and springs usually have; is the \
+                 unit meant (plain numbers are angles per length)?",
+                tick_label(*strength, 0.0)
+            ),
             Self::More { count, what } => write!(f, "and {count} more {what}"),
         }
     }

@@ -67,6 +67,11 @@ impl OutputFiles {
         self.path("warping.png")
     }
 
+    /// The warping of a section without cells, as a table.
+    pub fn warping_table(&self) -> PathBuf {
+        self.path("warping.csv")
+    }
+
     /// The warping as a field file.
     pub fn warping_field(&self) -> PathBuf {
         self.path("warping.vtu")
@@ -143,6 +148,7 @@ impl OutputFiles {
             self.constants(),
             self.warping(),
             self.warping_field(),
+            self.warping_table(),
         ]);
     }
 

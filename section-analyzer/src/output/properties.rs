@@ -1,10 +1,22 @@
 //! The section properties in the form in which the two programs meet.
 
 use nalgebra::Vector2;
-use shared_geom::section::{Centers, PrincipalAxes, Provenance, SectionProperties};
+use shared_geom::section::{
+    Centers, InitialCurvature, PrincipalAxes, Provenance, SectionProperties,
+};
 
 use crate::section::Section;
 use crate::solution::SectionSolution;
+
+/// What properties are of, and what they were made from.
+#[derive(Debug)]
+pub(super) struct Source<'a> {
+    pub name: &'a str,
+    pub nodes: usize,
+    pub cells: usize,
+    pub initial_curvature: InitialCurvature,
+    pub input_hash: &'a str,
+}
 
 /// The properties of `section`, with the fingerprint of what they were made from.
 ///
@@ -15,11 +27,23 @@ pub fn properties(
     solution: &SectionSolution,
     input_hash: &str,
 ) -> SectionProperties {
+    let source = Source {
+        name: &section.name,
+        nodes: section.mesh.nodes.len(),
+        cells: section.mesh.cells.len(),
+        initial_curvature: section.initial_curvature,
+        input_hash,
+    };
+    properties_of(&source, solution)
+}
+
+/// The properties of `source`.
+pub(super) fn properties_of(source: &Source<'_>, solution: &SectionSolution) -> SectionProperties {
     let centers = &solution.centers;
     let bending = &solution.principal_bending;
     let inertia = solution.principal_inertia.as_ref();
     SectionProperties {
-        name: section.name.clone(),
+        name: source.name.to_owned(),
         reference_point: Vector2::zeros(),
         stiffness: solution.stiffness,
         mass: solution.mass,
@@ -34,16 +58,17 @@ pub fn properties(
             inertia_angle: inertia.map_or(0.0, |axes| axes.angle),
             inertia: inertia.map_or([0.0; 2], |axes| [axes.first, axes.second]),
         },
-        initial_curvature: None,
+        initial_curvature: (!source.initial_curvature.is_straight())
+            .then_some(source.initial_curvature),
         piezo: None,
         thermal_force: None,
         damping: None,
         provenance: Provenance {
             program: env!("CARGO_PKG_NAME").to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            input_hash: input_hash.to_owned(),
-            nodes: section.mesh.nodes.len(),
-            cells: section.mesh.cells.len(),
+            input_hash: source.input_hash.to_owned(),
+            nodes: source.nodes,
+            cells: source.cells,
             history: Vec::new(),
         },
     }

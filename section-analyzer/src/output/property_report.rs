@@ -8,6 +8,7 @@ use shared_geom::wrench::COMPONENTS;
 use super::engineering::engineering_values_of;
 use super::parts;
 use super::text::{coordinate, matrix, number, table};
+use super::undeformed::undeformed_beam;
 use crate::properties::{Centers, PrincipalAxes, radius_of_gyration};
 
 const CONVENTION: &str = "\
@@ -25,6 +26,7 @@ pub fn property_report(file: &str, properties: &SectionProperties) -> String {
     let parts = [
         head(file, properties),
         CONVENTION.to_owned(),
+        curvature(properties),
         format!(
             "Stiffness, internal force per generalized strain [N, N m, N m^2]\n{}",
             matrix(&properties.stiffness)
@@ -38,7 +40,6 @@ pub fn property_report(file: &str, properties: &SectionProperties) -> String {
         property_centers(properties),
         property_axes(properties),
         parts::couplings(&properties.stiffness),
-        curvature(properties),
         properties.piezo.as_ref().map_or_else(String::new, piezo),
         thermal(properties),
         damping(properties),
@@ -107,17 +108,8 @@ pub fn property_axes(properties: &SectionProperties) -> String {
 }
 
 fn curvature(properties: &SectionProperties) -> String {
-    let Some(initial) = &properties.initial_curvature else {
-        return String::new();
-    };
-    let mut rows = vec![["", "x", "y", "z"].map(str::to_owned).to_vec()];
-    let mut add = |name: &str, values: [f64; 3]| {
-        let values = values.map(number);
-        rows.push(std::iter::once(name.to_owned()).chain(values).collect());
-    };
-    add("twist and curvature [1/m]", initial.curvature.into());
-    add("slope of the reference line [-]", initial.slope.into());
-    format!("Undeformed beam\n{}", table(&rows, "lr"))
+    let initial = properties.initial_curvature;
+    initial.map_or_else(String::new, |initial| undeformed_beam(&initial))
 }
 
 fn piezo(piezo: &Piezo) -> String {

@@ -7,10 +7,11 @@ use super::parts::{self, couplings, joined};
 use super::quality::{quality_by_region, quality_in_short};
 use super::restrained::restrained_warping;
 use super::text::{matrix, number, table};
+use super::undeformed::undeformed_beam;
 use crate::failure::Failure;
 use crate::input::{AngleSource, InputSummary};
 use crate::material::{ElasticLaw, Material};
-use crate::properties::{Anisotropic, RestrainedWarping};
+use crate::properties::{NoRestrainedWarping, RestrainedWarping};
 use crate::section::Section;
 use crate::solution::{Checks, SectionSolution};
 use shared_geom::error::Explain;
@@ -29,13 +30,14 @@ pub fn report(
     section: &Section,
     summary: &InputSummary,
     solution: &SectionSolution,
-    restrained: &Result<RestrainedWarping, Anisotropic>,
+    restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
 ) -> String {
     let unknowns = format!("  unknowns  {} of warping\n", solution.unknowns);
     let parts = [
         head(section, summary) + &unknowns,
         warnings(summary),
         CONVENTION.to_owned(),
+        curvature(section),
         materials(&section.materials),
         regions(section, summary),
         quality_in_short(summary),
@@ -67,6 +69,7 @@ pub fn failure_report(section: &Section, summary: &InputSummary, failure: &Failu
     let parts = [
         head(section, summary),
         warnings(summary),
+        curvature(section),
         materials(&section.materials),
         regions(section, summary),
         format!("No result\n  {failure}\n{help}"),
@@ -79,6 +82,7 @@ pub fn input_report(section: &Section, summary: &InputSummary) -> String {
     let parts = [
         head(section, summary),
         warnings(summary),
+        curvature(section),
         materials(&section.materials),
         regions(section, summary),
         areas(&summary.areas),
@@ -108,6 +112,15 @@ fn head(section: &Section, summary: &InputSummary) -> String {
         env!("CARGO_PKG_NAME"),
         env!("CARGO_PKG_VERSION"),
     )
+}
+
+/// The undeformed beam, where it is not straight.
+fn curvature(section: &Section) -> String {
+    let initial = &section.initial_curvature;
+    match initial.is_straight() {
+        true => String::new(),
+        false => undeformed_beam(initial),
+    }
 }
 
 fn warnings(summary: &InputSummary) -> String {
@@ -221,7 +234,8 @@ fn principal_axes(solution: &SectionSolution) -> String {
     )
 }
 
-fn checks(checks: &Checks) -> String {
+/// What vouches for the numbers.
+pub fn checks(checks: &Checks) -> String {
     let worst = checks
         .identities
         .iter()

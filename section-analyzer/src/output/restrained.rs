@@ -1,23 +1,20 @@
 //! Restrained warping, in the report and as a table.
 
 use super::text::{ZERO, coordinate, csv, number, table};
-use crate::properties::{Anisotropic, AreaTable, RestrainedWarping};
+use crate::properties::{AreaTable, NoRestrainedWarping, RestrainedWarping};
 use crate::solution::SectionSolution;
 
 /// The part of the report, or why there is none. A warping that is round-off beside
 /// the area is shown as zero.
 pub(super) fn restrained_warping(
-    restrained: &Result<RestrainedWarping, Anisotropic>,
+    restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
     solution: &SectionSolution,
     areas: &AreaTable,
 ) -> String {
     let warping = match restrained {
         Ok(warping) => warping,
         Err(reason) => {
-            return format!(
-                "Restrained warping\n  not given: {reason}; the torsion of an \
-                 anisotropic section has no such constants\n"
-            );
+            return format!("Restrained warping\n  not given: {reason}\n");
         }
     };
     let area = areas.total.area;

@@ -62,17 +62,31 @@ pub struct RestrainedWarping {
     pub decay_length: f64,
 }
 
-/// Why a section has no [`RestrainedWarping`]: a material is not isotropic, and
-/// torsion is coupled with other strains.
+/// Why a section has no [`RestrainedWarping`].
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Anisotropic {
-    /// Name of the first such material.
-    pub material: String,
+pub enum NoRestrainedWarping {
+    /// A material is not isotropic, and torsion is coupled with other strains.
+    Anisotropic {
+        /// Name of the first such material.
+        material: String,
+    },
+    /// The beam is curved or twisted, and torsion is coupled with axial force and bending.
+    Curved,
 }
 
-impl fmt::Display for Anisotropic {
+impl fmt::Display for NoRestrainedWarping {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "material \"{}\" is not isotropic", self.material)
+        match self {
+            Self::Anisotropic { material } => write!(
+                f,
+                "material \"{material}\" is not isotropic; the torsion of an anisotropic \
+                 section has no such constants"
+            ),
+            Self::Curved => f.write_str(
+                "the beam is curved or twisted; these constants are those of straight beams, \
+                 whose torsion is not coupled with axial force and bending",
+            ),
+        }
     }
 }
 
@@ -82,12 +96,16 @@ impl RestrainedWarping {
     /// [`crate::solution::SectionSolution`] holds them.
     ///
     /// # Errors
-    /// [`Anisotropic`] when a material that has cells is not isotropic.
+    /// [`NoRestrainedWarping`] for a curved or twisted beam, and when a material that has
+    /// cells is not isotropic.
     pub fn new(
         section: &Section,
         warping: &DMatrix<f64>,
         strain: &Matrix6<f64>,
-    ) -> Result<Self, Anisotropic> {
+    ) -> Result<Self, NoRestrainedWarping> {
+        if !section.initial_curvature.is_straight() {
+            return Err(NoRestrainedWarping::Curved);
+        }
         let young = young_of_materials(section)?;
         let modulus = |cell: usize| young[section.cells[cell].material];
         let twist = strain[(3, 3)];
@@ -190,14 +208,15 @@ fn integral(
 }
 
 /// Young's modulus of each material; zero for those without cells.
-fn young_of_materials(section: &Section) -> Result<Vec<f64>, Anisotropic> {
+fn young_of_materials(section: &Section) -> Result<Vec<f64>, NoRestrainedWarping> {
     let mut young = vec![0.0; section.materials.len()];
     for cell in &section.cells {
         let material = &section.materials[cell.material];
         if young[cell.material] == 0.0 {
-            young[cell.material] = isotropic_young(&material.law).ok_or_else(|| Anisotropic {
-                material: material.name.clone(),
-            })?;
+            young[cell.material] =
+                isotropic_young(&material.law).ok_or_else(|| NoRestrainedWarping::Anisotropic {
+                    material: material.name.clone(),
+                })?;
         }
     }
     Ok(young)

@@ -14,7 +14,7 @@ fn square() -> Section {
     of_quadrilaterals(&nodes, &cells)
 }
 
-fn restrained(section: &Section) -> Result<RestrainedWarping, Anisotropic> {
+fn restrained(section: &Section) -> Result<RestrainedWarping, NoRestrainedWarping> {
     let solution = analyze(section).expect("sound");
     RestrainedWarping::new(section, &solution.warping, &solution.strain)
 }

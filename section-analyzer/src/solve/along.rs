@@ -25,7 +25,7 @@
 use super::factor::{FactorError, Pivot};
 use super::pins::Pins;
 use super::system::CentralSystem;
-use crate::assembly::{Domain, Pattern, SectionMatrices};
+use crate::assembly::{Model, Pattern, SectionMatrices};
 use crate::failure::Failure;
 use nalgebra::{Complex, DMatrix, DMatrixView, Matrix6, Matrix6xX, Vector3};
 
@@ -69,20 +69,20 @@ struct InBasis {
 }
 
 impl CentralSystems {
-    /// Factors the systems of `domain`; `matrices` are those of the steady states.
+    /// Factors the systems of `model`; `matrices` are those of the steady states.
     ///
     /// # Errors
     /// [`SystemError`] when a matrix is not positive definite with the pins held, or
     /// its Schur complement is not.
     pub fn new(
-        domain: &Domain,
+        model: &impl Model,
         pattern: &Pattern,
         matrices: SectionMatrices<f64>,
         pins: Pins,
     ) -> Result<Self, SystemError> {
         Ok(Self {
             steady: CentralSystem::new(pattern, matrices, pins)?,
-            wave: Wave::new(domain, pattern, pins)?,
+            wave: Wave::new(model, pattern, pins)?,
         })
     }
 
@@ -155,14 +155,14 @@ impl CentralSystems {
 
 impl Wave {
     /// Factors the system of lambda = i |k|; `None` for a straight beam.
-    fn new(domain: &Domain, pattern: &Pattern, pins: Pins) -> Result<Option<Self>, SystemError> {
-        let curvature = &domain.line.curvature;
+    fn new(model: &impl Model, pattern: &Pattern, pins: Pins) -> Result<Option<Self>, SystemError> {
+        let curvature = &model.line().curvature;
         let w = curvature.norm();
         if w == 0.0 {
             return Ok(None);
         }
         let lambda = Complex::new(0.0, w);
-        let matrices = SectionMatrices::of_wave(domain, pattern, lambda);
+        let matrices = model.wave(pattern, lambda);
         let matrices = matrices.map_err(SystemError::Matrices)?;
         let (axis, turning) = basis(curvature);
         Ok(Some(Self {

@@ -28,7 +28,7 @@
 use std::ops::Range;
 
 use super::along::CentralSystems;
-use crate::assembly::{Domain, Rate, SectionForces, State, largest};
+use crate::assembly::{Model, Rate, SectionForces, State, largest};
 use crate::element::Line;
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 
@@ -90,16 +90,16 @@ pub struct CentralSolution {
 
 impl CentralSolution {
     /// Solves both steps; `None` when there is no memory for it.
-    pub fn solve(domain: &Domain, systems: &CentralSystems) -> Option<Self> {
-        let mut iteration = Iteration::start(domain, systems);
+    pub fn solve(model: &impl Model, systems: &CentralSystems) -> Option<Self> {
+        let mut iteration = Iteration::start(model, systems);
         for round in 0..CORRECTIONS {
-            iteration.measure(domain);
+            iteration.measure(model);
             iteration.correct(systems)?;
             if iteration.is_done(round) {
                 break;
             }
         }
-        iteration.measure(domain);
+        iteration.measure(model);
         Some(Self {
             correction: largest(iteration.last[0], iteration.last[1]),
             x: iteration.x,
@@ -127,33 +127,33 @@ struct Iteration {
 
 impl Iteration {
     /// The linear step solved once, the constant step at zero.
-    fn start(domain: &Domain, systems: &CentralSystems) -> Self {
-        let steps = Steps::along(&domain.line);
+    fn start(model: &impl Model, systems: &CentralSystems) -> Self {
+        let steps = Steps::along(model.line());
         let mut theta = Matrix6::zeros();
         for &force in steps.linear {
             theta[(force, force)] = 1.0;
         }
         let (x, y) = systems.balance_of(&theta);
-        let line = &domain.line;
+        let line = model.line();
         Self {
             steps,
             along: (!line.is_straight()).then(|| line.equilibrium()),
             x,
             y,
-            forces: SectionForces::none(domain),
+            forces: SectionForces::none(model),
             last: [1.0, f64::INFINITY],
             before: [f64::INFINITY; 2],
         }
     }
 
     /// Finds the forces of the present state.
-    fn measure(&mut self, domain: &Domain) {
+    fn measure(&mut self, model: &impl Model) {
         let state = State {
             rate: Rate::Central,
             warping: Some(&self.x),
             strain: &self.y,
         };
-        self.forces.measure(domain, state);
+        model.measure(state, &mut self.forces);
     }
 
     /// Corrects the columns that are worth it by what the forces lack of balance. The

@@ -16,7 +16,7 @@
 //!   warping and rigid section motion.
 
 use super::central::CentralSolution;
-use crate::assembly::{Domain, add_rigid_motions, resultant};
+use crate::assembly::{Model, add_rigid_motions, resultant};
 use nalgebra::{DMatrix, Matrix6};
 
 /// Decoupled central solutions.
@@ -37,15 +37,15 @@ pub struct Decoupled {
 
 impl Decoupled {
     /// Decouples `central`.
-    pub fn new(domain: &Domain, central: CentralSolution) -> Self {
+    pub fn new(model: &impl Model, central: CentralSolution) -> Self {
         let CentralSolution { mut x, y, face, .. } = central;
         let z: Matrix6<f64> = (-face.tr_mul(&x)).fixed_view::<6, 6>(0, 0).into();
-        let tt = domain.line.equilibrium();
-        add_rigid_motions(domain, &z, &mut x);
+        let tt = model.line().equilibrium();
+        add_rigid_motions(model, &z, &mut x);
         Self {
             x,
             y: y - (z * tt + tt.transpose() * z),
-            internal_force: resultant(domain, &face),
+            internal_force: resultant(model, &face),
             face,
         }
     }

@@ -19,7 +19,7 @@
 //! - [Masarati], section 5.3.6: decoupling of warping and rigid section motion.
 
 use super::system::CentralSystem;
-use crate::assembly::{Domain, Rate, SectionForces, State, add_rigid_motions, largest};
+use crate::assembly::{Model, Rate, SectionForces, State, add_rigid_motions, largest};
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 
 /// Corrections at most; the first finds the state.
@@ -56,24 +56,24 @@ impl ParticularSolution {
     /// (Ph, n x 6) are the forces on the face of the central solutions. `None` when
     /// there is no memory for it.
     pub fn solve(
-        domain: &Domain,
+        model: &impl Model,
         system: &CentralSystem<f64>,
         face: &DMatrix<f64>,
         load: &Load<'_>,
     ) -> Option<Self> {
         let mut solution = Self {
-            x: DMatrix::zeros(domain.unknowns(), 6),
+            x: DMatrix::zeros(model.unknowns(), 6),
             y: Matrix6::zeros(),
             correction: 1.0,
         };
-        let mut forces = SectionForces::none(domain);
+        let mut forces = SectionForces::none(model);
         for _ in 0..CORRECTIONS {
             let state = State {
                 rate: load.rate,
                 warping: Some(&solution.x),
                 strain: &solution.y,
             };
-            forces.measure(domain, state);
+            model.measure(state, &mut forces);
             let before = solution.correction;
             solution.correct(system, load, &mut forces)?;
             let is_open = solution.correction > SMALL_CORRECTION && solution.correction <= before;
@@ -81,7 +81,7 @@ impl ParticularSolution {
                 break;
             }
         }
-        solution.decouple(domain, face);
+        solution.decouple(model, face);
         Some(solution)
     }
 
@@ -106,9 +106,9 @@ impl ParticularSolution {
     }
 
     /// (S-77).
-    fn decouple(&mut self, domain: &Domain, face: &DMatrix<f64>) {
+    fn decouple(&mut self, model: &impl Model, face: &DMatrix<f64>) {
         let r: Matrix6<f64> = (-face.tr_mul(&self.x)).fixed_view::<6, 6>(0, 0).into();
-        add_rigid_motions(domain, &r, &mut self.x);
-        self.y -= domain.line.equilibrium().transpose() * r;
+        add_rigid_motions(model, &r, &mut self.x);
+        self.y -= model.line().equilibrium().transpose() * r;
     }
 }

@@ -21,6 +21,10 @@ const EXAMPLES: &[(&[&str], &str)] = &[
         "section-analyzer stress blade/root.section.toml --axial 1e3",
     ),
     (
+        &["matrices", "--help"],
+        "section-analyzer matrices slice.matrices.toml",
+    ),
+    (
         &["report", "--help"],
         "section-analyzer report blade/results/root.properties.json",
     ),

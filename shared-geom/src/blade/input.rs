@@ -7,7 +7,7 @@
 use std::cell::RefCell;
 use std::path::Path;
 
-use super::{Blade, BladeDamping, Interpolation, Station};
+use super::{Blade, BladeDamping, CurvedStation, Interpolation, Station};
 use crate::document::{Document, Table, read_text};
 use crate::error::{Diagnostics, Place};
 use crate::exchange::Reading;
@@ -57,6 +57,8 @@ struct Placed {
     place: Place,
     station: Station,
     damping: Option<crate::section::Damping>,
+    /// Its section, where that was solved for a curved beam.
+    curved: Option<CurvedStation>,
 }
 
 /// Reads and checks the text of a blade file in TOML, shown as `file` in messages; what
@@ -72,8 +74,9 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
     document.declare_units(&root);
     let read = blade(&root, &sources);
     root.finish();
-    let checked = read.and_then(|(blade, places)| {
+    let checked = read.and_then(|(blade, places, curved)| {
         document.keep(check(&blade, &places, file))?;
+        document.keep(check_curved(&blade, &places, &curved, &sources))?;
         Some((blade, places))
     });
     let unit = document.factor(Dimension::LENGTH);
@@ -91,8 +94,11 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
     })
 }
 
-/// The blade, and where its stations are written.
-fn blade(root: &Table<'_>, sources: &Sources) -> Option<(Blade, Vec<Place>)> {
+/// A blade, where its stations are written, and those of curved beams among them.
+type Written = (Blade, Vec<Place>, Vec<Option<CurvedStation>>);
+
+/// The blade as written.
+fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
     let file = root.document().file();
     let name = match root.has("name") {
         true => root.text("name"),
@@ -121,6 +127,7 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<(Blade, Vec<Place>)> {
     let damping = damping(root, frame.as_ref());
     let (placed, line) = (placed?, line?);
     let damping = of_stations(root, damping?, &placed);
+    let curved = placed.iter().map(|placed| placed.curved.clone()).collect();
     let (places, stations) = placed.into_iter().map(|p| (p.place, p.station)).unzip();
     let blade = Blade {
         name: name?,
@@ -138,7 +145,7 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<(Blade, Vec<Place>)> {
             history: Vec::new(),
         },
     };
-    Some((blade, places))
+    Some((blade, places, curved))
 }
 
 /// The table `[damping]`; `Some(None)` without one.
@@ -230,6 +237,24 @@ fn check(blade: &Blade, places: &[Place], file: &str) -> Result<(), Diagnostics>
     for (station, problem) in blade.placed_problems() {
         let place = station.and_then(|station| places.get(station)).cloned();
         problems.push(place.unwrap_or_else(|| Place::file(file)), &problem);
+    }
+    problems.into_result(())
+}
+
+/// Sections of curved beams on a line of another curvature, where they are written.
+fn check_curved(
+    blade: &Blade,
+    places: &[Place],
+    curved: &[Option<CurvedStation>],
+    sources: &Sources,
+) -> Result<(), Diagnostics> {
+    let (found, remarks) = blade.compare_curved(curved);
+    let mut problems = Diagnostics::new();
+    for (station, problem) in found {
+        problems.push(places[station].clone(), &problem);
+    }
+    for remark in remarks {
+        sources.remark(remark);
     }
     problems.into_result(())
 }

@@ -1,8 +1,9 @@
 //! What a blade must satisfy before anyone computes with it.
 
 use crate::error::Explain;
+use crate::figure::tick_label;
 use crate::line::LineProblem;
-use crate::section::PropertyProblem;
+use crate::section::{CurvatureMismatch, PropertyProblem};
 
 /// Why a blade is refused.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -119,6 +120,21 @@ pub enum BladeProblem {
         /// Smallest eigenvalue of the matrix scaled to a unit diagonal [-].
         value: f64,
     },
+    /// A section that was solved for a beam of another curvature than that of the line.
+    #[error(
+        "station {station} at {} m, \"{file}\": {mismatch}; {}",
+        tick_label(*.place, 0.0), .mismatch.size()
+    )]
+    Curvature {
+        /// Number of the station, from one.
+        station: usize,
+        /// Its arc length [m].
+        place: f64,
+        /// The property file, as it is named.
+        file: String,
+        /// Both curvatures.
+        mismatch: CurvatureMismatch,
+    },
     /// A damping time below zero.
     #[error("damping is {found} s, expected zero or more")]
     NegativeDamping {
@@ -142,6 +158,7 @@ impl Explain for BladeProblem {
             Self::Units { .. } => Some("blade files in JSON are always SI".to_owned()),
             Self::Line(problem) => problem.help(),
             Self::Station { problem, .. } => problem.help(),
+            Self::Curvature { mismatch, .. } => mismatch.help(),
             Self::Order { .. } => Some(
                 "put the stations in the order of their arc length; two at one place are a jump"
                     .to_owned(),

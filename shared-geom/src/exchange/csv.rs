@@ -28,8 +28,8 @@ use std::path::Path;
 
 use nalgebra::Vector2;
 
-use crate::blade::{Blade, Interpolation};
-use crate::error::Diagnostics;
+use crate::blade::{Blade, CurvedStation, Interpolation};
+use crate::error::{Diagnostics, Place};
 use crate::line::ReferenceLine;
 
 use super::header::Header;
@@ -80,20 +80,44 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
     let Some(((line, stations), interpolation)) = content.zip(head.interpolation) else {
         return Err(incomplete(file));
     };
+    let (stations, curved): (Vec<_>, Vec<_>) = stations.into_iter().unzip();
+    let blade = Blade {
+        name: head.name.unwrap_or_else(|| name_of(file)),
+        line,
+        reference_point: Vector2::zeros(),
+        stations,
+        interpolation,
+        damping: head.damping,
+        provenance: provenance("Helicoid blade table", &[text]),
+    };
+    let remarks = curved_remarks(&blade, &curved, &places)?;
     Ok(Reading {
-        blade: Blade {
-            name: head.name.unwrap_or_else(|| name_of(file)),
-            line,
-            reference_point: Vector2::zeros(),
-            stations,
-            interpolation,
-            damping: head.damping,
-            provenance: provenance("Helicoid blade table", &[text]),
-        },
-        remarks: Vec::new(),
+        blade,
+        remarks,
         places,
         frame: head.frame.map(|frame| frame.name().to_owned()),
     })
+}
+
+/// What is to be told of sections that were solved for curved beams.
+///
+/// # Errors
+/// Those of another curvature than that of the line.
+fn curved_remarks(
+    blade: &Blade,
+    curved: &[Option<CurvedStation>],
+    places: &[Place],
+) -> Result<Vec<String>, Diagnostics> {
+    // A line that cannot be followed is told by the check of the blade.
+    if !blade.line.problems().is_empty() {
+        return Ok(Vec::new());
+    }
+    let (found, remarks) = blade.compare_curved(curved);
+    let mut problems = Diagnostics::new();
+    for (station, problem) in found {
+        problems.push(places[station].clone(), &problem);
+    }
+    problems.into_result(remarks)
 }
 
 /// Reads the line of a table that may have nothing else.

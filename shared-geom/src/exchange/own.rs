@@ -3,15 +3,18 @@
 
 use std::path::Path;
 
-use nalgebra::Vector2;
+use nalgebra::{Vector2, Vector3};
 
 use crate::blade::{self, Blade, BladeDamping, Interpolation, Station};
-use crate::error::Diagnostics;
-use crate::line::ReferenceLine;
+use crate::error::{Diagnostics, Place};
+use crate::line::{LinePoint, ReferenceLine};
 use crate::section::{self, Damping, SectionProperties};
 
 use super::problem::{ExchangeProblem, Problems};
 use super::{Options, Reading, Writing};
+
+/// A slope that is off the normal by less is that of digits.
+const NORMAL: f64 = 1e-6;
 
 /// Whether `text` is such a file.
 pub fn recognize(text: &str) -> bool {
@@ -30,8 +33,8 @@ pub(super) fn is_section(text: &str) -> bool {
     text.contains("\"helicoid section properties\"")
 }
 
-/// Reads a blade file, or a property file as a straight uniform blade of the length of
-/// `options`.
+/// Reads a blade file, or a property file as a uniform blade of the length of
+/// `options`, straight or with the curvature for which its section was solved.
 ///
 /// # Errors
 /// Everything that is wrong with the file; a section without a length.
@@ -54,11 +57,38 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
         );
         return Err(problems.into_diagnostics());
     };
-    Ok(uniform(&section, length))
+    uniform(&section, length, &shown)
 }
 
-/// The straight blade of one section.
-fn uniform(section: &SectionProperties, length: f64) -> Reading {
+/// The blade of one section: straight, or with the curvature for which the section was
+/// solved.
+///
+/// # Errors
+/// A line that is not normal to the section, which no blade has.
+fn uniform(section: &SectionProperties, length: f64, file: &str) -> Result<Reading, Diagnostics> {
+    let section = &section.per_arc_length();
+    let initial = section.initial_curvature;
+    let initial = initial.filter(|initial| !initial.is_straight());
+    let line = match &initial {
+        None => ReferenceLine::straight(length),
+        Some(initial) if (initial.slope - Vector3::x()).amax() <= NORMAL => {
+            let root = LinePoint {
+                position: Vector3::zeros(),
+                twist: 0.0,
+            };
+            ReferenceLine::curved(root, &[(length, initial.curvature)])
+        }
+        Some(initial) => {
+            let problem = ExchangeProblem::Other {
+                what: "slope of the reference line".to_owned(),
+                found: format!("{:?}", initial.slope.as_slice()),
+                expected: "[1, 0, 0]: the sections of a blade are normal to its line".to_owned(),
+                help: "shift the properties to a point whose line is normal to the section"
+                    .to_owned(),
+            };
+            return Err(Diagnostics::one(Place::file(file), &problem));
+        }
+    };
     let station = |arc_length| Station {
         arc_length,
         stiffness: section.stiffness,
@@ -68,8 +98,12 @@ fn uniform(section: &SectionProperties, length: f64) -> Reading {
         Damping::StiffnessProportional(time) => BladeDamping::Proportional(time),
         Damping::Viscous(matrix) => BladeDamping::Viscous(vec![matrix; 2]),
     });
+    let shape = match initial {
+        None => "straight",
+        Some(_) => "curved and twisted as the section was solved for",
+    };
     let mut remarks = vec![format!(
-        "one section: the blade is straight and uniform, {length} m long, its line through the \
+        "one section: the blade is {shape} and uniform, {length} m long, its line through the \
          reference point of the section"
     )];
     if section.piezo.is_some() {
@@ -77,7 +111,7 @@ fn uniform(section: &SectionProperties, length: f64) -> Reading {
     }
     let blade = Blade {
         name: section.name.clone(),
-        line: ReferenceLine::straight(length),
+        line,
         reference_point: Vector2::zeros(),
         stations: vec![station(0.0), station(length)],
         interpolation: Interpolation::Linear,
@@ -85,7 +119,7 @@ fn uniform(section: &SectionProperties, length: f64) -> Reading {
         provenance: section.provenance.clone(),
     };
     remarks.extend(blade.remarks());
-    Reading::new(blade, remarks)
+    Ok(Reading::new(blade, remarks))
 }
 
 /// The blade file.

@@ -106,6 +106,12 @@ pub enum PropertyProblem {
         /// Sum of the two others [kg m].
         sum: f64,
     },
+    /// A reference line that does not lead out of the section.
+    #[error("initial_curvature has the slope {found:?}, expected a first component above zero")]
+    Slope {
+        /// The slope [-].
+        found: [f64; 3],
+    },
     /// A damping factor below zero.
     #[error("damping is {found}, expected zero or more")]
     NegativeDamping {
@@ -119,6 +125,11 @@ impl Explain for PropertyProblem {
         match self {
             Self::Newer { .. } => Some("use a newer version of this program".to_owned()),
             Self::Units { .. } => Some("property files are always SI".to_owned()),
+            Self::Slope { .. } => Some(
+                "the slope is the derivative of the reference line in section axes: [1, 0, 0] \
+                 where it is normal to the section"
+                    .to_owned(),
+            ),
             Self::Asymmetric { .. } | Self::Polar { .. } | Self::UnequalMass { .. } => {
                 Some(format!("the order is {}", COMPONENTS.join(", ")))
             }
@@ -143,6 +154,7 @@ impl SectionProperties {
         stiffness(&self.stiffness, &mut found);
         mass(&self.mass, &mut found);
         scalars(self, &mut found);
+        slope(self, &mut found);
         piezo(self, &mut found);
         damping(self, &mut found);
         found
@@ -261,6 +273,19 @@ fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     }
     if let Some(thermal) = &section.thermal_force {
         finite("thermal_force", all(thermal.as_slice()));
+    }
+}
+
+/// A reference line that leads into the section, or along it.
+fn slope(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
+    let initial = section.initial_curvature.iter();
+    // What is not finite has been told as such.
+    let slopes = initial.map(|initial| initial.slope);
+    let slopes = slopes.filter(|slope| slope.iter().all(|x| x.is_finite()));
+    for slope in slopes.filter(|slope| slope.x <= 0.0) {
+        let found_slope = slope.into();
+        let problem = PropertyProblem::Slope { found: found_slope };
+        found.push(("initial_curvature", problem));
     }
 }
 

@@ -3,7 +3,7 @@
 use super::*;
 
 /// An off-center, coupled section: a strip moved and turned, with every option.
-fn section() -> SectionProperties {
+pub(super) fn section() -> SectionProperties {
     let stiffness = Matrix6::from_diagonal(&Vector6::new(7e6, 2e6, 1e6, 30.0, 40.0, 900.0));
     let mass = Matrix6::from_diagonal(&Vector6::new(2.0, 2.0, 2.0, 0.05, 0.01, 0.04));
     let mut coupled = stiffness;

@@ -1,6 +1,7 @@
 //! Undeformed geometry of a three-node beam.
 
 use nalgebra::{Matrix3, Vector3, Vector6};
+use shared_geom::section::InitialCurvature;
 
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::model::{Node, NodeMotion};
@@ -75,6 +76,16 @@ impl BeamGeometry {
             r: point.r,
             slope,
             curvature,
+        }
+    }
+
+    /// Curvature and slope of the undeformed line at xi, by arc length and in section
+    /// axes (D-230).
+    pub fn initial_curvature(&self, nodes: &[&Node; 3], xi: f64) -> InitialCurvature {
+        let point = self.reference_point(nodes, xi);
+        InitialCurvature {
+            curvature: point.curvature,
+            slope: point.slope,
         }
     }
 

@@ -45,6 +45,11 @@ impl Piece {
         sweep * vector::to_rotation(&Vector3::new(0.0, -self.dihedral, 0.0))
     }
 
+    /// By how much the twist grows along the piece, per length \[rad/m\].
+    pub fn twist_rate(&self) -> f64 {
+        (self.twist[1] - self.twist[0]) / self.length
+    }
+
     /// Section axes at the part `s` of the length, in the axes of the blade.
     fn section(&self, s: f64) -> Matrix3<f64> {
         let twist = self.twist[0] + (self.twist[1] - self.twist[0]) * s;
@@ -124,6 +129,7 @@ mod tests {
             mass: Matrix6::identity(),
             damping: None,
             law: None,
+            curved: None,
         };
         PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))
     }

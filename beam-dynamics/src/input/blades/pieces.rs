@@ -7,6 +7,7 @@ use super::laid::Laid;
 use super::piece_line::{Piece, PieceLine};
 use super::seats::shallow;
 use crate::input::along::Along;
+use crate::input::curved;
 use crate::input::draft::Draft;
 use crate::input::problem::InputProblem;
 use crate::input::properties::Properties;
@@ -78,7 +79,12 @@ fn pieces(
             let properties = piece_properties(table, draft, &words, default);
             let piece = piece(table);
             table.finish();
-            (piece, properties)
+            let pair = piece.as_ref().zip(properties.as_ref());
+            let suits = pair.is_none_or(|(piece, properties)| {
+                let curved = properties.curved.as_ref();
+                curved::suits_piece(curved, piece.twist_rate(), &words, table, draft)
+            });
+            (piece.filter(|_| suits), properties)
         })
         .collect();
     let (pieces, properties): (Vec<_>, Vec<_>) = read.into_iter().unzip();

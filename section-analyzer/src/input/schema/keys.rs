@@ -2,6 +2,7 @@
 
 use shared_geom::units::Dimension;
 
+use super::laminae::LAMINA;
 use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
 use super::{Family, KeySchema, Need, TableSchema, ValueKind};
 
@@ -84,6 +85,13 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             Optional,
             "",
             "Laminates along physical curves of the mesh, beside cells or by themselves.",
+        ),
+        key(
+            "initial_curvature",
+            &[ValueKind::Table(&INITIAL_CURVATURE)],
+            Optional,
+            "",
+            "The undeformed beam where it is curved or twisted.",
         ),
         key(
             "load",
@@ -341,89 +349,6 @@ const REGION: TableSchema = TableSchema {
     families: &[],
 };
 
-const LENGTH: &[ValueKind] = &[ValueKind::Quantity(Dimension::LENGTH)];
-const ANGLE: &[ValueKind] = &[ValueKind::Quantity(Dimension::ANGLE)];
-
-/// The keys of a ply.
-const PLY_KEYS: &[KeySchema] = &[
-    key(
-        "material",
-        GROUP,
-        Required,
-        "\"glass\"",
-        "The material, by its name.",
-    ),
-    key(
-        "thickness",
-        LENGTH,
-        Required,
-        "\"0.2 mm\"",
-        "Thickness of the ply.",
-    ),
-    key(
-        "fiber_angle",
-        ANGLE,
-        Default("0"),
-        "45",
-        "Angle of the fiber from x toward the direction of the line.",
-    ),
-];
-
-const LAMINA: TableSchema = TableSchema {
-    title: "[[lamina]]",
-    meaning: "Plies along a physical curve of the mesh: each line becomes cells as thick as a \
-              ply.",
-    keys: &[
-        key(
-            "curve",
-            GROUP,
-            Required,
-            "\"outer\"",
-            "The physical curve, by its name or its tag.",
-        ),
-        key(
-            "name",
-            TEXT,
-            Default("that of the curve"),
-            "\"skin\"",
-            "What it is called in reports and tables; several plies are NAME/1, NAME/2 and so \
-             on.",
-        ),
-        key(
-            "side",
-            &[ValueKind::Word(&["left", "right", "center"])],
-            Default("the side without cells; \"center\" where no cells are"),
-            "\"left\"",
-            "Side of the line on which the plies lie, seen along it.",
-        ),
-    ],
-    families: &[
-        Family {
-            name: "plies",
-            meaning: "A list of plies.",
-            keys: &[key(
-                "plies",
-                &[ValueKind::Tables(&PLY)],
-                Required,
-                "",
-                "The plies from the line outward; with side = \"center\" from right to left.",
-            )],
-        },
-        Family {
-            name: "one ply",
-            meaning: "A single ply.",
-            keys: PLY_KEYS,
-        },
-    ],
-};
-
-const PLY: TableSchema = TableSchema {
-    title: "plies = [{ ... }]",
-    meaning: "A ply of a laminate.",
-    keys: PLY_KEYS,
-    families: &[],
-};
-
 const ANGLES: KeySchema = key(
     "table",
     TEXT,
@@ -472,6 +397,33 @@ const PLANE_ANGLE: TableSchema = TableSchema {
             ],
         },
     ],
+};
+
+const INITIAL_CURVATURE: TableSchema = TableSchema {
+    title: "[initial_curvature]",
+    meaning: "Twist and curvature of the undeformed beam at this section, constant along it, in \
+              the axes of the section: all matrices are then those of this beam, per length of \
+              its reference line, which goes through the origin of the mesh.",
+    keys: &[
+        key(
+            "curvature",
+            &[ValueKind::Vector(3, Dimension::CURVATURE)],
+            Required,
+            "[\"5 deg/m\", 0, 0]",
+            "Twist about x and curvature about y and z, k1, k2, k3: by how much the section \
+             turns per length of the reference line. Twist is positive from y toward z; k2 > 0 \
+             bends the beam toward -z, k3 > 0 toward +y.",
+        ),
+        key(
+            "slope",
+            &[ValueKind::Vector(3, Dimension::NUMBER)],
+            Default("[1, 0, 0]"),
+            "[0.99, 0.1, 0]",
+            "Direction of the reference line, of any length, the first number greater than \
+             zero; [1, 0, 0] where the line is normal to the section.",
+        ),
+    ],
+    families: &[],
 };
 
 const FORCE: &[ValueKind] = &[ValueKind::Quantity(Dimension::FORCE)];

@@ -77,8 +77,7 @@ impl<'a> Builder<'a> {
     }
 
     fn node(&mut self, [x, y]: [f64; 2]) -> u32 {
-        // the plane of the mesh
-        let z = self.mesh.nodes.first().map_or(0.0, |node| node.position.z);
+        let z = plane_of(self.mesh, self.segments);
         self.mesh.nodes.push(Node {
             tag: self.next_node,
             position: Vector3::new(x, y, z),
@@ -93,10 +92,7 @@ impl<'a> Builder<'a> {
         let mut problems = Vec::new();
         for (segment, ends) in self.segments.iter().zip(ends) {
             let layers = &self.layers[segment.lamina];
-            let normal = left_of(segment.curve.direction(0.5));
-            let middle = segment.place();
-            let offset = |&level: &f64| [0, 1].map(|i| middle[i] + level * normal[i]);
-            let places: Vec<_> = layers.levels.iter().map(offset).collect();
+            let places = self.halfway(segment, layers, ends);
             if self.folds(segment, ends, &places) {
                 problems.push(self.folded(segment, layers));
                 continue;
@@ -116,6 +112,31 @@ impl<'a> Builder<'a> {
             true => Ok(cells),
             false => Err(limited(problems, "lines whose laminates fold")),
         }
+    }
+
+    /// The places of the levels halfway between their ends, on the normals of the line.
+    ///
+    /// ```text
+    /// x_k = x(u) + h_k n(u) ,     u = 1/2 + (d_0 + d_1) / (2 length)
+    /// ```
+    /// with d_0 and d_1 what corners move the two ends along the line.
+    fn halfway(&self, segment: &Segment, layers: &Layers, ends: &Ends) -> Vec<[f64; 2]> {
+        let curve = &segment.curve;
+        let length = distance(curve.first, curve.second);
+        let place = |(index, &level): (usize, &f64)| {
+            let moved = |end: usize| {
+                let place = self.place(ends[end][index]);
+                let (from, tangent) = match end {
+                    0 => (curve.first, curve.direction(0.0)),
+                    _ => (curve.second, curve.direction(1.0)),
+                };
+                dot([0, 1].map(|i| place[i] - from[i]), tangent)
+            };
+            let u = 0.5 + 0.5 * (moved(0) + moved(1)) / length;
+            let (x, n) = (curve.at(u), left_of(curve.direction(u)));
+            [0, 1].map(|i| x[i] + level * n[i])
+        };
+        layers.levels.iter().enumerate().map(place).collect()
     }
 
     /// The nodes halfway along the line, one a level; none on lines with two nodes.
@@ -202,7 +223,10 @@ impl<'a> Builder<'a> {
                 ],
             };
             let mut tangents = tangents.into_iter();
-            tangents.any(|(weights, t)| !(dot(along(weights), curve.direction(t)) > 0.0))
+            tangents.any(|(weights, t)| {
+                let forward = dot(along(weights), curve.direction(t));
+                forward.is_nan() || forward <= 0.0
+            })
         })
     }
 
@@ -224,6 +248,14 @@ impl<'a> Builder<'a> {
         };
         (segment.lamina, problem)
     }
+}
+
+/// The z of the mesh, which is that of its lines.
+pub(super) fn plane_of(mesh: &Mesh, segments: &[Segment]) -> f64 {
+    let node = segments.first().map_or(0, |segment| segment.nodes[0]);
+    mesh.nodes
+        .get(node as usize)
+        .map_or(0.0, |node| node.position.z)
 }
 
 fn sorted(a: u32, b: u32) -> [u32; 2] {

@@ -123,7 +123,7 @@ pub enum LaminaProblem {
     /// A wall that ends on another one whose lines are too short.
     #[error(
         "the laminate of curve \"{}\" ends on that of \"{}\" at node {node} at {}, where line \
-         {line} of length {} is too short: {} of it are taken, expected at most half",
+         {line} of length {} is too short: {} of it are taken, expected at most three quarters",
         .curves[0], .curves[1], at(*.place), short(*.length), short(*.taken)
     )]
     Crowded {

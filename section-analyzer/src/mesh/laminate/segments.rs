@@ -52,12 +52,10 @@ pub(super) fn collect(
     laminae: &[Lamina],
 ) -> Result<(Vec<Segment>, Vec<LaminaSide>), Problems> {
     let mut segments = Vec::new();
-    for line in &mesh.lines {
-        for (index, lamina) in laminae.iter().enumerate() {
-            if line.groups.contains(lamina.curve) {
-                segments.push(segment(mesh, line, index));
-            }
-        }
+    for (index, lamina) in laminae.iter().enumerate() {
+        let lines = mesh.lines.iter();
+        let own = lines.filter(|line| line.groups.contains(lamina.curve));
+        segments.extend(own.map(|line| segment(mesh, line, index)));
     }
     let mut problems = without_length(mesh, laminae, &segments);
     let beside = beside(mesh, &segments);
@@ -105,8 +103,10 @@ fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
 
 /// Lines whose ends lie on each other have no direction.
 fn without_length(mesh: &Mesh, laminae: &[Lamina], segments: &[Segment]) -> Problems {
-    let is_point =
-        |segment: &&Segment| !(distance(segment.curve.first, segment.curve.second) > 0.0);
+    let is_point = |segment: &&Segment| {
+        let length = distance(segment.curve.first, segment.curve.second);
+        length.is_nan() || length == 0.0
+    };
     let problem = |segment: &Segment| {
         let problem = LaminaProblem::NoLength {
             curve: label(mesh, laminae, segment.lamina),

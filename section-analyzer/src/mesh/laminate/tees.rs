@@ -21,6 +21,7 @@ use shared_geom::mesh::{Mesh, Node};
 use super::super::boundary::Curve;
 use super::super::plane::distance;
 use super::Lamina;
+use super::build::plane_of;
 use super::joints::{End, Joint, Meeting, away, cross, dot, left_of};
 use super::layers::Layers;
 use super::mitre::{Ends, View};
@@ -30,7 +31,7 @@ use super::segments::{Segment, label};
 /// Least sine of the angle between two walls: 15 degrees.
 const LEAST_SINE: f64 = 0.2588;
 /// Part of a line that another wall may cover at an end.
-const MOST: f64 = 0.5;
+const MOST: f64 = 0.75;
 /// Places along a row that differ by less, relative to its length, are one.
 const SAME: f64 = 1e-9;
 
@@ -178,7 +179,7 @@ impl Tee {
         let of = [self.web, self.wall[0]].map(|end| segments[end.segment].lamina);
         let curves = of.map(|one| label(mesh, laminae, one));
         let node = mesh.nodes[self.node as usize].tag;
-        if !(self.sine >= LEAST_SINE) {
+        if self.sine.is_nan() || self.sine < LEAST_SINE {
             let problem = LaminaProblem::Branch {
                 node,
                 place: self.place,
@@ -190,7 +191,7 @@ impl Tee {
         for (end, taken) in self.taken() {
             let line = &segments[end.segment];
             let length = distance(line.curve.first, line.curve.second);
-            if !(taken <= MOST * length) {
+            if taken.is_nan() || taken > MOST * length {
                 let problem = LaminaProblem::Crowded {
                     curves,
                     node,
@@ -208,11 +209,12 @@ impl Tee {
     fn open(&self, mesh: &mut Mesh, segments: &mut Vec<Segment>) -> Landing {
         let [before, behind, web] = self.taken();
         let lamina = segments[self.wall[0].segment].clone();
+        let z = plane_of(mesh, segments);
         let mut nodes = Vec::with_capacity(self.marks.len());
         for &mark in &self.marks {
             nodes.push(match mark == 0.0 {
                 true => self.node,
-                false => new_node(mesh, self.at(mark)),
+                false => new_node(mesh, z, self.at(mark)),
             });
         }
         for ((end, taken), node) in [(before, nodes[0]), (behind, nodes[nodes.len() - 1])] {
@@ -220,14 +222,14 @@ impl Tee {
                 shorten(mesh, &mut segments[end.segment], end.number, taken, node);
             }
         }
-        let own = new_node(mesh, self.place);
+        let own = new_node(mesh, z, self.place);
         let (end, depth) = web;
         shorten(mesh, &mut segments[end.segment], end.number, depth, own);
 
         let first = segments.len();
         for (marks, nodes) in self.marks.windows(2).zip(nodes.windows(2)) {
             let center = self.at(0.5 * (marks[0] + marks[1]));
-            let middle = lamina.middle.map(|_| new_node(mesh, center));
+            let middle = lamina.middle.map(|_| new_node(mesh, z, center));
             let mut ends = [nodes[0], nodes[1]];
             let mut places = [self.at(marks[0]), self.at(marks[1])];
             if !self.along {
@@ -293,18 +295,18 @@ fn parameter(curve: &Curve, end: usize, way: f64) -> f64 {
 
 /// Takes a part of a line away at an end, which becomes `node`.
 fn shorten(mesh: &mut Mesh, segment: &mut Segment, end: usize, taken: f64, node: u32) {
+    let z = mesh.nodes[node as usize].position.z;
     let curve = segment.curve;
     let cut = parameter(&curve, end, taken);
     let (from, to) = if end == 0 { (cut, 1.0) } else { (0.0, cut) };
     let center = curve.at(0.5 * (from + to));
     segment.nodes[end] = node;
-    segment.middle = segment.middle.map(|_| new_node(mesh, center));
+    segment.middle = segment.middle.map(|_| new_node(mesh, z, center));
     let middle = segment.middle.map(|_| center);
     segment.curve = Curve::new(curve.at(from), curve.at(to), middle);
 }
 
-fn new_node(mesh: &mut Mesh, [x, y]: [f64; 2]) -> u32 {
-    let z = mesh.nodes.first().map_or(0.0, |node| node.position.z);
+fn new_node(mesh: &mut Mesh, z: f64, [x, y]: [f64; 2]) -> u32 {
     let tag = mesh.nodes.iter().map(|node| node.tag).max();
     mesh.nodes.push(Node {
         tag: tag.unwrap_or(0).saturating_add(1),

@@ -90,7 +90,7 @@ fn a_border_gets_plies_on_its_free_side_and_keeps_its_nodes() {
         .collect();
     assert_eq!(plies, [(0, 0.0), (1, 0.0)]);
     let inner = &mesh.cells[1];
-    assert_eq!((inner.nodes(), inner.tag), (&[3, 2, 7, 6][..], 501));
+    assert_eq!((inner.nodes(), inner.tag), (&[3, 2, 6, 8][..], 501));
     let outer = mesh.cells[2].nodes().iter();
     let outer: Vec<_> = outer.map(|&n| mesh.nodes[n as usize].position).collect();
     for (found, expected) in outer
@@ -278,14 +278,14 @@ fn laminates_that_fold_are_told_with_the_radius() {
         ]
     );
     // a wall that ends on lines that are shorter than it is thick
-    let places = [[-0.15, 0.0], [0.0, 0.0], [0.15, 0.0], [0.0, 1.0]];
+    let places = [[-0.12, 0.0], [0.0, 0.0], [0.12, 0.0], [0.0, 1.0]];
     let lines: &[&[u32]] = &[&[1, 2], &[2, 3]];
     let (tee, laminae) = mesh(&places, &[], &[("a", lines, None), ("b", &[&[2, 4]], None)]);
     assert_eq!(
         refused(tee, &laminae),
         [
             "the laminate of curve \"b\" ends on that of \"a\" at node 2 at (0, 0), where line \
-             1 of length 0.15 is too short: 0.1 of it are taken, expected at most half"
+             1 of length 0.12 is too short: 0.1 of it are taken, expected at most three quarters"
         ]
     );
 }

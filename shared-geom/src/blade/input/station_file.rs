@@ -110,6 +110,7 @@ impl StationFile<'_> {
                     mass: seated(&mass, &seat, self.given)?,
                 },
                 damping: None,
+                curved: None,
             })
         };
         places.map(station).collect()

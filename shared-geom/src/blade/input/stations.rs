@@ -7,11 +7,11 @@ use super::frame::{self, Frame};
 use super::matrix::{self, Kind};
 use super::problem::InputProblem;
 use super::{Placed, Sources, station_file};
-use crate::blade::Station;
+use crate::blade::{CurvedStation, Station};
 use crate::document::Table;
 use crate::error::Place;
 use crate::line::about_x;
-use crate::section::{self, Damping};
+use crate::section::{self, Damping, SectionProperties};
 use crate::units::Dimension;
 use crate::wrench;
 
@@ -135,35 +135,55 @@ fn in_place(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<P
         false => Some(0.0),
     };
     let matrices = match table.has("file") {
-        true => of_section(table, sources),
-        false => in_table(table, given).map(|(k, m)| (k, m, None)),
+        true => of_section(table, sources).map(Matrices::Section),
+        false => in_table(table, given).map(|(k, m)| Matrices::Written(k, m)),
     };
-    let (stiffness, mass, damping) = matrices?;
+    let matrices = matrices?;
     let seat = Seat {
         arc_length: arc_length?,
         point: point?,
         angle: given.frame?.twist(angle?),
     };
+    let curved = match &matrices {
+        Matrices::Section((file, section)) => {
+            CurvedStation::of(file, section, seat.point, seat.angle)
+        }
+        Matrices::Written(..) => None,
+    };
+    // Per arc length of the line, (D-231).
+    let c = curved.as_ref().map_or(1.0, CurvedStation::stretch);
+    let (stiffness, mass, damping) = match matrices {
+        Matrices::Section((_, section)) => (section.stiffness, section.mass, section.damping),
+        Matrices::Written(stiffness, mass) => (stiffness, mass, None),
+    };
     let damping = match damping {
-        Some(Damping::Viscous(matrix)) => Some(Damping::Viscous(seated(&matrix, &seat, given)?)),
+        Some(Damping::Viscous(matrix)) => {
+            Some(Damping::Viscous(seated(&(matrix * c), &seat, given)?))
+        }
         other => other,
     };
     Some(Placed {
         place: Place::line(table.document().file(), table.line()),
         station: Station {
             arc_length: seat.arc_length,
-            stiffness: seated(&stiffness, &seat, given)?,
-            mass: seated(&mass, &seat, given)?,
+            stiffness: seated(&(stiffness * c), &seat, given)?,
+            mass: seated(&(mass / c), &seat, given)?,
         },
         damping,
+        curved,
     })
 }
 
-/// Stiffness, mass and damping of a property file.
-fn of_section(
-    table: &Table<'_>,
-    sources: &Sources,
-) -> Option<(Matrix6<f64>, Matrix6<f64>, Option<Damping>)> {
+/// What a station has its matrices from.
+enum Matrices {
+    /// A property file and its name.
+    Section((String, Box<SectionProperties>)),
+    /// Stiffness and mass as written.
+    Written(Matrix6<f64>, Matrix6<f64>),
+}
+
+/// The content of a property file, and its name.
+fn of_section(table: &Table<'_>, sources: &Sources) -> Option<(String, Box<SectionProperties>)> {
     let document = table.document();
     let written = table.require_text("file", "the name of a property file")?;
     let path = table.existing("file", &written)?;
@@ -178,7 +198,7 @@ fn of_section(
             sources.remark(remark);
         }
     }
-    Some((section.stiffness, section.mass, section.damping))
+    Some((written, Box::new(section)))
 }
 
 /// Matrices or engineering properties of a table.

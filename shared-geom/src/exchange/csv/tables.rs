@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use nalgebra::{Matrix6, Vector3};
+use nalgebra::{Matrix6, Vector2, Vector3};
 
-use crate::blade::Station;
+use crate::blade::{CurvedStation, Station};
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place, nearest_name};
 use crate::exchange::frame::Convention;
@@ -13,6 +13,9 @@ use crate::exchange::text::{Line, from_upper, not_a_number, number};
 use crate::exchange::vabs;
 use crate::line::{Course, LinePoint, ReferenceLine};
 use crate::section;
+
+/// A station, and its section where that was solved for a curved beam.
+pub(super) type CsvStation = (Station, Option<CurvedStation>);
 
 /// The tables of a file, as lines.
 #[derive(Debug, Default)]
@@ -134,9 +137,12 @@ impl<'a> Tables<'a> {
         file: &Path,
         problems: &mut Problems,
         all: &mut Diagnostics,
-    ) -> Option<Vec<Station>> {
+    ) -> Option<Vec<CsvStation>> {
         match (&self.stations, &self.sections) {
-            (Some(lines), None) => stations(lines, frame?, problems),
+            (Some(lines), None) => {
+                let stations = stations(lines, frame?, problems)?.into_iter();
+                Some(stations.map(|station| (station, None)).collect())
+            }
             (None, Some(lines)) => sections(lines, frame?, file, problems, all),
             (None, None) => {
                 problems.push(0, &no_stations());
@@ -279,11 +285,11 @@ fn sections(
     file: &Path,
     problems: &mut Problems,
     all: &mut Diagnostics,
-) -> Option<Vec<Station>> {
+) -> Option<Vec<CsvStation>> {
     let names = ["s", "file"].map(str::to_owned);
     let rows = body(lines, "sections", &names, problems)?;
     let folder = file.parent().unwrap_or(Path::new(""));
-    let mut stations: Vec<Station> = Vec::new();
+    let mut stations: Vec<CsvStation> = Vec::new();
     for (i, line) in rows.iter().enumerate() {
         let Some((place, name)) = line.text.split_once(',') else {
             let (what, expected, found) = (format!("section {}", i + 1), 2, 1);
@@ -300,18 +306,20 @@ fn sections(
             problems.push(line.number, &not_a_number("arc length s", place.trim()));
             continue;
         };
-        check_order(arc_length, line, i + 1, stations.last(), problems);
+        let last = stations.last().map(|last| &last.0);
+        check_order(arc_length, line, i + 1, last, problems);
         let name = name.trim().trim_matches('"');
         let path = folder.join(name);
         if !problems.finds(&path, &format!("section {}", i + 1), name, line.number) {
             continue;
         }
-        if let Some((stiffness, mass)) = all.keep(section_file(&path, frame)) {
-            stations.push(Station {
+        if let Some((stiffness, mass, curved)) = all.keep(section_file(&path, name, frame)) {
+            let station = Station {
                 arc_length,
                 stiffness,
                 mass,
-            });
+            };
+            stations.push((station, curved));
         }
     }
     if rows.is_empty() {
@@ -321,17 +329,21 @@ fn sections(
 }
 
 /// Stiffness and mass of a section file: VABS output, in the axes of the frame stated,
-/// or a property file of section-analyzer, which is in ours.
+/// or a property file of section-analyzer, which is in ours and may be that of a curved
+/// beam.
 fn section_file(
     path: &Path,
+    name: &str,
     frame: Convention,
-) -> Result<(Matrix6<f64>, Matrix6<f64>), Diagnostics> {
+) -> Result<(Matrix6<f64>, Matrix6<f64>, Option<CurvedStation>), Diagnostics> {
     let text = read_text(path)?;
     let shown = path.display().to_string();
     if vabs::recognize(&text) {
         let (stiffness, mass) = vabs::section(&text, &shown)?;
-        return Ok((frame.to_ours(&stiffness), frame.to_ours(&mass)));
+        return Ok((frame.to_ours(&stiffness), frame.to_ours(&mass), None));
     }
     let section = section::parse(&text, &shown)?;
-    Ok((section.stiffness, section.mass))
+    let curved = CurvedStation::of(name, &section, Vector2::zeros(), 0.0);
+    let section = section.per_arc_length();
+    Ok((section.stiffness, section.mass, curved))
 }

@@ -1,0 +1,146 @@
+//! The undeformed beam as written: `[initial_curvature]`.
+//!
+//! Fibers of a curved beam are longer or shorter than its reference line by
+//!
+//! ```text
+//! J = l1 + k2 z - k3 y
+//! ```
+//!
+//! and a section that reaches the center of curvature, J = 0, would lie on itself.
+
+use nalgebra::Vector3;
+use shared_geom::document::{Document, Table};
+use shared_geom::section::InitialCurvature;
+use shared_geom::units::Dimension;
+
+use super::problem::InputProblem;
+use super::summary::InputWarning;
+use crate::mesh::SectionMesh;
+
+/// Curvature times the size of the section above which it looks like a mistake: the
+/// fibers at the edge of a section as large lead off its line by 27 degrees, or differ by
+/// half in length.
+const STRONG: f64 = 0.5;
+
+/// The table, and the line on which its curvature stands.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct WrittenCurvature {
+    pub initial: InitialCurvature,
+    line: usize,
+}
+
+/// Reads `[initial_curvature]`; a straight beam where it is absent.
+pub(super) fn read(root: &Table<'_>) -> Option<WrittenCurvature> {
+    let straight = InitialCurvature::STRAIGHT;
+    if !root.has("initial_curvature") {
+        let initial = straight;
+        return Some(WrittenCurvature { initial, line: 0 });
+    }
+    let table = root.table("initial_curvature")?;
+    let _ = table.require_item(
+        "curvature",
+        "an array of 3: twist about x, curvature about y and z",
+    );
+    let curvature = match table.has("curvature") {
+        true => table.vector("curvature", Dimension::CURVATURE),
+        false => None,
+    };
+    let slope = match table.has("slope") {
+        true => slope(&table),
+        false => Some(straight.slope),
+    };
+    let line = table.line_of("curvature");
+    table.finish();
+    let initial = InitialCurvature {
+        curvature: curvature?,
+        slope: slope?,
+    };
+    Some(WrittenCurvature { initial, line })
+}
+
+/// A direction out of the section, as a unit vector.
+fn slope(table: &Table<'_>) -> Option<Vector3<f64>> {
+    let slope = table.vector("slope", Dimension::NUMBER)?;
+    // Of huge and of tiny numbers alike.
+    let scaled = slope / slope.amax();
+    if scaled.x > 0.0 {
+        return Some(scaled.normalize());
+    }
+    table.wrong(
+        "slope",
+        "a direction [x, y, z] whose first number is greater than zero: [1, 0, 0] where the \
+         line is normal to the section",
+    );
+    None
+}
+
+/// The beam of the section, if the section does not reach its center of curvature; what
+/// is odd about it goes to `warnings`.
+pub(super) fn checked(
+    written: &WrittenCurvature,
+    mesh: &SectionMesh,
+    document: &Document,
+    warnings: &mut Vec<InputWarning>,
+) -> Option<InitialCurvature> {
+    let initial = written.initial;
+    let least = least_length(&initial, mesh)?;
+    if least.length <= 0.0 {
+        document.note(written.line, &folded(&initial, mesh, &least, document));
+        return None;
+    }
+    let size = mesh.nodes.iter().map(|[y, z]| y.hypot(*z));
+    let strength = initial.curvature.amax() * size.fold(0.0, f64::max);
+    if strength > STRONG {
+        warnings.push(InputWarning::StrongCurvature { strength });
+    }
+    Some(initial)
+}
+
+/// The node where the fiber is shortest.
+struct Least {
+    /// J there.
+    length: f64,
+    cell: u64,
+    node: u64,
+    /// (y, z) [m].
+    place: [f64; 2],
+}
+
+/// The least J, which is linear over the section: it stands at a node.
+fn least_length(initial: &InitialCurvature, mesh: &SectionMesh) -> Option<Least> {
+    let of_cells = mesh.cells.iter().flat_map(|cell| {
+        cell.nodes().iter().map(move |&node| {
+            let place = mesh.nodes[node as usize];
+            Least {
+                length: initial.tangent_at(place[0], place[1]).x,
+                cell: cell.tag,
+                node: mesh.node_tag(node as usize),
+                place,
+            }
+        })
+    });
+    of_cells.min_by(|a, b| a.length.total_cmp(&b.length))
+}
+
+fn folded(
+    initial: &InitialCurvature,
+    mesh: &SectionMesh,
+    least: &Least,
+    document: &Document,
+) -> InputProblem {
+    // J = l1 - s by the whole curvature, l1 - part s by a part of it.
+    let part = initial.slope.x / (initial.slope.x - least.length);
+    let bending = initial.curvature.y.hypot(initial.curvature.z);
+    let size = mesh.nodes.iter().map(|[y, z]| y.hypot(*z));
+    let unit = document.factor(Dimension::LENGTH);
+    InputProblem::Folded {
+        cell: least.cell,
+        node: least.node,
+        place: least.place.map(|x| x / unit),
+        length: least.length,
+        curvature: bending.to_degrees(),
+        largest: (part * bending).to_degrees(),
+        factor: document.factor(Dimension::CURVATURE).to_degrees(),
+        far: size.fold(0.0, f64::max) / unit,
+    }
+}

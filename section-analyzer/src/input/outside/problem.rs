@@ -1,0 +1,116 @@
+//! What can be wrong with the matrices of a section.
+
+use shared_geom::error::Explain;
+
+/// A problem of a matrix file, of a node table, or of how they fit each other.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MatrixProblem {
+    /// The first line of a matrix file.
+    #[error(
+        "the file begins with \"{found}\", expected \"%%MatrixMarket matrix\", then \"coordinate\" or \"array\", \"real\" or \"integer\", and \"general\", \"symmetric\" or \"skew-symmetric\""
+    )]
+    Heading {
+        /// The line.
+        found: String,
+    },
+    /// The line of sizes.
+    #[error("the sizes are \"{found}\", expected {} whole numbers: {}", if *.expected == 2 { "two" } else { "three" }, if *.expected == 2 { "rows and columns" } else { "rows, columns and entries" })]
+    Sizes {
+        /// The line.
+        found: String,
+        /// How many numbers it should have.
+        expected: usize,
+    },
+    /// An entry that is none.
+    #[error("\"{found}\" is no entry, expected row, column and a finite number")]
+    Entry {
+        /// The line.
+        found: String,
+    },
+    /// A value that is none.
+    #[error("\"{found}\" is no value, expected a finite number")]
+    Value {
+        /// The line.
+        found: String,
+    },
+    /// An entry outside of the matrix.
+    #[error("an entry at row {row}, column {column} of a matrix of {rows} x {columns}")]
+    Index {
+        /// Row, from one.
+        row: usize,
+        /// Column, from one.
+        column: usize,
+        /// Rows of the matrix.
+        rows: usize,
+        /// Columns of the matrix.
+        columns: usize,
+    },
+    /// Too few or too many lines.
+    #[error("the file has {found} lines of values, expected {expected}")]
+    Count {
+        /// Lines found.
+        found: usize,
+        /// Lines announced.
+        expected: usize,
+    },
+    /// A matrix that does not fit the nodes.
+    #[error("{what} is {found}, expected {expected}: {why}")]
+    Size {
+        /// The matrix in words.
+        what: String,
+        /// Its size.
+        found: String,
+        /// The size that fits.
+        expected: String,
+        /// Where that comes from.
+        why: String,
+    },
+    /// The heading of the node table.
+    #[error("the node table begins with \"{found}\", expected \"node,y,z\"")]
+    NodeHeading {
+        /// The line.
+        found: String,
+    },
+    /// A row of the node table.
+    #[error("\"{found}\" is no node, expected its number and its place y, z")]
+    NodeRow {
+        /// The line.
+        found: String,
+    },
+    /// A node that is listed twice.
+    #[error("node {node} is listed again, first in line {line}")]
+    NodeTwice {
+        /// Its number.
+        node: u64,
+        /// The line of the first.
+        line: usize,
+    },
+    /// Too few nodes.
+    #[error("the node table has {found} nodes, expected three or more that are not on one line")]
+    FewNodes {
+        /// Nodes found.
+        found: usize,
+    },
+    /// Neither or both kinds of input.
+    #[error("{found}, expected one of [matrices] and [slice]")]
+    Form {
+        /// What was found.
+        found: &'static str,
+    },
+}
+
+impl Explain for MatrixProblem {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::Size { .. } => {
+                "three unknowns a node, ux, uy, uz, in the order of the node table; of a slice those of the face at x = 0 first, then those of the other"
+            }
+            Self::Form { .. } => {
+                "[matrices] names the blocks m, c, e; [slice] the stiffness matrix of a slice of the beam"
+            }
+            Self::Count { .. } => "the file may have been cut off",
+            _ => return None,
+        };
+        Some(text.to_owned())
+    }
+}

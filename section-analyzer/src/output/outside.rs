@@ -1,0 +1,48 @@
+//! What is written of a section that is given by its matrices.
+
+use std::fmt::Write;
+
+use nalgebra::DMatrix;
+use shared_geom::section::SectionProperties;
+
+use super::properties::{Source, properties_of};
+use crate::section::OutsideSection;
+use crate::solution::SectionSolution;
+
+/// The properties of `section`, with the fingerprint of what they were made from.
+pub fn outside_properties(
+    section: &OutsideSection,
+    solution: &SectionSolution,
+    input_hash: &str,
+) -> SectionProperties {
+    let source = Source {
+        name: &section.name,
+        nodes: section.nodes.len(),
+        cells: 0,
+        initial_curvature: section.initial_curvature,
+        input_hash,
+    };
+    properties_of(&source, solution)
+}
+
+/// The warping under each unit internal force: a row a node, with its number and place,
+/// then ux, uy, uz under N, Vy, Vz, Mx, My, Mz \[m/N, 1/N\].
+pub fn outside_warping_csv(section: &OutsideSection, solution: &SectionSolution) -> String {
+    let mut text = "node,y,z".to_owned();
+    for force in ["N", "Vy", "Vz", "Mx", "My", "Mz"] {
+        for axis in ["x", "y", "z"] {
+            // writing to a text does not fail
+            let _ = write!(text, ",u{axis} {force}");
+        }
+    }
+    text.push('\n');
+    let warping: &DMatrix<f64> = &solution.warping;
+    for (node, (tag, [y, z])) in section.tags.iter().zip(&section.nodes).enumerate() {
+        let _ = write!(text, "{tag},{y:e},{z:e}");
+        for value in warping.fixed_view::<3, 6>(3 * node, 0).iter() {
+            let _ = write!(text, ",{value:e}");
+        }
+        text.push('\n');
+    }
+    text
+}
