@@ -15,7 +15,7 @@ use section_analyzer::section::{CellMaterial, Section};
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::section::InitialCurvature;
 
-use crate::lines::{Ply, Wall, add_curve, alone, graded_to_ends, laminated, polygon};
+use crate::lines::{Ply, Wall, add_curve, alone, graded_to_ends, laminated, nearest, polygon};
 use crate::quads::{Quads, joined, steps};
 use crate::record;
 use crate::sections::{
@@ -105,7 +105,7 @@ fn a_tube_of_lines_is_that_of_cells() {
 }
 
 /// Bredt's torsion of a tube misses `(t / 2 R)^2`; that of a tube whose wall lies beside
-/// its line, seen as if it lay on it, `3 t / 2 R`. The limits are those of an exact
+/// its line, seen as if it lay on it, `3 t / 2 R` (S-128). The limits are those of an exact
 /// first and second order, 1 and 2, less what the next order takes at t/R = 0.1: a
 /// tenth.
 #[test]
@@ -390,23 +390,6 @@ fn a_skin_on_a_curved_border_is_that_of_cells() {
         );
         assert!(order >= 5.9, "{errors:?}");
     }
-}
-
-/// The place of an ellipse nearest to a point near it, the normal there, and the way.
-fn nearest(p: [f64; 2], [a, b]: [f64; 2]) -> ([f64; 2], [f64; 2], f64) {
-    let mut angle = (p[1] / b).atan2(p[0] / a);
-    for _ in 0..50 {
-        let (s, c) = angle.sin_cos();
-        let off = [p[0] - a * c, p[1] - b * s];
-        let slope = off[0] * -a * s + off[1] * b * c;
-        let bend = (a * s).powi(2) + (b * c).powi(2) + off[0] * a * c + off[1] * b * s;
-        angle += slope / bend;
-    }
-    let (s, c) = angle.sin_cos();
-    let length = (b * c).hypot(a * s);
-    let (foot, normal) = ([a * c, b * s], [b * c / length, a * s / length]);
-    let way = (p[0] - foot[0]) * normal[0] + (p[1] - foot[1]) * normal[1];
-    (foot, normal, way)
 }
 
 /// A box with a web of lines that ends on its walls, against cells of the same area on

@@ -146,3 +146,20 @@ pub fn alone(curve: &[[f64; 2]], materials: &[Material], plies: &[Ply]) -> Secti
     };
     laminated(mesh, materials, &[wall]).0
 }
+
+/// The place of an ellipse nearest to a point near it, the normal there, and the way.
+pub fn nearest(p: [f64; 2], [a, b]: [f64; 2]) -> ([f64; 2], [f64; 2], f64) {
+    let mut angle = (p[1] / b).atan2(p[0] / a);
+    for _ in 0..50 {
+        let (s, c) = angle.sin_cos();
+        let off = [p[0] - a * c, p[1] - b * s];
+        let slope = off[0] * -a * s + off[1] * b * c;
+        let bend = (a * s).powi(2) + (b * c).powi(2) + off[0] * a * c + off[1] * b * s;
+        angle += slope / bend;
+    }
+    let (s, c) = angle.sin_cos();
+    let length = (b * c).hypot(a * s);
+    let (foot, normal) = ([a * c, b * s], [b * c / length, a * s / length]);
+    let way = (p[0] - foot[0]) * normal[0] + (p[1] - foot[1]) * normal[1];
+    (foot, normal, way)
+}

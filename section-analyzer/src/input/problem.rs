@@ -391,26 +391,32 @@ impl Explain for InputProblem {
                 label(*factor),
                 label(*far)
             )),
-            Self::HugeLoad { .. } => Some(
-                "this is in SI units; check the unit and the \"point\" where the load acts"
-                    .to_owned(),
-            ),
-            Self::NoPlies => Some(
-                "give \"material\" and \"thickness\", or plies = [{ material = ..., thickness = \
-                 ... }, ...]"
-                    .to_owned(),
-            ),
-            Self::LaminaName { .. } => Some(
-                "tables and reports go by it: give the lamina a \"name\" of its own".to_owned(),
-            ),
-            Self::LoadName { .. } => Some("the name becomes part of file names".to_owned()),
-            _ => None,
+            _ => self.further_help().map(str::to_owned),
         }
     }
 }
 
 fn label(value: f64) -> String {
     tick_label(value, 0.0)
+}
+
+impl InputProblem {
+    fn further_help(&self) -> Option<&'static str> {
+        match self {
+            Self::NoPlies => Some(
+                "give \"material\" and \"thickness\", or plies = [{ material = ..., thickness = \
+                 ... }, ...]",
+            ),
+            Self::LaminaName { .. } => {
+                Some("tables and reports go by it: give the lamina a \"name\" of its own")
+            }
+            Self::HugeLoad { .. } => {
+                Some("this is in SI units; check the unit and the \"point\" where the load acts")
+            }
+            Self::LoadName { .. } => Some("the name becomes part of file names"),
+            _ => None,
+        }
+    }
 }
 
 /// The keys of a table of strengths, in words.

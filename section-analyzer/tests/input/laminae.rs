@@ -146,88 +146,91 @@ fn a_section_of_lines_only_is_read() {
     );
 }
 
+/// What is changed in the sound file, to what, and what is told.
+const WRONG: &[[&str; 3]] = &[
+    [
+        "curve = \"top\"",
+        "curve = \"tip\"",
+        "error: a.section.toml:24: the mesh has no physical curve \"tip\"\n  \
+         help: did you mean \"top\"? physical curves of the mesh: \"bottom\", \"right\", \
+         \"top\", \"left\"",
+    ],
+    [
+        "curve = \"top\"",
+        "curve = \"core\"",
+        "error: a.section.toml:24: the mesh has no physical curve \"core\"\n  \
+         help: physical curves of the mesh: \"bottom\", \"right\", \"top\", \"left\"",
+    ],
+    [
+        "thickness = 2",
+        "thickness = 0",
+        "error: a.section.toml:33: \"thickness\" is 0, expected a length greater than zero",
+    ],
+    [
+        "thickness = \"0.5 mm\"",
+        "thickness = \"-1 mm\"",
+        "error: a.section.toml:27: \"thickness\" is the text \"-1 mm\", expected a length \
+         greater than zero",
+    ],
+    [
+        "material = \"glass\", thickness = 1.0",
+        "material = \"glas\", thickness = 1.0",
+        "error: a.section.toml:26: unknown material \"glas\" in region \"top/1\"\n  \
+         help: did you mean \"glass\"?",
+    ],
+    [
+        "name = \"lower\"",
+        "side = \"centre\"",
+        "error: a.section.toml:31: \"side\" is \"centre\", expected one of \"left\", \"right\", \
+         \"center\"\n  help: did you mean \"center\"?",
+    ],
+    [
+        "name = \"lower\"",
+        "side = \"right\"",
+        "error: a.section.toml:30: side = \"right\" puts the laminate of curve \"bottom\" \
+         into the cells beside line 1 at (45, -10)\n  help: leave \"side\" out: on the \
+         border of cells the laminate then lies on the other side",
+    ],
+    [
+        "name = \"lower\"",
+        "name = \"core\"",
+        "error: a.section.toml:31: the name \"core\" of a lamina is taken by a surface or \
+         another lamina\n  help: tables and reports go by it: give the lamina a \"name\" of \
+         its own",
+    ],
+    [
+        "name = \"lower\"",
+        "plies = []",
+        "error: a.section.toml:32: a lamina has \"plies\" and \"material\", expected one of \
+         them",
+    ],
+    [
+        "material = \"glass\"\nthickness = 2",
+        "",
+        "error: a.section.toml:29: a lamina has no plies\n  help: give \"material\" and \
+         \"thickness\", or plies = [{ material = ..., thickness = ... }, ...]",
+    ],
+    [
+        "material = \"glass\"\nthickness = 2",
+        "plies = []",
+        "error: a.section.toml:32: \"plies\" is an array of 0, expected at least one ply",
+    ],
+    [
+        "curve = \"bottom\"",
+        "curve = \"top\"",
+        "error: a.section.toml:30: curve \"top\" has two laminates on one side of line 13 at \
+         (-45, 10)\n  help: one [[lamina]] lists all its plies",
+    ],
+];
+
 #[test]
 fn wrong_laminae_are_told_with_line_and_remedy() {
     let folder = tempfile::tempdir().unwrap();
     let mesh = core();
-    for (from, to, expected) in [
-        (
-            "curve = \"top\"",
-            "curve = \"tip\"",
-            "error: a.section.toml:24: the mesh has no physical curve \"tip\"\n  \
-             help: did you mean \"top\"? physical curves of the mesh: \"bottom\", \"right\", \
-             \"top\", \"left\"",
-        ),
-        (
-            "curve = \"top\"",
-            "curve = \"core\"",
-            "error: a.section.toml:24: the mesh has no physical curve \"core\"\n  \
-             help: physical curves of the mesh: \"bottom\", \"right\", \"top\", \"left\"",
-        ),
-        (
-            "thickness = 2",
-            "thickness = 0",
-            "error: a.section.toml:33: \"thickness\" is 0, expected a length greater than zero",
-        ),
-        (
-            "thickness = \"0.5 mm\"",
-            "thickness = \"-1 mm\"",
-            "error: a.section.toml:27: \"thickness\" is the text \"-1 mm\", expected a length \
-             greater than zero",
-        ),
-        (
-            "material = \"glass\", thickness = 1.0",
-            "material = \"glas\", thickness = 1.0",
-            "error: a.section.toml:26: unknown material \"glas\" in region \"top/1\"\n  \
-             help: did you mean \"glass\"?",
-        ),
-        (
-            "name = \"lower\"",
-            "side = \"centre\"",
-            "error: a.section.toml:31: \"side\" is \"centre\", expected one of \"left\", \"right\", \
-             \"center\"\n  help: did you mean \"center\"?",
-        ),
-        (
-            "name = \"lower\"",
-            "side = \"right\"",
-            "error: a.section.toml:30: side = \"right\" puts the laminate of curve \"bottom\" \
-             into the cells beside line 1 at (45, -10)\n  help: leave \"side\" out: on the \
-             border of cells the laminate then lies on the other side",
-        ),
-        (
-            "name = \"lower\"",
-            "name = \"core\"",
-            "error: a.section.toml:31: the name \"core\" of a lamina is taken by a surface or \
-             another lamina\n  help: tables and reports go by it: give the lamina a \"name\" of \
-             its own",
-        ),
-        (
-            "name = \"lower\"",
-            "plies = []",
-            "error: a.section.toml:32: a lamina has \"plies\" and \"material\", expected one of \
-             them",
-        ),
-        (
-            "material = \"glass\"\nthickness = 2",
-            "",
-            "error: a.section.toml:29: a lamina has no plies\n  help: give \"material\" and \
-             \"thickness\", or plies = [{ material = ..., thickness = ... }, ...]",
-        ),
-        (
-            "material = \"glass\"\nthickness = 2",
-            "plies = []",
-            "error: a.section.toml:32: \"plies\" is an array of 0, expected at least one ply",
-        ),
-        (
-            "curve = \"bottom\"",
-            "curve = \"top\"",
-            "error: a.section.toml:30: curve \"top\" has two laminates on one side of line 13 at \
-             (-45, 10)\n  help: one [[lamina]] lists all its plies",
-        ),
-    ] {
+    for [from, to, expected] in WRONG {
         let text = SOUND.replacen(from, to, 1);
         assert_ne!(text, SOUND, "{from}");
         let told = read(folder.path(), &mesh, &text).unwrap_err();
-        assert_eq!(told, expected, "{to}");
+        assert_eq!(told, *expected, "{to}");
     }
 }

@@ -3,13 +3,12 @@ use shared_geom::mesh::{Cell, CellKind, Line, LineKind, Node, PhysicalGroup};
 
 use super::*;
 
+/// Name, lines and side of each curve.
+type Curves<'a> = [(&'a str, &'a [&'a [u32]], Option<LaminaSide>)];
+
 /// A mesh on these places; tags from one. Each curve is a list of lines: ends, and the
 /// middle. Its laminate has two plies, together of thickness 0.2, on the given side.
-fn mesh(
-    places: &[[f64; 2]],
-    cells: &[&[u32]],
-    curves: &[(&str, &[&[u32]], Option<LaminaSide>)],
-) -> (Mesh, Vec<Lamina>) {
+fn mesh(places: &[[f64; 2]], cells: &[&[u32]], curves: &Curves<'_>) -> (Mesh, Vec<Lamina>) {
     let mut mesh = Mesh::default();
     for (&[x, y], tag) in places.iter().zip(1..) {
         let position = [x, y, 0.0].into();
@@ -158,7 +157,7 @@ fn the_side_of_a_laminate_must_be_one_and_free() {
 
 #[test]
 fn lines_have_one_laminate_on_each_side_and_one_direction() {
-    let told = |curves: &[(&str, &[&[u32]], Option<LaminaSide>)]| {
+    let told = |curves: &Curves<'_>| {
         let (mesh, laminae) = mesh(&PLACES, &[], curves);
         refused(mesh, &laminae)
     };
@@ -202,7 +201,7 @@ fn corners_and_junctions_that_cannot_be_made_are_told() {
         [0.5, 1.0],
         [1.0, -1.0],
     ];
-    let told = |curves: &[(&str, &[&[u32]], Option<LaminaSide>)]| {
+    let told = |curves: &Curves<'_>| {
         let (mesh, laminae) = mesh(&places, &[], curves);
         refused(mesh, &laminae)
     };
