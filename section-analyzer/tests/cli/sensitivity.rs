@@ -157,9 +157,9 @@ fn nodes_that_are_not_there() {
         "1,9,77",
     ]);
     let expected = "\
-a.section.toml: error: --sensitivity-nodes 9: the mesh \"two.msh\" has no node 9
+error: a.section.toml: --sensitivity-nodes 9: the mesh \"two.msh\" has no node 9
   help: the nearest number in the file is 6
-a.section.toml: error: --sensitivity-nodes 77: the mesh \"two.msh\" has no node 77
+error: a.section.toml: --sensitivity-nodes 77: the mesh \"two.msh\" has no node 77
   help: the nearest number in the file is 6
 ";
     assert_eq!((run.code, run.err.as_str()), (2, expected));
