@@ -33,6 +33,7 @@ fn section() -> Option<Section> {
             poisson: 0.3,
         },
         density: 7850.0,
+        expansion: None,
     };
     let cell = CellMaterial {
         material: 0,

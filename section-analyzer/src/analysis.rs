@@ -8,14 +8,17 @@
 mod central;
 mod decay;
 mod distributed;
+mod imposed;
 mod outside;
 mod si;
 
+pub use imposed::analyze_imposed;
 pub use outside::analyze_matrices;
 
 use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length};
 use crate::failure::Failure;
 use crate::section::Section;
+use crate::sensitivity::{self, Derivative, Parameter, SensitivityProblem};
 use crate::solution::SectionSolution;
 use crate::solve::{CentralSystems, Decoupled, Load, ParticularSolution, in_elimination_order};
 use central::{Central, Named, OF_CELLS, require_connected, solve_central};
@@ -86,6 +89,42 @@ impl<'a> Analysis<'a> {
         let unknowns = domain.unknowns();
         ParticularSolution::solve(domain, self.systems.steady(), &self.central().face, load)
             .ok_or(Failure::OutOfMemory { unknowns })
+    }
+
+    /// Derivatives of stiffness, compliance, mass and centers with respect to
+    /// `parameters`, all at once: the number of solutions does not depend on theirs.
+    ///
+    /// # Errors
+    /// [`SensitivityProblem`] for the first parameter that the section does not have, or
+    /// without memory.
+    pub fn sensitivities(
+        &self,
+        parameters: &[Parameter],
+    ) -> Result<Vec<Derivative>, SensitivityProblem> {
+        sensitivity::all_at_once(self.parts(), parameters)
+    }
+
+    /// As [`Analysis::sensitivities`], by a solution for each parameter: another way to
+    /// the same numbers.
+    ///
+    /// # Errors
+    /// As [`Analysis::sensitivities`].
+    pub fn sensitivities_direct(
+        &self,
+        parameters: &[Parameter],
+    ) -> Result<Vec<Derivative>, SensitivityProblem> {
+        sensitivity::direct(self.parts(), parameters)
+    }
+
+    /// What derivatives are made from.
+    pub(crate) fn parts(&self) -> sensitivity::Solved<'_> {
+        sensitivity::Solved {
+            section: self.solved.section,
+            domain: &self.solved.domain,
+            systems: &self.systems,
+            central: &self.solved.central.decoupled,
+            compliance: &self.solved.central.compliance,
+        }
     }
 }
 

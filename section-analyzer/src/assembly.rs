@@ -9,6 +9,7 @@
 
 mod distributed;
 mod domain;
+mod imposed;
 mod mass;
 mod matrices;
 mod model;
@@ -20,7 +21,8 @@ mod stress;
 pub use distributed::distributed_forces;
 pub(crate) use domain::largest;
 pub use domain::{Domain, DomainCell, Scaling};
-pub use mass::mass_per_length;
+pub use imposed::{ImposedForces, imposed_forces};
+pub use mass::{mass_of_moments, mass_per_length};
 pub use matrices::{Scalar, SectionMatrices};
 pub use model::Model;
 pub use outside::{OUTSIDE_IDENTITIES, OutsideDomain};

@@ -1,11 +1,13 @@
 //! One cell: its geometry at integration points, the strain of the section,
-//! and the blocks that a cell adds to the matrices of the section.
+//! and the blocks that a cell adds to the matrices of the section; how strain and forces
+//! change while its nodes move.
 
 mod blocks;
 mod curved_blocks;
 mod forces;
 mod gradient;
 mod line;
+mod moved;
 mod point;
 mod side;
 mod strain;
@@ -15,6 +17,7 @@ pub use curved_blocks::{CurvedCell, TurningLaw};
 pub use forces::{CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, Row, rows_of};
 pub use gradient::PointGradient;
 pub use line::{Line, Metric};
+pub use moved::{MovedPoint, NodalForces, NodalState};
 pub use point::{CellPoint, RulePoint, cell_points, rule_points};
 pub use side::{SidePoint, side_points};
 pub use strain::{

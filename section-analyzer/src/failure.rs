@@ -142,6 +142,14 @@ pub enum Failure {
         /// The limit \[-\].
         limit: f64,
     },
+    /// A load under an imposed state that was not solved.
+    #[error("load \"{load}\" acts with \"{state}\", which is no imposed state of the section")]
+    UnknownState {
+        /// Name of the load case.
+        load: String,
+        /// Name of the state.
+        state: String,
+    },
     /// The search for end effects ended before their rates stood still.
     #[error(
         "the rates of decay of end effects still change by {change:.1e} with {vectors} vectors"
@@ -201,7 +209,8 @@ impl Explain for Failure {
             Self::OutOfMemory { .. } => "coarsen the mesh, or use a machine with more memory",
             Self::CellsWithoutMaterial { .. }
             | Self::DanglingCell { .. }
-            | Self::NoScale { .. } => return None,
+            | Self::NoScale { .. }
+            | Self::UnknownState { .. } => return None,
         };
         Some(text.to_owned())
     }

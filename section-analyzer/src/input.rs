@@ -21,19 +21,20 @@ use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
-use crate::mesh::{DoubledNodes, SectionMesh};
+use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
-use crate::section::{DistributedLoad, Section};
+use crate::section::{DistributedLoad, ImposedStrain, Section};
 
-mod angles;
 mod assign;
+mod cell_table;
 mod curvature;
 mod distributed;
 mod extent;
 mod files;
 mod follow;
 mod groups;
+mod imposed;
 mod loads;
 mod materials;
 pub mod outside;
@@ -45,6 +46,7 @@ mod summary;
 mod tables;
 
 pub use distributed::DistributedProblem;
+pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, checked_load, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
@@ -53,6 +55,7 @@ use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
 use distributed::WrittenDistribution;
 use files::Files;
+use imposed::WrittenStates;
 use materials::WrittenMaterial;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
@@ -63,6 +66,8 @@ pub struct Input {
     pub section: Section,
     /// Strengths of its materials, parallel to them.
     pub limits: Vec<MaterialLimits>,
+    /// The imposed states of its file: temperatures, then initial strains.
+    pub imposed: Vec<ImposedStrain>,
     /// The load cases to recover stresses for.
     pub loads: Vec<LoadCase>,
     /// What is distributed along the beam in each of them, parallel to them.
@@ -113,6 +118,7 @@ struct WrittenSection {
     doubled_nodes: DoubledNodes,
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
+    states: WrittenStates,
     curvature: Option<WrittenCurvature>,
     loads: Vec<(LoadCase, WrittenDistribution)>,
     end_effects: Option<usize>,
@@ -131,6 +137,7 @@ impl WrittenSection {
             text,
             line: root.line_of("mesh"),
         });
+        let states = imposed::read(&root);
         let written = Self {
             name,
             mesh,
@@ -139,7 +146,8 @@ impl WrittenSection {
             materials: materials::read(&root),
             regions: regions::read(&root),
             curvature: curvature::read(&root),
-            loads: loads::read(&root),
+            loads: loads::read(&root, &states),
+            states,
             end_effects: end_effects(&root),
             prestress: root
                 .word("prestress", &StrainMeasure::NAMES)
@@ -154,17 +162,11 @@ impl WrittenSection {
     /// was noted that leaves no section.
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
         let of_region = materials_of_regions(document, &self.regions, &self.materials);
+        let strains = self.states.strains_of_regions(document, &self.regions);
         let mesh_key = self.mesh.as_ref()?;
         let mut mesh = read_mesh(document, files, mesh_key)?;
         let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
-        let place = Place::file(files.path(mesh_key).display().to_string());
-        let unit = document.factor(Dimension::LENGTH);
-        let checked = document.keep(SectionMesh::from_mesh_with(
-            &mesh,
-            unit,
-            self.doubled_nodes,
-            &place,
-        ));
+        let checked = self.checked_mesh(document, &mesh, &files.path(mesh_key));
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
         if let Some(Err(problem)) = section_mesh.map(extent::check) {
             document.note(mesh_key.line, &problem);
@@ -184,8 +186,10 @@ impl WrittenSection {
         };
         let cells = assignment.cells(files, of_region.as_deref());
         let distributed = self.distributed(document, &mesh, section_mesh);
-        let known = self.materials.iter();
-        let materials: Option<Vec<_>> = known.map(|known| known.material.clone()).collect();
+        let tags: Vec<_> = mesh.cells.iter().map(|cell| cell.tag).collect();
+        let rises = self.states.rises(document, files, &tags);
+        let materials = self.materials.iter();
+        let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
         let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
         let (section_mesh, report) = checked?;
         let region_of_cell: Option<Vec<_>> = region_of_cell.into_iter().collect();
@@ -197,7 +201,10 @@ impl WrittenSection {
             initial_curvature: beam?,
         };
         self.note_prestress(document, &section);
-        let mut summary = self.summary(document, &section, &of_region, &region_of_cell?);
+        let region_of_cell = region_of_cell?;
+        let of_regions = (strains?, &region_of_cell[..]);
+        let imposed = self.states.states(document, &section, rises?, of_regions);
+        let mut summary = self.summary(document, &section, &of_region, &region_of_cell);
         summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
         summary.rate(&section.mesh);
@@ -205,12 +212,26 @@ impl WrittenSection {
         Some(Input {
             section,
             limits: self.materials.iter().map(|known| known.limits).collect(),
+            imposed,
             loads: self.loads.iter().map(|(load, _)| load.clone()).collect(),
             distributed,
             end_effects: self.end_effects,
             prestress: self.prestress,
             summary,
         })
+    }
+
+    /// The mesh of the file at `path` in meters, and what is odd about it.
+    fn checked_mesh(
+        &self,
+        document: &Document,
+        mesh: &Mesh,
+        path: &Path,
+    ) -> Option<(SectionMesh, MeshReport)> {
+        let unit = document.factor(Dimension::LENGTH);
+        let place = Place::file(path.display().to_string());
+        let mesh = SectionMesh::from_mesh_with(mesh, unit, self.doubled_nodes, &place);
+        document.keep(mesh)
     }
 }
 
@@ -276,6 +297,11 @@ impl WrittenSection {
 
     fn warnings(&self, of_region: &[usize]) -> Vec<InputWarning> {
         let mut warnings = Vec::new();
+        let expansion = |&index: &usize| {
+            let material = self.materials[index].material.as_ref();
+            material.and_then(|known| known.expansion)
+        };
+        let is_heated = of_region.iter().any(|index| expansion(index).is_some());
         for (index, written) in self.materials.iter().enumerate() {
             let material = written.name.clone();
             if !of_region.contains(&index) {
@@ -287,6 +313,10 @@ impl WrittenSection {
                 .is_some_and(|known| known.density == 0.0)
             {
                 warnings.push(InputWarning::NoDensity { material });
+            }
+            if is_heated && of_region.contains(&index) && expansion(&index).is_none() {
+                let material = written.name.clone();
+                warnings.push(InputWarning::NoExpansion { material });
             }
         }
         warnings

@@ -43,6 +43,7 @@
 //!     name: "steel".into(),
 //!     law: ElasticLaw::Isotropic { young: 210e9, poisson: 0.3 },
 //!     density: 7850.0,
+//!     expansion: None,
 //! };
 //! let cell = CellMaterial { material: 0, fiber_angle: 0.0, plane_angle: 0.0 };
 //! let section = Section {
@@ -77,5 +78,6 @@ pub mod output;
 pub mod properties;
 pub mod recovery;
 pub mod section;
+pub mod sensitivity;
 pub mod solution;
 pub mod solve;

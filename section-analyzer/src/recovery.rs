@@ -39,7 +39,7 @@
 //! # .expect("sound measures");
 //! # let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("bar")).expect("sound mesh");
 //! # let law = ElasticLaw::Isotropic { young: 210e9, poisson: 0.3 };
-//! # let steel = Material { name: "steel".into(), law, density: 7850.0 };
+//! # let steel = Material { name: "steel".into(), law, density: 7850.0, expansion: None };
 //! # let cell = CellMaterial { material: 0, fiber_angle: 0.0, plane_angle: 0.0 };
 //! # let section = Section {
 //! #     name: "bar".into(),
@@ -50,7 +50,7 @@
 //! # };
 //! // a bar, 200 mm wide and 100 mm high, bent about y by 1 kN m
 //! let solution = analyze(&section).expect("a sound section");
-//! let moment = LoadCase { name: "bend".into(), force: Vector6::ith(4, 1e3) };
+//! let moment = LoadCase::at_point("bend", &Vector6::ith(4, 1e3), [0.0; 2]);
 //! let recoverer = Recoverer::new(&section, &solution);
 //!
 //! let recovery = recoverer.recover(&moment).expect("stresses that add up");
@@ -68,6 +68,7 @@ mod axes;
 mod criteria;
 mod extrapolate;
 mod extremes;
+mod imposed;
 mod locate;
 mod recoverer;
 mod resultant;

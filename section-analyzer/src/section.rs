@@ -3,6 +3,10 @@
 
 use shared_geom::section::InitialCurvature;
 
+mod imposed;
+
+pub use imposed::{FreeStrain, ImposedStrain, TemperatureField};
+
 use crate::material::Material;
 use crate::mesh::SectionMesh;
 

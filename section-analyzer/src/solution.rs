@@ -2,7 +2,8 @@
 //! to recover strains and stresses in it.
 
 use crate::properties::{Centers, PrincipalAxes};
-use nalgebra::{DMatrix, Matrix6};
+use crate::section::ImposedStrain;
+use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
 /// Properties of a section and its central solutions.
 ///
@@ -34,6 +35,34 @@ pub struct SectionSolution {
     pub checks: Checks,
     /// Number of warping unknowns.
     pub unknowns: usize,
+}
+
+/// What an imposed strain does to the section: about the reference point, in section
+/// axes, as [`SectionSolution`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImposedSolution {
+    /// The state.
+    pub state: ImposedStrain,
+    /// Warping of the section without internal force, rows ux, uy, uz of each node of
+    /// the mesh \[m\]; zero at nodes without a cell. The rigid part is removed: the
+    /// stress of internal forces does no work on it.
+    pub warping: DVector<f64>,
+    /// psi_T: generalized strain without internal force (S-92) \[-, 1/m\].
+    pub free_strain: Vector6<f64>,
+    /// Internal force where the generalized strain is held at zero (S-93) \[N, N m\].
+    pub restrained_force: Vector6<f64>,
+    /// Difference of the free strain from that of the work on the central solutions
+    /// (S-94), beside the largest strain imposed \[-\].
+    pub error: f64,
+}
+
+/// What heat and other imposed strains do to a section.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ImposedSolutions {
+    /// Heated evenly by one kelvin; `None` where no material expands.
+    pub per_kelvin: Option<ImposedSolution>,
+    /// The named states.
+    pub states: Vec<ImposedSolution>,
 }
 
 /// Errors that the analysis measures on itself; all relative, all at round-off

@@ -5,28 +5,34 @@
 //! corrects its solutions by the imbalance of their stresses, [`CentralSystems`] are
 //! those of a beam of any curvature, [`CentralSolution`] is the linear and then the
 //! constant step, [`Decoupled`] the same solutions with the rigid part of the warping
-//! removed, [`ParticularSolution`] a state under other forces than internal ones, [`DistributedSolution`]
-//! that of loads along the beam, and [`DecayRates`] how fast end effects decay.
+//! removed, [`ParticularSolution`] a state under other forces than internal ones,
+//! [`DistributedSolution`] that of loads along the beam, and [`DecayRates`] how fast end
+//! effects decay. How the central solutions answer to a change of the section is a
+//! [`Variation`] for one change, or the [`DualStates`] for all of them.
 
 mod along;
 mod central;
 mod decay;
 mod decouple;
 mod distributed;
+mod dual;
 mod factor;
 mod particular;
 mod pins;
 mod system;
+mod variation;
 
 pub use along::{CentralSystems, SystemError};
 pub use central::CentralSolution;
 pub use decay::DecayRates;
 pub use decouple::Decoupled;
 pub use distributed::DistributedSolution;
+pub use dual::{DualState, DualStates};
 pub use factor::{Entry, Factor, FactorError, Pivot, elimination_order, in_elimination_order};
 pub use particular::{Load, ParticularSolution};
 pub use pins::Pins;
 pub use system::CentralSystem;
+pub use variation::Variation;
 
 #[cfg(test)]
 mod distributed_tests;

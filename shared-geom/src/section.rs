@@ -48,9 +48,11 @@ pub struct SectionProperties {
     pub initial_curvature: Option<InitialCurvature>,
     /// Piezoelectric coupling; `None` without electrodes.
     pub piezo: Option<Piezo>,
-    /// Internal force per kelvin of a fully restrained section, 6 components
-    /// [N/K, N m/K]; `None` where it was not computed.
+    /// Internal force per kelvin of a fully restrained section heated evenly, 6 components
+    /// [N/K, N m/K]: `theta = K psi + thermal_force T`. `None` where it was not computed.
     pub thermal_force: Option<Vector6<f64>>,
+    /// Named states of imposed strain: heat, cure and the like.
+    pub imposed: Vec<ImposedState>,
     /// Internal damping; `None` for none.
     pub damping: Option<Damping>,
     /// How internal forces change the stiffness; `None` where it was not computed.
@@ -108,6 +110,18 @@ pub struct Piezo {
     pub capacitance: DMatrix<f64>,
 }
 
+/// What a state of imposed strain does to the section:
+/// `theta = K (psi - free_strain) = K psi + restrained_force`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImposedState {
+    /// Name, unlike those of the other states.
+    pub name: String,
+    /// Internal force where the generalized strain is held at zero, 6 components [N, N m].
+    pub restrained_force: Vector6<f64>,
+    /// Generalized strain where there is no internal force, 6 components [-, 1/m].
+    pub free_strain: Vector6<f64>,
+}
+
 /// Internal damping of the beam: internal force per rate of generalized strain.
 #[expect(
     clippy::large_enum_variant,
@@ -143,8 +157,8 @@ impl SectionProperties {
     /// The same section about the reference point moved by `by` = (y, z) [m].
     ///
     /// Exact: `K' = U K U^T` with [`wrench::shift_matrix`] `U`, mass and viscous
-    /// damping likewise, coupling and thermal force by `U`, the table of prestress by
-    /// [`CubicTable::shifted`].
+    /// damping likewise, coupling, thermal and restrained forces by `U`, free strains by
+    /// `U^-T`, the table of prestress by [`CubicTable::shifted`].
     pub fn shift(&self, by: Vector2<f64>) -> Self {
         let d = Vector3::new(0.0, by.x, by.y);
         let u = wrench::shift_matrix(&d);
@@ -206,6 +220,13 @@ impl SectionProperties {
             piezo.coupling = force * &piezo.coupling;
         }
         result.thermal_force = self.thermal_force.map(|thermal| force * thermal);
+        // Work is the same: psi' = U^-T psi for theta' = U theta.
+        if let Some(strain) = force.transpose().try_inverse() {
+            for state in &mut result.imposed {
+                state.restrained_force = force * state.restrained_force;
+                state.free_strain = strain * state.free_strain;
+            }
+        }
         result
     }
 }

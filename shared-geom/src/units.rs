@@ -10,7 +10,8 @@ use crate::error::{Explain, nearest_name};
 /// Exponents of the base quantities of a physical quantity.
 ///
 /// Angle is kept apart from the pure numbers so that degrees cannot be given
-/// where a ratio is expected; it is the radian inside.
+/// where a ratio is expected; it is the radian inside. Temperatures are rises, that is
+/// differences: no scale has a zero here, and a rise of 1 degC is one of 1 K.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Dimension {
     /// Exponent of length (m).
@@ -21,6 +22,8 @@ pub struct Dimension {
     pub time: i8,
     /// Exponent of angle (rad).
     pub angle: i8,
+    /// Exponent of temperature rise (K).
+    pub temperature: i8,
 }
 
 impl Dimension {
@@ -70,6 +73,16 @@ impl Dimension {
     pub const FORCE_PER_LENGTH: Self = Self::of(0, 1, -2, 0);
     /// Acceleration, in m/s^2 inside.
     pub const ACCELERATION: Self = Self::of(1, 0, -2, 0);
+    /// Rise of temperature, in K inside.
+    pub const TEMPERATURE: Self = Self::of(0, 0, 0, 0).of_temperature(1);
+    /// Coefficient of expansion, strain per rise of temperature, in 1/K inside.
+    pub const EXPANSION: Self = Self::of(0, 0, 0, 0).of_temperature(-1);
+    /// Gradient of temperature, in K/m inside.
+    pub const TEMPERATURE_GRADIENT: Self = Self::of(-1, 0, 0, 0).of_temperature(1);
+    /// Force per rise of temperature, in N/K inside.
+    pub const THERMAL_FORCE: Self = Self::of(1, 1, -2, 0).of_temperature(-1);
+    /// Moment per rise of temperature, in N m/K inside.
+    pub const THERMAL_MOMENT: Self = Self::of(2, 1, -2, 0).of_temperature(-1);
     /// Force per volume, in N/m^3 inside.
     pub const FORCE_PER_VOLUME: Self = Self::of(-2, 1, -2, 0);
     /// Twist rate and curvature of a line, in rad/m inside.
@@ -81,6 +94,14 @@ impl Dimension {
             mass,
             time,
             angle,
+            temperature: 0,
+        }
+    }
+
+    const fn of_temperature(self, temperature: i8) -> Self {
+        Self {
+            temperature,
+            ..self
         }
     }
 
@@ -93,6 +114,7 @@ impl Dimension {
             mass: add(self.mass, other.mass),
             time: add(self.time, other.time),
             angle: add(self.angle, other.angle),
+            temperature: add(self.temperature, other.temperature),
         }
     }
 }
@@ -122,6 +144,9 @@ impl fmt::Display for Dimension {
             Self::SPRING_STIFFNESS => "a force per length",
             Self::DAMPER => "a force per velocity",
             Self::TURNING_DAMPER => "a moment per angular velocity",
+            Self::TEMPERATURE => "a rise of temperature",
+            Self::EXPANSION => "an expansion coefficient",
+            Self::TEMPERATURE_GRADIENT => "a gradient of temperature",
             Self::CURVATURE => "a curvature (angle per length)",
             _ => return self.write_units(f),
         };
@@ -137,6 +162,7 @@ impl Dimension {
             ("m", self.length),
             ("s", self.time),
             ("rad", self.angle),
+            ("K", self.temperature),
         ];
         for (unit, power) in parts.into_iter().filter(|part| part.1 != 0) {
             match power {
@@ -163,6 +189,8 @@ const LBF: f64 = 4.448_221_615_260_5;
 const INCH: f64 = 0.0254;
 /// Foot in meters (exact).
 const FOOT: f64 = 0.3048;
+/// Degree Rankine, which is that of Fahrenheit too, in kelvins (exact).
+const RANKINE: f64 = 5.0 / 9.0;
 const DEG: f64 = std::f64::consts::PI / 180.0;
 const REV: f64 = 2.0 * std::f64::consts::PI;
 
@@ -201,6 +229,10 @@ const NAMES: &[(&str, Dimension, f64)] = &[
     ("psi", Dimension::STRESS, LBF / (INCH * INCH)),
     ("ksi", Dimension::STRESS, 1e3 * LBF / (INCH * INCH)),
     ("Msi", Dimension::STRESS, 1e6 * LBF / (INCH * INCH)),
+    ("K", Dimension::TEMPERATURE, 1.0),
+    ("degC", Dimension::TEMPERATURE, 1.0),
+    ("degF", Dimension::TEMPERATURE, RANKINE),
+    ("R", Dimension::TEMPERATURE, RANKINE),
 ];
 
 /// What is wrong with a unit or a declaration of units.
@@ -395,7 +427,7 @@ pub fn parse_as(text: &str, expected: Dimension) -> Result<Unit, UnitProblem> {
 }
 
 /// Quantities that a file may declare a unit for, with the key of each.
-pub const DECLARABLE: [(&str, Dimension); 9] = [
+pub const DECLARABLE: [(&str, Dimension); 10] = [
     ("length", Dimension::LENGTH),
     ("mass", Dimension::MASS),
     ("force", Dimension::FORCE),
@@ -405,6 +437,7 @@ pub const DECLARABLE: [(&str, Dimension); 9] = [
     ("density", Dimension::DENSITY),
     ("mass_per_length", Dimension::MASS_PER_LENGTH),
     ("rotation_speed", Dimension::ROTATION_SPEED),
+    ("temperature", Dimension::TEMPERATURE),
 ];
 
 /// The units of the plain numbers of a file.
@@ -412,8 +445,8 @@ pub const DECLARABLE: [(&str, Dimension); 9] = [
 /// A declared quantity uses its unit. What is not declared follows from length,
 /// time, force and mass: quantities with a force in them (mass to the power one,
 /// time to minus two, or to minus one as in dampers) use the unit of force, others that of mass; a missing one
-/// of the two is consistent with the other. Angles are degrees and rotation
-/// speeds rpm unless declared.
+/// of the two is consistent with the other. Angles are degrees, rotation speeds rpm and
+/// rises of temperature kelvins unless declared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Units {
     declared: Vec<(Dimension, f64)>,
@@ -457,8 +490,10 @@ impl Units {
             mass: m,
             time: t,
             angle: a,
+            temperature: k,
         } = dimension;
-        let rest = angle.powi(i32::from(a));
+        let kelvin = self.declared_factor(Dimension::TEMPERATURE).unwrap_or(1.0);
+        let rest = angle.powi(i32::from(a)) * kelvin.powi(i32::from(k));
         if m == 1 && matches!(t, -2 | -1) {
             let force = force
                 .or(mass.map(|mass| mass * acceleration))
@@ -594,6 +629,46 @@ mod tests {
         metric.declare(Dimension::LENGTH, parse("mm").unwrap());
         metric.declare(Dimension::FORCE, parse("N").unwrap());
         assert_relative_eq!(metric.factor(Dimension::MASS), 1e3, max_relative = 1e-14);
+    }
+
+    // Temperatures are differences: 9 degF and 9 R are 5 K, and there is no offset.
+    #[test]
+    fn temperatures_are_rises() {
+        let rise = |text| parse_quantity(text, Dimension::TEMPERATURE).unwrap();
+        assert_eq!(rise("50 degC"), 50.0);
+        assert_relative_eq!(rise("9 degF"), 5.0, max_relative = 1e-15);
+        assert_relative_eq!(rise("9 R"), 5.0, max_relative = 1e-15);
+        let steel = parse_quantity("6.5e-6 1/degF", Dimension::EXPANSION).unwrap();
+        assert_relative_eq!(steel, 11.7e-6, max_relative = 1e-14);
+        assert!(parse_quantity("1e-5", Dimension::EXPANSION).is_err());
+        assert_eq!(
+            Dimension::THERMAL_MOMENT.to_string(),
+            "a quantity in kg m^2 s^-2 K^-1"
+        );
+
+        let mut units = Units::si();
+        assert_eq!(units.factor(Dimension::EXPANSION), 1.0);
+        units.declare(Dimension::TEMPERATURE, parse("degF").unwrap());
+        units.declare(Dimension::FORCE, parse("lbf").unwrap());
+        units.declare(Dimension::LENGTH, parse("in").unwrap());
+        assert_relative_eq!(
+            units.factor(Dimension::EXPANSION),
+            1.8,
+            max_relative = 1e-15
+        );
+        let moment = parse("lbf in/degF").unwrap();
+        assert_eq!(moment.dimension, Dimension::THERMAL_MOMENT);
+        assert_relative_eq!(
+            units.factor(Dimension::THERMAL_MOMENT),
+            moment.factor,
+            max_relative = 1e-14
+        );
+        let gradient = parse("degF/in").unwrap();
+        assert_relative_eq!(
+            units.factor(Dimension::TEMPERATURE_GRADIENT),
+            gradient.factor,
+            max_relative = 1e-14
+        );
     }
 
     #[test]

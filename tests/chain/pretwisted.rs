@@ -23,6 +23,7 @@ use section_analyzer::mesh::SectionMesh;
 use section_analyzer::mesh::generate::Rectangle;
 use section_analyzer::output::properties;
 use section_analyzer::section::{CellMaterial, Section};
+use section_analyzer::solution::ImposedSolutions;
 use shared_geom::error::Place;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::{self, InitialCurvature, SectionProperties};
@@ -61,6 +62,7 @@ fn solved(rate: f64) -> SectionProperties {
             poisson: POISSON,
         },
         density: 2700.0,
+        expansion: None,
     };
     let mut initial = InitialCurvature::STRAIGHT;
     initial.curvature.x = rate;
@@ -72,7 +74,7 @@ fn solved(rate: f64) -> SectionProperties {
         initial_curvature: initial,
     };
     let solution = analyze(&section).unwrap_or_else(|failure| panic!("{failure}"));
-    properties(&section, &solution, "")
+    properties(&section, &solution, &ImposedSolutions::default(), "")
 }
 
 /// The blade of a property file.

@@ -15,6 +15,7 @@ mod elastic_pendulums;
 mod equal_blades;
 mod formats;
 mod free_flight;
+mod heat;
 mod in_time;
 mod integrators;
 mod joint_guides;

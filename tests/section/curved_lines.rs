@@ -182,6 +182,7 @@ fn stresses_of_a_ring_are_those_of_golovin() {
     let bend = LoadCase {
         name: "bend".into(),
         force: Vector6::ith(5, 1.0),
+        imposed: Vec::new(),
     };
     let recovery = recoverer.recover(&bend).expect("stresses that add up");
     assert!(recovery.resultant_error < 1e-12);
@@ -203,6 +204,7 @@ fn stresses_of_a_ring_are_those_of_golovin() {
         let load = LoadCase {
             name: "unit".into(),
             force: Vector6::ith(component, 1.0),
+            imposed: Vec::new(),
         };
         let recovery = recoverer.recover(&load).expect("stresses that add up");
         assert!(recovery.resultant_error < 1e-12, "{component}");

@@ -211,6 +211,7 @@ fn materials() -> impl Strategy<Value = Vec<Material>> {
         name: "material".into(),
         law,
         density,
+        expansion: None,
     });
     vec(material, 1..4)
 }

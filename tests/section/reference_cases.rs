@@ -87,6 +87,7 @@ pub fn material(value: &Value) -> Material {
         name: value["type"].to_string(),
         law,
         density: constant("rho"),
+        expansion: None,
     }
 }
 

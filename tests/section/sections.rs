@@ -16,6 +16,7 @@ pub fn material(law: ElasticLaw) -> Material {
         name: "material".into(),
         law,
         density: 1.0,
+        expansion: None,
     }
 }
 

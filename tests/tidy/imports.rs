@@ -26,6 +26,7 @@ pub const CRATES: [Stages; 2] = [
             "solve",
             "properties",
             "solution",
+            "sensitivity",
             "recovery",
             "input",
             "output",

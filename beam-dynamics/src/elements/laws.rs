@@ -98,6 +98,18 @@ impl<const N: usize> Law<N> {
         Self { terms }
     }
 
+    /// The same with further prestresses.
+    pub fn prestressed(mut self, prestresses: impl IntoIterator<Item = Driven<N>>) -> Self {
+        let stiffness = SMatrix::zeros();
+        let term = |prestress| Term {
+            kind: LawKind::Linear { stiffness },
+            prestrain: None,
+            prestress: Some(prestress),
+        };
+        self.terms.extend(prestresses.into_iter().map(term));
+        self
+    }
+
     /// A linear law.
     pub fn linear(stiffness: SMatrix<f64, N, N>) -> Self {
         LawKind::Linear { stiffness }.into()

@@ -4,9 +4,10 @@ use nalgebra::Matrix6;
 use shared_geom::section::CubicTable;
 
 use super::curved::Curved;
+use super::heat::Heat;
 use super::properties::Properties;
 use crate::elements::beams::MassAlong;
-use crate::elements::laws::{Law, LawKind};
+use crate::elements::laws::{Driven, Law, LawKind};
 
 /// Stiffness and mass per length along one beam, by xi from -1 to 1.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +20,8 @@ pub(super) struct Along {
     pub law: Option<Law<6>>,
     /// Effect of prestress on the stiffness there; `None` where it is not asked for.
     prestress: Option<[CubicTable; 2]>,
+    /// What heat and imposed strains add to the forces there.
+    heat: Vec<Driven<6>>,
     /// What the section was solved for; `None` for a straight beam, and where a blade
     /// file has compared it with its line.
     pub curved: Option<Curved>,
@@ -40,6 +43,7 @@ impl Along {
             damping: properties.damping.map(|damping| [damping; 2]),
             law: properties.law.clone(),
             prestress: properties.prestress.map(|third| [third; 2]),
+            heat: properties.heat.acting().to_vec(),
             curved: properties.curved.clone(),
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
@@ -60,6 +64,7 @@ impl Along {
             damping: None,
             law: None,
             prestress: None,
+            heat: Vec::new(),
             curved: None,
             breaks: inside.filter(|xi| xi.abs() < 1.0).collect(),
             mass,
@@ -80,6 +85,7 @@ impl Along {
             mass: zero,
             damping: None,
             law: None,
+            heat: Heat::default(),
             prestress: None,
             curved: None,
         });
@@ -92,25 +98,30 @@ impl Along {
     /// The laws at the evaluation points; `None` for those of stiffness and damping alone.
     ///
     /// ```text
-    /// f = K e + D e' + 1/2 T e e                                           (D-241)
+    /// f = K e + D e' + 1/2 T e e + heat                             (D-241), (D-250)
     /// ```
     pub fn laws(&self) -> Option<[Law<6>; 2]> {
+        let is_plain = self.law.is_none() && self.prestress.is_none() && self.heat.is_empty();
+        let heated = |point| self.law_at(point).prestressed(self.heat.iter().cloned());
+        (!is_plain).then(|| std::array::from_fn(heated))
+    }
+
+    /// The law at an evaluation point without heat.
+    fn law_at(&self, point: usize) -> Law<6> {
         if let Some(law) = &self.law {
-            return Some([law.clone(), law.clone()]);
+            return law.clone();
         }
-        let prestress = self.prestress.as_ref()?;
-        Some(std::array::from_fn(|point| {
-            let stiffness = self.stiffness[point];
-            let linear = match self.damping {
-                None => LawKind::Linear { stiffness },
-                Some(damping) => LawKind::Viscoelastic {
-                    stiffness,
-                    viscosity: damping[point],
-                },
-            };
-            let quadratic = LawKind::quadratic(&prestress[point]);
-            Law::sum(vec![linear.into(), quadratic.into()])
-        }))
+        let stiffness = self.stiffness[point];
+        let linear = match self.damping {
+            None => LawKind::Linear { stiffness },
+            Some(damping) => LawKind::Viscoelastic {
+                stiffness,
+                viscosity: damping[point],
+            },
+        };
+        let quadratic = self.prestress.as_ref();
+        let quadratic = quadratic.map(|third| LawKind::quadratic(&third[point]).into());
+        Law::sum(std::iter::once(linear.into()).chain(quadratic).collect())
     }
 
     /// Calls `user` with the mass along the beam.
@@ -157,6 +168,7 @@ mod tests {
             mass: 7.0 * unit,
             damping: None,
             law: None,
+            heat: Heat::default(),
             prestress: None,
             curved: None,
         };

@@ -11,6 +11,7 @@ use super::beam_check::BeamCheck;
 use super::curved;
 use super::draft::{Beam, Draft, Inertia};
 use super::drives::Catalog;
+use super::heat;
 use super::laws::{self, Components, LawProblem};
 use super::problem::InputProblem;
 use super::properties::Properties;
@@ -77,12 +78,22 @@ fn along(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Along> {
             return None;
         }
         let law = law(table, draft.drives(), words, known.as_ref())?;
-        return (!is_named || known.is_some()).then(|| Along::of_law(law, known.as_ref()));
+        if let Some(properties) = known {
+            let properties = Properties {
+                law: Some(law),
+                ..properties
+            };
+            let heated = heat::read(table, Some(properties), draft.drives(), words)?;
+            return Some(Along::constant(&heated));
+        }
+        heat::refuse_without_properties(table, words)?;
+        return (!is_named).then(|| Along::of_law(law, None));
     }
     if properties.is_none() {
         let _ = table.require_text("properties", "the name of properties");
     }
-    Some(Along::constant(&properties??))
+    let heated = heat::read(table, properties?, draft.drives(), words)?;
+    Some(Along::constant(&heated))
 }
 
 /// The law of a beam, or of properties, which must hold it together: no rest of the program knows what a

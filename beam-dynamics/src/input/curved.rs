@@ -79,7 +79,7 @@ impl Curved {
                 let problem = InputProblem::OtherCurvature {
                     user: user.to_owned(),
                     name: self.name.clone(),
-                    mismatch,
+                    mismatch: Box::new(mismatch),
                 };
                 table.note(key, &problem);
                 false

@@ -1,6 +1,6 @@
 //! Properties given in place, by stiffnesses and inertias about their centers.
 
-use nalgebra::Vector2;
+use nalgebra::{Vector2, Vector6};
 use shared_geom::document::Table;
 use shared_geom::section::{Centers, Engineering, Provenance, SectionProperties};
 use shared_geom::units::Dimension;
@@ -11,7 +11,7 @@ use super::problem::InputProblem;
 use super::properties::{Properties, usable};
 
 /// Keys of properties in place.
-pub(super) const KEYS: [&str; 12] = [
+pub(super) const KEYS: [&str; 13] = [
     "ea",
     "gay",
     "gaz",
@@ -24,6 +24,7 @@ pub(super) const KEYS: [&str; 12] = [
     "tension_center",
     "shear_center",
     "mass_center",
+    "thermal_force",
 ];
 
 /// Reads a table `[properties.NAME]` without a file.
@@ -40,6 +41,7 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
     ];
     let centers = ["tension_center", "shear_center", "mass_center"].map(|key| center(table, key));
     let damping = damping::read(table);
+    let thermal_force = thermal_force(table);
     let [ea, gay, gaz, gj, eiy, eiz] = stiffness;
     let [m, iy, iz] = mass;
     let [tension, shear, mass_center] = centers;
@@ -56,9 +58,27 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
     };
     let section = SectionProperties {
         damping: damping?,
+        thermal_force: thermal_force?,
         ..written.section(name, provenance())
     };
     usable(name, table, "", &section)
+}
+
+/// Internal force per kelvin when held, about the reference point; `Some(None)` when absent.
+fn thermal_force(table: &Table<'_>) -> Option<Option<Vector6<f64>>> {
+    const KEY: &str = "thermal_force";
+    if !table.has(KEY) {
+        return Some(None);
+    }
+    let numbers = table.quantities(KEY, Dimension::NUMBER)?;
+    if numbers.len() != 6 {
+        let expected = "an array of 6 numbers, forces and moments per kelvin";
+        table.wrong(KEY, expected);
+        return None;
+    }
+    let units = [Dimension::THERMAL_FORCE, Dimension::THERMAL_MOMENT];
+    let units = units.map(|dimension| table.document().factor(dimension));
+    Some(Some(Vector6::from_fn(|i, _| numbers[i] * units[i / 3])))
 }
 
 /// A point (y, z) of the section; the reference point when absent.
@@ -99,7 +119,7 @@ fn provenance() -> Provenance {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Vector3, Vector6};
+    use nalgebra::Vector3;
     use shared_geom::document::Document;
 
     const TEXT: &str = "ea = 7e6\ngay = 2e6\ngaz = 1e6\ngj = 30\neiy = 40\neiz = 900\n\

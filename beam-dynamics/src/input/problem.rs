@@ -77,7 +77,7 @@ pub enum InputProblem {
         /// Name of the properties.
         name: String,
         /// Both curvatures.
-        mismatch: CurvatureMismatch,
+        mismatch: Box<CurvatureMismatch>,
     },
     /// Properties with something that this program would leave out.
     #[error("properties \"{name}\" have {what}, which this program does not use yet")]

@@ -10,6 +10,7 @@ use shared_geom::section::{self, CubicTable, Damping, SectionProperties};
 use shared_geom::units::Dimension;
 
 use super::curved::Curved;
+use super::heat::{self, Heat};
 use super::in_place::{self, KEYS};
 use super::laws::LawProblem;
 use super::problem::InputProblem;
@@ -30,6 +31,8 @@ pub(super) struct Properties {
     pub damping: Option<Matrix6<f64>>,
     /// Law in place of stiffness and viscosity; `None` for these.
     pub law: Option<Law<6>>,
+    /// What heat and imposed strains do to the section.
+    pub heat: Heat,
     /// Effect of prestress on the stiffness; `None` where it is not asked for.
     pub prestress: Option<CubicTable>,
     /// What the section was solved for; `None` for a straight beam.
@@ -58,6 +61,8 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
             }
         };
         let properties = with_law(&name, properties, &table, drives);
+        let words = format!("properties \"{name}\"");
+        let properties = heat::read(&table, properties, drives, &words);
         table.finish();
         let remark = match is_file || !is_si(&table) {
             true => section_remark,
@@ -246,6 +251,7 @@ pub(super) fn usable(
             Damping::Viscous(matrix) => *matrix,
         }),
         law: None,
+        heat: Heat::of(properties),
         prestress: None,
     })
 }

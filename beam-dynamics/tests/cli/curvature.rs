@@ -240,11 +240,11 @@ fn a_reference_point_off_the_line_has_a_line_of_its_own() {
     assert_good(&checked(&folder, &of_file("a.blade.toml")));
 }
 
-// Between two stations of 20 deg/m the line has 32 deg/m and then 18 and 15.
+// Between two stations of 20 deg/m the line has 32 deg/m and then 14.
 #[test]
 fn a_line_that_differs_between_stations_is_told() {
     let folder = twisted();
-    let points = "x = [0, 0.1, 0.2, 0.3, 0.5]\ntwist = [0, 2, 5.2, 7, 10]";
+    let points = "x = [0, 0.1, 0.2, 0.3, 0.4, 0.5]\ntwist = [0, 2, 5.2, 6.6, 8, 10]";
     let text = blade_file(10.0, "").replace("length = 0.5\ntwist = [0, 10]", points);
     folder.write(
         "a.blade.toml",

@@ -128,6 +128,7 @@ fn strip() -> SectionProperties {
         initial_curvature: None,
         piezo: None,
         thermal_force: None,
+        imposed: Vec::new(),
         damping: None,
         prestress: None,
         provenance: Provenance {
@@ -306,7 +307,7 @@ fn a_newer_property_file_is_told() {
     let text = section::write(&strip()).replace("\"version\": 1,", "\"version\": 7,");
     folder.write("strip.properties.json", &text);
     let message = "\
-error: strip.properties.json:3: written in version 7 of the property-file format, expected at most 2
+error: strip.properties.json:3: written in version 7 of the property-file format, expected at most 3
   help: use a newer version of this program";
     folder.refuses(BLADE, message);
 }

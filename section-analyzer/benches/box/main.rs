@@ -14,11 +14,12 @@ use cpu_time::ThreadTime;
 use criterion::{BenchmarkId, Criterion};
 use nalgebra::{Matrix6xX, Vector3};
 use peak_alloc::PeakAlloc;
-use section_analyzer::analysis::analyze;
+use section_analyzer::analysis::{Analysis, analyze};
 use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
 use section_analyzer::input;
 use section_analyzer::recovery::{LoadCase, Recoverer};
 use section_analyzer::section::Section;
+use section_analyzer::sensitivity::{Cells, Parameter};
 use section_analyzer::solve::{
     CentralSolution, CentralSystems, Factor, Pins, elimination_order, in_elimination_order,
 };
@@ -34,6 +35,9 @@ const MESH: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../tests/reference/sections/box_CUS_45_m45.v41.msh"
 );
+
+/// Number of fiber angles that derivatives are taken with respect to.
+const ANGLES: usize = 100;
 
 const MATERIAL: &str = "\
 [material.graphite]
@@ -103,6 +107,15 @@ fn shortest<T>(mut work: impl FnMut() -> T) -> Duration {
     best
 }
 
+/// The fiber angles of [`ANGLES`] groups of cells, which hold all cells.
+fn angles(section: &Section) -> Vec<Parameter> {
+    let cells: Vec<usize> = (0..section.mesh.cells.len()).collect();
+    let groups = cells.chunks(cells.len().div_ceil(ANGLES));
+    groups
+        .map(|group| Parameter::FiberAngle(Cells::List(group.to_vec())))
+        .collect()
+}
+
 /// Most memory in use at a time by `work`, beyond what was in use before \[byte\].
 fn peak<T>(work: impl FnOnce() -> T) -> usize {
     let before = ALLOCATOR.current_usage();
@@ -123,6 +136,8 @@ struct Times {
     solve: Duration,
     central: Duration,
     analyze: Duration,
+    /// Derivatives with respect to [`ANGLES`] fiber angles, beside the analysis.
+    sensitivities: Duration,
     total: Duration,
     /// The same section on a beam of general curvature.
     curved: Duration,
@@ -146,6 +161,8 @@ impl Times {
         let factor = Factor::new(matrices.e.clone(), &pattern, pins).expect("a connected section");
         let system = CentralSystems::new(&domain, &pattern, matrices.clone(), pins)
             .expect("a connected section");
+        let analysis = Analysis::new(&section).expect("a sound section");
+        let angles = angles(&section);
         let memory = peak(|| analyze(&input::read(file).expect("a sound file").section));
         Self {
             nodes: domain.nodes.len(),
@@ -168,6 +185,7 @@ impl Times {
             }),
             central: shortest(|| CentralSolution::solve(&domain, &system)),
             analyze: shortest(|| analyze(&section)),
+            sensitivities: shortest(|| analysis.sensitivities(&angles)),
             total: shortest(|| analyze(&input::read(file).expect("a sound file").section)),
             curved: shortest(|| analyze(&curved(&section))),
             loads: hundred_loads(&section),
@@ -213,7 +231,11 @@ fn ten_recoveries(section: &Section) -> Duration {
         for force in forces.column_iter().take(10) {
             let force = force.into_owned();
             let name = String::new();
-            black_box(recoverer.recover(&LoadCase { name, force }).is_ok());
+            black_box(
+                recoverer
+                    .recover(&LoadCase::at_point(name, &force, [0.0; 2]))
+                    .is_ok(),
+            );
         }
     })
 }
@@ -258,6 +280,16 @@ fn ratios(files: &[PathBuf]) {
             t.curved.as_secs_f64() / t.analyze.as_secs_f64(),
             t.loads.as_secs_f64() / t.analyze.as_secs_f64(),
             t.recoveries.as_secs_f64() / t.analyze.as_secs_f64()
+        );
+    }
+    println!("\n nodes | sensitivities to {ANGLES} angles [ms]  over analyze");
+    for t in &times {
+        let [of_angles, analyze] = [t.sensitivities, t.analyze].map(|time| time.as_secs_f64());
+        println!(
+            "{:6} | {:31.1} {:13.2}",
+            t.nodes,
+            of_angles * 1e3,
+            of_angles / analyze
         );
     }
     if let [first, .., last] = &times[..] {

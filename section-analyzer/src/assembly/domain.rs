@@ -46,6 +46,8 @@ impl Scaling {
 pub struct DomainCell {
     /// Number of the cell in its file.
     pub tag: u64,
+    /// Index of the cell in the mesh of the section.
+    pub mesh_cell: u32,
     /// Shape.
     pub kind: CellKind,
     /// Index into [`Domain::laws`].
@@ -113,12 +115,14 @@ impl Domain {
             .cells
             .iter()
             .zip(&section.cells)
-            .zip(law_of_cell);
+            .zip(law_of_cell)
+            .zip(0..);
         let domain = Self {
             nodes: mesh_nodes.iter().map(place).collect(),
             cells: cells
-                .map(|((cell, made_of), law)| DomainCell {
+                .map(|(((cell, made_of), law), mesh_cell)| DomainCell {
                     tag: cell.tag,
+                    mesh_cell,
                     kind: cell.kind,
                     law,
                     density: section.materials[made_of.material].density,

@@ -26,7 +26,14 @@ pub fn mass_per_length(domain: &Domain) -> Matrix6<f64> {
             }
         }
     }
-    let [m, my, mz, myy, myz, mzz] = sums;
+    mass_of_moments(domain, &sums)
+}
+
+/// The mass per length whose sums of `rho (1, y, z, y y, y z, z z) dA` are `sums`, in
+/// the units of length of `domain`; in SI about the origin of the section axes, as
+/// [`mass_per_length`].
+pub fn mass_of_moments(domain: &Domain, sums: &[f64; 6]) -> Matrix6<f64> {
+    let &[m, my, mz, myy, myz, mzz] = sums;
     #[rustfmt::skip]
     let mass = Matrix6::new(
         m,   0.0, 0.0, 0.0,       mz,   -my,

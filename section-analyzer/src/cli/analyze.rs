@@ -13,6 +13,7 @@ mod many;
 mod one;
 mod overlap;
 mod progress;
+mod sensitivity;
 
 use one::{Outcome, analyze_one};
 
@@ -44,6 +45,9 @@ struct Run {
     force: bool,
     /// Fingerprint of the program; without one every section is solved.
     program: Option<String>,
+    /// Numbers of the nodes whose coordinates are parameters of the derivatives; `None`
+    /// where no derivatives are asked for.
+    sensitivity: Option<Vec<u64>>,
 }
 
 /// Analyzes sections and writes their results.
@@ -67,6 +71,9 @@ pub(super) fn analyze_files(
     let run = Run {
         force: arguments.force,
         program: program(),
+        sensitivity: arguments
+            .sensitivity
+            .then(|| arguments.sensitivity_nodes.clone()),
     };
     match &jobs[..] {
         [job] => show(analyze_one(job, &run), terminal),

@@ -7,13 +7,15 @@ use shared_geom::error::{Diagnostics, Place};
 use crate::analysis::{Analysis, analyze};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::solution::{DistributedState, EndEffects, SectionSolution};
+use crate::solution::{DistributedState, EndEffects, ImposedSolutions, SectionSolution};
 
 /// The solution of a section, and what its file asks for beside it.
 #[derive(Debug)]
 pub(super) struct Solved {
     /// Properties and central solutions.
     pub solution: SectionSolution,
+    /// What heat and the imposed states of the input do.
+    pub imposed: ImposedSolutions,
     /// What loads along the beam add, parallel to the loads of the input.
     pub distributed: Vec<Option<DistributedState>>,
     /// The end effects, if asked for.
@@ -21,6 +23,28 @@ pub(super) struct Solved {
 }
 
 impl Solved {
+    /// All that `input` asks of the analysis of its section; its end effects too if `ends`.
+    ///
+    /// # Errors
+    /// Those of the questions.
+    pub fn by(analysis: &Analysis<'_>, input: &Input, ends: bool) -> Result<Self, Failure> {
+        let loads = &input.distributed;
+        let acting: Vec<_> = loads.iter().filter(|load| !load.is_empty()).collect();
+        let mut states = analysis.distributed(&acting)?.into_iter();
+        let distributed = loads.iter().map(|load| match load.is_empty() {
+            true => None,
+            false => states.next(),
+        });
+        let wanted = input.end_effects.filter(|_| ends);
+        let found = wanted.map(|wanted| analysis.end_effects(wanted));
+        Ok(Self {
+            imposed: analysis.all_imposed(&input.imposed)?,
+            distributed: distributed.collect(),
+            end_effects: found.transpose()?,
+            solution: analysis.solution().clone(),
+        })
+    }
+
     /// What did not converge, in words; `file` is the section file.
     pub fn open_problem(&self, file: &Path) -> Option<String> {
         let found = self.end_effects.as_ref().filter(|f| !f.is_converged)?;
@@ -33,33 +57,24 @@ impl Solved {
     }
 }
 
-/// Solves the section of `input`, with its distributed loads; its end effects too if
-/// `ends`.
+/// Solves the section of `input`, with its imposed states and distributed loads; its end
+/// effects too if `ends`.
 ///
 /// # Errors
 /// As [`Analysis::new`] and its questions.
 pub(super) fn solve(input: &Input, ends: bool) -> Result<Solved, Failure> {
-    let wanted = input.end_effects.filter(|_| ends);
-    let loads: Vec<_> = input.distributed.iter().collect();
-    if wanted.is_none() && loads.iter().all(|load| load.is_empty()) {
-        return Ok(Solved {
-            solution: analyze(&input.section)?,
-            distributed: vec![None; loads.len()],
-            end_effects: None,
-        });
+    let section = &input.section;
+    let asks = input.end_effects.filter(|_| ends).is_some()
+        || input.distributed.iter().any(|load| !load.is_empty())
+        || !input.imposed.is_empty()
+        || section.expands();
+    if asks {
+        return Solved::by(&Analysis::new(section)?, input, ends);
     }
-    let analysis = Analysis::new(&input.section)?;
-    let acting: Vec<_> = loads.iter().copied().filter(|l| !l.is_empty()).collect();
-    let mut states = analysis.distributed(&acting)?.into_iter();
-    let distributed = loads.iter().map(|load| match load.is_empty() {
-        true => None,
-        false => states.next(),
-    });
     Ok(Solved {
-        distributed: distributed.collect(),
-        end_effects: wanted
-            .map(|wanted| analysis.end_effects(wanted))
-            .transpose()?,
-        solution: analysis.solution().clone(),
+        solution: analyze(section)?,
+        imposed: ImposedSolutions::default(),
+        distributed: vec![None; input.distributed.len()],
+        end_effects: None,
     })
 }

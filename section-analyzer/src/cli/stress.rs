@@ -122,7 +122,8 @@ impl Stresses {
         if input.loads.is_empty() {
             return Ok(());
         }
-        let recoverer = Recoverer::new(&input.section, &solved.solution);
+        let recoverer =
+            Recoverer::new(&input.section, &solved.solution).with_imposed(&solved.imposed.states);
         for (load, added) in input.loads.iter().zip(&solved.distributed) {
             let recovered = match added {
                 Some(added) => recoverer.recover_with(load, added),

@@ -5,6 +5,7 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::distributed::{self, WrittenDistribution};
+use super::imposed::{ImposedProblem, WrittenStates};
 use super::problem::InputProblem;
 use crate::recovery::LoadCase;
 
@@ -45,22 +46,29 @@ pub fn is_load_name(name: &str) -> bool {
     !name.is_empty() && name.chars().all(fits)
 }
 
-/// Reads every `[load.NAME]` with what is distributed along the beam; those that are
-/// wrong are noted and left out.
-pub(super) fn read(root: &Table<'_>) -> Vec<(LoadCase, WrittenDistribution)> {
+/// Reads every `[load.NAME]` with what is distributed along the beam, of which some act
+/// with imposed `states`; those that are wrong are noted and left out.
+pub(super) fn read(
+    root: &Table<'_>,
+    states: &WrittenStates,
+) -> Vec<(LoadCase, WrittenDistribution)> {
     let tables = root.named_tables("load");
     tables
         .into_iter()
         .filter_map(|(name, table)| {
             let distributed = distributed::read(&table);
-            let load = read_one(&name, &table, &distributed);
+            let load = read_one(&name, &table, (states, &distributed));
             table.finish();
             Some((load?, distributed))
         })
         .collect()
 }
 
-fn read_one(name: &str, table: &Table<'_>, distributed: &WrittenDistribution) -> Option<LoadCase> {
+fn read_one(
+    name: &str,
+    table: &Table<'_>,
+    (states, distributed): (&WrittenStates, &WrittenDistribution),
+) -> Option<LoadCase> {
     let load = name.to_owned();
     if !is_load_name(name) {
         table.note("", &InputProblem::LoadName { load: load.clone() });
@@ -71,14 +79,48 @@ fn read_one(name: &str, table: &Table<'_>, distributed: &WrittenDistribution) ->
         false => Some(0.0),
     });
     let point = point(table);
+    let imposed = ["temperature", "initial_strain"].map(|kind| state(name, kind, table, states));
     let components: Option<Vec<f64>> = read.into_iter().collect();
     let force = Vector6::from_vec(components?);
-    if force == Vector6::zeros() && distributed.is_empty() {
+    let [temperature, initial_strain] = imposed;
+    let imposed: Vec<_> = temperature?.into_iter().chain(initial_strain?).collect();
+    if force == Vector6::zeros() && imposed.is_empty() && distributed.is_empty() {
         table.note("", &InputProblem::ZeroLoad { load });
         return None;
     }
-    let load = checked_load(LoadCase::at_point(load, &force, point?));
+    let load = LoadCase {
+        imposed,
+        ..LoadCase::at_point(load, &force, point?)
+    };
+    let load = checked_load(load);
     load.map_err(|problem| table.note("", &problem)).ok()
+}
+
+/// The imposed state of a kind that acts with the load, if there is one; `None` for an
+/// unknown name, which is noted.
+fn state(
+    load: &str,
+    kind: &'static str,
+    table: &Table<'_>,
+    states: &WrittenStates,
+) -> Option<Option<String>> {
+    if !table.has(kind) {
+        return Some(None);
+    }
+    let name = table.text(kind)?;
+    let known = states.names(kind);
+    if !known.contains(&name) {
+        let load = load.to_owned();
+        let problem = ImposedProblem::Unknown {
+            kind,
+            name,
+            load,
+            known,
+        };
+        table.note(kind, &problem);
+        return None;
+    }
+    Some(Some(name))
 }
 
 /// Where the force acts (y, z) \[m\]; the reference point where not given.

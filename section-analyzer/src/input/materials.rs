@@ -16,6 +16,9 @@ const ORTHOTROPIC: [&str; 9] = [
 ];
 const FULL: [&str; 1] = ["stiffness"];
 
+/// Largest expansion coefficient \[1/K\]: thirty times that of rubber.
+const LARGEST_EXPANSION: f64 = 0.01;
+
 /// A material as far as it could be read; the name stands even if its constants
 /// are wrong, so that regions can refer to it.
 #[derive(Debug, Clone)]
@@ -48,10 +51,15 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenMaterial> {
 
 fn read_one(name: &str, table: &Table<'_>, law: Option<ElasticLaw>) -> Option<Material> {
     let density = table.require_quantity("density", Dimension::DENSITY);
+    let expansion = match table.has("expansion") {
+        true => expansion(table).map(Some),
+        false => Some(None),
+    };
     let material = Material {
         name: name.to_owned(),
         law: law?,
         density: density?,
+        expansion: expansion?,
     };
     for problem in material.check() {
         let key = key_of(&problem, &material.law);
@@ -59,6 +67,25 @@ fn read_one(name: &str, table: &Table<'_>, law: Option<ElasticLaw>) -> Option<Ma
         table.note(&key, &InputProblem::Inadmissible { material, problem });
     }
     Some(material)
+}
+
+/// One coefficient for all directions, or one for each material axis \[1/K\].
+fn expansion(table: &Table<'_>) -> Option<[f64; 3]> {
+    let found = table.quantities("expansion", Dimension::EXPANSION)?;
+    let coefficients = match found[..] {
+        [all] if !table.is_list("expansion") => [all; 3],
+        [a1, a2, a3] => [a1, a2, a3],
+        _ => {
+            let expected = "an expansion coefficient, or an array of 3, one for each material axis";
+            table.wrong("expansion", expected);
+            return None;
+        }
+    };
+    if coefficients.iter().any(|a| a.abs() > LARGEST_EXPANSION) {
+        table.wrong("expansion", "coefficients of at most 0.01 1/K");
+        return None;
+    }
+    Some(coefficients)
 }
 
 /// The law that the keys of the table speak of.

@@ -109,7 +109,8 @@ pub enum InputProblem {
     /// A load case without any load.
     #[error(
         "load \"{load}\" is zero, expected at least one of \"axial\", \"shear_y\", \"shear_z\", \
-         \"torsion\", \"bending_y\", \"bending_z\", \"traction\", \"volume\""
+         \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \"initial_strain\", \
+         \"traction\", \"volume\""
     )]
     ZeroLoad {
         /// Name of the load case.
@@ -278,26 +279,30 @@ pub enum InputProblem {
         /// The keys expected, in words.
         expected: &'static str,
     },
-    /// A table of angles without the expected heading.
-    #[error("the columns are {found}, expected \"cell,angle\"")]
+    /// A table by cells without the expected heading.
+    #[error("the columns are {found}, expected \"cell,{column}\"")]
     TableHeading {
         /// The heading found, in quotes, or "missing".
         found: String,
+        /// Heading of the second column.
+        column: &'static str,
     },
-    /// A row of a table of angles that cannot be read.
+    /// A row of a table by cells that cannot be read.
     #[error("row \"{found}\" cannot be read, expected {expected}")]
     TableRow {
         /// The row as written.
         found: String,
         /// What was expected.
-        expected: &'static str,
+        expected: String,
     },
-    /// A cell with two angles.
-    #[error("cell {cell} has an angle on line {line} already, expected one row for each cell")]
+    /// A cell with two values.
+    #[error("cell {cell} has {value} on line {line} already, expected one row for each cell")]
     TableRepeats {
         /// Tag of the cell.
         cell: u64,
-        /// Line of its first angle.
+        /// What the table gives, in words.
+        value: &'static str,
+        /// Line of its first value.
         line: usize,
     },
     /// Further rows with problems.
@@ -308,21 +313,24 @@ pub enum InputProblem {
     },
     /// A table with too few or wrong rows.
     #[error(
-        "angle table \"{table}\" has {}, expected {expected}, one for each cell of {groups}{}{}",
-        counted(*.found, "row"), listed("; no angle for", .missing), listed("; unknown", .unknown)
+        "{column} table \"{table}\" has {}, expected {expected}, one for each cell of {users}{}{}",
+        counted(*.found, "row"), listed(&format!("; no {column} for"), .missing),
+        listed("; unknown", .unknown)
     )]
     TableCells {
+        /// Heading of the column of values.
+        column: &'static str,
         /// The table as written in the input.
         table: String,
         /// Rows found.
         found: usize,
         /// Rows expected.
         expected: usize,
-        /// The groups that take angles from it, in words.
-        groups: String,
-        /// Cells without an angle.
+        /// What takes its values from it: groups, or the mesh.
+        users: String,
+        /// Cells without a value.
         missing: Vec<u64>,
-        /// Cells that are not in these groups.
+        /// Cells that are not among these.
         unknown: Vec<u64>,
     },
 }
@@ -389,16 +397,6 @@ impl Explain for InputProblem {
     }
 }
 
-fn help_of_folded(factor: f64, far: f64) -> String {
-    format!(
-        "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in 1/m is \
-         in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward -z), and that \
-         the origin of the mesh is on the reference line (the farthest node is {} away)",
-        label(factor),
-        label(far)
-    )
-}
-
 fn label(value: f64) -> String {
     tick_label(value, 0.0)
 }
@@ -423,7 +421,7 @@ fn strength_keys(table: &str) -> &'static str {
     }
 }
 
-fn nearest_or_all(found: &str, known: &[String], what: &str) -> String {
+pub(super) fn nearest_or_all(found: &str, known: &[String], what: &str) -> String {
     match nearest_name(found, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"?"),
         None if known.is_empty() => format!("{what}: none"),

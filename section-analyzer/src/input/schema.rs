@@ -11,9 +11,11 @@
 use shared_geom::units::Dimension;
 
 mod distributed;
+mod imposed;
 mod json;
 mod keys;
 mod limits;
+mod loads;
 mod reference;
 
 pub use json::json_schema;

@@ -119,6 +119,11 @@ pub enum InputWarning {
         /// Its name.
         material: String,
     },
+    /// A material without expansion beside others that expand.
+    NoExpansion {
+        /// Its name.
+        material: String,
+    },
     /// Cells that the mesh lists clockwise.
     ReversedCells {
         /// Their number.
@@ -218,6 +223,11 @@ impl fmt::Display for InputWarning {
                     "material \"{material}\" has density 0: its cells have no mass"
                 )
             }
+            Self::NoExpansion { material } => write!(
+                f,
+                "material \"{material}\" has no \"expansion\", and others have: heat does not \
+                 strain it"
+            ),
             Self::ReversedCells { count } => write!(
                 f,
                 "{} listed clockwise in the mesh, as a whole surface: turned round",

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use shared_geom::document::Document;
 use shared_geom::units::Dimension;
 
-use super::angles::AngleTable;
+use super::cell_table::{ANGLE, CellTable};
 use super::files::Files;
 use super::problem::{InputProblem, quoted};
 use super::regions::{Written, WrittenAngle, WrittenRegion};
@@ -17,7 +17,7 @@ use super::regions::{Written, WrittenAngle, WrittenRegion};
 struct TableUse {
     /// Where it is named first.
     written: Written,
-    table: Option<AngleTable>,
+    table: Option<CellTable>,
     cells: BTreeSet<u64>,
     groups: Vec<String>,
     /// Whether the cells of all its regions are known: not where a region names a
@@ -47,7 +47,7 @@ impl Tables {
                 continue;
             }
             let text = files.read_text("angle table", &path, written);
-            let table = text.and_then(|text| document.keep(AngleTable::parse(&text, &path)));
+            let table = text.and_then(|text| document.keep(CellTable::parse(&text, &path, &ANGLE)));
             let table_use = TableUse {
                 written: written.clone(),
                 table,
@@ -80,10 +80,11 @@ impl Tables {
             };
             if let Some(misfit) = table.misfit(&table_use.cells) {
                 let problem = InputProblem::TableCells {
+                    column: ANGLE.heading,
                     table: table_use.written.text.clone(),
                     found: table.len(),
                     expected: table_use.cells.len(),
-                    groups: quoted(&table_use.groups),
+                    users: quoted(&table_use.groups),
                     missing: misfit.missing,
                     unknown: misfit.unknown,
                 };
@@ -94,7 +95,7 @@ impl Tables {
 
     /// The angle of a cell \[rad\], from the table at `path`.
     pub fn angle(&self, document: &Document, path: &PathBuf, cell: u64) -> Option<f64> {
-        let angle = self.uses.get(path)?.table.as_ref()?.angle(cell)?;
+        let angle = self.uses.get(path)?.table.as_ref()?.value(cell)?;
         Some(angle * document.factor(Dimension::ANGLE))
     }
 }

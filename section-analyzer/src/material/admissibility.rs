@@ -374,6 +374,7 @@ mod tests {
             name: "glass".into(),
             law: ElasticLaw::Orthotropic(GLASS),
             density: 0.0,
+            expansion: None,
         };
         assert_eq!(material.check(), vec![]);
         material.density = -1.0;

@@ -9,7 +9,7 @@
 
 use nalgebra::Matrix6;
 
-/// A material: its name, elastic law and density.
+/// A material: its name, elastic law, density and expansion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
     /// Name, as regions refer to it.
@@ -18,6 +18,9 @@ pub struct Material {
     pub law: ElasticLaw,
     /// Density \[kg/m^3\].
     pub density: f64,
+    /// Coefficients of thermal expansion along the material axes 1, 2, 3; `None` for a
+    /// material that does not expand \[1/K\].
+    pub expansion: Option<[f64; 3]>,
 }
 
 /// A linear elastic law.

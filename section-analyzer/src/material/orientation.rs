@@ -20,14 +20,15 @@
 //! `d_abcd = q_ai q_bj q_ck q_dl c_ijkl`: no transformation matrix of the six
 //! components is written by hand.
 
-use nalgebra::{Matrix3, Matrix6};
+use nalgebra::{Matrix3, Matrix6, Vector6};
 
 /// Tensor index pairs of the order 11 22 33 23 13 12.
 pub(crate) const MATERIAL_ORDER: [(usize, usize); 6] =
     [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
 
 /// Tensor index pairs of the order yz yy zz xx xy xz.
-const SECTION_ORDER: [(usize, usize); 6] = [(1, 2), (1, 1), (2, 2), (0, 0), (0, 1), (0, 2)];
+pub(super) const SECTION_ORDER: [(usize, usize); 6] =
+    [(1, 2), (1, 1), (2, 2), (0, 0), (0, 1), (0, 2)];
 
 type Tensor = [[[[f64; 3]; 3]; 3]; 3];
 
@@ -74,6 +75,27 @@ pub fn section_stiffness(c: &Matrix6<f64>, fiber_angle: f64, plane_angle: f64) -
         tensor[i][j][k][l]
     });
     0.5 * (d + d.transpose())
+}
+
+/// Strain in section axes of a material turned by the two angles of [`material_axes`]:
+/// `eps = Q eps_m Q'` as a tensor \[-\].
+///
+/// `strain` is in material axes, order 11 22 33 23 13 12; the result is in the order
+/// yz yy zz xx xy xz. Engineering shears.
+pub fn section_strain(strain: &Vector6<f64>, fiber_angle: f64, plane_angle: f64) -> Vector6<f64> {
+    let q = material_axes(fiber_angle, plane_angle);
+    let mut tensor = Matrix3::zeros();
+    for (&(i, j), value) in MATERIAL_ORDER.iter().zip(strain.iter()) {
+        let value = if i == j { *value } else { 0.5 * value };
+        tensor[(i, j)] = value;
+        tensor[(j, i)] = value;
+    }
+    let tensor = q * tensor * q.transpose();
+    Vector6::from_fn(|row, _| {
+        let (i, j) = SECTION_ORDER[row];
+        let value = tensor[(i, j)];
+        if i == j { value } else { 2.0 * value }
+    })
 }
 
 /// The fourth-order tensor of a stiffness in the order 11 22 33 23 13 12.

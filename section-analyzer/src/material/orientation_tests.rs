@@ -125,6 +125,36 @@ fn plane_angle_of_a_right_angle_swaps_the_section_axes() {
     }
 }
 
+/// Expansion a1, a2, a3 of a ply at theta in a wall along y: along x and y
+/// a1 cos^2 + a2 sin^2 and a1 sin^2 + a2 cos^2, an engineering shear of
+/// 2 (a1 - a2) sin cos, and a3 through the thickness (Jones 1999, chapter 4).
+#[test]
+fn expansion_of_a_turned_ply_has_its_closed_form() {
+    let (a1, a2, a3) = (-0.5e-6, 28e-6, 31e-6);
+    let (sin, cos) = 0.6_f64.sin_cos();
+    let found = section_strain(&Vector6::new(a1, a2, a3, 0.0, 0.0, 0.0), 0.6, 0.0);
+    let expected = Vector6::new(
+        0.0,
+        a1 * sin * sin + a2 * cos * cos,
+        a3,
+        a1 * cos * cos + a2 * sin * sin,
+        2.0 * (a1 - a2) * sin * cos,
+        0.0,
+    );
+    assert_relative_eq!(found, expected, epsilon = 1e-20);
+}
+
+/// The work of a stress on a strain is the same in both axes, for all six components.
+#[test]
+fn strain_turns_with_the_law() {
+    let mut random = Random(11);
+    let c = anisotropic(&mut random);
+    let strain = Vector6::from_fn(|_, _| random.next());
+    let turned = section_strain(&strain, 0.7, -1.3);
+    let work = turned.dot(&(section_stiffness(&c, 0.7, -1.3) * turned));
+    assert_relative_eq!(work, strain.dot(&(c * strain)), max_relative = 1e-13);
+}
+
 /// An isotropic law does not see the angles.
 #[test]
 fn isotropic_law_is_the_same_in_all_axes() {

@@ -166,6 +166,7 @@ mod tests {
                 name: "steel".into(),
                 law,
                 density: 7850.0,
+                expansion: None,
             }],
             initial_curvature: InitialCurvature::STRAIGHT,
         }

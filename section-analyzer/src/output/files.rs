@@ -135,6 +135,16 @@ impl OutputFiles {
         self.path("constants.csv")
     }
 
+    /// The derivatives of the properties.
+    pub fn sensitivity(&self) -> PathBuf {
+        self.path("sensitivity.json")
+    }
+
+    /// Removes the derivatives of an earlier run, for one that does not ask for them.
+    pub fn remove_sensitivity(&self) {
+        remove([self.sensitivity()]);
+    }
+
     fn path(&self, ending: &str) -> PathBuf {
         self.folder.join(format!("{}.{ending}", self.name))
     }
@@ -148,6 +158,7 @@ impl OutputFiles {
             self.constants(),
             self.warping(),
             self.warping_field(),
+            self.sensitivity(),
             self.warping_table(),
         ]);
     }

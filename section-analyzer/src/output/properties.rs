@@ -2,11 +2,11 @@
 
 use nalgebra::Vector2;
 use shared_geom::section::{
-    Centers, InitialCurvature, PrincipalAxes, Provenance, SectionProperties,
+    Centers, ImposedState, InitialCurvature, PrincipalAxes, Provenance, SectionProperties,
 };
 
 use crate::section::Section;
-use crate::solution::SectionSolution;
+use crate::solution::{ImposedSolution, ImposedSolutions, SectionSolution};
 
 /// What properties are of, and what they were made from.
 #[derive(Debug)]
@@ -25,6 +25,7 @@ pub(super) struct Source<'a> {
 pub fn properties(
     section: &Section,
     solution: &SectionSolution,
+    imposed: &ImposedSolutions,
     input_hash: &str,
 ) -> SectionProperties {
     let source = Source {
@@ -34,7 +35,11 @@ pub fn properties(
         initial_curvature: section.initial_curvature,
         input_hash,
     };
-    properties_of(&source, solution)
+    SectionProperties {
+        thermal_force: imposed.per_kelvin.as_ref().map(|one| one.restrained_force),
+        imposed: imposed.states.iter().map(imposed_state).collect(),
+        ..properties_of(&source, solution)
+    }
 }
 
 /// The properties of `source`.
@@ -62,6 +67,7 @@ pub(super) fn properties_of(source: &Source<'_>, solution: &SectionSolution) -> 
             .then_some(source.initial_curvature),
         piezo: None,
         thermal_force: None,
+        imposed: Vec::new(),
         damping: None,
         prestress: None,
         provenance: Provenance {
@@ -72,5 +78,13 @@ pub(super) fn properties_of(source: &Source<'_>, solution: &SectionSolution) -> 
             cells: source.cells,
             history: Vec::new(),
         },
+    }
+}
+
+fn imposed_state(solved: &ImposedSolution) -> ImposedState {
+    ImposedState {
+        name: solved.state.name.clone(),
+        restrained_force: solved.restrained_force,
+        free_strain: solved.free_strain,
     }
 }

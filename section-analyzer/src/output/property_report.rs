@@ -6,6 +6,7 @@ use shared_geom::section::{self, Change, Damping, Piezo, SectionProperties};
 use shared_geom::wrench::COMPONENTS;
 
 use super::engineering::engineering_values_of;
+use super::imposed::imposed_report;
 use super::parts;
 use super::prestress::prestress_report;
 use super::text::{coordinate, matrix, number, table};
@@ -42,7 +43,7 @@ pub fn property_report(file: &str, properties: &SectionProperties) -> String {
         property_axes(properties),
         parts::couplings(&properties.stiffness),
         properties.piezo.as_ref().map_or_else(String::new, piezo),
-        thermal(properties),
+        imposed_report(properties),
         damping(properties),
         prestress_report(properties, &[]),
     ];
@@ -131,19 +132,6 @@ fn piezo(piezo: &Piezo) -> String {
          Electrodes, charge per length per voltage [F/m]\n{}",
         with_names(&COMPONENTS, electrodes, &piezo.coupling),
         with_names(&names, electrodes, &piezo.capacitance),
-    )
-}
-
-fn thermal(properties: &SectionProperties) -> String {
-    let Some(forces) = &properties.thermal_force else {
-        return String::new();
-    };
-    let rows = COMPONENTS.iter().zip(forces.iter());
-    let rows = rows.map(|(name, force)| vec![(*name).to_owned(), number(*force)]);
-    let rows: Vec<_> = rows.collect();
-    format!(
-        "Thermal force, per kelvin when fully restrained [N/K, N m/K]\n{}",
-        table(&rows, "lr")
     )
 }
 

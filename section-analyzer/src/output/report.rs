@@ -25,14 +25,14 @@ Convention
   SI units: N, m, kg, rad.
 ";
 
-/// The report of an analysis that reached its goal; `prestress` is the part on it, empty
-/// where it was not asked for.
+/// The report of an analysis that reached its goal; `on_request` is the part on
+/// heat and prestress, empty where there is none.
 pub fn report(
     section: &Section,
     summary: &InputSummary,
     solution: &SectionSolution,
     restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
-    prestress: String,
+    on_request: String,
 ) -> String {
     let unknowns = format!("  unknowns  {} of warping\n", solution.unknowns);
     let parts = [
@@ -58,7 +58,7 @@ pub fn report(
         couplings(&solution.stiffness),
         areas(&summary.areas),
         restrained_warping(restrained, solution, &summary.areas),
-        prestress,
+        on_request,
         checks(&solution.checks),
     ];
     joined(&parts)
@@ -142,13 +142,27 @@ fn materials(materials: &[Material]) -> String {
     let entry = |material: &Material| {
         let (kind, constants) = law(&material.law);
         let density = Digits(material.density);
+        let expansion = expansion(material.expansion);
         format!(
-            "  {}: {kind}, {density} kg/m^3\n      {constants}\n",
+            "  {}: {kind}, {density} kg/m^3\n      {constants}\n{expansion}",
             material.name
         )
     };
     let entries: String = materials.iter().map(entry).collect();
     format!("Materials\n{entries}")
+}
+
+/// The line of the expansion of a material, if it expands.
+fn expansion(coefficients: Option<[f64; 3]>) -> String {
+    let line = |[a1, a2, a3]: [f64; 3]| {
+        let shown = [a1, a2, a3].map(|a| Digits(a).to_string());
+        let shown = match a1 == a2 && a2 == a3 {
+            true => shown[0].clone(),
+            false => shown.join(", "),
+        };
+        format!("      expansion {shown} 1/K\n")
+    };
+    coefficients.map_or_else(String::new, line)
 }
 
 /// Kind and constants of a law.

@@ -43,6 +43,7 @@ pub(super) fn section(mesh: &Mesh, name: &str, halves: bool) -> Section {
                 poisson: 0.3,
             },
             density: 2700.0,
+            expansion: None,
         }],
         mesh,
         initial_curvature: InitialCurvature::STRAIGHT,
@@ -119,6 +120,7 @@ pub(super) fn recovery(
         load: LoadCase {
             name: name.into(),
             force,
+            imposed: Vec::new(),
         },
         generalized_strain: Vector6::zeros(),
         points: Vec::new(),

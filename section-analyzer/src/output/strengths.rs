@@ -86,6 +86,7 @@ mod tests {
                 poisson: 0.0,
             },
             density: 1.0,
+            expansion: None,
         };
         let ply = DirectionalLimits {
             tension: [1500e6, 50e6, 40e6],

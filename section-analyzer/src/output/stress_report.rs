@@ -59,12 +59,26 @@ fn load(recovery: &Recovery, size: f64) -> String {
         ]);
     }
     format!(
-        "Internal force about the reference point [N, N m] and generalized strain [-, 1/m]\n{}  \
+        "Internal force about the reference point [N, N m] and generalized strain [-, 1/m]\n{}{}  \
          (the resultants of the stresses differ from the load by {:.1e} of {})\n",
         table(&rows, "lr"),
+        acting_with(recovery),
         recovery.resultant_error,
-        if has_force { "it" } else { "their size" }
+        match (recovery.load.imposed.is_empty(), has_force) {
+            (true, true) => "it",
+            (true, false) => "their size",
+            (false, _) => "it or of the imposed stresses",
+        },
     )
+}
+
+/// The imposed states of the load, if it has any.
+fn acting_with(recovery: &Recovery) -> String {
+    let states = &recovery.load.imposed;
+    match states.is_empty() {
+        true => String::new(),
+        false => format!("  under the imposed strains of {}\n", states.join(", ")),
+    }
 }
 
 /// What is zero beside the largest component, shown as zero; the last three times

@@ -22,6 +22,7 @@ fn section(mesh: &Mesh, is_second: impl Fn([f64; 2]) -> bool) -> Section {
             poisson: 0.3,
         },
         density,
+        expansion: None,
     };
     mesh.groups = vec!["first".into(), "second".into()];
     let middles: Vec<_> = mesh.cells.iter().map(|cell| mesh.middle(cell)).collect();

@@ -64,7 +64,7 @@ pub enum Part {
     Curvature,
     /// Coupling and capacitance of electrodes.
     Piezo,
-    /// The thermal force.
+    /// The thermal force, and those of imposed states.
     Thermal,
     /// The effect of prestress.
     Prestress,

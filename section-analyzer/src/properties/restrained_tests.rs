@@ -26,6 +26,7 @@ fn an_anisotropic_material_is_named_and_an_unused_one_is_not() {
         name: "ply".into(),
         law: ElasticLaw::Orthotropic(PLY),
         density: 1.0,
+        expansion: None,
     });
     assert!(restrained(&section).is_ok());
     section.cells[3].material = 1;
@@ -74,6 +75,7 @@ fn two_moduli_have_a_stiffness_but_no_constant() {
             poisson: 0.3,
         },
         density: 1.0,
+        expansion: None,
     });
     for cell in section.cells.iter_mut().skip(9) {
         cell.material = 1;
@@ -107,6 +109,7 @@ fn torsion_of_isotropic_materials_shears_only() {
             poisson: 0.45,
         },
         density: 1.0,
+        expansion: None,
     });
     for cell in section.cells.iter_mut().skip(9) {
         cell.material = 1;

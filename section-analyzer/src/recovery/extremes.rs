@@ -182,6 +182,7 @@ mod tests {
         let load = LoadCase {
             name: "load".into(),
             force: Vector6::new(1.0, 2.0, -1.0, 0.5, 0.3, -0.2),
+            imposed: Vec::new(),
         };
         let recovery = recover(&section, &analyze(&section).unwrap(), &load).unwrap();
         let [region] = &region_stresses(&section, &recovery)[..] else {

@@ -27,6 +27,7 @@ pub use batch::StressBlock;
 
 use super::axes::{strain_in_axes, stress_in_axes};
 use super::extrapolate::Extrapolation;
+use super::imposed::Imposed;
 use super::locate::{Located, locate};
 use super::resultant::{centroid_and_size, resultant, resultant_error};
 use super::state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};
@@ -34,7 +35,7 @@ use crate::element::{CellPoint, Line, NO_COLUMNS, NodalColumns, cell_points, str
 use crate::failure::Failure;
 use crate::material::{material_axes, section_stiffness};
 use crate::section::Section;
-use crate::solution::{DistributedState, SectionSolution};
+use crate::solution::{DistributedState, ImposedSolution, SectionSolution};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
@@ -52,6 +53,8 @@ const USUAL_ORDER: [usize; 6] = [3, 1, 2, 0, 5, 4];
 pub struct Recoverer<'a> {
     section: &'a Section,
     solution: &'a SectionSolution,
+    /// Solutions of the imposed states that loads may name.
+    imposed: &'a [ImposedSolution],
     /// Area centroid \[m\].
     center: [f64; 2],
     /// Largest distance of a node from it \[m\].
@@ -110,6 +113,7 @@ impl<'a> Recoverer<'a> {
             equilibrium: line.equilibrium(),
             section,
             solution,
+            imposed: &[],
             center,
             size,
             laws,
@@ -124,10 +128,18 @@ impl<'a> Recoverer<'a> {
         recoverer
     }
 
-    /// Strain and stress under `load`.
+    /// The same for loads under imposed states, whose solutions are given: the section's
+    /// own.
+    pub fn with_imposed(self, imposed: &'a [ImposedSolution]) -> Self {
+        Self { imposed, ..self }
+    }
+
+    /// Strain and stress under `load`. The strain is what stresses the material: without
+    /// the free strain of imposed states.
     ///
     /// # Errors
-    /// [`Failure::Resultant`] when the recovered stress does not add up to the load.
+    /// [`Failure::Resultant`] when the recovered stress does not add up to the load;
+    /// [`Failure::UnknownState`] for an imposed state whose solution was not given.
     pub fn recover(&self, load: &LoadCase) -> Result<Recovery, Failure> {
         self.recovered(load, None)
     }
@@ -151,6 +163,7 @@ impl<'a> Recoverer<'a> {
         added: Option<&DistributedState>,
     ) -> Result<Recovery, Failure> {
         let theta = self.about_center(load);
+        let imposed = Imposed::of_load(self.section, self.imposed, load)?;
         let mut points = Vec::with_capacity(self.cells.iter().map(|c| c.points.len()).sum());
         let mut cells = Vec::with_capacity(self.cells.len());
         let mut sums = vec![(Tensors::default(), 0.0); self.nodes.len()];
@@ -166,6 +179,9 @@ impl<'a> Recoverer<'a> {
                     tensors: self.tensors(cell, &(unit * theta + more(point))),
                 }),
             );
+            if let Some(imposed) = &imposed {
+                self.add_imposed(imposed, cell, &mut points[first..]);
+            }
             let of_cell = &points[first..];
             let (mean, area) = mean_of(of_cell);
             for (weights, &node) in grid.extrapolation.rows().zip(&self.cell_nodes[cell]) {
@@ -178,13 +194,18 @@ impl<'a> Recoverer<'a> {
             cells.push(mean);
         }
         let about_center = resultant(&points, self.center);
-        let least = added.map_or(0.0, |state| self.size_of(state, &points));
+        let held = imposed
+            .as_ref()
+            .map_or(0.0, |imposed| self.held(imposed, &points));
+        let least = held + added.map_or(0.0, |state| self.size_of(state, &points));
         let error = resultant_error(&about_center, &theta, self.size, least);
         self.require(load, error)?;
         let added = added.map_or(Vector6::zeros(), |state| state.strain);
         Ok(Recovery {
             load: load.clone(),
-            generalized_strain: self.solution.strain * load.force + added,
+            generalized_strain: self.solution.strain * load.force
+                + imposed.map_or_else(Vector6::zeros, |imposed| imposed.strain)
+                + added,
             nodes: self.nodal_states(&sums),
             points,
             cells,
@@ -198,7 +219,8 @@ impl<'a> Recoverer<'a> {
     /// cell that holds it (the first of several on a common side); `None` outside the
     /// section.
     ///
-    /// It is the strain of the cell's own displacement there, without smoothing.
+    /// It is the strain of the cell's own displacement there, without smoothing. Imposed
+    /// states whose solution was not given are left out.
     pub fn at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, Tensors)> {
         self.tensors_at(load, None, place)
     }
@@ -223,10 +245,43 @@ impl<'a> Recoverer<'a> {
         let kind = self.section.mesh.cells[cell].kind;
         let point = CellPoint::at(kind, &self.places(cell), r, s, 1.0);
         let mut strain = self.unit_strain(cell, &point) * self.about_center(load);
+        let imposed = Imposed::of_load(self.section, self.imposed, load);
+        if let Some(imposed) = imposed.ok().flatten() {
+            strain += self.imposed_strain(&imposed, cell, &point);
+        }
         if let Some(state) = added {
             strain += self.added_strain(cell, state, &point);
         }
         Some((cell, self.tensors(cell, &strain)))
+    }
+
+    /// Adds what imposed states strain and stress at the points of a cell.
+    fn add_imposed(&self, imposed: &Imposed, cell: usize, points: &mut [PointState]) {
+        let kind = self.section.mesh.cells[cell].kind;
+        let places = self.places(cell);
+        for (state, point) in points.iter_mut().zip(cell_points(kind, &places)) {
+            let strain = self.imposed_strain(imposed, cell, &point);
+            state.tensors.add(1.0, &self.tensors(cell, &strain));
+        }
+    }
+
+    /// What imposed states strain at a point of a cell, about the centroid.
+    fn imposed_strain(&self, imposed: &Imposed, cell: usize, point: &CellPoint) -> Vector6<f64> {
+        let back = wrench::shift_matrix(&-self.offset());
+        let strain = back.transpose() * imposed.strain;
+        let place = [point.y + self.center[0], point.z + self.center[1]];
+        imposed.strain_at(self.section, cell, (&self.line, point, place), &strain)
+    }
+
+    /// The force that the imposed stresses would have if all of them pulled the same way
+    /// \[N\]: what their resultant is measured beside.
+    fn held(&self, imposed: &Imposed, points: &[PointState]) -> f64 {
+        let of_point = |point: &PointState| {
+            let strain = imposed.free_strain(self.section, point.cell, point.place);
+            let law = &self.laws[self.law_of_cell[point.cell]];
+            point.area * (law.stiffness * strain).amax()
+        };
+        points.iter().map(of_point).sum()
     }
 
     pub(super) fn section(&self) -> &Section {

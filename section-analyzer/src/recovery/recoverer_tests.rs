@@ -7,6 +7,7 @@ fn load(force: [f64; 6]) -> LoadCase {
     LoadCase {
         name: "load".into(),
         force: Vector6::from(force),
+        imposed: Vec::new(),
     }
 }
 

@@ -45,7 +45,7 @@ pub(super) fn face_stress(points: &[PointState]) -> f64 {
 
 /// Error of the internal force `found` beside `expected`, both about the centroid;
 /// `size` is l \[m\]. It is relative to what is expected, or to the force `least` \[N\]
-/// where that is larger.
+/// where that is larger: what imposed states and loads along the beam hold in balance.
 pub(super) fn resultant_error(
     found: &Vector6<f64>,
     expected: &Vector6<f64>,

@@ -3,7 +3,7 @@
 use nalgebra::{Vector3, Vector6};
 use shared_geom::wrench;
 
-/// A named internal force.
+/// A named internal force, alone or together with imposed states.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCase {
     /// Name, as the input gives it.
@@ -11,6 +11,8 @@ pub struct LoadCase {
     /// Internal force about the reference point, the origin of the mesh, order of
     /// [`shared_geom::wrench::COMPONENTS`] \[N, N m\].
     pub force: Vector6<f64>,
+    /// Names of the imposed states that act with it.
+    pub imposed: Vec<String>,
 }
 
 impl LoadCase {
@@ -20,11 +22,13 @@ impl LoadCase {
         Self {
             name: name.into(),
             force: wrench::shift_matrix(&-Vector3::new(0.0, y, z)) * force,
+            imposed: Vec::new(),
         }
     }
 }
 
-/// Strain and stress at one place, in both systems of axes.
+/// Strain and stress at one place, in both systems of axes. The strain is that of the
+/// stress: free strains of imposed states are not part of it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tensors {
     /// Strain in section axes, order xx yy zz yz xz xy \[-\].

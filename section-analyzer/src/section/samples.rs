@@ -98,6 +98,7 @@ fn of_cells(mesh: SectionMesh, law: ElasticLaw) -> Section {
         name: "material".into(),
         law,
         density: 2.0,
+        expansion: None,
     };
     let cell = |index: usize| CellMaterial {
         material: 0,

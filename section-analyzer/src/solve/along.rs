@@ -34,17 +34,17 @@ use nalgebra::{Complex, DMatrix, DMatrixView, Matrix6, Matrix6xX, Vector3};
 #[derive(Debug)]
 pub struct CentralSystems {
     steady: CentralSystem<f64>,
-    wave: Option<Wave>,
+    pub(super) wave: Option<Wave>,
 }
 
 /// The system of lambda = i w, and the basis that goes with it.
 #[derive(Debug)]
-struct Wave {
-    system: CentralSystem<Complex<f64>>,
+pub(super) struct Wave {
+    pub system: CentralSystem<Complex<f64>>,
     /// v0.
-    axis: Vector3<f64>,
+    pub axis: Vector3<f64>,
     /// v.
-    turning: Vector3<Complex<f64>>,
+    pub turning: Vector3<Complex<f64>>,
 }
 
 /// Why there are no systems.

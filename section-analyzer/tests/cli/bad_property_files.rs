@@ -34,8 +34,8 @@ fn files_that_are_no_property_files_are_refused_by_all_commands() {
         ),
         ("", "error: b.json:1: not a property file: EOF"),
         (
-            &good.replace("\"version\": 1", "\"version\": 3"),
-            "error: b.json:3: written in version 3 of the property-file format, expected at most 2",
+            &good.replace("\"version\": 1", "\"version\": 4"),
+            "error: b.json:3: written in version 4 of the property-file format, expected at most 3",
         ),
         (
             &good.replace("helicoid section properties", "something else"),

@@ -44,6 +44,23 @@ pub enum PropertyProblem {
         /// The field.
         field: &'static str,
     },
+    /// Two imposed states of one name.
+    #[error("two imposed states are called \"{name}\", expected one of this name")]
+    ImposedTwice {
+        /// The name.
+        name: String,
+    },
+    /// A restrained force that is not that of the free strain.
+    #[error(
+        "imposed state \"{name}\": \"restrained_force\" is not minus the stiffness times \
+         \"free_strain\" (off by {error:.1e} of it)"
+    )]
+    ImposedForce {
+        /// Name of the state.
+        name: String,
+        /// Relative difference [-].
+        error: f64,
+    },
     /// A list or matrix of another size.
     #[error("{field} is {found}, expected {expected}")]
     Size {
@@ -157,6 +174,7 @@ impl SectionProperties {
         stiffness(&self.stiffness, &mut found);
         mass(&self.mass, &mut found);
         scalars(self, &mut found);
+        imposed(self, &mut found);
         slope(self, &mut found);
         piezo(self, &mut found);
         damping(self, &mut found);
@@ -284,6 +302,45 @@ fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
             found.push(("prestress", PropertyProblem::CurvedPrestress));
         }
     }
+}
+
+/// Names of their own, finite numbers, and forces that are those of the strains.
+fn imposed(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
+    let field = "imposed";
+    let root = section.stiffness.diagonal().map(f64::sqrt);
+    for (i, state) in section.imposed.iter().enumerate() {
+        let name = || state.name.clone();
+        if section.imposed[..i]
+            .iter()
+            .any(|one| one.name == state.name)
+        {
+            found.push((field, PropertyProblem::ImposedTwice { name: name() }));
+        }
+        let (force, strain) = (&state.restrained_force, &state.free_strain);
+        if !force.iter().chain(strain).all(|value| value.is_finite()) {
+            found.push((field, PropertyProblem::NotFinite { field }));
+            continue;
+        }
+        // beside the largest force of the strain, in terms of the stiffness
+        let scale = largest(
+            strain.component_mul(&root).amax(),
+            force.component_div(&root).amax(),
+        );
+        let difference = force + section.stiffness * strain;
+        let worst = difference.component_div(&root).amax();
+        if worst > SYMMETRY * scale {
+            let error = worst / scale;
+            let problem = PropertyProblem::ImposedForce {
+                name: name(),
+                error,
+            };
+            found.push((field, problem));
+        }
+    }
+}
+
+fn largest(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// A reference line that leads into the section, or along it.

@@ -97,7 +97,7 @@ impl SectionProperties {
     /// ```
     ///
     /// Viscous damping goes with the stiffness, the capacitance of electrodes with the
-    /// mass; forces per kelvin and per volt stay.
+    /// mass, free strains with psi; forces per kelvin, per volt and of imposed states stay.
     pub fn per_arc_length(&self) -> Self {
         let Some(initial) = &self.initial_curvature else {
             return self.clone();
@@ -115,6 +115,9 @@ impl SectionProperties {
         }
         if let Some(piezo) = &mut result.piezo {
             piezo.capacitance /= c;
+        }
+        for state in &mut result.imposed {
+            state.free_strain /= c;
         }
         result.prestress = self.with_third(|third| third.times(c * c));
         for stiffness in &mut result.principal_axes.bending_stiffness {

@@ -70,6 +70,7 @@ impl Engineering {
             initial_curvature: None,
             piezo: None,
             thermal_force: None,
+            imposed: Vec::new(),
             damping: None,
             prestress: None,
             provenance,

@@ -6,8 +6,8 @@ use nalgebra::{DMatrix, Matrix6, Vector2, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Centers, Change, Damping, InitialCurvature, Piezo, Prestress, PrincipalAxes, PropertyProblem,
-    Provenance, SectionProperties, Step, json,
+    Centers, Change, Damping, ImposedState, InitialCurvature, Piezo, Prestress, PrincipalAxes,
+    PropertyProblem, Provenance, SectionProperties, Step, json,
 };
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
@@ -18,13 +18,16 @@ use prestress::FilePrestress;
 
 /// Latest version of the file format that this program reads.
 ///
-/// Version 2 adds the history of the provenance, version 3 the effect of prestress. A file
-/// without them is written as version 1 or 2, which older programs read.
+/// Version 2 adds the history of the provenance, version 3 the effect of prestress and
+/// imposed states. A file is written in the first version that has all its fields, which
+/// older programs read.
 pub const VERSION: u64 = 3;
 /// The version without prestress.
 const WITHOUT_PRESTRESS: u64 = 2;
 /// The version without the history.
 const WITHOUT_HISTORY: u64 = 1;
+/// The last version without imposed states.
+const WITHOUT_IMPOSED: u64 = 2;
 const FORMAT: &str = "helicoid section properties";
 const CONVENTION: &str = "x along the beam, y and z in the section; components: axial, \
     shear y, shear z, torsion, bending y, bending z; at the reference point";
@@ -50,6 +53,8 @@ struct File {
     piezo: Option<FilePiezo>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     thermal_force: Option<[f64; 6]>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    imposed: Vec<FileImposed>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     damping: Option<FileDamping>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -87,6 +92,14 @@ struct FilePiezo {
     electrodes: Vec<String>,
     coupling: Vec<Vec<f64>>,
     capacitance: Vec<Vec<f64>>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FileImposed {
+    name: String,
+    restrained_force: [f64; 6],
+    free_strain: [f64; 6],
 }
 
 #[expect(
@@ -204,17 +217,24 @@ fn place_of(field: &str, text: &str, file: &str) -> Place {
     }
 }
 
+/// The first version that has all fields of `section`.
+fn least_version(section: &SectionProperties) -> u64 {
+    let needed = [
+        (!section.imposed.is_empty(), WITHOUT_IMPOSED + 1),
+        (section.prestress.is_some(), WITHOUT_PRESTRESS + 1),
+        (!section.provenance.history.is_empty(), WITHOUT_HISTORY + 1),
+    ];
+    let needed = needed.into_iter().filter(|(is_there, _)| *is_there);
+    needed.map(|(_, version)| version).max().unwrap_or(1)
+}
+
 impl From<&SectionProperties> for File {
     fn from(section: &SectionProperties) -> Self {
         let axes = &section.principal_axes;
         let source = &section.provenance;
         Self {
             format: FORMAT.to_owned(),
-            version: match (section.prestress, &source.history[..]) {
-                (Some(_), _) => VERSION,
-                (None, []) => WITHOUT_HISTORY,
-                (None, _) => WITHOUT_PRESTRESS,
-            },
+            version: least_version(section),
             name: section.name.clone(),
             units: "SI".to_owned(),
             convention: CONVENTION.to_owned(),
@@ -242,6 +262,7 @@ impl From<&SectionProperties> for File {
                 capacitance: lists(&piezo.capacitance),
             }),
             thermal_force: section.thermal_force.map(Into::into),
+            imposed: section.imposed.iter().map(FileImposed::from).collect(),
             damping: section.damping.map(|damping| match damping {
                 Damping::StiffnessProportional(time) => FileDamping::StiffnessProportional(time),
                 Damping::Viscous(matrix) => FileDamping::Viscous(rows(&matrix)),
@@ -253,6 +274,23 @@ impl From<&SectionProperties> for File {
 }
 
 impl File {
+    /// The imposed states, which a file of an earlier version does not have: noted.
+    fn imposed(&self, text: &str, file: &str, problems: &mut Diagnostics) -> Vec<ImposedState> {
+        if self.version <= WITHOUT_IMPOSED && !self.imposed.is_empty() {
+            let version = self.version;
+            let reason =
+                format!("\"imposed\" belongs to version 3, and the file says version {version}");
+            let problem = PropertyProblem::Malformed { reason };
+            problems.push(place_of("imposed", text, file), &problem);
+        }
+        let state = |state: &FileImposed| ImposedState {
+            name: state.name.clone(),
+            restrained_force: Vector6::from(state.restrained_force),
+            free_strain: Vector6::from(state.free_strain),
+        };
+        self.imposed.iter().map(state).collect()
+    }
+
     /// The history; one that cannot be is noted and left out.
     fn history(&self, text: &str, file: &str, problems: &mut Diagnostics) -> Vec<Step> {
         let steps = &self.provenance.history;
@@ -290,6 +328,7 @@ impl File {
     /// The content; ragged matrices are noted and left empty.
     fn section(self, text: &str, file: &str, problems: &mut Diagnostics) -> SectionProperties {
         let history = self.history(text, file, problems);
+        let imposed = self.imposed(text, file, problems);
         let prestress = self.prestress(text, file, problems);
         let mut matrix = |field, rows: &[Vec<f64>]| {
             matrix_of(rows).unwrap_or_else(|| {
@@ -331,6 +370,7 @@ impl File {
             }),
             piezo,
             thermal_force: self.thermal_force.map(Vector6::from),
+            imposed,
             damping: self.damping.map(|damping| match damping {
                 FileDamping::StiffnessProportional(time) => Damping::StiffnessProportional(time),
                 FileDamping::Viscous(matrix) => Damping::Viscous(matrix6(&matrix)),
@@ -340,6 +380,16 @@ impl File {
                 history,
                 ..self.provenance.without_history()
             },
+        }
+    }
+}
+
+impl From<&ImposedState> for FileImposed {
+    fn from(state: &ImposedState) -> Self {
+        Self {
+            name: state.name.clone(),
+            restrained_force: state.restrained_force.into(),
+            free_strain: state.free_strain.into(),
         }
     }
 }

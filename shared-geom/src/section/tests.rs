@@ -35,6 +35,7 @@ pub(super) fn section() -> SectionProperties {
             capacitance: DMatrix::from_row_slice(2, 2, &[2e-9, -1e-9, -1e-9, 2e-9]),
         }),
         thermal_force: Some(Vector6::new(100.0, 0.0, 0.0, 0.1, 0.2, 1.0 / 3.0)),
+        imposed: Vec::new(),
         damping: Some(Damping::Viscous(1e-3 * stiffness)),
         prestress: None,
         provenance: Provenance {
@@ -84,6 +85,77 @@ fn a_newer_version_is_refused_with_the_remedy() {
         shown,
         "error: a.json:3: written in version 4 of the property-file format, expected at most 3\n  \
          help: use a newer version of this program"
+    );
+}
+
+/// The section with one imposed state, sound.
+fn with_imposed() -> SectionProperties {
+    let mut section = section();
+    let free_strain = Vector6::new(1e-3, -2e-4, 1e-4, 0.02, -0.3, 0.1);
+    section.imposed = vec![ImposedState {
+        name: "hot".to_owned(),
+        restrained_force: -(section.stiffness * free_strain),
+        free_strain,
+    }];
+    section
+}
+
+/// A file with imposed states is of version 3, and one of an earlier version has none.
+#[test]
+fn imposed_states_are_kept_in_version_three() {
+    let section = with_imposed();
+    let text = write(&section);
+    assert!(text.contains("\n  \"version\": 3,\n"), "{text}");
+    assert_eq!(parse(&text, "a.json").unwrap(), section);
+    let earlier = text.replace("\"version\": 3", "\"version\": 2");
+    let told = parse(&earlier, "a.json").unwrap_err().to_string();
+    let expected = "\"imposed\" belongs to version 3, and the file says version 2";
+    assert!(told.contains(expected), "{told}");
+}
+
+/// Force and strain of a state are those of each other about every point and in all axes:
+/// `theta = -K psi` and the work `theta . psi` stay, to round-off.
+#[test]
+fn imposed_states_move_with_point_and_axes() {
+    let section = with_imposed();
+    let work = |section: &SectionProperties| {
+        let state = &section.imposed[0];
+        let force = -(section.stiffness * state.free_strain);
+        let scale = force.amax();
+        assert!((force - state.restrained_force).amax() < 1e-12 * scale);
+        assert_eq!(section.problems(), []);
+        state.restrained_force.dot(&state.free_strain)
+    };
+    let before = work(&section);
+    let moved = section.shift(Vector2::new(0.3, -0.4)).rotate(0.7);
+    assert!((work(&moved) / before - 1.0).abs() < 1e-12);
+    // a bent beam is longer where it bends away: nu_x of the point moved by d is
+    // nu_x + z kappa_y - y kappa_z
+    let moved = section.shift(Vector2::new(0.3, -0.4));
+    let axial = 1e-3 - 0.4 * -0.3 - 0.3 * 0.1;
+    assert!((moved.imposed[0].free_strain[0] - axial).abs() < 1e-15);
+}
+
+#[test]
+fn imposed_states_that_contradict_are_told() {
+    let mut section = with_imposed();
+    section.imposed.push(section.imposed[0].clone());
+    section.imposed[1].free_strain[0] *= 1.01;
+    let told: Vec<_> = section.problems().iter().map(|p| p.to_string()).collect();
+    assert_eq!(told.len(), 2, "{told:?}");
+    assert_eq!(
+        told[0],
+        "two imposed states are called \"hot\", expected one of this name"
+    );
+    assert!(told[1].starts_with(
+        "imposed state \"hot\": \"restrained_force\" is not minus the stiffness times"
+    ));
+    section.imposed[0].restrained_force[2] = f64::NAN;
+    assert!(
+        section
+            .problems()
+            .iter()
+            .any(|p| p.to_string().contains("not finite"))
     );
 }
 

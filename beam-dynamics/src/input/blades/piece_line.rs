@@ -129,6 +129,7 @@ mod tests {
             mass: Matrix6::identity(),
             damping: None,
             law: None,
+            heat: crate::input::heat::Heat::default(),
             prestress: None,
             curved: None,
         };

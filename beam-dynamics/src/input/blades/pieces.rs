@@ -9,6 +9,7 @@ use super::seats::shallow;
 use crate::input::along::Along;
 use crate::input::curved;
 use crate::input::draft::Draft;
+use crate::input::heat;
 use crate::input::problem::InputProblem;
 use crate::input::properties::Properties;
 
@@ -77,6 +78,11 @@ fn pieces(
         .map(|(number, table)| {
             let words = format!("{words}, piece {}", number + 1);
             let properties = piece_properties(table, draft, &words, default);
+            // What the piece says takes the place of what the blade says.
+            let properties = match heat::is_given(table) {
+                true => heat::read(table, properties, draft.drives(), &words),
+                false => heat::read(blade, properties, draft.drives(), &words),
+            };
             let piece = piece(table);
             table.finish();
             let pair = piece.as_ref().zip(properties.as_ref());

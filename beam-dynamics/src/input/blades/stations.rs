@@ -26,6 +26,7 @@ use crate::elements::beams::ElasticBeam;
 use crate::input::along::Along;
 use crate::input::damping;
 use crate::input::draft::Draft;
+use crate::input::heat;
 use crate::input::problem::InputProblem;
 
 /// Elements of one blade: more are a slip of the pen.
@@ -61,6 +62,8 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
         false => Some(None),
     };
     let damping = damping::read(table);
+    let words = "blade from a file".to_owned();
+    heat::refuse_without_properties(table, &words);
     let written = table.text("file")?;
     let document = table.document();
     let path = table.existing("file", &written)?;

@@ -47,7 +47,7 @@ const fn dimension(length: i8, mass: i8, time: i8) -> Dimension {
         length,
         mass,
         time,
-        angle: 0,
+        ..Dimension::NUMBER
     }
 }
 

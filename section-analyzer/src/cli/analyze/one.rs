@@ -7,16 +7,17 @@ use shared_geom::files::OutputProblem;
 use shared_geom::hash::sha256_of;
 use shared_geom::section::{self, SectionProperties};
 
+use super::sensitivity::{Sensitivities, analyzed, parameters};
 use super::{Job, Run};
 use crate::cli::figures::draw_section;
-use crate::cli::solved::{Solved, solve as solve_section};
+use crate::cli::solved::Solved;
 use crate::cli::stress::Stresses;
 use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
     AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv, end_effects,
-    failure_report, prestress_report, properties, report, warping_vtu,
+    failure_report, imposed_report, prestress_report, properties, report, warping_vtu,
 };
 use crate::properties::{RestrainedWarping, prestress};
 use crate::solution::SectionSolution;
@@ -114,12 +115,29 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
         Ok(files) => files,
         Err(problem) => return Outcome::wrong_input(words(&problem)),
     };
+    let parameters = match parameters(&input, run) {
+        Ok(parameters) => parameters,
+        Err(problems) => return Outcome::wrong_input(problems),
+    };
     let made_from = made_from(&input, run);
     let unchanged = match &made_from {
         Some(made_from) if !run.force => unchanged(&files, made_from),
         _ => None,
     };
-    let outcome = unchanged.unwrap_or_else(|| solve(job, &input, files, made_from.as_deref()));
+    let solve = || {
+        let results = ResultWriter::new(files);
+        match analyzed(&input, parameters) {
+            Ok((found, derivatives)) => solved(
+                job,
+                &input,
+                (&found, &derivatives),
+                results,
+                made_from.as_deref(),
+            ),
+            Err(failure) => failed(job, &input, &failure, results),
+        }
+    };
+    let outcome = unchanged.unwrap_or_else(solve);
     Outcome {
         nodes: Some(input.section.mesh.nodes.len()),
         warnings: input.summary.warnings.len(),
@@ -131,7 +149,10 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
 /// program. Options that change results belong here too.
 fn made_from(input: &Input, run: &Run) -> Option<String> {
     let program = run.program.as_ref()?;
-    let parts = [input.summary.input_hash.as_bytes(), program.as_bytes()];
+    let mut parts = vec![input.summary.input_hash.as_bytes(), program.as_bytes()];
+    let asked = run.sensitivity.as_ref();
+    let asked = asked.map(|nodes| format!("sensitivity {nodes:?}"));
+    parts.extend(asked.as_ref().map(|asked| asked.as_bytes()));
     Some(sha256_of(&parts))
 }
 
@@ -150,19 +171,10 @@ fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
     })
 }
 
-/// Solves the section and writes what there is.
-fn solve(job: &Job, input: &Input, files: OutputFiles, made_from: Option<&str>) -> Outcome {
-    let results = ResultWriter::new(files);
-    match solve_section(input, true) {
-        Ok(found) => solved(job, input, &found, results, made_from),
-        Err(failure) => failed(job, input, &failure, results),
-    }
-}
-
 fn solved(
     job: &Job,
     input: &Input,
-    found: &Solved,
+    (found, derivatives): (&Solved, &Sensitivities),
     mut results: ResultWriter,
     made_from: Option<&str>,
 ) -> Outcome {
@@ -170,7 +182,7 @@ fn solved(
         section, summary, ..
     } = input;
     let solution = &found.solution;
-    let mut properties = properties(section, solution, &summary.input_hash);
+    let mut properties = properties(section, solution, &found.imposed, &summary.input_hash);
     let mut prestress_part = String::new();
     if let Some(measure) = input.prestress {
         match prestress(section, &solution.warping, &solution.strain, measure) {
@@ -180,7 +192,9 @@ fn solved(
         prestress_part += &prestress_report(&properties, &input.loads);
     }
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let mut report = report(section, summary, solution, &restrained, prestress_part);
+    let on_request = imposed_report(&properties) + &prestress_part;
+    let mut report = report(section, summary, solution, &restrained, on_request)
+        + &derivatives.table(section, solution);
     if let Some(found) = &found.end_effects {
         report = report + "\n" + &end_effects(found);
     }
@@ -189,6 +203,7 @@ fn solved(
         .text(results.files().properties(), &section::write(&properties))
         .and_then(|()| results.text(results.files().report(), &report))
         .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
+        .and_then(|()| derivatives.write(input, &mut results))
         .and_then(|()| write_figures(input, solution, &mut results))
         .and_then(|()| stresses.write(input, found, &mut results));
 

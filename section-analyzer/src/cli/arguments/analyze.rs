@@ -18,6 +18,7 @@ once, solves, prints the report, and writes into the folder DIR:
   NAME.fibers.png        wall directions and fiber angles, if a material has directions
   NAME.warping.png       the warping under each unit internal force
   NAME.warping.vtu       the same as fields on the mesh, for ParaView
+  NAME.sensitivity.json  with --sensitivity: derivatives of stiffness, mass and centers
   NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE
   NAME.analysis.json     what the files above were made from
 where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
@@ -34,6 +35,7 @@ pub(super) const ANALYZE_EXAMPLE: &str = "\
 Examples:
   section-analyzer analyze blade/root.section.toml --out blade/results
   section-analyzer analyze blade/*.section.toml --threads 2
+  section-analyzer analyze box.section.toml --sensitivity --sensitivity-nodes 12,40
 
 The exit code of several sections is 2 if the input of any is wrong, else 1 if any
 could not be solved or written, else 0.";
@@ -59,4 +61,17 @@ pub(in crate::cli) struct AnalyzeArguments {
     /// Solve sections even if nothing has changed since the last run
     #[arg(long)]
     pub force: bool,
+    /// Derivatives of stiffness, mass and centers with respect to every constant of the
+    /// materials and the fiber and plane angle of every region
+    #[arg(long)]
+    pub sensitivity: bool,
+    /// Nodes whose y and z are parameters of --sensitivity too, by their numbers in the
+    /// mesh file, with commas between them
+    #[arg(
+        long,
+        value_name = "NODES",
+        value_delimiter = ',',
+        requires = "sensitivity"
+    )]
+    pub sensitivity_nodes: Vec<u64>,
 }

@@ -3,8 +3,10 @@
 use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
-use super::distributed::{END_EFFECTS, TRACTIONS, VOLUMES};
+use super::distributed::END_EFFECTS;
+use super::imposed::{EXPANSION, INITIAL_STRAIN, TEMPERATURE};
 use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
+use super::loads::LOAD;
 use super::{Family, KeySchema, Need, TableSchema, ValueKind};
 
 use Need::{Default, Optional, Required};
@@ -88,11 +90,25 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             "The undeformed beam where it is curved or twisted.",
         ),
         key(
+            "temperature",
+            &[ValueKind::NamedTables(&TEMPERATURE)],
+            Optional,
+            "",
+            "Rises of temperature, by name.",
+        ),
+        key(
+            "initial_strain",
+            &[ValueKind::NamedTables(&INITIAL_STRAIN)],
+            Optional,
+            "",
+            "Initial strains, by name.",
+        ),
+        key(
             "load",
             &[ValueKind::NamedTables(&LOAD)],
             Optional,
             "",
-            "Internal forces and loads along the beam for which stresses are recovered, by name.",
+            "Internal forces, imposed states and loads along the beam for which stresses are recovered, by name.",
         ),
         END_EFFECTS,
         key(
@@ -176,6 +192,13 @@ const UNITS: TableSchema = TableSchema {
             "\"rpm\"",
             "Unit of speeds of rotation.",
         ),
+        key(
+            "temperature",
+            &[ValueKind::Unit(Dimension::TEMPERATURE)],
+            Default("\"K\""),
+            "\"degF\"",
+            "Unit of rises of temperature, which are differences.",
+        ),
     ],
     families: &[],
 };
@@ -188,13 +211,16 @@ const fn limit(name: &'static str, kinds: &'static [ValueKind]) -> KeySchema {
 const MATERIAL: TableSchema = TableSchema {
     title: "[material.NAME]",
     meaning: "A material: its elastic law, told from the keys, and its density.",
-    keys: &[key(
-        "density",
-        DENSITY,
-        Required,
-        "\"1600 kg/m^3\"",
-        "Mass per volume; 0 leaves the material without mass.",
-    )],
+    keys: &[
+        key(
+            "density",
+            DENSITY,
+            Required,
+            "\"1600 kg/m^3\"",
+            "Mass per volume; 0 leaves the material without mass.",
+        ),
+        EXPANSION,
+    ],
     families: &[
         Family {
             name: "isotropic",
@@ -425,63 +451,6 @@ const INITIAL_CURVATURE: TableSchema = TableSchema {
             "Direction of the reference line, of any length, the first number greater than \
              zero; [1, 0, 0] where the line is normal to the section.",
         ),
-    ],
-    families: &[],
-};
-
-const FORCE: &[ValueKind] = &[ValueKind::Quantity(Dimension::FORCE)];
-const MOMENT: &[ValueKind] = &[ValueKind::Quantity(Dimension::MOMENT)];
-
-const LOAD: TableSchema = TableSchema {
-    title: "[load.NAME]",
-    meaning: "An internal force, of which at least one component is not zero, or a load along \
-              the beam, or both together. NAME is made of letters, digits, - and _.",
-    keys: &[
-        key("axial", FORCE, Default("0"), "\"10 kN\"", "Axial force."),
-        key(
-            "shear_y",
-            FORCE,
-            Default("0"),
-            "\"1 kN\"",
-            "Shear force along y.",
-        ),
-        key(
-            "shear_z",
-            FORCE,
-            Default("0"),
-            "\"2 kN\"",
-            "Shear force along z.",
-        ),
-        key(
-            "torsion",
-            MOMENT,
-            Default("0"),
-            "\"120 N m\"",
-            "Torque about x.",
-        ),
-        key(
-            "bending_y",
-            MOMENT,
-            Default("0"),
-            "\"-3 kN m\"",
-            "Bending moment about y.",
-        ),
-        key(
-            "bending_z",
-            MOMENT,
-            Default("0"),
-            "\"500 N m\"",
-            "Bending moment about z.",
-        ),
-        key(
-            "point",
-            &[ValueKind::Vector(2, Dimension::LENGTH)],
-            Default("the origin of the mesh"),
-            "[12.5, 0]",
-            "Where the force acts, y and z.",
-        ),
-        TRACTIONS,
-        VOLUMES,
     ],
     families: &[],
 };

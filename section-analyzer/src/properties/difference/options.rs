@@ -27,6 +27,7 @@ pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mu
             entries,
         );
     }
+    imposed(a, b, entries);
     let tables = (a.prestress.as_ref(), b.prestress.as_ref());
     if let Some((first, second)) = entries.both("a table of prestress", tables.0, tables.1) {
         prestress(a, first, second, entries);
@@ -35,6 +36,26 @@ pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mu
     if dampings != (None, None) {
         let matrix = |damping: Option<Matrix6<f64>>| damping.unwrap_or_else(Matrix6::zeros);
         entries.matrix(Part::Damping, &matrix(dampings.0), &matrix(dampings.1));
+    }
+}
+
+/// The restrained forces of states of one name; the free strains are theirs.
+fn imposed(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries) {
+    for first in &a.imposed {
+        let second = b.imposed.iter().find(|state| state.name == first.name);
+        let what = format!("the imposed state {}", first.name);
+        if let Some((first, second)) = entries.both(&what, Some(first), second) {
+            let name = format!("imposed {}", first.name);
+            let columns = [&first.restrained_force, &second.restrained_force];
+            let columns = columns.map(|force| force.as_slice());
+            forces(a, columns, Part::Thermal, &name, ["N", "N m"], entries);
+        }
+    }
+    for second in &b.imposed {
+        if !a.imposed.iter().any(|state| state.name == second.name) {
+            let words = format!("only B has the imposed state {}", second.name);
+            entries.unlike.push(words);
+        }
     }
 }
 

@@ -48,6 +48,7 @@ fn section() -> SectionProperties {
             capacitance: DMatrix::from_row_slice(2, 2, &[2e-9, -1e-9, -1e-9, 2e-9]),
         }),
         thermal_force: Some(Vector6::new(100.0, 0.0, 0.0, 0.1, 0.2, 0.3)),
+        imposed: Vec::new(),
         damping: Some(Damping::StiffnessProportional(1e-3)),
         prestress: None,
         provenance: Provenance {

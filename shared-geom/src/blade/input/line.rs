@@ -13,16 +13,13 @@ use crate::units::Dimension;
 /// Inverse of a length: curvature, angle per length without the angle.
 const CURVATURE: Dimension = Dimension {
     length: -1,
-    mass: 0,
-    time: 0,
-    angle: 0,
+    ..Dimension::NUMBER
 };
 /// Twist rate: angle per length.
 const TWIST_RATE: Dimension = Dimension {
     length: -1,
-    mass: 0,
-    time: 0,
     angle: 1,
+    ..Dimension::NUMBER
 };
 
 /// Keys of the coordinates of points in the axes of the frame.

@@ -136,7 +136,7 @@ fn in_place(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<P
     };
     let matrices = match table.has("file") {
         true => of_section(table, sources).map(Matrices::Section),
-        false => in_table(table, given).map(|(k, m)| Matrices::Written(k, m)),
+        false => in_table(table, given).map(|(k, m)| Matrices::Written(Box::new([k, m]))),
     };
     let matrices = matrices?;
     let seat = Seat {
@@ -148,13 +148,16 @@ fn in_place(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<P
         Matrices::Section((file, section)) => {
             CurvedStation::of(file, section, seat.point, seat.angle)
         }
-        Matrices::Written(..) => None,
+        Matrices::Written(_) => None,
     };
     // Per arc length of the line, (D-231).
     let c = curved.as_ref().map_or(1.0, CurvedStation::stretch);
     let (stiffness, mass, damping) = match matrices {
         Matrices::Section((_, section)) => (section.stiffness, section.mass, section.damping),
-        Matrices::Written(stiffness, mass) => (stiffness, mass, None),
+        Matrices::Written(matrices) => {
+            let [stiffness, mass] = *matrices;
+            (stiffness, mass, None)
+        }
     };
     let damping = match damping {
         Some(Damping::Viscous(matrix)) => {
@@ -179,7 +182,7 @@ enum Matrices {
     /// A property file and its name.
     Section((String, Box<SectionProperties>)),
     /// Stiffness and mass as written.
-    Written(Matrix6<f64>, Matrix6<f64>),
+    Written(Box<[Matrix6<f64>; 2]>),
 }
 
 /// The content of a property file, and its name.
@@ -192,6 +195,7 @@ fn of_section(table: &Table<'_>, sources: &Sources) -> Option<(String, Box<Secti
     for (is_there, what) in [
         (section.piezo.is_some(), "piezoelectric coupling"),
         (section.thermal_force.is_some(), "thermal force"),
+        (!section.imposed.is_empty(), "imposed strain"),
         (section.prestress.is_some(), "table of prestress"),
     ] {
         if is_there {

@@ -313,7 +313,7 @@ fn sections(
         if !problems.finds(&path, &format!("section {}", i + 1), name, line.number) {
             continue;
         }
-        if let Some((stiffness, mass, curved)) = all.keep(section_file(&path, name, frame)) {
+        if let Some(([stiffness, mass], curved)) = all.keep(section_file(&path, name, frame)) {
             let station = Station {
                 arc_length,
                 stiffness,
@@ -335,15 +335,15 @@ fn section_file(
     path: &Path,
     name: &str,
     frame: Convention,
-) -> Result<(Matrix6<f64>, Matrix6<f64>, Option<CurvedStation>), Diagnostics> {
+) -> Result<([Matrix6<f64>; 2], Option<CurvedStation>), Diagnostics> {
     let text = read_text(path)?;
     let shown = path.display().to_string();
     if vabs::recognize(&text) {
         let (stiffness, mass) = vabs::section(&text, &shown)?;
-        return Ok((frame.to_ours(&stiffness), frame.to_ours(&mass), None));
+        return Ok(([frame.to_ours(&stiffness), frame.to_ours(&mass)], None));
     }
     let section = section::parse(&text, &shown)?;
     let curved = CurvedStation::of(name, &section, Vector2::zeros(), 0.0);
     let section = section.per_arc_length();
-    Ok((section.stiffness, section.mass, curved))
+    Ok(([section.stiffness, section.mass], curved))
 }

@@ -1,4 +1,4 @@
-//! Tables of angles, one row for each cell.
+//! Tables of angles or of rises of temperature, one row for each cell.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -10,30 +10,55 @@ use super::problem::InputProblem;
 /// Problems of the rows of one table that are shown one by one.
 const ROWS_SHOWN: usize = 10;
 
-/// Largest angle, in any unit: what is left of a much larger one after whole
-/// revolutions has no digit that means anything.
-const LARGEST: f64 = 360_000.0;
-
-/// A table of angles by cell tag.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct AngleTable {
-    /// Angle of each cell, in the unit of the file \[rad per unit of the caller\].
-    angles: BTreeMap<u64, f64>,
+/// What the second column of a table holds.
+#[derive(Debug, PartialEq)]
+pub(super) struct Column {
+    /// Its heading.
+    pub heading: &'static str,
+    /// One of its values, in words.
+    pub value: &'static str,
+    /// Largest one, in any unit.
+    pub largest: f64,
 }
 
-/// How the rows of a table fit the cells that take their angle from it.
+/// Angles: what is left of a much larger one after whole revolutions has no digit that
+/// means anything.
+pub(super) const ANGLE: Column = Column {
+    heading: "angle",
+    value: "an angle",
+    largest: 360_000.0,
+};
+
+/// Rises of temperature: nothing is solid far below this one.
+pub(super) const RISE: Column = Column {
+    heading: "rise",
+    value: "a rise of temperature",
+    largest: LARGEST_RISE,
+};
+
+/// Largest rise of temperature, in any unit: nothing is solid far below it.
+pub(super) const LARGEST_RISE: f64 = 100_000.0;
+
+/// A table of values by cell tag.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct CellTable {
+    /// Value of each cell, in the unit of the file \[SI unit per unit of the caller\].
+    values: BTreeMap<u64, f64>,
+}
+
+/// How the rows of a table fit the cells that take their value from it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Misfit {
     pub missing: Vec<u64>,
     pub unknown: Vec<u64>,
 }
 
-impl AngleTable {
-    /// Reads `text`, the content of the file at `path`: the heading `cell,angle`,
-    /// then one row a cell. Empty lines and lines that begin with `#` do not count;
-    /// spaces and double quotes around a field may stand.
-    pub fn parse(text: &str, path: &Path) -> Result<Self, Diagnostics> {
-        let mut problems = RowProblems::new(path.display().to_string());
+impl CellTable {
+    /// Reads `text`, the content of the file at `path`: the heading `cell,` and that of
+    /// the column, then one row a cell. Empty lines and lines that begin with `#` do not
+    /// count; spaces and double quotes around a field may stand.
+    pub fn parse(text: &str, path: &Path, column: &'static Column) -> Result<Self, Diagnostics> {
+        let mut problems = RowProblems::new(path.display().to_string(), column);
         let lines = text.trim_start_matches('\u{feff}').lines();
         let mut rows = lines
             .zip(1..)
@@ -41,39 +66,45 @@ impl AngleTable {
         problems.heading(rows.next());
 
         let mut line_of = BTreeMap::new();
-        let mut angles = BTreeMap::new();
+        let mut values = BTreeMap::new();
         for (row, line) in rows {
-            match cell_and_angle(row) {
+            match cell_and_value(row, column) {
                 Err(problem) => problems.push(line, &problem),
-                Ok((cell, angle)) => {
+                Ok((cell, value)) => {
                     let first = *line_of.entry(cell).or_insert(line);
                     if first != line {
-                        problems.push(line, &InputProblem::TableRepeats { cell, line: first });
+                        let (value, line_of_first) = (column.value, first);
+                        let problem = InputProblem::TableRepeats {
+                            cell,
+                            value,
+                            line: line_of_first,
+                        };
+                        problems.push(line, &problem);
                     }
-                    angles.insert(cell, angle);
+                    values.insert(cell, value);
                 }
             }
         }
-        problems.finish().into_result(Self { angles })
+        problems.finish().into_result(Self { values })
     }
 
     /// Number of rows.
     pub fn len(&self) -> usize {
-        self.angles.len()
+        self.values.len()
     }
 
-    /// The angle of a cell, in the unit of the file.
-    pub fn angle(&self, cell: u64) -> Option<f64> {
-        self.angles.get(&cell).copied()
+    /// The value of a cell, in the unit of the file.
+    pub fn value(&self, cell: u64) -> Option<f64> {
+        self.values.get(&cell).copied()
     }
 
-    /// Compares the rows with the cells that take their angle from the table;
+    /// Compares the rows with the cells that take their value from the table;
     /// `None` when each has exactly one.
     pub fn misfit(&self, cells: &BTreeSet<u64>) -> Option<Misfit> {
-        let has = |cell: &&u64| self.angles.contains_key(*cell);
+        let has = |cell: &&u64| self.values.contains_key(*cell);
         let missing: Vec<_> = cells.iter().filter(|cell| !has(cell)).copied().collect();
         let unknown: Vec<_> = self
-            .angles
+            .values
             .keys()
             .filter(|cell| !cells.contains(cell))
             .copied()
@@ -86,15 +117,17 @@ impl AngleTable {
 /// The problems of the rows, the first ones in full.
 struct RowProblems {
     file: String,
+    column: &'static Column,
     found: Diagnostics,
     count: usize,
 }
 
 impl RowProblems {
-    fn new(file: String) -> Self {
+    fn new(file: String, column: &'static Column) -> Self {
         let found = Diagnostics::new();
         Self {
             file,
+            column,
             found,
             count: 0,
         }
@@ -110,11 +143,12 @@ impl RowProblems {
     /// Checks the first row; one that is missing counts as line 1.
     fn heading(&mut self, row: Option<(&str, usize)>) {
         let (found, line) = match row {
-            Some((row, _)) if fields(row) == ["cell", "angle"] => return,
+            Some((row, _)) if fields(row) == ["cell", self.column.heading] => return,
             Some((row, line)) => (format!("\"{}\"", row.trim()), line),
             None => ("missing".to_owned(), 1),
         };
-        self.push(line, &InputProblem::TableHeading { found });
+        let column = self.column.heading;
+        self.push(line, &InputProblem::TableHeading { found, column });
     }
 
     fn finish(mut self) -> Diagnostics {
@@ -132,23 +166,29 @@ fn fields(row: &str) -> Vec<&str> {
     fields.map(|field| field.trim_matches('"')).collect()
 }
 
-fn cell_and_angle(row: &str) -> Result<(u64, f64), InputProblem> {
-    let wrong = |expected| InputProblem::TableRow {
+fn cell_and_value(row: &str, column: &Column) -> Result<(u64, f64), InputProblem> {
+    let wrong = |expected: String| InputProblem::TableRow {
         found: row.trim().to_owned(),
         expected,
     };
-    let [cell, angle] = fields(row)[..] else {
-        return Err(wrong("two columns, the number of a cell and its angle"));
+    let Column { heading, value, .. } = column;
+    let [cell, number] = fields(row)[..] else {
+        let expected = format!("two columns, the number of a cell and its {heading}");
+        return Err(wrong(expected));
     };
     let cell = cell
         .parse()
-        .map_err(|_| wrong("the number of a cell in the first column"))?;
-    let angle: f64 = angle
+        .map_err(|_| wrong("the number of a cell in the first column".to_owned()))?;
+    let number: f64 = number
         .parse()
-        .map_err(|_| wrong("an angle in the second column"))?;
-    match angle.abs() <= LARGEST {
-        true => Ok((cell, angle)),
-        false => Err(wrong("an angle of at most 360000 in the second column")),
+        .map_err(|_| wrong(format!("{value} in the second column")))?;
+    match number.abs() <= column.largest {
+        true => Ok((cell, number)),
+        false => {
+            let largest = column.largest;
+            let expected = format!("{value} of at most {largest} in the second column");
+            Err(wrong(expected))
+        }
     }
 }
 
@@ -156,18 +196,18 @@ fn cell_and_angle(row: &str) -> Result<(u64, f64), InputProblem> {
 mod tests {
     use super::*;
 
-    fn parse(text: &str) -> Result<AngleTable, Diagnostics> {
-        AngleTable::parse(text, Path::new("a.csv"))
+    fn parse(text: &str) -> Result<CellTable, Diagnostics> {
+        CellTable::parse(text, Path::new("a.csv"), &ANGLE)
     }
 
     #[test]
     fn rows_comments_and_spaces_are_read() {
         let table = parse("# by hand\ncell, angle\n7, 30\n\n8,-1.5e1\n").unwrap();
         assert_eq!(
-            (table.len(), table.angle(7), table.angle(8)),
+            (table.len(), table.value(7), table.value(8)),
             (2, Some(30.0), Some(-15.0))
         );
-        assert_eq!(table.angle(9), None);
+        assert_eq!(table.value(9), None);
     }
 
     #[test]

@@ -1,0 +1,251 @@
+//! Imposed strains: what they do to a section that is free, and what holds it back.
+//!
+//! ```text
+//! E x + R y = f0      R' x + A y = fp      r = -Ph' x      x <- x + H r      psi_T = y - T r    (S-92)
+//! theta_T = -K psi_T                                                              (S-93)
+//! ```
+//!
+//! psi_T is found a second time, by the work of the imposed stresses on the central
+//! solutions (S-94), and must be the same:
+//!
+//! ```text
+//! psi_T = X' f0 + Y' fp + T X' (C x + L psi_T)
+//! ```
+
+use super::central::OF_CELLS;
+use super::{Analysis, analyze, named};
+use crate::assembly::{ImposedForces, Rate, State, imposed_forces, largest, section_forces};
+use crate::failure::Failure;
+use crate::section::{ImposedStrain, Section, TemperatureField};
+use crate::solution::{ImposedSolution, ImposedSolutions, SectionSolution};
+use crate::solve::{Load, ParticularSolution};
+use nalgebra::{DVector, Matrix6, Vector3, Vector6};
+use shared_geom::wrench;
+
+/// States that are solved together.
+const TOGETHER: usize = 6;
+
+/// As [`analyze`], together with what a kelvin does to the section, where it expands, and
+/// what each of `states` does.
+///
+/// # Errors
+/// As [`analyze`] and [`Analysis::imposed`].
+pub fn analyze_imposed(
+    section: &Section,
+    states: &[ImposedStrain],
+) -> Result<(SectionSolution, ImposedSolutions), Failure> {
+    if states.is_empty() && !section.expands() {
+        return Ok((analyze(section)?, ImposedSolutions::default()));
+    }
+    let analysis = Analysis::new(section)?;
+    let imposed = analysis.all_imposed(states)?;
+    Ok((analysis.solution, imposed))
+}
+
+impl Analysis<'_> {
+    /// What a kelvin does to the section, where it expands, and what each of `states`
+    /// does.
+    ///
+    /// # Errors
+    /// As [`Analysis::imposed`].
+    pub fn all_imposed(&self, states: &[ImposedStrain]) -> Result<ImposedSolutions, Failure> {
+        let section = self.section();
+        if states.is_empty() && !section.expands() {
+            return Ok(ImposedSolutions::default());
+        }
+        let kelvin = TemperatureField {
+            rise: 1.0,
+            ..TemperatureField::default()
+        };
+        let kelvin = ImposedStrain::of_temperature("", section, &kelvin);
+        let all = [&[kelvin][..], states].concat();
+        let mut solved = self.imposed(&all)?.into_iter();
+        let per_kelvin = solved.next().filter(|_| section.expands());
+        Ok(ImposedSolutions {
+            per_kelvin,
+            states: solved.collect(),
+        })
+    }
+
+    /// Warping, free strain and restrained force of each of `states`, one solution for
+    /// six of them.
+    ///
+    /// # Errors
+    /// [`Failure::OutOfMemory`]; [`Failure::Inaccurate`] when the free strain found by
+    /// the work on the central solutions is another.
+    pub fn imposed(&self, states: &[ImposedStrain]) -> Result<Vec<ImposedSolution>, Failure> {
+        let mut found = Vec::with_capacity(states.len());
+        for states in states.chunks(TOGETHER) {
+            let forces = imposed_forces(self.section(), self.domain(), states);
+            let load = Load {
+                within: &forces.within,
+                resultant: &forces.resultant,
+                rate: Rate::Zero,
+            };
+            let solved = self.particular(&load)?;
+            let errors = self.errors(&forces, &solved);
+            for (case, state) in states.iter().enumerate() {
+                self.require_same(errors[case])?;
+                found.push(self.imposed_in_si(state, &solved, case, errors[case]));
+            }
+        }
+        Ok(found)
+    }
+
+    /// The difference of the free strains from those of (S-94), beside the largest strain
+    /// imposed \[-\].
+    fn errors(&self, forces: &ImposedForces, solved: &ParticularSolution) -> Vector6<f64> {
+        let (domain, central) = (self.domain(), self.central());
+        let state = State {
+            rate: Rate::Zero,
+            warping: Some(&solved.x),
+            strain: &solved.y,
+        };
+        let face = section_forces(domain, state).face;
+        let tt = domain.line.equilibrium();
+        let product = |columns| -> Matrix6<f64> {
+            let product = central.x.tr_mul(columns);
+            product.fixed_view::<6, 6>(0, 0).into_owned()
+        };
+        let work = product(&forces.within)
+            + central.y.transpose() * forces.resultant
+            + tt.transpose() * product(&face);
+        Vector6::from_fn(|case, _| {
+            let difference = (solved.y - work).column(case).amax();
+            match forces.largest[case] {
+                0.0 => difference,
+                strain => difference / strain,
+            }
+        })
+    }
+
+    fn require_same(&self, error: f64) -> Result<(), Failure> {
+        let limit = OF_CELLS.check;
+        if error <= limit {
+            return Ok(());
+        }
+        let node = self.systems.smallest_pivot().node;
+        let weakest = named(self.section(), self.domain(), node);
+        let [y, z] = weakest.place;
+        Err(Failure::Inaccurate {
+            check: "the work of the imposed strains",
+            error,
+            limit,
+            node: weakest.tag,
+            y,
+            z,
+        })
+    }
+
+    /// From the units of the domain to SI, from its origin to that of the mesh, as the
+    /// generalized strains of the central solutions.
+    fn imposed_in_si(
+        &self,
+        state: &ImposedStrain,
+        solved: &ParticularSolution,
+        case: usize,
+        error: f64,
+    ) -> ImposedSolution {
+        let domain = self.domain();
+        let scaling = &domain.scaling;
+        let [y, z] = scaling.origin;
+        let v = wrench::shift_matrix(&Vector3::new(0.0, y, z));
+        let strain = solved.y.column(case).component_mul(&scaling.strain());
+        let free_strain: Vector6<f64> = v.transpose() * strain;
+        let mut warping = DVector::zeros(3 * self.section().mesh.nodes.len());
+        for (node, &mesh_node) in domain.mesh_nodes.iter().enumerate() {
+            for axis in 0..3 {
+                warping[3 * mesh_node as usize + axis] =
+                    scaling.length * solved.x[(3 * node + axis, case)];
+            }
+        }
+        ImposedSolution {
+            state: state.clone(),
+            warping,
+            free_strain,
+            restrained_force: -(self.solution.stiffness * free_strain),
+            error: largest(error, 0.0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::add_rigid_motions;
+    use crate::section::FreeStrain;
+    use crate::section::samples::{Random, coupled_rectangle};
+    use nalgebra::DMatrix;
+    use shared_geom::mesh::CellKind;
+    use shared_geom::section::InitialCurvature;
+
+    /// Strains without any pattern, linear in each cell.
+    fn random(section: &Section, name: &str, random: &mut Random) -> ImposedStrain {
+        let mut any = || Vector6::from_fn(|_, _| random.next());
+        let mut cell = |_| FreeStrain {
+            at_origin: any(),
+            by_y: any(),
+            by_z: any(),
+        };
+        ImposedStrain {
+            name: name.into(),
+            cells: section.cells.iter().map(&mut cell).collect(),
+        }
+    }
+
+    /// A section off its axes, of plies in all directions; straight and curved.
+    fn sections() -> [Section; 2] {
+        let straight = coupled_rectangle(CellKind::Quadrilateral8);
+        let mut curved = straight.clone();
+        curved.initial_curvature = InitialCurvature {
+            curvature: Vector3::new(0.2, -0.15, 0.1),
+            slope: Vector3::new(0.95, 0.1, -0.05),
+        };
+        [straight, curved]
+    }
+
+    /// `H' f0 = T' fp`: imposed stresses do no work on rigid motions of the section but
+    /// what the beam knows of. Round-off of forces of order one.
+    #[test]
+    fn imposed_forces_know_of_rigid_motions() {
+        for section in sections() {
+            let state = random(&section, "any", &mut Random(3));
+            let analysis = Analysis::new(&section).expect("sound");
+            let domain = analysis.domain();
+            let forces = imposed_forces(&section, domain, &[state]);
+            let mut rigid = DMatrix::zeros(domain.unknowns(), 6);
+            add_rigid_motions(domain, &Matrix6::identity(), &mut rigid);
+            let found = rigid.tr_mul(&forces.within);
+            let expected = domain.line.equilibrium() * forces.resultant;
+            let difference = (found - DMatrix::from_column_slice(6, 6, expected.as_slice())).amax();
+            assert!(
+                difference < 1e-12 * forces.resultant.amax(),
+                "{difference:e}"
+            );
+        }
+    }
+
+    /// Both ways to the free strain agree, and each of seven states, which take two
+    /// solutions, is that of the state alone; condition of some 1e4 times round-off.
+    #[test]
+    fn random_states_have_the_free_strain_of_their_work() {
+        for section in sections() {
+            let analysis = Analysis::new(&section).expect("sound");
+            let mut seed = Random(17);
+            let states: Vec<_> = (0..7)
+                .map(|k| random(&section, &k.to_string(), &mut seed))
+                .collect();
+            let together = analysis.imposed(&states).expect("sound");
+            assert_eq!(together.len(), 7);
+            for (state, solved) in states.iter().zip(&together) {
+                assert!(solved.error < 1e-11, "{:e}", solved.error);
+                let alone = analysis.imposed(std::slice::from_ref(state));
+                let alone = &alone.expect("sound")[0];
+                let difference = (alone.free_strain - solved.free_strain).amax();
+                assert!(difference < 1e-11, "{difference:e}");
+                let force = analysis.solution().stiffness * solved.free_strain;
+                assert_eq!(solved.restrained_force, -force);
+            }
+        }
+    }
+}

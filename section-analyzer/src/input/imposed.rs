@@ -1,0 +1,337 @@
+//! Imposed states as written: `[temperature.NAME]` and `[initial_strain.NAME]`.
+
+use std::collections::BTreeSet;
+
+use nalgebra::Vector6;
+use shared_geom::document::{Document, Table};
+use shared_geom::units::Dimension;
+
+use super::cell_table::{CellTable, LARGEST_RISE, RISE};
+use super::files::Files;
+use super::loads::is_load_name;
+use super::problem::InputProblem;
+use super::regions::{Written, WrittenRegion, name};
+use crate::section::{FreeStrain, ImposedStrain, Section, TemperatureField};
+
+mod problem;
+
+pub use problem::ImposedProblem;
+
+/// Largest initial strain \[-\]: beyond it nothing is linear.
+const LARGEST_STRAIN: f64 = 1.0;
+
+/// Every imposed state of a file, as far as it could be read.
+#[derive(Debug, Default)]
+pub(super) struct WrittenStates {
+    temperatures: Vec<WrittenState<Temperature>>,
+    initial_strains: Vec<WrittenState<Vec<RegionStrain>>>,
+}
+
+/// A state; the name stands even if its content is wrong, so that loads can refer to it.
+#[derive(Debug)]
+struct WrittenState<T> {
+    name: String,
+    line: usize,
+    content: Option<T>,
+}
+
+/// A rise of temperature as the input gives it.
+#[derive(Debug)]
+enum Temperature {
+    Linear(TemperatureField),
+    Table(Written),
+}
+
+/// The initial strain of a region, in material axes \[-\].
+#[derive(Debug)]
+struct RegionStrain {
+    group: Written,
+    strain: Vector6<f64>,
+}
+
+/// Reads every `[temperature.NAME]` and `[initial_strain.NAME]`.
+pub(super) fn read(root: &Table<'_>) -> WrittenStates {
+    let temperatures = states(root, "temperature", temperature);
+    let initial_strains = states(root, "initial_strain", region_strains);
+    for strain in &initial_strains {
+        let same = temperatures.iter().find(|state| state.name == strain.name);
+        if let Some(state) = same {
+            let (name, line) = (strain.name.clone(), state.line);
+            let problem = ImposedProblem::NameTwice { name, line };
+            root.document().note(strain.line, &problem);
+        }
+    }
+    WrittenStates {
+        temperatures,
+        initial_strains,
+    }
+}
+
+fn states<T>(
+    root: &Table<'_>,
+    kind: &'static str,
+    read: impl Fn(&str, &Table<'_>) -> Option<T>,
+) -> Vec<WrittenState<T>> {
+    let tables = root.named_tables(kind);
+    let state = |(name, table): (String, Table<'_>)| {
+        if !is_load_name(&name) {
+            let name = name.clone();
+            table.note("", &ImposedProblem::Name { kind, name });
+        }
+        let content = read(&name, &table);
+        table.finish();
+        WrittenState {
+            line: table.line(),
+            name,
+            content,
+        }
+    };
+    tables.into_iter().map(state).collect()
+}
+
+fn temperature(name: &str, table: &Table<'_>) -> Option<Temperature> {
+    // Every key is asked for, so that none of them counts as unknown.
+    let has = ["rise", "gradient", "table"].map(|key| table.has(key));
+    let found = match has {
+        [_, false, false] if !has[0] => "none of them",
+        [_, false, false] | [_, true, false] => {
+            return linear(name, table).map(Temperature::Linear);
+        }
+        [false, false, true] => {
+            let text = table.require_text("table", "the path of a CSV file")?;
+            let line = table.line_of("table");
+            return Some(Temperature::Table(Written { text, line }));
+        }
+        [true, false, true] => "\"rise\" and \"table\"",
+        [_, true, true] => "\"gradient\" and \"table\"",
+    };
+    let name = name.to_owned();
+    table.note("", &ImposedProblem::Form { name, found });
+    None
+}
+
+fn linear(name: &str, table: &Table<'_>) -> Option<TemperatureField> {
+    let rise = match table.has("rise") {
+        true => table.quantity("rise", Dimension::TEMPERATURE),
+        false => Some(0.0),
+    };
+    if rise.is_some_and(|rise| rise.abs() > LARGEST_RISE) {
+        table.wrong("rise", "a rise of temperature of at most 100000 K");
+        return None;
+    }
+    let gradient = match table.has("gradient") {
+        true => gradient(table),
+        false => Some([0.0; 2]),
+    };
+    let field = TemperatureField {
+        rise: rise?,
+        gradient: gradient?,
+    };
+    if field == TemperatureField::default() {
+        note_zero(name, "temperature", table);
+        return None;
+    }
+    Some(field)
+}
+
+fn gradient(table: &Table<'_>) -> Option<[f64; 2]> {
+    let found = table.quantities("gradient", Dimension::TEMPERATURE_GRADIENT)?;
+    match found[..] {
+        [y, z] if found.iter().all(|slope| slope.abs() <= LARGEST_RISE / 1e-3) => Some([y, z]),
+        [_, _] => {
+            table.wrong("gradient", "gradients of at most 1e8 K/m");
+            None
+        }
+        _ => {
+            let expected = "an array of 2, the gradients along y and z";
+            table.wrong("gradient", expected);
+            None
+        }
+    }
+}
+
+fn note_zero(name: &str, kind: &'static str, table: &Table<'_>) {
+    let name = name.to_owned();
+    table.note("", &ImposedProblem::Zero { kind, name });
+}
+
+fn region_strains(state: &str, table: &Table<'_>) -> Option<Vec<RegionStrain>> {
+    let tables = table.tables("region");
+    if tables.is_empty() {
+        let name = state.to_owned();
+        table.note("", &ImposedProblem::NoRegion { name });
+        return None;
+    }
+    // Every region is read before the first wrong one ends the reading.
+    let read: Vec<_> = tables.iter().map(region_strain).collect();
+    let strains: Vec<_> = read.into_iter().collect::<Option<_>>()?;
+    if strains
+        .iter()
+        .all(|region| region.strain == Vector6::zeros())
+    {
+        note_zero(state, "initial_strain", table);
+        return None;
+    }
+    Some(strains)
+}
+
+fn region_strain(table: &Table<'_>) -> Option<RegionStrain> {
+    const EXPECTED: &str = "an array of 6 strains in material axes, order 11 22 33 23 13 12";
+    let group = name(table, "group", "the name of a physical surface of a region");
+    let strain = match table.has("strain") {
+        true => table.quantities("strain", Dimension::NUMBER),
+        false => {
+            let _ = table.require_text("strain", EXPECTED);
+            None
+        }
+    };
+    table.finish();
+    let strain = strain?;
+    if strain.len() != 6 {
+        table.wrong("strain", EXPECTED);
+        return None;
+    }
+    if strain.iter().any(|part| part.abs() > LARGEST_STRAIN) {
+        table.wrong("strain", "strains of at most 1");
+        return None;
+    }
+    Some(RegionStrain {
+        group: group?,
+        strain: Vector6::from_vec(strain),
+    })
+}
+
+impl WrittenStates {
+    /// Names of the states of a kind, `temperature` or `initial_strain`.
+    pub fn names(&self, kind: &str) -> Vec<String> {
+        match kind {
+            "temperature" => names(&self.temperatures),
+            _ => names(&self.initial_strains),
+        }
+    }
+
+    /// For each region and initial strain the strain; notes regions that the file does not
+    /// have, and those that stand twice.
+    pub fn strains_of_regions(
+        &self,
+        document: &Document,
+        regions: &[WrittenRegion],
+    ) -> Option<Vec<Vec<FreeStrain>>> {
+        let groups = regions.iter().map(|region| region.group.as_ref());
+        let groups: Vec<_> = groups.map(|g| g.map(|group| group.text.clone())).collect();
+        let of_state = |state: &WrittenState<Vec<RegionStrain>>| {
+            let mut strains = vec![None; regions.len()];
+            let mut is_sound = true;
+            for RegionStrain { group, strain } in state.content.as_ref()? {
+                let same = |known: &Option<String>| known.as_ref() == Some(&group.text);
+                let (name, text) = (state.name.clone(), group.text.clone());
+                let problem = match groups.iter().position(same) {
+                    None => ImposedProblem::UnknownRegion {
+                        name,
+                        group: text,
+                        known: groups.iter().flatten().cloned().collect(),
+                    },
+                    Some(region) if strains[region].is_some() => {
+                        ImposedProblem::RegionTwice { name, group: text }
+                    }
+                    Some(region) => {
+                        strains[region] = Some(FreeStrain::constant(*strain));
+                        continue;
+                    }
+                };
+                document.note(group.line, &problem);
+                is_sound = false;
+            }
+            let strains = strains.into_iter().map(Option::unwrap_or_default);
+            is_sound.then(|| strains.collect())
+        };
+        // Every state is looked at before the first wrong one ends the search.
+        let found: Vec<_> = self.initial_strains.iter().map(of_state).collect();
+        found.into_iter().collect()
+    }
+
+    /// The rises of every table, by cell; `None` for a temperature without table. Notes
+    /// tables whose rows are not those of the cells, which have the given tags.
+    pub fn rises(
+        &self,
+        document: &Document,
+        files: &mut Files<'_>,
+        tags: &[u64],
+    ) -> Option<Vec<Option<Vec<f64>>>> {
+        let mut of_state = |state: &WrittenState<Temperature>| match state.content.as_ref()? {
+            Temperature::Linear(_) => Some(None),
+            Temperature::Table(written) => rises(document, files, tags, written).map(Some),
+        };
+        // Every table is read before the first wrong one ends the reading.
+        let found: Vec<_> = self.temperatures.iter().map(&mut of_state).collect();
+        found.into_iter().collect()
+    }
+
+    /// The states of `section`, temperatures first: `rises` are those of the tables,
+    /// `strains` those of the regions, of which `region_of_cell` tells the cells. Notes
+    /// temperatures where nothing expands.
+    pub fn states(
+        &self,
+        document: &Document,
+        section: &Section,
+        rises: Vec<Option<Vec<f64>>>,
+        (strains, region_of_cell): (Vec<Vec<FreeStrain>>, &[usize]),
+    ) -> Vec<ImposedStrain> {
+        if !section.expands() {
+            for state in &self.temperatures {
+                let name = state.name.clone();
+                document.note(state.line, &ImposedProblem::NothingExpands { name });
+            }
+        }
+        let temperatures = self.temperatures.iter().zip(rises);
+        let temperatures = temperatures.map(|(state, rises)| match (&state.content, rises) {
+            (Some(Temperature::Linear(field)), _) => {
+                ImposedStrain::of_temperature(&state.name, section, field)
+            }
+            (_, rises) => ImposedStrain::of_rises(&state.name, section, &rises.unwrap_or_default()),
+        });
+        let strains = self.initial_strains.iter().zip(strains);
+        let strains = strains.map(|(state, of_region)| ImposedStrain {
+            name: state.name.clone(),
+            cells: region_of_cell
+                .iter()
+                .map(|&region| of_region[region])
+                .collect(),
+        });
+        temperatures.chain(strains).collect()
+    }
+}
+
+fn names<T>(states: &[WrittenState<T>]) -> Vec<String> {
+    states.iter().map(|state| state.name.clone()).collect()
+}
+
+/// The rises of a table, cell by cell \[K\].
+fn rises(
+    document: &Document,
+    files: &mut Files<'_>,
+    tags: &[u64],
+    written: &Written,
+) -> Option<Vec<f64>> {
+    let path = files.path(written);
+    let text = files.read_text("temperature table", &path, written)?;
+    let table = document.keep(CellTable::parse(&text, &path, &RISE))?;
+    let cells: BTreeSet<_> = tags.iter().copied().collect();
+    if let Some(misfit) = table.misfit(&cells) {
+        let problem = InputProblem::TableCells {
+            column: RISE.heading,
+            table: written.text.clone(),
+            found: table.len(),
+            expected: cells.len(),
+            users: "the mesh".to_owned(),
+            missing: misfit.missing,
+            unknown: misfit.unknown,
+        };
+        document.note(written.line, &problem);
+        return None;
+    }
+    let unit = document.factor(Dimension::TEMPERATURE);
+    tags.iter()
+        .map(|&tag| Some(unit * table.value(tag)?))
+        .collect()
+}

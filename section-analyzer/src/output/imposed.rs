@@ -1,0 +1,46 @@
+//! Heat and other imposed strains in words: what a kelvin does, and the named states.
+
+use nalgebra::Vector6;
+use shared_geom::section::{ImposedState, SectionProperties};
+use shared_geom::wrench::COMPONENTS;
+
+use super::text::{number, table};
+
+/// What the properties say of heat and imposed strains; nothing where they do not.
+pub fn imposed_report(properties: &SectionProperties) -> String {
+    let thermal = thermal(properties.thermal_force.as_ref());
+    let states = states(&properties.imposed);
+    match thermal.is_empty() || states.is_empty() {
+        true => thermal + &states,
+        false => format!("{thermal}\n{states}"),
+    }
+}
+
+/// The force per kelvin of an even rise; nothing without one.
+fn thermal(force: Option<&Vector6<f64>>) -> String {
+    let Some(forces) = force else {
+        return String::new();
+    };
+    let rows = COMPONENTS.iter().zip(forces.iter());
+    let rows = rows.map(|(name, force)| vec![(*name).to_owned(), number(*force)]);
+    let rows: Vec<_> = rows.collect();
+    format!(
+        "Thermal force, per kelvin when fully restrained [N/K, N m/K]\n{}",
+        table(&rows, "lr")
+    )
+}
+
+/// Free strain and restrained force of each state, side by side; nothing without any.
+fn states(states: &[ImposedState]) -> String {
+    let of_state = |state: &ImposedState| {
+        let heading = ["", "free strain [-, 1/m]", "restrained force [N, N m]"];
+        let mut rows = vec![heading.map(str::to_owned).to_vec()];
+        for (i, name) in COMPONENTS.iter().enumerate() {
+            let values = [state.free_strain[i], state.restrained_force[i]].map(number);
+            rows.push([vec![(*name).to_owned()], values.to_vec()].concat());
+        }
+        format!("Imposed state \"{}\"\n{}", state.name, table(&rows, "lr"))
+    };
+    let all: Vec<_> = states.iter().map(of_state).collect();
+    all.join("\n")
+}

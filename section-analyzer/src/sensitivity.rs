@@ -1,0 +1,65 @@
+//! How stiffness, mass and centers of a section change with what it is made of.
+//!
+//! Parameters are the constants of its materials, the angles of its plies, and the
+//! places of its nodes. A parameter changes the matrices G = [M C L; C' E R; L' R' A] by
+//! dG, and with W = [X T'; X; Y] the compliance F and the stiffness K by
+//!
+//! ```text
+//! dF = -W' dG W + T S + S T'       S = X' dPh + dPh' X       dK = -K dF K         (S-113)
+//! ```
+//!
+//! The second term is the rate along the beam of the work that the changed stresses of
+//! the face do on the warping; on a straight beam it is that of the shear forces, on a
+//! curved one that of all.
+//!
+//! There are two ways to dPh: its own solution for each parameter, [`direct`], and
+//! the dual states of the section, which serve all parameters at once,
+//! [`all_at_once`]. What is left for a parameter is then an integral over its own cells,
+//!
+//! ```text
+//! e' dG w = int [ e' dD w + (de' D w + e' D dw + e' D w dJ/J) ] J dA              (S-120)
+//! ```
+//!
+//! of the strains e, w of two states and of their rates de, dw while the nodes move, with
+//! the values at the nodes standing still.
+//!
+//! Origin and units of the domain stand still while nodes move: all derivatives are about
+//! the origin of the mesh.
+//!
+//! # References
+//! - Giavotto et al. 1983: the central solutions.
+//! - [Haug1986]: direct and dual differentiation.
+
+mod change;
+mod contraction;
+mod derivative;
+mod direct;
+mod parameter;
+
+pub use contraction::all_at_once;
+pub use derivative::Derivative;
+pub use direct::direct;
+pub use parameter::{Axis, Cells, NodeVelocity, Parameter, SensitivityProblem};
+
+use crate::assembly::Domain;
+use crate::section::Section;
+use crate::solve::{CentralSystems, Decoupled};
+use nalgebra::Matrix6;
+
+/// A section with its central solutions and the systems that found them.
+#[derive(Debug, Clone, Copy)]
+pub struct Solved<'a> {
+    /// The section.
+    pub section: &'a Section,
+    /// The section as it was solved.
+    pub domain: &'a Domain,
+    /// The factored systems.
+    pub systems: &'a CentralSystems,
+    /// The central solutions.
+    pub central: &'a Decoupled,
+    /// F: compliance in the units of the domain \[-\].
+    pub compliance: &'a Matrix6<f64>,
+}
+
+#[cfg(test)]
+mod tests;

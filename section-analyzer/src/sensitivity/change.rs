@@ -1,0 +1,220 @@
+//! What a unit of a parameter changes: laws, densities and places of nodes, in the units
+//! of the domain.
+
+use std::collections::HashMap;
+
+use super::parameter::{Cells, Parameter, SensitivityProblem};
+use crate::assembly::{Domain, DomainCell};
+use crate::material::{Constant, fiber_angle_rate, plane_angle_rate, section_stiffness};
+use crate::section::{CellMaterial, Section};
+use nalgebra::Matrix6;
+
+/// What a parameter changes, per unit.
+#[derive(Debug, Clone)]
+pub(super) struct Change {
+    /// The cells of the domain that it changes, ascending.
+    pub cells: Vec<u32>,
+    /// dD of the laws of these cells.
+    laws: HashMap<u32, Matrix6<f64>>,
+    /// Rate of the density of these cells \[kg/m^3 per unit of the parameter\].
+    pub density: f64,
+    /// Velocities of the nodes that move.
+    nodes: HashMap<u32, [f64; 2]>,
+}
+
+/// What a parameter changes in a cell.
+pub(super) struct CellChange<'a> {
+    /// dD.
+    pub law: Option<&'a Matrix6<f64>>,
+    /// Velocities of its nodes, all at rest where `None`.
+    pub velocities: Option<[[f64; 2]; 9]>,
+}
+
+impl Change {
+    /// What `parameters` change.
+    ///
+    /// # Errors
+    /// [`SensitivityProblem`] for the first parameter that the section does not have.
+    pub fn of_parameters(
+        section: &Section,
+        domain: &Domain,
+        parameters: &[Parameter],
+    ) -> Result<Vec<Self>, SensitivityProblem> {
+        let mut places = Places::of(section, domain);
+        if parameters
+            .iter()
+            .any(|parameter| !parameter.motion().is_empty())
+        {
+            places.look_around(domain);
+        }
+        let changes = parameters.iter().map(|parameter| {
+            parameter.check(section)?;
+            let at = (section, domain, &places);
+            match parameter {
+                Parameter::Constant { material, constant } => {
+                    Ok(Self::of_constant(at, *material, *constant))
+                }
+                Parameter::FiberAngle(cells) => {
+                    Ok(Self::of_laws(at, &places.of_cells(cells), |law, of| {
+                        fiber_angle_rate(law, of.fiber_angle, of.plane_angle)
+                    }))
+                }
+                Parameter::PlaneAngle(cells) => {
+                    let cells = places.of_cells(cells);
+                    Ok(Self::of_laws(at, &cells, |law, _| plane_angle_rate(law)))
+                }
+                Parameter::Node { .. } | Parameter::Motion(_) => Self::of_motion(at, parameter),
+            }
+        });
+        changes.collect()
+    }
+
+    /// The change of a cell of the domain.
+    pub fn of_cell(&self, cell: &DomainCell) -> CellChange<'_> {
+        let velocities = || {
+            let mut velocities = [[0.0; 2]; 9];
+            for (velocity, node) in velocities.iter_mut().zip(cell.nodes()) {
+                *velocity = self.nodes.get(node).copied().unwrap_or_default();
+            }
+            velocities
+        };
+        CellChange {
+            law: self.laws.get(&cell.law),
+            velocities: (!self.nodes.is_empty()).then(velocities),
+        }
+    }
+
+    fn of_constant(at: (&Section, &Domain, &Places), material: usize, constant: Constant) -> Self {
+        let (section, domain, places) = at;
+        let cells = &places.of_material[material];
+        if constant == Constant::Density {
+            return Self {
+                cells: cells.clone(),
+                laws: HashMap::new(),
+                density: 1.0,
+                nodes: HashMap::new(),
+            };
+        }
+        let rate = section.materials[material].law.derivative(constant) / domain.scaling.modulus;
+        Self::of_laws(at, cells, |_, of| {
+            section_stiffness(&rate, of.fiber_angle, of.plane_angle)
+        })
+    }
+
+    /// The change of the laws of `cells`, one a law.
+    fn of_laws(
+        (section, domain, _): (&Section, &Domain, &Places),
+        cells: &[u32],
+        rate: impl Fn(&Matrix6<f64>, &CellMaterial) -> Matrix6<f64>,
+    ) -> Self {
+        let mut laws = HashMap::new();
+        for &cell in cells {
+            let DomainCell { law, mesh_cell, .. } = domain.cells[cell as usize];
+            laws.entry(law).or_insert_with(|| {
+                rate(
+                    &domain.laws[law as usize],
+                    &section.cells[mesh_cell as usize],
+                )
+            });
+        }
+        Self {
+            cells: cells.to_vec(),
+            laws,
+            density: 0.0,
+            nodes: HashMap::new(),
+        }
+    }
+
+    fn of_motion(
+        (_, domain, places): (&Section, &Domain, &Places),
+        parameter: &Parameter,
+    ) -> Result<Self, SensitivityProblem> {
+        let mut nodes: HashMap<u32, [f64; 2]> = HashMap::new();
+        let mut cells = Vec::new();
+        for at in parameter.motion() {
+            let node = places.of_node(at.node)?;
+            let velocity = nodes.entry(node).or_default();
+            velocity[0] += at.y / domain.scaling.length;
+            velocity[1] += at.z / domain.scaling.length;
+            cells.extend(places.around(node));
+        }
+        cells.sort_unstable();
+        cells.dedup();
+        Ok(Self {
+            cells,
+            laws: HashMap::new(),
+            density: 0.0,
+            nodes,
+        })
+    }
+}
+
+/// Where the cells and nodes of the mesh are in the domain.
+struct Places {
+    of_material: Vec<Vec<u32>>,
+    of_region: Vec<Vec<u32>>,
+    /// Cells of the domain, by their index in the mesh.
+    of_mesh_cell: Vec<u32>,
+    /// Nodes of the domain, by their index in the mesh, once they are looked for.
+    nodes: HashMap<u32, u32>,
+    /// Cells around each node of the domain: pairs, ascending; once they are looked for.
+    around: Vec<(u32, u32)>,
+}
+
+impl Places {
+    fn of(section: &Section, domain: &Domain) -> Self {
+        let mut places = Self {
+            of_material: vec![Vec::new(); section.materials.len()],
+            of_region: vec![Vec::new(); section.mesh.groups.len()],
+            of_mesh_cell: vec![0; domain.cells.len()],
+            nodes: HashMap::new(),
+            around: Vec::new(),
+        };
+        for (index, cell) in (0..).zip(&domain.cells) {
+            let mesh_cell = cell.mesh_cell as usize;
+            places.of_material[section.cells[mesh_cell].material].push(index);
+            places.of_region[section.mesh.cells[mesh_cell].group].push(index);
+            places.of_mesh_cell[mesh_cell] = index;
+        }
+        places
+    }
+
+    /// Finds the nodes, and the cells around them.
+    fn look_around(&mut self, domain: &Domain) {
+        self.nodes = domain.mesh_nodes.iter().copied().zip(0..).collect();
+        for (index, cell) in (0..).zip(&domain.cells) {
+            let pairs = cell.nodes().iter().map(|&node| (node, index));
+            self.around.extend(pairs);
+        }
+        self.around.sort_unstable();
+    }
+
+    /// Cells of the domain, ascending, each once.
+    fn of_cells(&self, cells: &Cells) -> Vec<u32> {
+        match cells {
+            Cells::Region(group) => self.of_region[*group].clone(),
+            Cells::List(list) => {
+                let mut found: Vec<_> = list.iter().map(|&cell| self.of_mesh_cell[cell]).collect();
+                found.sort_unstable();
+                found.dedup();
+                found
+            }
+        }
+    }
+
+    fn of_node(&self, node: usize) -> Result<u32, SensitivityProblem> {
+        let index = u32::try_from(node).ok();
+        let found = index.and_then(|node| self.nodes.get(&node));
+        found
+            .copied()
+            .ok_or(SensitivityProblem::NoNode { found: node })
+    }
+
+    fn around(&self, node: u32) -> impl Iterator<Item = u32> {
+        let first = self.around.partition_point(|&(other, _)| other < node);
+        let of_node = self.around[first..]
+            .iter()
+            .take_while(move |&&(other, _)| other == node);
+        of_node.map(|&(_, cell)| cell)
+    }
+}

@@ -1,0 +1,175 @@
+//! `analyze --sensitivity`: the file, the table, and what is refused.
+
+use crate::workplace::Workplace;
+
+const FILE: &str = "results/a.sensitivity.json";
+
+/// Of the two cells one is of a ply, so that there are angles.
+fn place() -> Workplace {
+    let ply = "[material.ply]\ne1 = 140\ne2 = 9\ne3 = 9\ng12 = 5\ng13 = 5\ng23 = 3\n\
+               nu12 = 0.3\nnu13 = 0.3\nnu23 = 0.4\ndensity = \"1600 kg/m^3\"\n\n[[region]]\n\
+               group = \"skin\"\nmaterial = \"ply\"\nfiber_angle = 20\n";
+    let steel = "[[region]]\ngroup = \"skin\"\nmaterial = \"steel\"\n";
+    Workplace::with(&[(steel, ply)], &[])
+}
+
+fn json(place: &Workplace) -> serde_json::Value {
+    serde_json::from_str(&place.read(FILE)).unwrap()
+}
+
+#[test]
+fn the_file_has_all_constants_and_angles() {
+    let place = place();
+    let run = place.run(&["analyze", "a.section.toml", "--sensitivity"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(run.out.contains(&format!("\n  {FILE}\n")), "{}", run.out);
+    let file = json(&place);
+    let parameters = file["parameters"].as_array().unwrap();
+    let names: Vec<_> = parameters
+        .iter()
+        .map(|parameter| parameter["name"].as_str().unwrap())
+        .collect();
+    let ply = [
+        "e1", "e2", "e3", "g12", "g13", "g23", "nu12", "nu13", "nu23", "density",
+    ];
+    let mut expected: Vec<_> = ply.iter().map(|name| format!("{name} of ply")).collect();
+    let steel = ["young", "poisson", "density"];
+    expected.extend(steel.iter().map(|name| format!("{name} of steel")));
+    expected.extend(["fiber angle of skin", "plane angle of skin"].map(str::to_owned));
+    let sorted = |mut list: Vec<String>| {
+        list.sort();
+        list
+    };
+    let found = names.iter().map(|&name| name.to_owned()).collect();
+    assert_eq!(sorted(found), sorted(expected));
+
+    let of = |name: &str| {
+        let at = names.iter().position(|&known| known == name).unwrap();
+        &parameters[at]
+    };
+    // a cell of 1 mm by 1 mm about (1.5, 0.5) mm adds its own area to the mass
+    let density = of("density of steel");
+    let mass = density["mass"][0][0].as_f64().unwrap();
+    assert!((mass / 1e-6 - 1.0).abs() < 1e-12, "{mass}");
+    assert_eq!(density["value"].as_f64(), Some(7850.0));
+    assert_eq!(density["unit"], "kg/m^3");
+    let angle = of("fiber angle of skin");
+    let value = angle["value"].as_f64().unwrap();
+    assert!((value - 20f64.to_radians()).abs() < 1e-15);
+    // moduli of all materials together scale the stiffness: K = sum p dK/dp
+    let sum: f64 = parameters
+        .iter()
+        .filter(|parameter| parameter["unit"] == "Pa")
+        .map(|p| p["value"].as_f64().unwrap() * p["stiffness"][0][0].as_f64().unwrap())
+        .sum();
+    let properties: serde_json::Value =
+        serde_json::from_str(&place.read("results/a.properties.json")).unwrap();
+    let stiffness = properties["stiffness"][0][0].as_f64().unwrap();
+    assert!((sum / stiffness - 1.0).abs() < 1e-10, "{sum} {stiffness}");
+}
+
+#[test]
+fn the_table_is_in_the_report() {
+    let place = place();
+    let run = place.run(&["analyze", "a.section.toml", "--sensitivity"]);
+    let report = place.read("results/a.report.txt");
+    assert!(run.out.starts_with(&report));
+    assert!(
+        report.contains("\nSensitivities: change by 1 %"),
+        "{report}"
+    );
+    let line = |name: &str| {
+        let found = report.lines().find(|line| line.contains(name));
+        found
+            .unwrap_or_else(|| panic!("{name}: {report}"))
+            .to_owned()
+    };
+    // densities change no stiffness
+    let words: Vec<_> = line("density of steel")
+        .split_whitespace()
+        .map(str::to_owned)
+        .collect();
+    assert_eq!(words[3..9], ["0", "0", "0", "0", "0", "0"]);
+    assert!(words[9].parse::<f64>().unwrap() > 0.1);
+}
+
+#[test]
+fn nodes_are_parameters_where_asked_for() {
+    let place = place();
+    let run = place.run(&[
+        "analyze",
+        "a.section.toml",
+        "--sensitivity",
+        "--sensitivity-nodes",
+        "3,6",
+    ]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let file = json(&place);
+    let parameters = file["parameters"].as_array().unwrap();
+    let last: Vec<_> = parameters[parameters.len() - 4..]
+        .iter()
+        .map(|parameter| parameter["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(
+        last,
+        ["y of node 3", "z of node 3", "y of node 6", "z of node 6"]
+    );
+    // the right side moved out by 1 m adds 1 m times its height of steel
+    let mass: f64 = [0, 2]
+        .map(|i| {
+            parameters[parameters.len() - 4 + i]["mass"][0][0]
+                .as_f64()
+                .unwrap()
+        })
+        .iter()
+        .sum();
+    assert!((mass / (7850.0 * 1e-3) - 1.0).abs() < 1e-10, "{mass}");
+}
+
+/// The file belongs to the run that was asked for it.
+#[test]
+fn a_run_without_the_option_removes_the_file() {
+    let place = place();
+    let asked = ["analyze", "a.section.toml", "--sensitivity"];
+    place.run(&asked);
+    assert!(
+        place
+            .run(&asked)
+            .out
+            .contains("Unchanged since the last run")
+    );
+    let run = place.run(&["analyze", "a.section.toml"]);
+    assert!(!run.out.contains("Unchanged"), "{}", run.out);
+    assert!(!run.out.contains("Sensitivities"));
+    assert!(!place.path(FILE).exists());
+    assert!(!place.run(&asked).out.contains("Unchanged"));
+    assert!(place.path(FILE).exists());
+}
+
+#[test]
+fn nodes_that_are_not_there() {
+    let place = place();
+    let run = place.run(&[
+        "analyze",
+        "a.section.toml",
+        "--sensitivity",
+        "--sensitivity-nodes",
+        "1,9,77",
+    ]);
+    let expected = "\
+a.section.toml: error: --sensitivity-nodes 9: the mesh \"two.msh\" has no node 9
+  help: the nearest number in the file is 6
+a.section.toml: error: --sensitivity-nodes 77: the mesh \"two.msh\" has no node 77
+  help: the nearest number in the file is 6
+";
+    assert_eq!((run.code, run.err.as_str()), (2, expected));
+    assert!(!place.path("results").exists());
+
+    let run = place.run(&["analyze", "a.section.toml", "--sensitivity-nodes", "1"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("--sensitivity"), "{}", run.err);
+    let rest = ["--sensitivity", "--sensitivity-nodes", "one"];
+    let run = place.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("'one'"), "{}", run.err);
+}
