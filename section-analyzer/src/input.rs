@@ -21,7 +21,7 @@ use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
-use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
+use crate::mesh::{DoubledNodes, Laminated, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
 use crate::section::{DistributedLoad, ImposedStrain, Section};
@@ -35,6 +35,7 @@ mod files;
 mod follow;
 mod groups;
 mod imposed;
+mod laminae;
 mod loads;
 mod materials;
 pub mod outside;
@@ -56,6 +57,7 @@ use curvature::WrittenCurvature;
 use distributed::WrittenDistribution;
 use files::Files;
 use imposed::WrittenStates;
+use laminae::WrittenLamina;
 use materials::WrittenMaterial;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
@@ -119,6 +121,7 @@ struct WrittenSection {
     materials: Vec<WrittenMaterial>,
     regions: Vec<WrittenRegion>,
     states: WrittenStates,
+    laminae: Vec<WrittenLamina>,
     curvature: Option<WrittenCurvature>,
     loads: Vec<(LoadCase, WrittenDistribution)>,
     end_effects: Option<usize>,
@@ -145,6 +148,7 @@ impl WrittenSection {
             doubled_nodes: doubled_nodes(&root),
             materials: materials::read(&root),
             regions: regions::read(&root),
+            laminae: laminae::read(&root),
             curvature: curvature::read(&root),
             loads: loads::read(&root, &states),
             states,
@@ -161,16 +165,11 @@ impl WrittenSection {
     /// Compares the parts with each other and with the mesh; `None` when anything
     /// was noted that leaves no section.
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
-        let of_region = materials_of_regions(document, &self.regions, &self.materials);
-        let strains = self.states.strains_of_regions(document, &self.regions);
-        let mesh_key = self.mesh.as_ref()?;
-        let mut mesh = read_mesh(document, files, mesh_key)?;
-        let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
-        let checked = self.checked_mesh(document, &mesh, &files.path(mesh_key));
-        let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
-        if let Some(Err(problem)) = section_mesh.map(extent::check) {
-            document.note(mesh_key.line, &problem);
-        }
+        let regions = [&self.regions[..], &laminae::regions(&self.laminae)].concat();
+        let of_region = materials_of_regions(document, &regions, &self.materials);
+        let strains = self.states.strains_of_regions(document, &regions);
+        let meshed = self.meshed(document, files)?;
+        let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
         let mut odd = Vec::new();
         let beam = self.curvature.as_ref().zip(section_mesh);
         let beam =
@@ -178,33 +177,40 @@ impl WrittenSection {
         let centroids = section_mesh.map_or_else(Vec::new, centroids);
         let assignment = Assignment {
             document,
-            mesh: &mesh,
+            mesh: &meshed.mesh,
             section_mesh,
             centroids: &centroids,
             regions: &self.regions,
-            region_of_cell: &region_of_cell,
+            region_of_cell: &meshed.region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
-        let distributed = self.distributed(document, &mesh, section_mesh);
-        let tags: Vec<_> = mesh.cells.iter().map(|cell| cell.tag).collect();
+        let distributed = self.distributed(document, &meshed.mesh, section_mesh);
+        let tags: Vec<_> = meshed.mesh.cells.iter().map(|cell| cell.tag).collect();
         let rises = self.states.rises(document, files, &tags);
         let materials = self.materials.iter();
         let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
         let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
-        let (section_mesh, report) = checked?;
-        let region_of_cell: Option<Vec<_>> = region_of_cell.into_iter().collect();
+        let (section_mesh, mut report) = meshed.checked?;
+        let (mut cells, laminated) = (cells?, meshed.laminated?);
+        let of_plies = &of_region[self.regions.len()..];
+        cells.extend(laminae::cells(&self.laminae, &laminated, of_plies)?);
+        report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
+
+        let region_of_cell: Option<Vec<_>> = meshed.region_of_cell.into_iter().collect();
+        let mut region_of_cell = region_of_cell?;
+        let of_laminae = laminae::region_of_cells(&self.laminae, &laminated).into_iter();
+        region_of_cell.extend(of_laminae.map(|region| self.regions.len() + region));
         let section = Section {
             name: self.name.clone(),
             mesh: section_mesh,
             materials,
-            cells: cells?,
+            cells,
             initial_curvature: beam?,
         };
         self.note_prestress(document, &section);
-        let region_of_cell = region_of_cell?;
         let of_regions = (strains?, &region_of_cell[..]);
         let imposed = self.states.states(document, &section, rises?, of_regions);
-        let mut summary = self.summary(document, &section, &of_region, &region_of_cell);
+        let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
         summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
         summary.rate(&section.mesh);
@@ -221,18 +227,42 @@ impl WrittenSection {
         })
     }
 
-    /// The mesh of the file at `path` in meters, and what is odd about it.
-    fn checked_mesh(
-        &self,
-        document: &Document,
-        mesh: &Mesh,
-        path: &Path,
-    ) -> Option<(SectionMesh, MeshReport)> {
+    /// Reads the mesh, gives its cells their regions, adds the laminates and checks it.
+    fn meshed(&self, document: &Document, files: &mut Files<'_>) -> Option<Meshed> {
+        let mesh_key = self.mesh.as_ref()?;
+        let mut mesh = read_mesh(document, files, mesh_key)?;
+        let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
         let unit = document.factor(Dimension::LENGTH);
-        let place = Place::file(path.display().to_string());
-        let mesh = SectionMesh::from_mesh_with(mesh, unit, self.doubled_nodes, &place);
-        document.keep(mesh)
+        let laminated = laminae::add(document, &mut mesh, &self.laminae, unit);
+        let place = Place::file(files.path(mesh_key).display().to_string());
+        // without its laminates the section may well be in parts
+        let checked = laminated.as_ref().and_then(|_| {
+            let checked = SectionMesh::from_mesh_with(&mesh, unit, self.doubled_nodes, &place);
+            document.keep(checked)
+        });
+        let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
+        if let Some(Err(problem)) = section_mesh.map(extent::check) {
+            document.note(mesh_key.line, &problem);
+        }
+        Some(Meshed {
+            mesh,
+            region_of_cell,
+            laminated,
+            checked,
+        })
     }
+}
+
+/// The mesh of a section with its laminates.
+struct Meshed {
+    mesh: Mesh,
+    /// Region of each cell that is not part of a laminate, where it has one.
+    region_of_cell: Vec<Option<usize>>,
+    /// The cells of the laminates, behind the others; `None` when something is wrong
+    /// with them.
+    laminated: Option<Laminated>,
+    /// The mesh in meters, when it is sound.
+    checked: Option<(SectionMesh, MeshReport)>,
 }
 
 impl WrittenSection {
@@ -258,16 +288,16 @@ impl WrittenSection {
         loads.into_iter().collect()
     }
 
-    /// What went in; regions have the materials `of_region`.
+    /// What went in; regions, those of plies too, have the materials `of_region`.
     fn summary(
         &self,
         document: &Document,
         section: &Section,
+        regions: &[WrittenRegion],
         of_region: &[usize],
         region_of_cell: &[usize],
     ) -> InputSummary {
-        let regions = self
-            .regions
+        let summaries = regions
             .iter()
             .zip(of_region)
             .map(|(region, &material)| RegionSummary {
@@ -279,7 +309,7 @@ impl WrittenSection {
         let cells = &section.mesh.cells;
         let count = |kind: CellKind| cells.iter().filter(|cell| cell.kind == kind).count();
         let kinds = CellKind::ALL.map(|kind| (kind, count(kind)));
-        let names = self.regions.iter().map(|region| text_of(&region.group));
+        let names = regions.iter().map(|region| text_of(&region.group));
         let names: Vec<_> = names.collect();
         InputSummary {
             file: document.file().to_owned(),
@@ -289,7 +319,7 @@ impl WrittenSection {
             length_factor: document.factor(Dimension::LENGTH),
             kinds: kinds.into_iter().filter(|(_, count)| *count > 0).collect(),
             areas: AreaTable::by_region(section, &names, region_of_cell),
-            regions: regions.collect(),
+            regions: summaries.collect(),
             quality: MeshQuality::default(),
             warnings: self.warnings(of_region),
         }

@@ -10,6 +10,8 @@ mod gmsh_formats;
 mod gmsh_pairs;
 mod imposed;
 mod invariances;
+mod line_cells;
+mod lines;
 mod outside_matrices;
 mod prestress;
 mod quads;

@@ -80,25 +80,32 @@ fn general(line: InitialCurvature) -> Section {
     section
 }
 
+/// Changes a section by a step.
+type Change = Box<dyn Fn(&mut Section, f64)>;
+
 /// A parameter, and the section with it moved by some amount of its unit.
 struct Moved {
     name: &'static str,
     parameter: Parameter,
+    /// A natural amount of the parameter: its value, a radian, a meter.
+    unit: f64,
+    /// Step of the differences.
     step: f64,
-    by: Box<dyn Fn(&mut Section, f64)>,
+    by: Change,
 }
 
 fn of_constant(
     name: &'static str,
     material: usize,
     constant: Constant,
-    step: f64,
+    unit: f64,
     by: impl Fn(&mut Material, f64) + 'static,
 ) -> Moved {
     Moved {
         name,
         parameter: Parameter::Constant { material, constant },
-        step,
+        unit,
+        step: 0.01 * unit,
         by: Box::new(move |section, amount| by(&mut section.materials[material], amount)),
     }
 }
@@ -110,8 +117,6 @@ fn constants(material: &mut Material) -> &mut EngineeringConstants {
     }
 }
 
-/// Steps of about a hundredth of each value: differences of fourth order are then good to
-/// 1e-8 of the derivative, and to 1e-11 of the value for round-off.
 fn moves() -> Vec<Moved> {
     let mut moves = moved_constants();
     moves.extend(moved_angles());
@@ -122,16 +127,16 @@ fn moves() -> Vec<Moved> {
 fn moved_constants() -> Vec<Moved> {
     let engineering = Constant::Engineering;
     vec![
-        of_constant("e1", 0, engineering("e1"), 2.0, |m, by| {
+        of_constant("e1", 0, engineering("e1"), PLY.e1, |m, by| {
             constants(m).e1 += by
         }),
-        of_constant("g13", 0, engineering("g13"), 0.1, |m, by| {
+        of_constant("g13", 0, engineering("g13"), PLY.g13, |m, by| {
             constants(m).g13 += by;
         }),
-        of_constant("nu12", 0, engineering("nu12"), 0.01, |m, by| {
+        of_constant("nu12", 0, engineering("nu12"), PLY.nu12, |m, by| {
             constants(m).nu12 += by;
         }),
-        of_constant("poisson", 1, Constant::Poisson, 0.005, |m, by| {
+        of_constant("poisson", 1, Constant::Poisson, 0.3, |m, by| {
             let ElasticLaw::Isotropic { poisson, .. } = &mut m.law else {
                 panic!("an isotropic law");
             };
@@ -141,7 +146,7 @@ fn moved_constants() -> Vec<Moved> {
             "stiffness[1,6]",
             2,
             Constant::Stiffness(0, 5),
-            0.1,
+            10.0,
             |m, by| {
                 let ElasticLaw::Full(stiffness) = &mut m.law else {
                     panic!("a full law");
@@ -150,7 +155,7 @@ fn moved_constants() -> Vec<Moved> {
                 stiffness[(5, 0)] += by;
             },
         ),
-        of_constant("density", 2, Constant::Density, 0.1, |m, by| {
+        of_constant("density", 2, Constant::Density, 3.0, |m, by| {
             m.density += by
         }),
     ]
@@ -161,7 +166,8 @@ fn moved_angles() -> [Moved; 2] {
         Moved {
             name: "fiber angle",
             parameter: Parameter::FiberAngle(Cells::List(vec![0, 2, 5])),
-            step: 0.01,
+            unit: 1.0,
+            step: 0.002,
             by: Box::new(|section, by| {
                 for cell in [0, 2, 5] {
                     section.cells[cell].fiber_angle += by;
@@ -171,7 +177,8 @@ fn moved_angles() -> [Moved; 2] {
         Moved {
             name: "plane angle",
             parameter: Parameter::PlaneAngle(Cells::Region(0)),
-            step: 0.01,
+            unit: 1.0,
+            step: 0.002,
             by: Box::new(|section, by| {
                 for cell in &mut section.cells {
                     cell.plane_angle += by;
@@ -189,13 +196,15 @@ fn moved_nodes() -> [Moved; 2] {
                 node: 17,
                 axis: Axis::Y,
             },
-            step: 0.005,
+            unit: 1.0,
+            step: 0.001,
             by: Box::new(|section, by| section.mesh.nodes[17][0] += by),
         },
         Moved {
             name: "motion of all nodes",
             parameter: Parameter::Motion((0..45).map(swing).collect()),
-            step: 0.005,
+            unit: 1.0,
+            step: 0.001,
             by: Box::new(|section, by| {
                 for (node, place) in section.mesh.nodes.iter_mut().enumerate() {
                     let NodeVelocity { y, z, .. } = swing(node);
@@ -215,17 +224,18 @@ fn swing(node: usize) -> NodeVelocity {
     }
 }
 
-/// Largest `|a_ij - b_ij| step / sqrt(s_ii s_jj)`.
-fn error(a: &Matrix6<f64>, b: &Matrix6<f64>, of: &Matrix6<f64>, step: f64) -> f64 {
+/// Largest `|a_ij - b_ij| unit / sqrt(s_ii s_jj)`.
+fn error(a: &Matrix6<f64>, b: &Matrix6<f64>, of: &Matrix6<f64>, unit: f64) -> f64 {
     let down = of.diagonal().map(|value| 1.0 / value.sqrt());
-    (a - b).component_mul(&(down * down.transpose())).amax() * step
+    (a - b).component_mul(&(down * down.transpose())).amax() * unit
 }
 
 /// All 36 entries of K, F and M and the three centers, straight and curved.
 ///
-/// The differences are good to (step/value)^4 = 1e-8 of the change, and changes are per
-/// hundredth of a value: 1e-6 relative to `sqrt(Kii Kjj)` per unit change, that is 1e-8
-/// per step, leaves a factor of ten or more.
+/// Errors are per natural amount of the parameter, relative to `sqrt(Kii Kjj)`. Those of
+/// the differences are step^4/30 of the fifth derivative, for constants 1e-8/30 times a few
+/// units; the ratio 18 of the moduli makes angles sharper (fifth derivatives of 1e4), nodes
+/// move in cells of 0.25: smaller steps. Round-off is 1e-12 over the step: 1e-6 leaves room.
 #[test]
 fn derivatives_are_those_of_differences() {
     let curved = InitialCurvature {
@@ -252,7 +262,7 @@ fn compare(
     moved: &Moved,
     found: &Derivative,
 ) {
-    let step = moved.step;
+    let Moved { unit, step, .. } = *moved;
     let around = [-2.0, -1.0, 1.0, 2.0].map(|steps| {
         let mut section = section.clone();
         (moved.by)(&mut section, steps * step);
@@ -266,7 +276,7 @@ fn compare(
     let differences = [
         (
             "dK",
-            error(&found.stiffness, &matrix(|s| s.stiffness), k, step),
+            error(&found.stiffness, &matrix(|s| s.stiffness), k, unit),
         ),
         (
             "dF",
@@ -274,17 +284,17 @@ fn compare(
                 &found.compliance,
                 &matrix(|s| s.compliance),
                 &solution.compliance,
-                step,
+                unit,
             ),
         ),
         (
             "dM",
-            error(&found.mass, &matrix(|s| s.mass), &solution.mass, step),
+            error(&found.mass, &matrix(|s| s.mass), &solution.mass, unit),
         ),
     ];
     // a thousand times the tolerance: the comparison means something
-    let changes = error(&found.stiffness, &Matrix6::zeros(), k, step);
-    let is_large = changes > 1e-5 || moved.name == "density";
+    let changes = error(&found.stiffness, &Matrix6::zeros(), k, unit);
+    let is_large = changes > 1e-3 || moved.name == "density";
     assert!(is_large, "{beam}, {}: {changes:e}", moved.name);
     let places = [
         found.tension,
@@ -294,12 +304,12 @@ fn compare(
     let [far, near, next, last] = around.each_ref().map(centers);
     let off = places.iter().flatten().enumerate().map(|(i, place)| {
         let expected = (8.0 * (next[i] - near[i]) - (last[i] - far[i])) / (12.0 * step);
-        (place - expected).abs() * step
+        (place - expected).abs() * unit
     });
     let off = ("centers", off.fold(0.0, f64::max));
     for (quantity, error) in differences.into_iter().chain([off]) {
-        assert!(error < 1e-8, "{beam}, {}: {quantity} {error:e}", moved.name);
-        record::largest(DIFFERENCES, beam, quantity, error, 1e-8);
+        assert!(error < 1e-6, "{beam}, {}: {quantity} {error:e}", moved.name);
+        record::largest(DIFFERENCES, beam, quantity, error, 1e-6);
     }
 }
 

@@ -324,8 +324,8 @@ fn rises(
             found: table.len(),
             expected: cells.len(),
             users: "the mesh".to_owned(),
-            missing: misfit.missing,
-            unknown: misfit.unknown,
+            missing: misfit.missing.into(),
+            unknown: misfit.unknown.into(),
         };
         document.note(written.line, &problem);
         return None;

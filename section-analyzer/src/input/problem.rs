@@ -265,6 +265,21 @@ pub enum InputProblem {
         /// Tag of one of them.
         example: u64,
     },
+    /// A laminate with a list of plies and the keys of one.
+    #[error("a lamina has \"plies\" and \"{key}\", expected one of them")]
+    PliesAndPly {
+        /// A key of a ply.
+        key: &'static str,
+    },
+    /// A laminate without plies.
+    #[error("a lamina has no plies")]
+    NoPlies,
+    /// A laminate that is called as something else.
+    #[error("the name \"{name}\" of a lamina is taken by a surface or another lamina")]
+    LaminaName {
+        /// The name.
+        name: String,
+    },
     /// An angle given in two ways, or in none that is known.
     #[error("\"{key}\" has both \"table\" and \"follow\", expected one of them")]
     TableAndFollow {
@@ -329,9 +344,9 @@ pub enum InputProblem {
         /// What takes its values from it: groups, or the mesh.
         users: String,
         /// Cells without a value.
-        missing: Vec<u64>,
+        missing: Box<[u64]>,
         /// Cells that are not among these.
-        unknown: Vec<u64>,
+        unknown: Box<[u64]>,
     },
 }
 
@@ -384,15 +399,7 @@ impl Explain for InputProblem {
                     .to_owned(),
             ),
             Self::Folded { factor, far, .. } => Some(folded_help(*factor, *far)),
-            Self::Prestress { .. } => {
-                Some("remove \"prestress\" or [initial_curvature]".to_owned())
-            }
-            Self::HugeLoad { .. } => Some(
-                "this is in SI units; check the unit and the \"point\" where the load acts"
-                    .to_owned(),
-            ),
-            Self::LoadName { .. } => Some("the name becomes part of file names".to_owned()),
-            _ => None,
+            _ => self.further_help().map(str::to_owned),
         }
     }
 }
@@ -411,6 +418,26 @@ fn folded_help(factor: f64, far: f64) -> String {
         label(factor),
         label(far)
     )
+}
+
+impl InputProblem {
+    fn further_help(&self) -> Option<&'static str> {
+        match self {
+            Self::NoPlies => Some(
+                "give \"material\" and \"thickness\", or plies = [{ material = ..., thickness = \
+                 ... }, ...]",
+            ),
+            Self::LaminaName { .. } => {
+                Some("tables and reports go by it: give the lamina a \"name\" of its own")
+            }
+            Self::Prestress { .. } => Some("remove \"prestress\" or [initial_curvature]"),
+            Self::HugeLoad { .. } => {
+                Some("this is in SI units; check the unit and the \"point\" where the load acts")
+            }
+            Self::LoadName { .. } => Some("the name becomes part of file names"),
+            _ => None,
+        }
+    }
 }
 
 /// The keys of a table of strengths, in words.

@@ -74,12 +74,7 @@ fn angle(region: &Table<'_>, key: &'static str) -> Option<WrittenAngle> {
         return Some(WrittenAngle::Constant(0.0));
     }
     if !region.is_table(key) {
-        let angle = region.quantity(key, Dimension::ANGLE)?;
-        if angle.abs() > LARGEST_ANGLE {
-            region.wrong(key, "an angle of at most 1000 revolutions");
-            return None;
-        }
-        return Some(WrittenAngle::Constant(angle));
+        return constant_angle(region, key).map(WrittenAngle::Constant);
     }
     let table = region.table(key)?;
     let may_follow = key == "plane_angle";
@@ -102,6 +97,16 @@ fn angle(region: &Table<'_>, key: &'static str) -> Option<WrittenAngle> {
     };
     table.finish();
     found
+}
+
+/// One angle \[rad\].
+pub(super) fn constant_angle(table: &Table<'_>, key: &str) -> Option<f64> {
+    let angle = table.quantity(key, Dimension::ANGLE)?;
+    if angle.abs() > LARGEST_ANGLE {
+        table.wrong(key, "an angle of at most 1000 revolutions");
+        return None;
+    }
+    Some(angle)
 }
 
 fn follow(table: &Table<'_>) -> Option<WrittenAngle> {

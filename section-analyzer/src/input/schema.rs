@@ -5,8 +5,8 @@
 //! reference of the book ([`reference`]). A test holds the description and the
 //! reader to each other, key by key: what one knows, the other must know.
 //!
-//! A new key is one line in a list: `schema/keys.rs`, or `schema/limits.rs` for the
-//! limits of materials.
+//! A new key is one line in a list: `schema/keys.rs`, `schema/limits.rs` for the limits
+//! of materials, or `schema/laminae.rs` for laminates along curves.
 
 use shared_geom::units::Dimension;
 
@@ -14,6 +14,7 @@ mod distributed;
 mod imposed;
 mod json;
 mod keys;
+mod laminae;
 mod limits;
 mod loads;
 mod reference;

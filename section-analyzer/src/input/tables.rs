@@ -85,8 +85,8 @@ impl Tables {
                     found: table.len(),
                     expected: table_use.cells.len(),
                     users: quoted(&table_use.groups),
-                    missing: misfit.missing,
-                    unknown: misfit.unknown,
+                    missing: misfit.missing.into(),
+                    unknown: misfit.unknown.into(),
                 };
                 document.note(table_use.written.line, &problem);
             }

@@ -210,6 +210,7 @@ mod tests {
             name: "m".into(),
             law,
             density: 1.0,
+            expansion: None,
         };
         for constant in material.constants() {
             let value = material.value(constant).expect("its own constant");
@@ -304,6 +305,7 @@ mod tests {
             name: "m".into(),
             law,
             density: 2.0,
+            expansion: None,
         };
         assert_eq!(material.value(Constant::Poisson), None);
         assert_eq!(material.value(Constant::Density), Some(2.0));

@@ -16,6 +16,7 @@ mod curve_sides;
 mod findings;
 pub mod generate;
 mod jacobian;
+mod laminate;
 mod orientation;
 mod overlap;
 mod plane;
@@ -27,6 +28,7 @@ mod sides;
 
 pub use curve_sides::{Bank, CurveSide};
 pub use findings::{CellOverlap, DoubledNodes, HangingNode, NarrowGap, Seam};
+pub use laminate::{Lamina, LaminaCell, LaminaProblem, LaminaSide, Laminated, add_laminae};
 pub(crate) use plane::{distance, polygon_area};
 pub use problem::{Inversion, MeshProblem, Part};
 pub use section_mesh::{Curve, CurveLine, MeshReport, SectionCell, SectionMesh};

@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod follow;
+mod laminae;
 #[path = "../../../shared-geom/tests/robust/mutation.rs"]
 mod mutation;
 mod robust;

@@ -44,13 +44,12 @@ impl Explain for NodeProblem {
 pub(super) struct Sensitivities(Option<(Vec<Parameter>, Vec<Derivative>)>);
 
 impl Sensitivities {
-    /// The part of the report, behind an empty line.
+    /// The part of the report.
     pub fn table(&self, section: &Section, solution: &SectionSolution) -> String {
         self.0
             .as_ref()
             .map_or_else(String::new, |(of, derivatives)| {
-                let table = sensitivity_table(section, solution, of, derivatives);
-                format!("\n{table}")
+                sensitivity_table(section, solution, of, derivatives)
             })
     }
 

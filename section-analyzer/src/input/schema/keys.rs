@@ -5,6 +5,7 @@ use shared_geom::units::Dimension;
 
 use super::distributed::END_EFFECTS;
 use super::imposed::{EXPANSION, INITIAL_STRAIN, TEMPERATURE};
+use super::laminae::LAMINA;
 use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
 use super::loads::LOAD;
 use super::{Family, KeySchema, Need, TableSchema, ValueKind};
@@ -78,9 +79,16 @@ pub const SECTION_FILE: TableSchema = TableSchema {
         key(
             "region",
             &[ValueKind::Tables(&REGION)],
-            Required,
+            Optional,
             "",
             "What each physical surface of the mesh is made of; every surface needs one.",
+        ),
+        key(
+            "lamina",
+            &[ValueKind::Tables(&LAMINA)],
+            Optional,
+            "",
+            "Laminates along physical curves of the mesh, beside cells or by themselves.",
         ),
         key(
             "initial_curvature",

@@ -1,0 +1,309 @@
+//! What can be wrong with a laminate along a curve.
+//!
+//! Places are those of the mesh file, in its unit.
+
+use shared_geom::error::Explain;
+
+use super::super::problem::{counted, place as at, short};
+use super::LaminaSide;
+
+/// A problem of a laminate on its lines.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LaminaProblem {
+    /// A line between cells.
+    #[error(
+        "line {line} of curve \"{curve}\" at {} lies between cells{}: a laminate lies on the \
+         border of cells, or where there are none", at(*.place), more(*.count)
+    )]
+    Inside {
+        /// The curve.
+        curve: String,
+        /// Tag of one of the lines.
+        line: u64,
+        /// Its middle [mesh unit].
+        place: [f64; 2],
+        /// How many there are.
+        count: usize,
+    },
+    /// A laminate on the side where the cells are.
+    #[error(
+        "side = \"{}\" puts the laminate of curve \"{curve}\" into the cells beside line {line} \
+         at {}", .side.name(), at(*.place)
+    )]
+    IntoCells {
+        /// The curve.
+        curve: String,
+        /// The side as it was given.
+        side: LaminaSide,
+        /// Tag of one of the lines.
+        line: u64,
+        /// Its middle [mesh unit].
+        place: [f64; 2],
+    },
+    /// A curve with cells first on one side and then on the other.
+    #[error(
+        "curve \"{curve}\" has cells on its left at line {} at {} and on its right at line {} \
+         at {}: its laminate has no side",
+        .lines[0], at(.places[0]), .lines[1], at(.places[1])
+    )]
+    SideChanges {
+        /// The curve.
+        curve: String,
+        /// Tags of a line of each kind.
+        lines: [u64; 2],
+        /// Their middles [mesh unit].
+        places: [[f64; 2]; 2],
+    },
+    /// A curve that runs along cells and beyond them.
+    #[error(
+        "curve \"{curve}\" has cells beside line {} at {} and none beside line {} at {}: the \
+         side of its laminate must be said",
+        .lines[0], at(.places[0]), .lines[1], at(.places[1])
+    )]
+    Mixed {
+        /// The curve.
+        curve: String,
+        /// Tags of a line of each kind.
+        lines: [u64; 2],
+        /// Their middles [mesh unit].
+        places: [[f64; 2]; 2],
+    },
+    /// Two laminates at one place.
+    #[error(
+        "{} on one side of line {line} at {}", twice(.curves), at(*.place)
+    )]
+    Twice {
+        /// Their curves.
+        curves: [String; 2],
+        /// Tag of a line that has both.
+        line: u64,
+        /// Its middle [mesh unit].
+        place: [f64; 2],
+    },
+    /// A line without direction.
+    #[error("line {line} of curve \"{curve}\" at {} has no length", at(*.place))]
+    NoLength {
+        /// The curve.
+        curve: String,
+        /// Tag of the line.
+        line: u64,
+        /// Where it is [mesh unit].
+        place: [f64; 2],
+    },
+    /// Lines of one curve that run against each other.
+    #[error(
+        "lines {} and {} of curve \"{curve}\" run against each other at node {node} at {}: \
+         left and right change there", .lines[0], .lines[1], at(*.place)
+    )]
+    AgainstEachOther {
+        /// The curve.
+        curve: String,
+        /// Tags of the lines.
+        lines: [u64; 2],
+        /// Tag of the node.
+        node: u64,
+        /// Where it is [mesh unit].
+        place: [f64; 2],
+    },
+    /// More than two lines with laminates at a node.
+    #[error(
+        "{lines} lines with laminates meet at node {node} at {} ({})", at(*.place),
+        quoted(.curves)
+    )]
+    Branch {
+        /// Tag of the node.
+        node: u64,
+        /// Where it is [mesh unit].
+        place: [f64; 2],
+        /// Number of lines.
+        lines: usize,
+        /// Their curves, each once.
+        curves: Vec<String>,
+    },
+    /// A wall that ends on another one whose lines are too short.
+    #[error(
+        "the laminate of curve \"{}\" ends on that of \"{}\" at node {node} at {}, where line \
+         {line} of length {} is too short: {} of it are taken, expected at most three quarters",
+        .curves[0], .curves[1], at(*.place), short(*.length), short(*.taken)
+    )]
+    Crowded {
+        /// The curve that ends, and the one that runs through.
+        curves: [String; 2],
+        /// Tag of the node.
+        node: u64,
+        /// Where it is [mesh unit].
+        place: [f64; 2],
+        /// Tag of the line.
+        line: u64,
+        /// Its length [mesh unit].
+        length: f64,
+        /// The part of it that the other wall covers [mesh unit].
+        taken: f64,
+    },
+    /// A corner that cannot be mitred.
+    #[error(
+        "the laminate of curve \"{curve}\" turns by {:.0} deg at node {node} at {}, expected at \
+         most {:.0} deg", .turn.to_degrees(), at(*.place), .limit.to_degrees()
+    )]
+    Sharp {
+        /// The curve.
+        curve: String,
+        /// Tag of the node.
+        node: u64,
+        /// Where it is [mesh unit].
+        place: [f64; 2],
+        /// How much the direction changes \[rad\].
+        turn: f64,
+        /// How much it may \[rad\].
+        limit: f64,
+    },
+    /// Laminates that cannot be joined.
+    #[error(
+        "the laminates of curves \"{}\" ({}) and \"{}\" ({}) meet at a corner at node {node} \
+         at {}, where layers cannot be joined one by one",
+        .curves[0], counted(.layers[0], "layer"), .curves[1], counted(.layers[1], "layer"),
+        at(*.place)
+    )]
+    Differ {
+        /// Their curves.
+        curves: [String; 2],
+        /// Number of layers of each.
+        layers: [usize; 2],
+        /// Tag of the node.
+        node: u64,
+        /// Where it is [mesh unit].
+        place: [f64; 2],
+    },
+    /// Laminates of which one is centered and the other not.
+    #[error(
+        "the laminates of curves \"{}\" and \"{}\" meet at node {node} at {}, one centered on \
+         its line and the other beside it", .curves[0], .curves[1], at(*.place)
+    )]
+    OffCenter {
+        /// Their curves.
+        curves: [String; 2],
+        /// Tag of the node.
+        node: u64,
+        /// Where it is [mesh unit].
+        place: [f64; 2],
+    },
+    /// A laminate that folds over itself.
+    #[error(
+        "the laminate of curve \"{curve}\" folds over itself at line {line} at {}: it reaches \
+         {} from the line, {}", at(*.place), short(*.reach), fold(*.length, *.radius)
+    )]
+    Folded {
+        /// The curve.
+        curve: String,
+        /// Tag of the line.
+        line: u64,
+        /// Its middle [mesh unit].
+        place: [f64; 2],
+        /// Distance of the laminate's farther face from the line [mesh unit].
+        reach: f64,
+        /// Length of the line [mesh unit].
+        length: f64,
+        /// Its radius of curvature, unless it is straight [mesh unit].
+        radius: Option<f64>,
+    },
+    /// Further problems of a kind of which the first have been told.
+    #[error("and {count} more {what}")]
+    More {
+        /// How many were left out.
+        count: usize,
+        /// Of what.
+        what: &'static str,
+    },
+}
+
+impl Explain for LaminaProblem {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::Inside { .. } => {
+                "mesh a layer between cells as cells of its own, or name a curve on the border"
+            }
+            Self::IntoCells { .. } => {
+                "leave \"side\" out: on the border of cells the laminate then lies on the other \
+                 side"
+            }
+            Self::SideChanges { .. } => {
+                "in gmsh, give the lines one direction along the border (Physical Curve with a \
+                 minus sign turns one), or name two curves"
+            }
+            Self::Mixed { .. } => "give side = \"left\" or \"right\", the one without cells",
+            Self::Twice { .. } => "one [[lamina]] lists all its plies",
+            Self::NoLength { .. } => "mesh this curve again",
+            Self::AgainstEachOther { .. } => {
+                "in gmsh, give all lines of the curve one direction: in Physical Curve(...) = \
+                 {1, -2} the minus sign turns curve 2 around"
+            }
+            Self::Branch { .. } => {
+                "one wall may end on another one that runs through smoothly and has one laminate \
+                 and no cells beside it; mesh other junctions as cells, with laminates on their \
+                 border"
+            }
+            Self::Crowded { .. } => {
+                "use longer lines there, or mesh the junction as cells, with laminates on their \
+                 border"
+            }
+            Self::Sharp { .. } => "mesh the corner as cells, with the laminates on their border",
+            Self::Differ { .. } => {
+                "give both as many plies (one ply may be written as two), or mesh the corner as \
+                 cells"
+            }
+            Self::OffCenter { .. } => "give both the same \"side\"",
+            Self::Folded { .. } => {
+                "lines must be longer than the laminate is thick where they meet at an angle, \
+                 and radii larger on its inner side"
+            }
+            Self::More { .. } => return None,
+        };
+        Some(help.to_owned())
+    }
+}
+
+fn more(count: usize) -> String {
+    match count {
+        1 => String::new(),
+        _ => format!(", as do {} more", count - 1),
+    }
+}
+
+fn twice([one, other]: &[String; 2]) -> String {
+    match one == other {
+        true => format!("curve \"{one}\" has two laminates"),
+        false => format!("curves \"{one}\" and \"{other}\" both have a laminate"),
+    }
+}
+
+fn quoted(names: &[String]) -> String {
+    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    names.join(", ")
+}
+
+fn fold(length: f64, radius: Option<f64>) -> String {
+    match radius {
+        Some(radius) => format!(
+            "and the line of length {} has a radius of curvature of {}",
+            short(length),
+            short(radius)
+        ),
+        None => format!("and the line is {} long", short(length)),
+    }
+}
+
+/// Problems of one kind that are told at most.
+const LIMIT: usize = 5;
+
+/// The first problems of a kind, and how many more there are.
+pub(super) fn limited(
+    mut problems: Vec<(usize, LaminaProblem)>,
+    what: &'static str,
+) -> Vec<(usize, LaminaProblem)> {
+    if let Some(&(lamina, _)) = problems.get(LIMIT) {
+        let count = problems.len() - LIMIT;
+        problems.truncate(LIMIT);
+        problems.push((lamina, LaminaProblem::More { count, what }));
+    }
+    problems
+}

@@ -1,0 +1,323 @@
+use shared_geom::error::Explain;
+use shared_geom::mesh::{Cell, CellKind, Line, LineKind, Node, PhysicalGroup};
+
+use super::*;
+
+/// Name, lines and side of each curve.
+type Curves<'a> = [(&'a str, &'a [&'a [u32]], Option<LaminaSide>)];
+
+/// A mesh on these places; tags from one. Each curve is a list of lines: ends, and the
+/// middle. Its laminate has two plies, together of thickness 0.2, on the given side.
+fn mesh(places: &[[f64; 2]], cells: &[&[u32]], curves: &Curves<'_>) -> (Mesh, Vec<Lamina>) {
+    let mut mesh = Mesh::default();
+    for (&[x, y], tag) in places.iter().zip(1..) {
+        let position = [x, y, 0.0].into();
+        mesh.nodes.push(Node { tag, position });
+    }
+    for (nodes, tag) in cells.iter().zip(500..) {
+        let kind = CellKind::Quadrilateral4;
+        mesh.cells.push(Cell::new(tag, kind, 1, |i| nodes[i] - 1));
+    }
+    let group = |mesh: &mut Mesh, dimension, name: &str| {
+        mesh.groups.push(PhysicalGroup {
+            dimension,
+            tag: mesh.groups.len() as i32 + 1,
+            name: Some(name.to_owned()),
+        });
+        mesh.groups.len() - 1
+    };
+    let mut laminae = Vec::new();
+    for (name, lines, side) in curves {
+        let curve = group(&mut mesh, 1, name);
+        for nodes in *lines {
+            let kind = match nodes.len() {
+                2 => LineKind::Line2,
+                _ => LineKind::Line3,
+            };
+            let tag = mesh.lines.len() as u64 + 1;
+            let mut line = Line::new(tag, kind, 1, |i| nodes[i] - 1);
+            line.groups = curve.into();
+            mesh.lines.push(line);
+        }
+        laminae.push(Lamina {
+            curve,
+            side: *side,
+            thicknesses: vec![0.1, 0.1],
+            groups: vec![group(&mut mesh, 2, "one"), group(&mut mesh, 2, "two")],
+        });
+    }
+    (mesh, laminae)
+}
+
+fn refused(mut mesh: Mesh, laminae: &[Lamina]) -> Vec<String> {
+    let problems = add_laminae(&mut mesh, laminae).expect_err("a problem");
+    for (_, problem) in &problems {
+        assert!(problem.help().is_some(), "{problem}");
+    }
+    problems
+        .iter()
+        .map(|(_, problem)| problem.to_string())
+        .collect()
+}
+
+/// ```text
+///   4---3---6     two squares, tags of the nodes
+///   |   |   |
+///   1---2---5
+/// ```
+const PLACES: [[f64; 2]; 6] = [
+    [0.0, 0.0],
+    [1.0, 0.0],
+    [1.0, 1.0],
+    [0.0, 1.0],
+    [2.0, 0.0],
+    [2.0, 1.0],
+];
+const LEFT: &[u32] = &[1, 2, 3, 4];
+const RIGHT: &[u32] = &[2, 5, 6, 3];
+
+#[test]
+fn a_border_gets_plies_on_its_free_side_and_keeps_its_nodes() {
+    // against the direction of the cell, so that the free side is the left
+    let (mut mesh, laminae) = mesh(&PLACES, &[LEFT], &[("skin", &[&[4, 3]], None)]);
+    let found = add_laminae(&mut mesh, &laminae).expect("sound");
+    assert_eq!(found.bare_nodes, 0);
+    let plies: Vec<_> = found
+        .cells
+        .iter()
+        .map(|cell| (cell.ply, cell.direction))
+        .collect();
+    assert_eq!(plies, [(0, 0.0), (1, 0.0)]);
+    let inner = &mesh.cells[1];
+    assert_eq!((inner.nodes(), inner.tag), (&[3, 2, 6, 8][..], 501));
+    let outer = mesh.cells[2].nodes().iter();
+    let outer: Vec<_> = outer.map(|&n| mesh.nodes[n as usize].position).collect();
+    for (found, expected) in outer
+        .iter()
+        .zip([[0.0, 1.1], [1.0, 1.1], [1.0, 1.2], [0.0, 1.2]])
+    {
+        assert!((found.x - expected[0]).abs() + (found.y - expected[1]).abs() < 1e-15);
+    }
+    // the other way round the free side is the right; plies still run outward
+    let (mut mesh, laminae) = self::mesh(&PLACES, &[LEFT], &[("skin", &[&[3, 4]], None)]);
+    let found = add_laminae(&mut mesh, &laminae).expect("sound");
+    let plies: Vec<_> = found.cells.iter().map(|cell| cell.ply).collect();
+    assert_eq!(plies, [1, 0]);
+    assert!((found.cells[0].direction - std::f64::consts::PI).abs() < 1e-15);
+}
+
+#[test]
+fn the_side_of_a_laminate_must_be_one_and_free() {
+    let cells = [LEFT, RIGHT];
+    let skin = |lines, side| mesh(&PLACES, &cells, &[("skin", lines, side)]);
+    let told = |(mesh, laminae): (Mesh, Vec<Lamina>)| refused(mesh, &laminae);
+    assert_eq!(
+        told(skin(&[&[2, 3]], None)),
+        [
+            "line 1 of curve \"skin\" at (1, 0.5) lies between cells: a laminate lies on the \
+             border of cells, or where there are none"
+        ]
+    );
+    assert_eq!(
+        told(skin(&[&[4, 3]], Some(LaminaSide::Right))),
+        [
+            "side = \"right\" puts the laminate of curve \"skin\" into the cells beside line 1 \
+             at (0.5, 1)"
+        ]
+    );
+    assert_eq!(
+        told(skin(&[&[4, 3]], Some(LaminaSide::Center))),
+        [
+            "side = \"center\" puts the laminate of curve \"skin\" into the cells beside line 1 \
+             at (0.5, 1)"
+        ]
+    );
+    assert_eq!(
+        told(skin(&[&[4, 3], &[6, 3]], None)),
+        [
+            "curve \"skin\" has cells on its left at line 2 at (1.5, 1) and on its right at line \
+             1 at (0.5, 1): its laminate has no side"
+        ]
+    );
+    let beyond = mesh(&PLACES, &[LEFT], &[("skin", &[&[4, 3], &[3, 6]], None)]);
+    assert_eq!(
+        told(beyond),
+        [
+            "curve \"skin\" has cells beside line 1 at (0.5, 1) and none beside line 2 at \
+             (1.5, 1): the side of its laminate must be said"
+        ]
+    );
+    let left = Some(LaminaSide::Left);
+    let (mut mesh, laminae) = mesh(&PLACES, &[LEFT], &[("skin", &[&[4, 3], &[3, 6]], left)]);
+    assert_eq!(
+        add_laminae(&mut mesh, &laminae).expect("sound").cells.len(),
+        4
+    );
+}
+
+#[test]
+fn lines_have_one_laminate_on_each_side_and_one_direction() {
+    let told = |curves: &Curves<'_>| {
+        let (mesh, laminae) = mesh(&PLACES, &[], curves);
+        refused(mesh, &laminae)
+    };
+    let (left, right) = (Some(LaminaSide::Left), Some(LaminaSide::Right));
+    assert_eq!(
+        told(&[("a", &[&[1, 2]], left), ("b", &[&[2, 1]], right)]),
+        ["curves \"a\" and \"b\" both have a laminate on one side of line 2 at (0.5, 0)"]
+    );
+    assert_eq!(
+        told(&[("a", &[&[1, 2], &[5, 2]], left)]),
+        [
+            "lines 1 and 2 of curve \"a\" run against each other at node 2 at (1, 0): left and \
+             right change there"
+        ]
+    );
+    assert_eq!(
+        told(&[("a", &[&[1, 2]], left), ("b", &[&[2, 5]], None)]),
+        [
+            "the laminates of curves \"a\" and \"b\" meet at node 2 at (1, 0), one centered on \
+             its line and the other beside it"
+        ]
+    );
+    let (mut mesh, laminae) = mesh(
+        &PLACES,
+        &[],
+        &[("a", &[&[1, 2]], left), ("b", &[&[1, 2]], right)],
+    );
+    assert_eq!(
+        add_laminae(&mut mesh, &laminae).expect("sound").cells.len(),
+        4
+    );
+}
+
+#[test]
+fn corners_and_junctions_that_cannot_be_made_are_told() {
+    let places = [
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [0.0, 0.1],
+        [1.0, 1.0],
+        [0.5, 1.0],
+        [1.0, -1.0],
+    ];
+    let told = |curves: &Curves<'_>| {
+        let (mesh, laminae) = mesh(&places, &[], curves);
+        refused(mesh, &laminae)
+    };
+    assert_eq!(
+        told(&[("a", &[&[1, 2], &[2, 3]], None)]),
+        [
+            "the laminate of curve \"a\" turns by 174 deg at node 2 at (1, 0), expected at most \
+             135 deg"
+        ]
+    );
+    // four walls, and three of which none runs through
+    assert_eq!(
+        told(&[("a", &[&[1, 2], &[2, 4]], None), ("b", &[&[2, 5]], None)]),
+        ["3 lines with laminates meet at node 2 at (1, 0) (\"a\", \"b\")"]
+    );
+    assert_eq!(
+        told(&[
+            ("a", &[&[6, 2], &[2, 4]], None),
+            ("b", &[&[1, 2], &[2, 5]], None)
+        ]),
+        ["4 lines with laminates meet at node 2 at (1, 0) (\"a\", \"b\")"]
+    );
+    // a laminate of one ply at the corner of one of two
+    let (mesh, mut laminae) = mesh(
+        &places,
+        &[],
+        &[("a", &[&[1, 2]], None), ("b", &[&[2, 4]], None)],
+    );
+    laminae[1].thicknesses = vec![0.1];
+    assert_eq!(
+        refused(mesh, &laminae),
+        [
+            "the laminates of curves \"a\" (2 layers) and \"b\" (1 layer) meet at a corner at \
+             node 2 at (1, 0), where layers cannot be joined one by one"
+        ]
+    );
+}
+
+#[test]
+fn where_a_corner_opens_both_laminates_end() {
+    let places = [[0.0, 0.0], [1.0, 0.0], [0.0, -0.1]];
+    // the line turns right by 174 degrees, the laminates lie to the left
+    let left = Some(LaminaSide::Left);
+    let (mut mesh, laminae) = mesh(&places, &[], &[("a", &[&[1, 2], &[2, 3]], left)]);
+    add_laminae(&mut mesh, &laminae).expect("sound");
+    let [one, other] = [&mesh.cells[0], &mesh.cells[2]];
+    assert_eq!((one.nodes()[1], other.nodes()[0]), (1, 1));
+    assert_ne!(one.nodes()[2], other.nodes()[3]);
+}
+
+#[test]
+fn laminates_that_fold_are_told_with_the_radius() {
+    // an arc of radius 0.125 within a laminate that reaches 0.2 to its inner side
+    let places = [[0.0, 0.0], [0.2, 0.0], [0.1, -0.05]];
+    let left = Some(LaminaSide::Left);
+    let (bent, laminae) = mesh(&places, &[], &[("a", &[&[1, 2, 3]], left)]);
+    assert_eq!(
+        refused(bent, &laminae),
+        [
+            "the laminate of curve \"a\" folds over itself at line 1 at (0.1, -0.05): it reaches \
+             0.2 from the line, and the line of length 0.2 has a radius of curvature of 0.1"
+        ]
+    );
+    // a short line at a corner
+    let places = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.15], [0.0, 0.15]];
+    let lines: &[&[u32]] = &[&[1, 2], &[2, 3], &[3, 4]];
+    let (corner, laminae) = mesh(&places, &[], &[("a", lines, left)]);
+    assert_eq!(
+        refused(corner, &laminae),
+        [
+            "the laminate of curve \"a\" folds over itself at line 2 at (1, 0.075): it reaches \
+             0.2 from the line, and the line is 0.15 long"
+        ]
+    );
+    // a wall that ends on lines that are shorter than it is thick
+    let places = [[-0.12, 0.0], [0.0, 0.0], [0.12, 0.0], [0.0, 1.0]];
+    let lines: &[&[u32]] = &[&[1, 2], &[2, 3]];
+    let (tee, laminae) = mesh(&places, &[], &[("a", lines, None), ("b", &[&[2, 4]], None)]);
+    assert_eq!(
+        refused(tee, &laminae),
+        [
+            "the laminate of curve \"b\" ends on that of \"a\" at node 2 at (0, 0), where line \
+             1 of length 0.12 is too short: 0.1 of it are taken, expected at most three quarters"
+        ]
+    );
+}
+
+/// A wall on another one: the areas are those of the walls, once, and the row has the
+/// nodes of the wall that ends.
+#[test]
+fn a_wall_ends_on_the_face_of_another() {
+    let places = [[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [0.5, 1.0]];
+    let lines: &[&[u32]] = &[&[1, 2], &[2, 3]];
+    for web in [[2_u32, 4], [4, 2]] {
+        let (mut mesh, laminae) = mesh(&places, &[], &[("a", lines, None), ("b", &[&web], None)]);
+        let found = add_laminae(&mut mesh, &laminae).expect("sound");
+        // four layers of the wall, two of them short; two of the web
+        assert_eq!(found.cells.len(), 2 * 4 + 2);
+        let area = |cell: &Cell| {
+            let place = |&node: &u32| {
+                let position = mesh.nodes[node as usize].position;
+                [position.x, position.y]
+            };
+            crate::mesh::polygon_area(cell.corners().iter().map(place))
+        };
+        let sum: f64 = mesh.cells.iter().map(area).sum();
+        // the web begins at the face, 0.1 above the line, its end is cut at right angles
+        let length = (1.25_f64).sqrt() * 0.9;
+        assert!((sum - (2.0 * 0.2 + length * 0.2)).abs() < 1e-12, "{sum}");
+        for cell in &mesh.cells {
+            assert!(area(cell) > 0.0, "{cell:?}");
+        }
+        let (section, report) =
+            crate::mesh::SectionMesh::checked(&mesh, 1.0, crate::mesh::DoubledNodes::Error)
+                .expect("one part without overlaps");
+        assert_eq!(section.cells.len(), 10);
+        assert_eq!(report.unused_nodes, found.bare_nodes);
+    }
+}
