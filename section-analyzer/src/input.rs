@@ -172,8 +172,7 @@ impl WrittenSection {
         let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
         let mut odd = Vec::new();
         let beam = self.curvature.as_ref().zip(section_mesh);
-        let beam =
-            beam.and_then(|(written, mesh)| curvature::checked(written, mesh, document, &mut odd));
+        let beam = beam.and_then(|(line, mesh)| curvature::checked(line, mesh, document, &mut odd));
         let centroids = section_mesh.map_or_else(Vec::new, centroids);
         let assignment = Assignment {
             document,
@@ -195,9 +194,8 @@ impl WrittenSection {
         let of_plies = &of_region[self.regions.len()..];
         cells.extend(laminae::cells(&self.laminae, &laminated, of_plies)?);
         report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
-
-        let region_of_cell: Option<Vec<_>> = meshed.region_of_cell.into_iter().collect();
-        let mut region_of_cell = region_of_cell?;
+        let of_cells = meshed.region_of_cell.into_iter();
+        let mut region_of_cell = of_cells.collect::<Option<Vec<_>>>()?;
         let of_laminae = laminae::region_of_cells(&self.laminae, &laminated).into_iter();
         region_of_cell.extend(of_laminae.map(|region| self.regions.len() + region));
         let section = Section {

@@ -31,7 +31,11 @@ fn an_anisotropic_material_is_named_and_an_unused_one_is_not() {
     assert!(restrained(&section).is_ok());
     section.cells[3].material = 1;
     let reason = restrained(&section).expect_err("not isotropic");
-    assert_eq!(reason.to_string(), "material \"ply\" is not isotropic");
+    assert!(
+        reason
+            .to_string()
+            .starts_with("material \"ply\" is not isotropic")
+    );
 }
 
 /// The same material written in three ways: the same constants to round-off.

@@ -195,9 +195,8 @@ fn solved(
     let on_request =
         imposed_report(&properties) + &prestress_part + &derivatives.table(section, solution);
     let mut report = report(section, summary, solution, &restrained, on_request);
-    if let Some(found) = &found.end_effects {
-        report = report + "\n" + &end_effects(found);
-    }
+    let ends = found.end_effects.as_ref().map(end_effects);
+    report.extend(ends.map(|ends| format!("\n{ends}")));
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))

@@ -252,7 +252,7 @@ mod tests {
     fn every_wrong_line_is_told() {
         let head = "%%MatrixMarket matrix coordinate real general\n";
         for (text, words) in [
-            ("", "line 1"),
+            ("", "m.mtx:1"),
             ("1 2 3\n", "%%MatrixMarket"),
             (
                 "%%MatrixMarket matrix coordinate complex general\n1 1 0\n",
