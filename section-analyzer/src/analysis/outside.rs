@@ -34,8 +34,8 @@ pub fn analyze_matrices(section: &OutsideSection) -> Result<SectionSolution, Fai
     };
     let domain = in_order(section, &order)?;
     let pattern = self::pattern(count, &renumbered(&section.blocks, &order));
-    require_connected(&pattern, &named)?;
     require_belonging(&domain, section, &order)?;
+    require_connected(&pattern, &named)?;
     let matrices = domain.system(&pattern, 0.0)?;
     let (central, systems) = solve_central(&domain, &pattern, matrices, &named, LIMITS)?;
     drop(systems);

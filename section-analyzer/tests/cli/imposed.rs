@@ -38,7 +38,7 @@ fn wrong_temperatures_are_told_together() {
         "  help: did you mean \"hot\"?",
         "error: a.section.toml:34: load \"nothing\" is zero, expected at least one of \"axial\", \
          \"shear_y\", \"shear_z\", \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \
-         \"initial_strain\"",
+         \"initial_strain\", \"traction\", \"volume\"",
     ]);
 }
 
@@ -133,7 +133,7 @@ fn heat_is_in_all_results() {
     let run = place.run(&["analyze", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     for words in [
-        "expansion 1.2e-05 1/K",
+        "expansion 1.2e-5 1/K",
         "Thermal force, per kelvin when fully restrained [N/K, N m/K]",
         "Imposed state \"hot\"",
         "free strain [-, 1/m]",
