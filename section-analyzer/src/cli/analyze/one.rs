@@ -111,13 +111,13 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
         Ok(input) => input,
         Err(problems) => return Outcome::wrong_input(problems.to_string()),
     };
-    let files = match OutputFiles::new(&job.folder, &job.name) {
-        Ok(files) => files,
-        Err(problem) => return Outcome::wrong_input(words(&problem)),
-    };
     let parameters = match parameters(&input, run) {
         Ok(parameters) => parameters,
         Err(problems) => return Outcome::wrong_input(problems),
+    };
+    let files = match OutputFiles::new(&job.folder, &job.name) {
+        Ok(files) => files,
+        Err(problem) => return Outcome::wrong_input(words(&problem)),
     };
     let made_from = made_from(&input, run);
     let unchanged = match &made_from {
