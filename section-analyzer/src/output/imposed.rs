@@ -4,23 +4,28 @@ use nalgebra::Vector6;
 use shared_geom::section::{ImposedState, SectionProperties};
 use shared_geom::wrench::COMPONENTS;
 
+use super::stress_report::without_round_off;
 use super::text::{number, table};
+use crate::properties::radius_of_gyration;
 
 /// What the properties say of heat and imposed strains; nothing where they do not.
 pub fn imposed_report(properties: &SectionProperties) -> String {
-    let thermal = thermal(properties.thermal_force.as_ref());
-    let states = states(&properties.imposed);
+    let length = radius_of_gyration(properties);
+    let thermal = thermal(properties.thermal_force.as_ref(), length);
+    let states = states(&properties.imposed, length);
     match thermal.is_empty() || states.is_empty() {
         true => thermal + &states,
         false => format!("{thermal}\n{states}"),
     }
 }
 
-/// The force per kelvin of an even rise; nothing without one.
-fn thermal(force: Option<&Vector6<f64>>) -> String {
+/// The force per kelvin of an even rise; nothing without one. Moments over `length`, the
+/// size of the section \[m\], are comparable with forces.
+fn thermal(force: Option<&Vector6<f64>>, length: f64) -> String {
     let Some(forces) = force else {
         return String::new();
     };
+    let forces = without_round_off(forces, 1.0 / length);
     let rows = COMPONENTS.iter().zip(forces.iter());
     let rows = rows.map(|(name, force)| vec![(*name).to_owned(), number(*force)]);
     let rows: Vec<_> = rows.collect();
@@ -31,12 +36,14 @@ fn thermal(force: Option<&Vector6<f64>>) -> String {
 }
 
 /// Free strain and restrained force of each state, side by side; nothing without any.
-fn states(states: &[ImposedState]) -> String {
+fn states(states: &[ImposedState], length: f64) -> String {
     let of_state = |state: &ImposedState| {
         let heading = ["", "free strain [-, 1/m]", "restrained force [N, N m]"];
         let mut rows = vec![heading.map(str::to_owned).to_vec()];
+        let strain = without_round_off(&state.free_strain, length);
+        let force = without_round_off(&state.restrained_force, 1.0 / length);
         for (i, name) in COMPONENTS.iter().enumerate() {
-            let values = [state.free_strain[i], state.restrained_force[i]].map(number);
+            let values = [strain[i], force[i]].map(number);
             rows.push([vec![(*name).to_owned()], values.to_vec()].concat());
         }
         format!("Imposed state \"{}\"\n{}", state.name, table(&rows, "lr"))

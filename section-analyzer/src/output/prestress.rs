@@ -27,7 +27,7 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
     if let Some(compliance) = properties.stiffness.try_inverse() {
         let by_axial = prestress.by_force(&compliance, 0);
         text += &format!(
-            "Prestress, change of the stiffness per axial force at the reference point [-, m, m^2]\n{}",
+            "\nPrestress, change of the stiffness per axial force at the reference point [-, m, m^2]\n{}",
             of_four(&by_axial, properties)
         );
         let at_center = at_tension_center(properties);
@@ -41,7 +41,7 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
         );
     }
     for load in loads {
-        text += &under_load(properties, load);
+        text += &format!("\n{}", under_load(properties, load));
     }
     text
 }

@@ -25,14 +25,14 @@ Convention
   SI units: N, m, kg, rad.
 ";
 
-/// The report of an analysis that reached its goal; `on_request` is the part on
-/// heat and prestress, empty where there is none.
+/// The report of an analysis that reached its goal; `on_request` are the parts on
+/// heat, prestress and derivatives, empty where there are none.
 pub fn report(
     section: &Section,
     summary: &InputSummary,
     solution: &SectionSolution,
     restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
-    on_request: String,
+    on_request: &[String],
 ) -> String {
     let unknowns = format!("  unknowns  {} of warping\n", solution.unknowns);
     let parts = [
@@ -58,7 +58,7 @@ pub fn report(
         couplings(&solution.stiffness),
         areas(&summary.areas),
         restrained_warping(restrained, solution, &summary.areas),
-        on_request,
+        joined(on_request),
         checks(&solution.checks),
     ];
     joined(&parts)

@@ -192,9 +192,12 @@ fn solved(
         prestress_part += &prestress_report(&properties, &input.loads);
     }
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let on_request =
-        imposed_report(&properties) + &prestress_part + &derivatives.table(section, solution);
-    let mut report = report(section, summary, solution, &restrained, on_request);
+    let on_request = [
+        imposed_report(&properties),
+        prestress_part,
+        derivatives.table(section, solution),
+    ];
+    let mut report = report(section, summary, solution, &restrained, &on_request);
     let ends = found.end_effects.as_ref().map(end_effects);
     report.extend(ends.map(|ends| format!("\n{ends}")));
     let mut stresses = Stresses::default();
