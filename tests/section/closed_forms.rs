@@ -569,3 +569,51 @@ fn unequal_poisson_ratios_stiffen() {
         assert!(found < sum / (1.0 - 0.3 * 0.3), "{found} against {sum}");
     }
 }
+
+/// Principal axes of a parallelogram off the origin, by integration: about an axis at the
+/// angle phi from y, through the centroid,
+///
+/// ```text
+/// I(phi) = Iyy cos^2 + Izz sin^2 - 2 Iyz sin cos       I' = 0 where it is principal
+/// Iyy = b h^3/12      Iyz = s Iyy      Izz = b^3 h/12 + s^2 Iyy      (y + s z, z)
+/// ```
+///
+/// Bending stiffness E I without Poisson's ratio and inertia rho I are exact on cells of
+/// degree two.
+#[test]
+fn principal_axes_are_those_of_the_moments_of_area() {
+    let (b, h, slope, young, density) = (2.0, 0.5, 0.8, 3.0, 7.0);
+    let mesh = rectangle(b, h, [4, 2], CellKind::Quadrilateral9);
+    let mut material = isotropic(young, 0.0);
+    material.density = density;
+    let mut section = uniform(&mesh, material, 0.0);
+    for [y, z] in &mut section.mesh.nodes {
+        (*y, *z) = (*y + slope * *z + 0.4, *z - 0.7);
+    }
+    let iyy = b * f64::powi(h, 3) / 12.0;
+    let (iyz, izz) = (
+        slope * iyy,
+        f64::powi(b, 3) * h / 12.0 + slope * slope * iyy,
+    );
+    let moment = |phi: f64| {
+        let (s, c) = phi.sin_cos();
+        iyy * c * c + izz * s * s - 2.0 * iyz * s * c
+    };
+    let rate = |phi: f64| (izz - iyy) * (2.0 * phi).sin() - 2.0 * iyz * (2.0 * phi).cos();
+    let solution = solved(&section);
+    let inertia = solution.principal_inertia.expect("has mass");
+    for (name, axes, unit) in [
+        ("bending", solution.principal_bending, young),
+        ("inertia", inertia, density),
+    ] {
+        let found = [axes.first, axes.second].map(|value| value / unit);
+        let expected = [moment(axes.angle), moment(axes.angle + 0.5 * PI)];
+        for (found, expected) in found.into_iter().zip(expected) {
+            let error = relative_error(found, expected);
+            assert!(error < 1e-12, "{name}: {found} {expected}");
+        }
+        // round-off of the eigenvector of values that differ by a factor of twenty
+        assert!(rate(axes.angle).abs() < 1e-13, "{name}: {}", axes.angle);
+        assert!(axes.angle.abs() > 0.01, "the axes are turned");
+    }
+}

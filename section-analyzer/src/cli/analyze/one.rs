@@ -183,14 +183,7 @@ fn solved(
     } = input;
     let solution = &found.solution;
     let mut properties = properties(section, solution, &found.imposed, &summary.input_hash);
-    let mut prestress_part = String::new();
-    if let Some(measure) = input.prestress {
-        match prestress(section, &solution.warping, &solution.strain, measure) {
-            Ok(found) => properties.prestress = Some(found),
-            Err(reason) => prestress_part = format!("Prestress\n  none: {reason}\n"),
-        }
-        prestress_part += &prestress_report(&properties, &input.loads);
-    }
+    let prestress_part = prestressed(input, solution, &mut properties);
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
     let on_request = [
         imposed_report(&properties),
@@ -233,6 +226,23 @@ fn solved(
         properties: Some(properties),
         ..Outcome::new(status)
     }
+}
+
+/// Adds the effect of prestress to the properties, where it is asked for; gives its part
+/// of the report.
+fn prestressed(
+    input: &Input,
+    solution: &SectionSolution,
+    properties: &mut SectionProperties,
+) -> String {
+    let Some(measure) = input.prestress else {
+        return String::new();
+    };
+    match prestress(&input.section, &solution.warping, &solution.strain, measure) {
+        Ok(found) => properties.prestress = Some(found),
+        Err(reason) => return format!("Prestress\n  none: {reason}\n"),
+    }
+    prestress_report(properties, &input.loads)
 }
 
 /// Writes the tables of the section: a new one is one more line.
