@@ -3,6 +3,7 @@
 //! change while its nodes move.
 
 mod blocks;
+mod cases;
 mod curved_blocks;
 mod forces;
 mod gradient;
@@ -13,8 +14,12 @@ mod side;
 mod strain;
 
 pub use blocks::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
+pub use cases::{
+    CaseLoop, CellField, CellState, NO_FIELD, NO_ROWS, Product, Row, add_work, in_widest_registers,
+    matrix_of, rows_of, strain_along, strain_in_cases, stress_in_cases,
+};
 pub use curved_blocks::{CurvedCell, TurningLaw};
-pub use forces::{CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, Row, rows_of};
+pub use forces::CellForces;
 pub use gradient::PointGradient;
 pub use line::{Line, Metric};
 pub use moved::{MovedPoint, NodalForces, NodalState};

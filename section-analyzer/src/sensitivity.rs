@@ -34,6 +34,7 @@ mod change;
 mod contraction;
 mod derivative;
 mod direct;
+mod fields;
 mod parameter;
 
 pub use contraction::all_at_once;

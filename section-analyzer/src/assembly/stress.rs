@@ -15,10 +15,10 @@
 use super::domain::{Domain, DomainCell};
 use super::model::Model;
 use crate::element::{
-    CellField, CellForces, CellState, Fused, NO_FIELD, Plain, Product, Row, rows_of, rule_points,
+    CaseLoop, CellField, CellForces, CellState, Product, Row, in_widest_registers, rows_of,
+    rule_points,
 };
 use nalgebra::{DMatrix, Matrix6};
-use pulp::{Arch, Simd, WithSimd};
 
 /// A state of the section in the units of the domain, up to six cases side by
 /// side.
@@ -80,7 +80,7 @@ impl SectionForces {
     /// Replaces the forces by those of `state`.
     pub fn measure(&mut self, domain: &Domain, state: State<'_>) {
         let target = self;
-        Arch::new().dispatch(Summation {
+        in_widest_registers(Summation {
             domain,
             state,
             target,
@@ -88,23 +88,19 @@ impl SectionForces {
     }
 }
 
-/// The sum over the cells, compiled for each width of registers.
+/// The sum over the cells.
 struct Summation<'a> {
     domain: &'a Domain,
     state: State<'a>,
     target: &'a mut SectionForces,
 }
 
-impl WithSimd for Summation<'_> {
+impl CaseLoop for Summation<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        // registers of four numbers and more come with fused products, and so does ARM
-        match size_of::<S::f64s>() >= 32 || cfg!(target_arch = "aarch64") {
-            true => sum::<Fused>(self.domain, self.state, self.target),
-            false => sum::<Plain>(self.domain, self.state, self.target),
-        }
+    fn run<P: Product>(self) {
+        sum::<P>(self.domain, self.state, self.target);
     }
 }
 
@@ -118,10 +114,7 @@ fn sum<P: Product>(domain: &Domain, state: State<'_>, target: &mut SectionForces
         .map(|law| law.transpose().into())
         .collect();
     let strain = rows_of(state.strain);
-    let mut of_cell = CellState {
-        rate: NO_FIELD,
-        warping: NO_FIELD,
-    };
+    let mut of_cell = CellState::NONE;
     let line = (!domain.line.is_straight()).then_some(&domain.line);
     let along = line.map(|line| rows_of(&line.equilibrium().transpose()));
     let mut forces = CellForces::NONE;
@@ -148,11 +141,11 @@ fn sum<P: Product>(domain: &Domain, state: State<'_>, target: &mut SectionForces
 #[inline(always)]
 fn gather(cell: &DomainCell, state: State<'_>, along: Option<&[Row; 6]>, of_cell: &mut CellState) {
     if let Some(warping) = state.warping {
-        take(cell, warping, &mut of_cell.warping);
+        take_columns(cell, warping, &mut of_cell.warping);
     }
     match state.rate {
         Rate::Zero => {}
-        Rate::Given(rate) => take(cell, rate, &mut of_cell.rate),
+        Rate::Given(rate) => take_columns(cell, rate, &mut of_cell.rate),
         Rate::Central => {
             for (rate, warping) in of_cell.rate.iter_mut().zip(&of_cell.warping) {
                 for (rate, warping) in rate.iter_mut().zip(warping) {
@@ -181,7 +174,7 @@ fn central_rate(along: Option<&[Row; 6]>, warping: &Row, rate: &mut Row) {
 
 /// The first six columns of `field` (n x k) at the nodes of `cell`.
 #[inline(always)]
-fn take(cell: &DomainCell, field: &DMatrix<f64>, of_cell: &mut CellField) {
+pub fn take_columns(cell: &DomainCell, field: &DMatrix<f64>, of_cell: &mut CellField) {
     let columns = field.as_slice().chunks_exact(field.nrows());
     for (k, column) in columns.take(6).enumerate() {
         for (target, &node) in of_cell.iter_mut().zip(cell.nodes()) {

@@ -10,65 +10,18 @@
 //!
 //! The operators are (S-5) for a straight beam, with J = 1, and (S-73) for a curved one.
 //!
-//! This is the innermost loop of the program next to the factorization: six cases go
-//! side by side through plain arrays, so that the compiler uses the widest registers
-//! of the machine.
-//!
-//! Derivatives are taken of the differences from the first node, which is the same in
-//! exact arithmetic (the derivatives of the shape functions add up to zero) and loses
-//! no digits when the cell moves much more than it strains: walls of thin sections do.
+//! This is the innermost loop of the program next to the factorization.
 //!
 //! # References
 //! - Giavotto et al. 1983, section 2: the strain of a straight section.
 
+use super::cases::{
+    CASES, CellField, CellState, FACE, NO_FIELD, NO_ROWS, Product, Row, add_work, cross, matrix_of,
+    strain_along, strain_in_cases, stress_in_cases,
+};
 use super::line::{Line, Metric};
 use super::point::{CellPoint, RulePoint};
-use super::strain::FACE_STRAINS;
 use nalgebra::Matrix6;
-
-/// The first of the strains of the face, which follow each other.
-const FACE: usize = FACE_STRAINS[0];
-
-/// Cases side by side: six, and two that stay empty and make whole registers.
-const CASES: usize = 8;
-
-/// A number for each case.
-pub type Row = [f64; CASES];
-
-/// How `a b + c` is rounded: machines that have it in one instruction round once.
-pub trait Product {
-    /// `a b + c`.
-    fn add(a: f64, b: f64, c: f64) -> f64;
-}
-
-/// Rounded once.
-#[derive(Debug, Clone, Copy)]
-pub struct Fused;
-
-/// Rounded twice.
-#[derive(Debug, Clone, Copy)]
-pub struct Plain;
-
-impl Product for Fused {
-    #[inline(always)]
-    fn add(a: f64, b: f64, c: f64) -> f64 {
-        a.mul_add(b, c)
-    }
-}
-
-impl Product for Plain {
-    #[inline(always)]
-    fn add(a: f64, b: f64, c: f64) -> f64 {
-        a * b + c
-    }
-}
-
-/// A field at the nodes of a cell, `[node][component][case]`; entries behind its
-/// node count are not read.
-pub type CellField = [[Row; 3]; 9];
-
-/// No displacement at any node.
-pub const NO_FIELD: CellField = [[[0.0; CASES]; 3]; 9];
 
 /// Forces and work of a cell's stresses, in six cases.
 #[derive(Debug, Clone)]
@@ -83,38 +36,13 @@ pub struct CellForces {
     work: [Row; 6],
 }
 
-/// What six cases strain a cell with.
-#[derive(Debug, Clone)]
-pub struct CellState {
-    /// u': rate of the warping along the beam.
-    pub rate: CellField,
-    /// u: warping.
-    pub warping: CellField,
-}
-
-impl CellState {
-    /// The warping less that of the first node.
-    #[inline(always)]
-    fn differences(&self) -> CellField {
-        let mut difference = self.warping;
-        for node in (0..9).rev() {
-            for axis in 0..3 {
-                for k in 0..CASES {
-                    difference[node][axis][k] -= self.warping[0][axis][k];
-                }
-            }
-        }
-        difference
-    }
-}
-
 impl CellForces {
     /// No forces yet.
     pub const NONE: Self = Self {
         within: NO_FIELD,
         face: NO_FIELD,
-        resultant: [[0.0; CASES]; 6],
-        work: [[0.0; CASES]; 6],
+        resultant: NO_ROWS,
+        work: NO_ROWS,
     };
 
     /// Adds the stresses of `state` with the generalized strain `psi`, at the points of
@@ -131,8 +59,8 @@ impl CellForces {
         let difference = state.differences();
         for point in rule {
             let point = point.of_cell(nodes);
-            let strain = strain::<P>(&point, &state.rate, &difference, psi);
-            let stress = stress::<P>(law, &strain, point.area);
+            let strain = strain_in_cases::<P>(&point, &state.rate, &difference, psi);
+            let stress = stress_in_cases::<P>(law, &strain, point.area);
             self.add_point::<P>(&point, &strain, &stress);
         }
     }
@@ -151,25 +79,10 @@ impl CellForces {
         for point in rule {
             let point = point.of_cell(nodes);
             let metric = line.metric(point.y, point.z);
-            let turn = line.curvature.as_ref();
-            let mut strain = strain::<P>(&point, &state.rate, &NO_FIELD, psi);
-            let gradients = along_section::<P>(&point, &difference);
-            let place = at_point::<P>(&point, &state.warping);
-            for k in 0..CASES {
-                let turned = cross(turn, &place, k);
-                for axis in 0..3 {
-                    let slid = metric.tilt[0] * gradients[0][axis][k]
-                        + metric.tilt[1] * gradients[1][axis][k];
-                    let face = &mut strain[FACE + axis][k];
-                    *face = (*face + turned[axis] - slid) / metric.volume;
-                }
-                let [[xy, yy, zy], [xz, yz, zz]] = gradients.map(|of| of.map(|row| row[k]));
-                for (row, part) in [(0, zy + yz), (1, yy), (2, zz), (4, xy), (5, xz)] {
-                    strain[row][k] += part;
-                }
-            }
-            let stress = stress::<P>(law, &strain, point.area * metric.volume);
-            self.add_turned::<P>(&point, (line, &metric), &strain, &stress);
+            let at = (line, &metric);
+            let strain = strain_along::<P>(at, &point, state, &difference, psi);
+            let stress = stress_in_cases::<P>(law, &strain, point.area * metric.volume);
+            self.add_turned::<P>(&point, at, &strain, &stress);
         }
     }
 
@@ -215,7 +128,7 @@ impl CellForces {
             }
         }
         self.add_resultant([point.y, point.z], &face);
-        self.add_work::<P>(strain, stress);
+        add_work::<P>(&mut self.work, strain, stress);
     }
 
     #[inline(always)]
@@ -234,7 +147,7 @@ impl CellForces {
             }
         }
         self.add_resultant([point.y, point.z], &[*xx, *xy, *xz]);
-        self.add_work::<P>(strain, stress);
+        add_work::<P>(&mut self.work, strain, stress);
     }
 
     /// `[I, -t x]'` times the stress of the face at t = (y, z).
@@ -251,25 +164,14 @@ impl CellForces {
         }
     }
 
-    #[inline(always)]
-    fn add_work<P: Product>(&mut self, strain: &[Row; 6], stress: &[Row; 6]) {
-        for (strain, stress) in strain.iter().zip(stress) {
-            for (i, work) in self.work.iter_mut().enumerate() {
-                for k in 0..CASES {
-                    work[k] = P::add(strain[i], stress[k], work[k]);
-                }
-            }
-        }
-    }
-
     /// theta, a column for each case.
     pub fn resultant(&self) -> Matrix6<f64> {
-        Matrix6::from_fn(|i, k| self.resultant[i][k])
+        matrix_of(&self.resultant)
     }
 
     /// W: work of the stresses of case k on the strains of case i.
     pub fn work(&self) -> Matrix6<f64> {
-        Matrix6::from_fn(|i, k| self.work[i][k])
+        matrix_of(&self.work)
     }
 
     /// Clears the forces at the nodes, to go on with the next cell.
@@ -280,100 +182,10 @@ impl CellForces {
     }
 }
 
-/// Rows of a matrix, a case for each column.
-pub fn rows_of(matrix: &Matrix6<f64>) -> [Row; 6] {
-    let entry = |i, k| if k < 6 { matrix[(i, k)] } else { 0.0 };
-    std::array::from_fn(|i| std::array::from_fn(|k| entry(i, k)))
-}
-
-/// `eps = S N u' + Dop N u + Bpsi psi`, order yz yy zz xx xy xz.
-#[inline(always)]
-fn strain<P: Product>(
-    point: &CellPoint,
-    rate: &CellField,
-    difference: &CellField,
-    psi: &[Row; 6],
-) -> [Row; 6] {
-    let (y, z) = (point.y, point.z);
-    let [mut yz, mut yy, mut zz, mut xx, mut xy, mut xz] = [[0.0; CASES]; 6];
-    for k in 0..CASES {
-        xx[k] = psi[0][k] + z * psi[4][k] - y * psi[5][k];
-        xy[k] = psi[1][k] - z * psi[3][k];
-        xz[k] = psi[2][k] + y * psi[3][k];
-    }
-    for node in 0..point.count {
-        let (n, dy, dz) = (point.n[node], point.dy[node], point.dz[node]);
-        let ([ux, uy, uz], [rx, ry, rz]) = (&difference[node], &rate[node]);
-        for k in 0..CASES {
-            xx[k] = P::add(n, rx[k], xx[k]);
-            xy[k] = P::add(n, ry[k], P::add(dy, ux[k], xy[k]));
-            xz[k] = P::add(n, rz[k], P::add(dz, ux[k], xz[k]));
-            yy[k] = P::add(dy, uy[k], yy[k]);
-            zz[k] = P::add(dz, uz[k], zz[k]);
-            yz[k] = P::add(dz, uy[k], P::add(dy, uz[k], yz[k]));
-        }
-    }
-    [yz, yy, zz, xx, xy, xz]
-}
-
-/// A field at a point, from its values at the nodes of the cell.
-#[inline(always)]
-fn at_point<P: Product>(point: &CellPoint, field: &CellField) -> [Row; 3] {
-    let mut sum = [[0.0; CASES]; 3];
-    for node in 0..point.count {
-        for (sum, value) in sum.iter_mut().zip(&field[node]) {
-            for k in 0..CASES {
-                sum[k] = P::add(point.n[node], value[k], sum[k]);
-            }
-        }
-    }
-    sum
-}
-
-/// Derivatives of a field along y and along z at a point, `[y or z][component][case]`.
-#[inline(always)]
-fn along_section<P: Product>(point: &CellPoint, field: &CellField) -> [[Row; 3]; 2] {
-    let mut sums = [[[0.0; CASES]; 3]; 2];
-    for node in 0..point.count {
-        for (sums, d) in sums.iter_mut().zip([point.dy[node], point.dz[node]]) {
-            for (sum, value) in sums.iter_mut().zip(&field[node]) {
-                for k in 0..CASES {
-                    sum[k] = P::add(d, value[k], sum[k]);
-                }
-            }
-        }
-    }
-    sums
-}
-
-/// `a x v` of case `k`.
-#[inline(always)]
-fn cross(a: &[f64; 3], [x, y, z]: &[Row; 3], k: usize) -> [f64; 3] {
-    [
-        a[1] * z[k] - a[2] * y[k],
-        a[2] * x[k] - a[0] * z[k],
-        a[0] * y[k] - a[1] * x[k],
-    ]
-}
-
-/// `D eps`, times the area of the point.
-#[inline(always)]
-fn stress<P: Product>(law: &[[f64; 6]; 6], strain: &[Row; 6], area: f64) -> [Row; 6] {
-    let mut stress = [[0.0; CASES]; 6];
-    for (stress, law) in stress.iter_mut().zip(law) {
-        for (strain, entry) in strain.iter().zip(law) {
-            let entry = area * entry;
-            for k in 0..CASES {
-                stress[k] = P::add(entry, strain[k], stress[k]);
-            }
-        }
-    }
-    stress
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::cases::{Fused, Plain, rows_of};
     use crate::element::{NO_COLUMNS, NodalColumns, cell_points, rule_points, strain_at};
     use approx::assert_relative_eq;
     use nalgebra::{Matrix3x6, Vector3};

@@ -22,14 +22,6 @@ pub(super) struct Change {
     nodes: HashMap<u32, [f64; 2]>,
 }
 
-/// What a parameter changes in a cell.
-pub(super) struct CellChange<'a> {
-    /// dD.
-    pub law: Option<&'a Matrix6<f64>>,
-    /// Velocities of its nodes, all at rest where `None`.
-    pub velocities: Option<[[f64; 2]; 9]>,
-}
-
 impl Change {
     /// What `parameters` change.
     ///
@@ -69,19 +61,21 @@ impl Change {
         changes.collect()
     }
 
-    /// The change of a cell of the domain.
-    pub fn of_cell(&self, cell: &DomainCell) -> CellChange<'_> {
-        let velocities = || {
-            let mut velocities = [[0.0; 2]; 9];
-            for (velocity, node) in velocities.iter_mut().zip(cell.nodes()) {
-                *velocity = self.nodes.get(node).copied().unwrap_or_default();
-            }
-            velocities
-        };
-        CellChange {
-            law: self.laws.get(&cell.law),
-            velocities: (!self.nodes.is_empty()).then(velocities),
+    /// dD of a cell of the domain.
+    pub fn law(&self, cell: &DomainCell) -> Option<&Matrix6<f64>> {
+        self.laws.get(&cell.law)
+    }
+
+    /// Velocities of the nodes of a cell of the domain, where any node moves.
+    pub fn velocities(&self, cell: &DomainCell) -> Option<[[f64; 2]; 9]> {
+        if self.nodes.is_empty() {
+            return None;
         }
+        let mut velocities = [[0.0; 2]; 9];
+        for (velocity, node) in velocities.iter_mut().zip(cell.nodes()) {
+            *velocity = self.nodes.get(node).copied().unwrap_or_default();
+        }
+        Some(velocities)
     }
 
     fn of_constant(at: (&Section, &Domain, &Places), material: usize, constant: Constant) -> Self {

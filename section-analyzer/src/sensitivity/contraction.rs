@@ -2,15 +2,17 @@
 //! the cells that each parameter changes.
 
 use super::Solved;
-use super::change::{CellChange, Change};
+use super::change::Change;
 use super::derivative::{Conversion, Derivative};
+use super::fields::{AtNodes, Fields, Strains};
 use super::parameter::{Parameter, SensitivityProblem};
 use crate::assembly::{Domain, DomainCell};
 use crate::element::{
-    CellPoint, MovedPoint, NO_COLUMNS, NodalColumns, NodalState, cell_points, strain_at,
+    CaseLoop, MovedPoint, NO_ROWS, Product, Row, add_work, cell_points, in_widest_registers,
+    matrix_of, rows_of, stress_in_cases,
 };
 use crate::solve::DualStates;
-use nalgebra::{DMatrix, Matrix6};
+use nalgebra::Matrix6;
 
 /// Derivatives with respect to `parameters`, by the dual states of the section: a number
 /// of solutions that does not depend on theirs, and an integral over its own cells for
@@ -43,22 +45,54 @@ pub(super) fn integrals(
     let duals = DualStates::solve(domain, solved.systems, solved.central)
         .ok_or(SensitivityProblem::OutOfMemory { unknowns })?;
     let fields = Fields::of(solved, duals);
-    let mut sums = vec![Sums::none(fields.states.len()); changes.len()];
-    for (cell, of_cell) in domain.cells.iter().zip(by_cell(domain, changes)) {
-        let mut state = None;
-        for index in of_cell {
-            let change = &changes[index as usize];
-            let sums = &mut sums[index as usize];
-            sums.add_mass(domain, cell, change);
-            let change = change.of_cell(cell);
-            if change.law.is_none() && change.velocities.is_none() {
-                continue;
-            }
-            let state = state.get_or_insert_with(|| CellStates::of(domain, cell, &fields));
-            sums.add(domain, cell, &change, state);
-        }
-    }
+    let sums = in_widest_registers(Integration {
+        domain,
+        changes,
+        fields: &fields,
+    });
     Ok((fields, sums))
+}
+
+/// The integrals of each change, over the cells.
+struct Integration<'a> {
+    domain: &'a Domain,
+    changes: &'a [Change],
+    fields: &'a Fields,
+}
+
+impl CaseLoop for Integration<'_> {
+    type Output = Vec<Sums>;
+
+    #[inline(always)]
+    fn run<P: Product>(self) -> Vec<Sums> {
+        let Self {
+            domain,
+            changes,
+            fields,
+        } = self;
+        let mut sums = vec![Sums::none(fields.states.len()); changes.len()];
+        let mut strains = Strains::new(domain, fields);
+        for (cell, of_cell) in domain.cells.iter().zip(by_cell(domain, changes)) {
+            let (mut is_here, mut at_nodes) = (false, None);
+            for index in of_cell {
+                let change = &changes[index as usize];
+                let sums = &mut sums[index as usize];
+                sums.add_mass(domain, cell, change);
+                if let Some(law) = change.law(cell) {
+                    if !is_here {
+                        strains.go_to::<P>(cell);
+                        is_here = true;
+                    }
+                    sums.add_law::<P>(law, &strains);
+                }
+                if let Some(velocities) = change.velocities(cell) {
+                    let at_nodes = at_nodes.get_or_insert_with(|| fields.at_nodes(cell));
+                    sums.add_motion(domain, cell, &velocities, at_nodes);
+                }
+            }
+        }
+        sums
+    }
 }
 
 /// The changes of each cell of the domain.
@@ -72,107 +106,11 @@ fn by_cell(domain: &Domain, changes: &[Change]) -> Vec<Vec<u32>> {
     of_cell
 }
 
-/// A state of the whole section.
-struct Field {
-    rate: DMatrix<f64>,
-    warping: DMatrix<f64>,
-    psi: Matrix6<f64>,
-}
-
-/// The central state w, then the dual states e.
-pub(super) struct Fields {
-    states: Vec<Field>,
-    /// c of the dual states.
-    weights: Vec<Matrix6<f64>>,
-    /// T'.
-    along: Matrix6<f64>,
-}
-
-impl Fields {
-    fn of(solved: Solved<'_>, duals: DualStates) -> Self {
-        let central = solved.central;
-        let along = solved.domain.line.equilibrium();
-        let mut fields = Self {
-            states: vec![Field {
-                rate: turned(&central.x, &along),
-                warping: central.x.clone(),
-                psi: central.y,
-            }],
-            weights: Vec::new(),
-            along,
-        };
-        for dual in duals.states {
-            fields.weights.push(dual.weight);
-            fields.states.push(Field {
-                rate: dual.rate,
-                warping: dual.x,
-                psi: dual.y,
-            });
-        }
-        fields
-    }
-}
-
-/// The states in a cell: values at the nodes, strains at the points.
-struct CellStates {
-    nodal: Vec<(NodalColumns, NodalColumns, Matrix6<f64>)>,
-    points: Vec<CellPoint>,
-    /// Volume and strains of all states, by point; the strains are transposed.
-    strains: Vec<(f64, Vec<Matrix6<f64>>)>,
-}
-
-impl CellStates {
-    fn of(domain: &Domain, cell: &DomainCell, fields: &Fields) -> Self {
-        let nodal: Vec<_> = fields
-            .states
-            .iter()
-            .map(|field| {
-                (
-                    at_nodes(cell, &field.rate),
-                    at_nodes(cell, &field.warping),
-                    field.psi,
-                )
-            })
-            .collect();
-        let places = domain.places(cell);
-        let points: Vec<_> = cell_points(cell.kind, &places[..cell.kind.node_count()]).collect();
-        let line = &domain.line;
-        let strains = points.iter().map(|point| {
-            let of_state = nodal.iter().map(|(rate, warping, psi)| {
-                strain_at(line, point, Some(rate), Some(warping), psi).transpose()
-            });
-            let volume = point.area * line.metric(point.y, point.z).volume;
-            (volume, of_state.collect())
-        });
-        Self {
-            strains: strains.collect(),
-            nodal,
-            points,
-        }
-    }
-}
-
-/// `x T'` (n x 6), `along` is T'.
-pub(super) fn turned(x: &DMatrix<f64>, along: &Matrix6<f64>) -> DMatrix<f64> {
-    let mut turned = DMatrix::zeros(x.nrows(), 6);
-    turned.gemm(1.0, x, along, 0.0);
-    turned
-}
-
-/// The six columns of `field` (n x 6) at the nodes of `cell`.
-pub(super) fn at_nodes(cell: &DomainCell, field: &DMatrix<f64>) -> NodalColumns {
-    let mut columns = NO_COLUMNS;
-    for (at_node, &node) in columns.iter_mut().zip(cell.nodes()) {
-        *at_node = field.fixed_view::<3, 6>(3 * node as usize, 0).into();
-    }
-    columns
-}
-
 /// What the cells add up to for a parameter.
 #[derive(Clone)]
 pub(super) struct Sums {
     /// `e' dG w`, of the central state, then of the dual ones.
-    pub forms: Vec<Matrix6<f64>>,
+    forms: Vec<[Row; 6]>,
     /// `d(rho (1, y, z, y y, y z, z z) dA)`.
     pub moments: [f64; 6],
 }
@@ -180,7 +118,7 @@ pub(super) struct Sums {
 impl Sums {
     pub fn none(states: usize) -> Self {
         Self {
-            forms: vec![Matrix6::zeros(); states],
+            forms: vec![NO_ROWS; states],
             moments: [0.0; 6],
         }
     }
@@ -188,59 +126,60 @@ impl Sums {
     /// (S-113) with (S-116), (S-117).
     pub fn compliance(&self, fields: &Fields) -> Matrix6<f64> {
         let duals = self.forms[1..].iter().zip(&fields.weights);
-        let z: Matrix6<f64> = duals.map(|(form, weight)| form * weight).sum();
+        let z: Matrix6<f64> = duals.map(|(form, weight)| matrix_of(form) * weight).sum();
         let half = fields.along.transpose() * z + z * fields.along;
-        half + half.transpose() - self.forms[0]
+        half + half.transpose() - self.of_central()
     }
 
-    /// (S-120).
-    fn add(
+    /// `w' dG w`.
+    pub fn of_central(&self) -> Matrix6<f64> {
+        matrix_of(&self.forms[0])
+    }
+
+    /// (S-120), of the law.
+    #[inline(always)]
+    fn add_law<P: Product>(&mut self, law: &Matrix6<f64>, strains: &Strains<'_>) {
+        let law = law.transpose().into();
+        for (volume, strains) in strains.points() {
+            let stress = stress_in_cases::<P>(&law, &strains[0], volume);
+            for (form, strain) in self.forms.iter_mut().zip(strains) {
+                add_work::<P>(form, strain, &stress);
+            }
+        }
+    }
+
+    /// (S-120), of the places of the nodes.
+    fn add_motion(
         &mut self,
         domain: &Domain,
         cell: &DomainCell,
-        change: &CellChange<'_>,
-        states: &CellStates,
+        velocities: &[[f64; 2]; 9],
+        at_nodes: &[AtNodes],
     ) {
-        if let Some(law) = change.law {
-            for (volume, strains) in &states.strains {
-                let stress = *volume * law * strains[0].transpose();
-                for (form, transposed) in self.forms.iter_mut().zip(strains) {
-                    form.gemm(1.0, transposed, &stress, 1.0);
-                }
-            }
-        }
-        if let Some(velocities) = &change.velocities {
-            let law = &domain.laws[cell.law as usize];
-            for point in &states.points {
-                let velocities = &velocities[..cell.kind.node_count()];
-                let moved = MovedPoint::new(&domain.line, point, velocities);
-                self.add_moved(law, &moved, &states.nodal);
-            }
+        let law = &domain.laws[cell.law as usize];
+        let count = cell.kind.node_count();
+        for point in cell_points(cell.kind, &domain.places(cell)[..count]) {
+            let moved = MovedPoint::new(&domain.line, &point, &velocities[..count]);
+            self.add_moved(law, &moved, at_nodes);
         }
     }
 
-    fn add_moved(
-        &mut self,
-        law: &Matrix6<f64>,
-        moved: &MovedPoint<'_>,
-        nodal: &[(NodalColumns, NodalColumns, Matrix6<f64>)],
-    ) {
+    fn add_moved(&mut self, law: &Matrix6<f64>, moved: &MovedPoint<'_>, at_nodes: &[AtNodes]) {
         let (volume, growth) = moved.volume();
-        let state =
-            |(rate, warping, psi): &(_, _, _)| moved.strain(NodalState { rate, warping, psi });
-        let (strain, rate) = state(&nodal[0]);
+        let (strain, rate) = moved.strain(at_nodes[0].state());
         let stress = law * strain;
         let with_growth = volume * law * rate + growth * stress;
         let stress = volume * stress;
-        for (form, nodal) in self.forms.iter_mut().zip(nodal) {
-            let (strain, rate) = state(nodal);
-            *form += strain.tr_mul(&with_growth) + rate.tr_mul(&stress);
+        for (form, at_nodes) in self.forms.iter_mut().zip(at_nodes) {
+            let (strain, rate) = moved.strain(at_nodes.state());
+            let more = strain.tr_mul(&with_growth) + rate.tr_mul(&stress);
+            *form = rows_of(&(matrix_of(form) + more));
         }
     }
 
     /// The rate of `rho (1, y, z, y y, y z, z z) J dA`, of density and place.
     pub fn add_mass(&mut self, domain: &Domain, cell: &DomainCell, change: &Change) {
-        let velocities = change.of_cell(cell).velocities;
+        let velocities = change.velocities(cell);
         if change.density == 0.0 && velocities.is_none() {
             return;
         }

@@ -2,8 +2,9 @@
 
 use super::Solved;
 use super::change::Change;
-use super::contraction::{Sums, at_nodes, turned};
+use super::contraction::Sums;
 use super::derivative::{Conversion, Derivative};
+use super::fields::{at_nodes, turned};
 use super::parameter::{Parameter, SensitivityProblem};
 use crate::assembly::{DomainCell, SectionForces};
 use crate::element::{MovedPoint, NO_COLUMNS, NodalColumns, NodalForces, NodalState, cell_points};
@@ -100,14 +101,14 @@ fn cell_forces(
         resultant: Matrix6::zeros(),
     };
     let count = cell.kind.node_count();
-    let of_cell = change.of_cell(cell);
+    let (law_rate, velocities) = (change.law(cell), change.velocities(cell));
     for point in cell_points(cell.kind, &domain.places(cell)[..count]) {
-        if let Some(law) = of_cell.law {
+        if let Some(law) = law_rate {
             let at = MovedPoint::at_rest(&domain.line, &point);
             let (strain, _) = at.strain(state);
             at.add_forces(&(law * strain), &mut forces);
         }
-        if let Some(velocities) = &of_cell.velocities {
+        if let Some(velocities) = &velocities {
             let law = &domain.laws[cell.law as usize];
             let at = MovedPoint::new(&domain.line, &point, &velocities[..count]);
             let (strain, rate) = at.strain(state);

@@ -105,7 +105,7 @@ fn the_work_of_the_face_counts() {
             contraction::integrals(solved, &changes.expect("sound")).expect("memory");
         let (mut block, mut shears) = (0.0_f64, 0.0_f64);
         for sums in &sums {
-            let difference = sums.compliance(&fields) + sums.forms[0];
+            let difference = sums.compliance(&fields) + sums.of_central();
             let size = sums.compliance(&fields).amax();
             for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
                 let is_shear = [1, 2].contains(&i) || [1, 2].contains(&j);

@@ -86,6 +86,9 @@ pub struct CentralSolution {
     /// Largest of the last corrections of the two steps, relative to the
     /// solution \[-\].
     pub correction: f64,
+    /// Largest of the first corrections of the two steps, relative to the solution: how
+    /// far off a single solution with the factored systems is \[-\].
+    pub first_correction: f64,
 }
 
 impl CentralSolution {
@@ -95,6 +98,10 @@ impl CentralSolution {
         for round in 0..CORRECTIONS {
             iteration.measure(model);
             iteration.correct(systems)?;
+            // the linear step was solved before, the constant one is in the first round
+            if let Some(&first) = iteration.last.get(round) {
+                iteration.first = largest(iteration.first, first);
+            }
             if iteration.is_done(round) {
                 break;
             }
@@ -102,6 +109,7 @@ impl CentralSolution {
         iteration.measure(model);
         Some(Self {
             correction: largest(iteration.last[0], iteration.last[1]),
+            first_correction: iteration.first,
             x: iteration.x,
             y: iteration.y,
             face: iteration.forces.face,
@@ -123,6 +131,8 @@ struct Iteration {
     forces: SectionForces,
     last: [f64; 2],
     before: [f64; 2],
+    /// The largest of the first ones.
+    first: f64,
 }
 
 impl Iteration {
@@ -143,6 +153,7 @@ impl Iteration {
             forces: SectionForces::none(model),
             last: [1.0, f64::INFINITY],
             before: [f64::INFINITY; 2],
+            first: 0.0,
         }
     }
 

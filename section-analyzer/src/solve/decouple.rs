@@ -33,12 +33,21 @@ pub struct Decoupled {
     /// `H' Ph`: internal force of the solutions, the unit matrix up to round-off
     /// \[-\].
     pub internal_force: Matrix6<f64>,
+    /// How far off a single solution with the factored systems is, relative to it, as
+    /// the corrections of the central solutions found \[-\].
+    pub first_correction: f64,
 }
 
 impl Decoupled {
     /// Decouples `central`.
     pub fn new(model: &impl Model, central: CentralSolution) -> Self {
-        let CentralSolution { mut x, y, face, .. } = central;
+        let CentralSolution {
+            mut x,
+            y,
+            face,
+            first_correction,
+            ..
+        } = central;
         let z: Matrix6<f64> = (-face.tr_mul(&x)).fixed_view::<6, 6>(0, 0).into();
         let tt = model.line().equilibrium();
         add_rigid_motions(model, &z, &mut x);
@@ -47,6 +56,7 @@ impl Decoupled {
             y: y - (z * tt + tt.transpose() * z),
             internal_force: resultant(model, &face),
             face,
+            first_correction,
         }
     }
 }

@@ -56,6 +56,9 @@ const SMALL_CORRECTION: f64 = 1e-8;
 /// Size of a correction, relative to the state, that the forces need not follow.
 const NO_CORRECTION: f64 = 1e-11;
 
+/// Error of a solution, relative to it, that no derivative shows.
+const GOOD_SOLUTION: f64 = 1e-11;
+
 /// A dual state, and how its work enters Z.
 #[derive(Debug, Clone)]
 pub struct DualState {
@@ -81,8 +84,8 @@ impl DualStates {
     /// `None` when there is no memory for it.
     pub fn solve(domain: &Domain, systems: &CentralSystems, central: &Decoupled) -> Option<Self> {
         let states = match &systems.wave {
-            None => straight(domain, systems, &central.x)?,
-            Some(wave) => curved(domain, systems, wave, &central.x)?,
+            None => straight(domain, systems, central)?,
+            Some(wave) => curved(domain, systems, wave, central)?,
         };
         Some(Self { states })
     }
@@ -92,16 +95,20 @@ impl DualStates {
 fn straight(
     domain: &Domain,
     systems: &CentralSystems,
-    central: &DMatrix<f64>,
+    central: &Decoupled,
 ) -> Option<Vec<DualState>> {
     let system = systems.steady();
-    let first = Steady::find(domain, system, (central, None), 0..6)?;
-    // T' makes moments of forces only
+    let goal = Goal::with_face(central);
+    let first = Steady::find(domain, system, (&central.x, None), 0..6, goal)?;
+    // of `e2' dG w T'` the rows that T Z and Z T' have: T' T' = 0, and T' makes moments of
+    // forces, no torsion where the line is normal to the section
+    let along = domain.line.equilibrium();
+    let moments = if along.row(3).amax() == 0.0 { 4 } else { 3 };
     let source = (&first.x, Some(&first.face));
-    let second = Steady::find(domain, system, source, 3..6)?;
+    let second = Steady::find(domain, system, source, moments..6, goal.without_face())?;
     Some(vec![
         DualState {
-            rate: central.clone(),
+            rate: central.x.clone(),
             x: first.x.clone(),
             y: first.y,
             weight: Matrix6::identity(),
@@ -110,7 +117,7 @@ fn straight(
             rate: first.x,
             x: second.x,
             y: second.y,
-            weight: -domain.line.equilibrium(),
+            weight: -along,
         },
     ])
 }
@@ -120,18 +127,21 @@ fn curved(
     domain: &Domain,
     systems: &CentralSystems,
     wave: &Wave,
-    central: &DMatrix<f64>,
+    central: &Decoupled,
 ) -> Option<Vec<DualState>> {
     let Weights { steady, turning } = Weights::of(domain, wave);
-    let nothing = DMatrix::zeros(central.nrows(), 6);
-    let first = Steady::find(domain, systems.steady(), (central, None), 0..6)?;
-    let turned = Turning::find(domain, wave, [central, &nothing], [&nothing, &nothing])?;
-    let mixed = Turning::find(domain, wave, [&first.x, &nothing], [&first.face, &nothing])?;
+    let nothing = &DMatrix::zeros(central.x.nrows(), 6);
+    let goal = Goal::with_face(central);
+    let first = Steady::find(domain, systems.steady(), (&central.x, None), 0..6, goal)?;
+    let turned = Turning::find(domain, wave, [&central.x, nothing], [nothing; 2], goal)?;
+    let goal = goal.without_face();
+    let source = [&first.face, nothing];
+    let mixed = Turning::find(domain, wave, [&first.x, nothing], source, goal)?;
     let [x, y] = &turned.x;
     let [p, q] = &turned.face;
-    let second = Turning::find(domain, wave, [x, y], [p, q])?;
+    let second = Turning::find(domain, wave, [x, y], [p, q], goal)?;
     let mut states = vec![DualState {
-        rate: central.clone(),
+        rate: central.x.clone(),
         x: first.x,
         y: first.y,
         weight: steady,
@@ -191,11 +201,12 @@ impl Steady {
         system: &CentralSystem<f64>,
         (rate, within): (&DMatrix<f64>, Option<&DMatrix<f64>>),
         columns: Range<usize>,
+        goal: Goal,
     ) -> Option<Self> {
         let n = domain.unknowns();
         let (mut x, mut y) = (DMatrix::zeros(n, 6), Matrix6::zeros());
         let mut forces = SectionForces::none(domain);
-        let mut refinement = Refinement::new();
+        let mut refinement = Refinement::to(goal);
         loop {
             let state = State {
                 rate: Rate::Given(rate),
@@ -249,13 +260,14 @@ impl Turning {
         wave: &Wave,
         rate: [&DMatrix<f64>; 2],
         within: [&DMatrix<f64>; 2],
+        goal: Goal,
     ) -> Option<Self> {
         let w = domain.line.curvature.norm();
         let n = domain.unknowns();
         let mut x = [DMatrix::zeros(n, 6), DMatrix::zeros(n, 6)];
         let mut y = [Matrix6::zeros(); 2];
         let mut forces = [SectionForces::none(domain), SectionForces::none(domain)];
-        let mut refinement = Refinement::new();
+        let mut refinement = Refinement::to(goal);
         let rate = loop {
             let turned = [rate[0] - w * &x[1], rate[1] + w * &x[0]];
             for part in 0..2 {
@@ -311,16 +323,43 @@ impl Turning {
     }
 }
 
+/// What a state is found for, and how well.
+#[derive(Debug, Clone, Copy)]
+struct Goal {
+    /// Whether a first solution is off by too much to be the state.
+    is_refined: bool,
+    /// Whether its forces on the face are wanted.
+    wants_face: bool,
+}
+
+impl Goal {
+    fn with_face(central: &Decoupled) -> Self {
+        Self {
+            is_refined: central.first_correction > GOOD_SOLUTION,
+            wants_face: true,
+        }
+    }
+
+    fn without_face(self) -> Self {
+        Self {
+            wants_face: false,
+            ..self
+        }
+    }
+}
+
 /// When to stop correcting.
 struct Refinement {
+    goal: Goal,
     rounds: usize,
     last: f64,
     is_open: bool,
 }
 
 impl Refinement {
-    fn new() -> Self {
+    fn to(goal: Goal) -> Self {
         Self {
+            goal,
             rounds: 0,
             last: f64::INFINITY,
             is_open: true,
@@ -332,12 +371,12 @@ impl Refinement {
         !self.is_open || self.rounds == CORRECTIONS
     }
 
-    /// Notes a correction; whether forces and state are as good as they get.
+    /// Notes a correction; whether state and forces are as good as they get.
     fn is_exact(&mut self, change: f64, state: f64) -> bool {
         let size = if change == 0.0 { 0.0 } else { change / state };
-        self.is_open = size > SMALL_CORRECTION && size <= self.last;
+        self.is_open = self.goal.is_refined && size > SMALL_CORRECTION && size <= self.last;
         self.last = size;
         self.rounds += 1;
-        size <= NO_CORRECTION
+        size <= NO_CORRECTION || !(self.is_open || self.goal.wants_face)
     }
 }
