@@ -15,8 +15,8 @@ mod strain;
 
 pub use blocks::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
 pub use cases::{
-    CaseLoop, CellField, CellState, NO_FIELD, NO_ROWS, Product, Row, add_work, in_widest_registers,
-    matrix_of, rows_of, strain_along, strain_in_cases, stress_in_cases,
+    CASES, CaseLoop, CellField, CellState, NO_FIELD, NO_ROWS, Product, Row, add_work,
+    in_widest_registers, rows_of, strain_along, strain_in_cases, stress_in_cases,
 };
 pub use curved_blocks::{CurvedCell, TurningLaw};
 pub use forces::CellForces;

@@ -213,11 +213,9 @@ fn hundred_loads(section: &Section) -> Duration {
     let solution = analyze(section).expect("a sound section");
     let forces = forces();
     shortest(|| {
-        let mut largest = 0.0_f64;
         Recoverer::new(section, &solution).each_stress(&forces, |block| {
-            largest = largest.max(block.stress().amax());
+            black_box(block.stress());
         });
-        largest
     })
 }
 

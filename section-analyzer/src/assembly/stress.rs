@@ -15,7 +15,7 @@
 use super::domain::{Domain, DomainCell};
 use super::model::Model;
 use crate::element::{
-    CaseLoop, CellField, CellForces, CellState, Product, Row, in_widest_registers, rows_of,
+    CASES, CaseLoop, CellField, CellForces, CellState, Product, Row, in_widest_registers, rows_of,
     rule_points,
 };
 use nalgebra::{DMatrix, Matrix6};
@@ -172,11 +172,11 @@ fn central_rate(along: Option<&[Row; 6]>, warping: &Row, rate: &mut Row) {
     }
 }
 
-/// The first six columns of `field` (n x k) at the nodes of `cell`.
+/// The columns of `field` (n x k), no more than [`CASES`], at the nodes of `cell`.
 #[inline(always)]
 pub fn take_columns(cell: &DomainCell, field: &DMatrix<f64>, of_cell: &mut CellField) {
     let columns = field.as_slice().chunks_exact(field.nrows());
-    for (k, column) in columns.take(6).enumerate() {
+    for (k, column) in columns.take(CASES).enumerate() {
         for (target, &node) in of_cell.iter_mut().zip(cell.nodes()) {
             let first = 3 * node as usize;
             for (target, value) in target.iter_mut().zip(&column[first..first + 3]) {

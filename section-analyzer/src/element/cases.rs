@@ -254,14 +254,22 @@ pub fn stress_in_cases<P: Product>(law: &[[f64; 6]; 6], strain: &[Row; 6], area:
     stress
 }
 
-/// Adds the work of the stresses of each case (columns) on the strains of each (rows).
+/// Adds the work of the stresses of each case (columns) on the strains of the first N
+/// (rows).
 #[inline(always)]
-pub fn add_work<P: Product>(work: &mut [Row; 6], strain: &[Row; 6], stress: &[Row; 6]) {
-    for (strain, stress) in strain.iter().zip(stress) {
-        for (i, work) in work.iter_mut().enumerate() {
+pub fn add_work<P: Product, const N: usize>(
+    work: &mut [Row; N],
+    strain: &[Row; 6],
+    stress: &[Row; 6],
+) {
+    // row by row in copies, which the compiler knows to be apart
+    for (i, work) in work.iter_mut().enumerate() {
+        let mut row = *work;
+        for (strain, stress) in strain.iter().zip(stress) {
             for k in 0..CASES {
-                work[k] = P::add(strain[i], stress[k], work[k]);
+                row[k] = P::add(strain[i], stress[k], row[k]);
             }
         }
+        *work = row;
     }
 }

@@ -63,6 +63,10 @@ pub struct Recoverer<'a> {
     line: Line,
     /// T' of that line.
     equilibrium: Matrix6<f64>,
+    /// U from the centroid to the reference.
+    back: Matrix6<f64>,
+    /// Generalized strain about the centroid per unit force there: `U' Y U`.
+    generalized: Matrix6<f64>,
     /// Cells that follow each other share them.
     laws: Vec<OrientedLaw>,
     law_of_cell: Vec<usize>,
@@ -108,9 +112,12 @@ impl<'a> Recoverer<'a> {
         let (nodes, cell_nodes) = nodes_by_region(section);
         let (laws, law_of_cell) = laws(section);
         let line = Line::through(&section.initial_curvature, center, 1.0);
+        let back = wrench::shift_matrix(&Vector3::new(0.0, -center[0], -center[1]));
         let mut recoverer = Self {
             line,
             equilibrium: line.equilibrium(),
+            back,
+            generalized: back.transpose() * solution.strain * back,
             section,
             solution,
             imposed: &[],
@@ -210,7 +217,7 @@ impl<'a> Recoverer<'a> {
             points,
             cells,
             cell_nodes: self.cell_nodes.clone(),
-            resultant: wrench::shift_matrix(&-self.offset()) * about_center,
+            resultant: self.back * about_center,
             resultant_error: error,
         })
     }
@@ -267,8 +274,7 @@ impl<'a> Recoverer<'a> {
 
     /// What imposed states strain at a point of a cell, about the centroid.
     fn imposed_strain(&self, imposed: &Imposed, cell: usize, point: &CellPoint) -> Vector6<f64> {
-        let back = wrench::shift_matrix(&-self.offset());
-        let strain = back.transpose() * imposed.strain;
+        let strain = self.back.transpose() * imposed.strain;
         let place = [point.y + self.center[0], point.z + self.center[1]];
         imposed.strain_at(self.section, cell, (&self.line, point, place), &strain)
     }
@@ -332,8 +338,8 @@ impl<'a> Recoverer<'a> {
         let places = self.places(cell);
         let points: Vec<_> = cell_points(kind, &places).collect();
         let (rate, warping) = self.columns(cell);
-        let strain = self.generalized();
-        let unit = |p: &CellPoint| strain_at(&self.line, p, Some(&rate), Some(&warping), &strain);
+        let strain = &self.generalized;
+        let unit = |p: &CellPoint| strain_at(&self.line, p, Some(&rate), Some(&warping), strain);
         CellGrid {
             extrapolation: Extrapolation::new(kind, &places, &points),
             points: points
@@ -351,13 +357,12 @@ impl<'a> Recoverer<'a> {
             point,
             Some(&rate),
             Some(&warping),
-            &self.generalized(),
+            &self.generalized,
         )
     }
 
     /// `X U` and `X U T'` at the nodes of a cell, U from the centroid to the reference.
     fn columns(&self, cell: usize) -> (NodalColumns, NodalColumns) {
-        let back = wrench::shift_matrix(&-self.offset());
         let (mut rate, mut warping) = (NO_COLUMNS, NO_COLUMNS);
         let nodes = self.section.mesh.cells[cell].nodes();
         for (i, &node) in nodes.iter().enumerate() {
@@ -365,17 +370,11 @@ impl<'a> Recoverer<'a> {
                 .solution
                 .warping
                 .fixed_view::<3, 6>(3 * node as usize, 0)
-                * back;
+                * self.back;
             warping[i] = x;
             rate[i] = x * self.equilibrium;
         }
         (rate, warping)
-    }
-
-    /// Generalized strain about the centroid per unit force there: `U' Y U`.
-    fn generalized(&self) -> Matrix6<f64> {
-        let back = wrench::shift_matrix(&-self.offset());
-        back.transpose() * self.solution.strain * back
     }
 
     /// Stress and material axes from the strain in the order yz yy zz xx xy xz.

@@ -4,12 +4,12 @@
 use super::Solved;
 use super::change::Change;
 use super::derivative::{Conversion, Derivative};
-use super::fields::{AtNodes, Fields, Strains};
+use super::fields::{AtNodes, Fields, Lane, Strains};
 use super::parameter::{Parameter, SensitivityProblem};
 use crate::assembly::{Domain, DomainCell};
 use crate::element::{
-    CaseLoop, MovedPoint, NO_ROWS, Product, Row, add_work, cell_points, in_widest_registers,
-    matrix_of, rows_of, stress_in_cases,
+    CASES, CaseLoop, MovedPoint, Product, Row, add_work, cell_points, in_widest_registers,
+    stress_in_cases,
 };
 use crate::solve::DualStates;
 use nalgebra::Matrix6;
@@ -70,7 +70,7 @@ impl CaseLoop for Integration<'_> {
             changes,
             fields,
         } = self;
-        let mut sums = vec![Sums::none(fields.states.len()); changes.len()];
+        let mut sums = vec![Sums::none(fields.count()); changes.len()];
         let mut strains = Strains::new(domain, fields);
         for (cell, of_cell) in domain.cells.iter().zip(by_cell(domain, changes)) {
             let (mut is_here, mut at_nodes) = (false, None);
@@ -109,31 +109,36 @@ fn by_cell(domain: &Domain, changes: &[Change]) -> Vec<Vec<u32>> {
 /// What the cells add up to for a parameter.
 #[derive(Clone)]
 pub(super) struct Sums {
-    /// `e' dG w`, of the central state, then of the dual ones.
-    forms: Vec<[Row; 6]>,
+    /// `e' dG w` of each field: a row for each of its cases.
+    forms: Vec<[Row; CASES]>,
     /// `d(rho (1, y, z, y y, y z, z z) dA)`.
     pub moments: [f64; 6],
 }
 
 impl Sums {
-    pub fn none(states: usize) -> Self {
+    pub fn none(fields: usize) -> Self {
         Self {
-            forms: vec![NO_ROWS; states],
+            forms: vec![[[0.0; CASES]; CASES]; fields],
             moments: [0.0; 6],
         }
     }
 
     /// (S-113) with (S-116), (S-117).
     pub fn compliance(&self, fields: &Fields) -> Matrix6<f64> {
-        let duals = self.forms[1..].iter().zip(&fields.weights);
-        let z: Matrix6<f64> = duals.map(|(form, weight)| matrix_of(form) * weight).sum();
+        let of_dual = |lanes: &[Option<Lane>; 6]| -> Matrix6<f64> {
+            Matrix6::from_fn(|i, k| {
+                lanes[i].map_or(0.0, |(field, lane)| self.forms[field][lane][k])
+            })
+        };
+        let duals = fields.duals().iter();
+        let z: Matrix6<f64> = duals.map(|(weight, lanes)| of_dual(lanes) * weight).sum();
         let half = fields.along.transpose() * z + z * fields.along;
         half + half.transpose() - self.of_central()
     }
 
     /// `w' dG w`.
     pub fn of_central(&self) -> Matrix6<f64> {
-        matrix_of(&self.forms[0])
+        Matrix6::from_fn(|i, k| self.forms[0][i][k])
     }
 
     /// (S-120), of the law.
@@ -143,7 +148,7 @@ impl Sums {
         for (volume, strains) in strains.points() {
             let stress = stress_in_cases::<P>(&law, &strains[0], volume);
             for (form, strain) in self.forms.iter_mut().zip(strains) {
-                add_work::<P>(form, strain, &stress);
+                add_work::<P, CASES>(form, strain, &stress);
             }
         }
     }
@@ -170,10 +175,15 @@ impl Sums {
         let stress = law * strain;
         let with_growth = volume * law * rate + growth * stress;
         let stress = volume * stress;
-        for (form, at_nodes) in self.forms.iter_mut().zip(at_nodes) {
+        for at_nodes in at_nodes {
             let (strain, rate) = moved.strain(at_nodes.state());
             let more = strain.tr_mul(&with_growth) + rate.tr_mul(&stress);
-            *form = rows_of(&(matrix_of(form) + more));
+            for (i, lane) in at_nodes.lanes.into_iter().enumerate() {
+                let Some((field, lane)) = lane else { continue };
+                for (sum, more) in self.forms[field][lane].iter_mut().zip(&more.row(i)) {
+                    *sum += more;
+                }
+            }
         }
     }
 

@@ -62,6 +62,8 @@ const GOOD_SOLUTION: f64 = 1e-11;
 /// A dual state, and how its work enters Z.
 #[derive(Debug, Clone)]
 pub struct DualState {
+    /// The cases whose rows of Z are wanted; the others are not solved for.
+    pub columns: Range<usize>,
     /// V: rate, n x 6, in the units of the domain \[-\].
     pub rate: DMatrix<f64>,
     /// x: warping, n x 6, in the units of the domain \[-\].
@@ -108,12 +110,14 @@ fn straight(
     let second = Steady::find(domain, system, source, moments..6, goal.without_face())?;
     Some(vec![
         DualState {
+            columns: 0..6,
             rate: central.x.clone(),
             x: first.x.clone(),
             y: first.y,
             weight: Matrix6::identity(),
         },
         DualState {
+            columns: moments..6,
             rate: first.x,
             x: second.x,
             y: second.y,
@@ -141,6 +145,7 @@ fn curved(
     let [p, q] = &turned.face;
     let second = Turning::find(domain, wave, [x, y], [p, q], goal)?;
     let mut states = vec![DualState {
+        columns: 0..6,
         rate: central.x.clone(),
         x: first.x,
         y: first.y,
@@ -318,7 +323,13 @@ impl Turning {
         let [rate, im_rate] = self.rate;
         let [x, im_x] = self.x;
         let [y, im_y] = self.y;
-        let state = |rate, x, y, weight| DualState { rate, x, y, weight };
+        let state = |rate, x, y, weight| DualState {
+            columns: 0..6,
+            rate,
+            x,
+            y,
+            weight,
+        };
         [state(rate, x, y, re), state(im_rate, im_x, im_y, im)]
     }
 }
