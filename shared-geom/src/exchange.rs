@@ -90,7 +90,7 @@ pub struct Writing {
 /// What a reader may be told beside the file.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Options {
-    /// Length of a straight blade, for files that hold sections without a line [m].
+    /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file [m].
     pub length: Option<f64>,
 }
 

@@ -274,7 +274,7 @@ pub(super) enum Command {
         /// Blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
-        /// Length of a straight blade, for files that hold sections without a line
+        /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file
         #[arg(long, value_name = "METERS", value_parser = length, allow_negative_numbers = true)]
         length: Option<f64>,
     },
@@ -289,7 +289,7 @@ pub(super) enum Command {
         /// Format to write; that of the ending of TO if not given
         #[arg(long = "to", value_name = "NAME", id = "format")]
         format: Option<String>,
-        /// Length of a straight blade, for files that hold sections without a line
+        /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file
         #[arg(long, value_name = "METERS", value_parser = length, allow_negative_numbers = true)]
         length: Option<f64>,
     },

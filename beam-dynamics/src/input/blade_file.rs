@@ -25,7 +25,7 @@ pub struct BladeQuestion {
     pub count: Option<usize>,
     /// Number of elements; `None` for element ends at the stations.
     pub elements: Option<usize>,
-    /// Length of a straight blade, for files of sections without a line \[m\].
+    /// Length of a uniform blade, for files of sections without a line \[m\].
     pub length: Option<f64>,
     /// Distance of the root from the axis, along the blade \[m\].
     pub hub_radius: f64,

@@ -225,6 +225,46 @@ mod tests {
         }
     }
 
+    /// A body that grows evenly, (S-133), whatever it is made of; condition of some 1e4
+    /// times round-off.
+    #[test]
+    fn a_curved_beam_that_grows_evenly_moves_by_the_mean_of_its_places() {
+        for section in sections() {
+            let even = FreeStrain {
+                at_origin: Vector6::new(1.0, 1.0, 1.0, 0.0, 0.0, 0.0),
+                ..FreeStrain::default()
+            };
+            let state = ImposedStrain {
+                name: "even".into(),
+                cells: vec![even; section.cells.len()],
+            };
+            let analysis = Analysis::new(&section).expect("sound");
+            let solved = &analysis.imposed(&[state]).expect("sound")[0];
+            let domain = analysis.domain();
+            let mut places = DVector::zeros(domain.unknowns());
+            for (node, [y, z]) in domain.nodes.iter().enumerate() {
+                places[3 * node + 1] = *y;
+                places[3 * node + 2] = *z;
+            }
+            let mean = analysis.central().face.tr_mul(&places);
+            let mean: Vector6<f64> = mean.fixed_rows::<6>(0).into();
+            let mut growth = domain.line.equilibrium().transpose() * mean;
+            for axis in 0..3 {
+                growth[axis] += domain.line.slope[axis];
+            }
+            let [y, z] = domain.scaling.origin;
+            let v = wrench::shift_matrix(&Vector3::new(0.0, y, z));
+            let expected = v.transpose() * growth.component_mul(&domain.scaling.strain());
+            let difference = (solved.free_strain - expected).amax();
+            assert!(difference < 1e-11, "{difference:e}");
+            let is_straight = section.initial_curvature.is_straight();
+            // what the line itself grows by: on the straight beam, but for the mesh
+            let line = section.initial_curvature.slope;
+            let off = (solved.free_strain.fixed_rows::<3>(0) - line).amax();
+            assert_eq!(off < 1e-4, is_straight, "{off:e}");
+        }
+    }
+
     /// Both ways to the free strain agree, and each of seven states, which take two
     /// solutions, is that of the state alone; condition of some 1e4 times round-off.
     #[test]

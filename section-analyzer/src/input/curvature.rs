@@ -22,6 +22,10 @@ use crate::mesh::SectionMesh;
 /// half in length.
 const STRONG: f64 = 0.5;
 
+/// Angle between the line and the normal of the section above which it looks like a
+/// mistake \[deg\]: sheared layups and sheared slices stay far below.
+const OBLIQUE: f64 = 75.0;
+
 /// The table, and the line on which its curvature stands.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WrittenCurvature {
@@ -92,6 +96,10 @@ pub(super) fn checked(
     let strength = initial.curvature.amax() * size.fold(0.0, f64::max);
     if strength > STRONG {
         warnings.push(InputWarning::StrongCurvature { strength });
+    }
+    let angle = initial.slope.x.acos().to_degrees();
+    if angle > OBLIQUE {
+        warnings.push(InputWarning::Oblique { angle });
     }
     Some(initial)
 }

@@ -165,6 +165,11 @@ pub enum InputWarning {
         /// line \[-\].
         strength: f64,
     },
+    /// A line that runs along its sections rather than through them.
+    Oblique {
+        /// Angle between the line and the normal of the section \[deg\].
+        angle: f64,
+    },
     /// Further warnings of a kind.
     More {
         /// Their number.
@@ -256,6 +261,12 @@ impl fmt::Display for InputWarning {
                 "curvature times size is {}: more than blades and springs usually have; is the \
                  unit meant (plain numbers are angles per length)?",
                 tick_label(*strength, 0.0)
+            ),
+            Self::Oblique { angle } => write!(
+                f,
+                "the reference line leads {} deg off the normal of the section: is \"slope\" \
+                 meant, whose first number is along the normal?",
+                tick_label(*angle, 0.0)
             ),
             Self::More { count, what } => write!(f, "and {count} more {what}"),
         }

@@ -27,7 +27,7 @@ pub struct AreaProperties {
     pub central: SecondMoments,
     /// Length of the boundary: outer lines and holes \[m\].
     pub perimeter: Perimeter,
-    /// Mass per length \[kg/m\].
+    /// Mass per length of the reference line, `int rho J dA` with J of (S-71) \[kg/m\].
     pub mass: f64,
 }
 
@@ -110,7 +110,15 @@ fn properties(
     let centroid = placed(first_guess, correction);
     let central = near.moved(correction.map(|shift| -shift));
     let about_reference = near.moved(first_guess);
-    let density = |cell: usize| section.materials[section.cells[cell].material].density;
+    let line = &section.initial_curvature;
+    let mass = |cell: usize| {
+        let density = section.materials[section.cells[cell].material].density;
+        let MeasuredCell { node, moments } = &cells[cell];
+        let [y, z] = moments.first;
+        let volume = line.tangent_at(node[0], node[1]).x * moments.area + line.curvature.y * z
+            - line.curvature.z * y;
+        density * volume
+    };
     AreaProperties {
         name: name.to_owned(),
         cells: part.len(),
@@ -120,10 +128,7 @@ fn properties(
         second: about_reference.second,
         central: central.second,
         perimeter: Perimeter::of(&section.mesh, part),
-        mass: part
-            .iter()
-            .map(|&cell| density(cell) * cells[cell].moments.area)
-            .sum(),
+        mass: part.iter().map(|&cell| mass(cell)).sum(),
     }
 }
 

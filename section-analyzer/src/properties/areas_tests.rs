@@ -1,10 +1,12 @@
 use super::*;
+use crate::assembly::{Domain, mass_per_length};
 use crate::material::{ElasticLaw, Material};
 use crate::mesh::generate::{Rectangle, Tube};
 use crate::mesh::{SectionCell, SectionMesh};
 use crate::section::CellMaterial;
 use crate::section::samples::of_quadrilaterals;
 use approx::assert_relative_eq;
+use nalgebra::Vector3;
 use shared_geom::error::Place;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::quadrature;
@@ -287,4 +289,29 @@ fn holes_are_told_from_the_outline() {
     assert_eq!(rounded(without(&[[1, 1], [2, 2]])), lines(&[16.0], &[]));
     assert_eq!(rounded(without(&[[0, 0], [2, 2]])), lines(&[12.0], &[]));
     assert_eq!(rounded(without(&[[1, 0]])), lines(&[14.0], &[]));
+}
+
+/// On a curved beam the mass is per length of the reference line, as in the mass matrix:
+/// `rho (A l1 + k2 int z dA - k3 int y dA)` for rectangles off their center.
+#[test]
+fn mass_is_that_of_the_reference_line() {
+    let mut mesh = rectangle(2.0, 1.0, CellKind::Quadrilateral8);
+    for node in &mut mesh.nodes {
+        node.position[0] -= 1.0;
+        node.position[1] += 0.3;
+    }
+    let mut section = section(&mesh, |[y, _]| y > -1.0);
+    section.initial_curvature = InitialCurvature {
+        curvature: Vector3::new(0.4, 0.05, 0.25),
+        slope: Vector3::new(0.9, 0.1, 0.2),
+    };
+    let table = AreaTable::by_group(&section);
+    // densities 2 and 5, areas of one, centers at y = -1.5 and -0.5, z = 0.3
+    for (region, density, y) in [(0, 2.0, -1.5), (1, 5.0, -0.5)] {
+        let expected = density * (0.9 + 0.05 * 0.3 - 0.25 * y);
+        assert_relative_eq!(table.regions[region].mass, expected, max_relative = 1e-14);
+    }
+    let domain = Domain::new(&section).expect("sound");
+    let matrix = mass_per_length(&domain);
+    assert_relative_eq!(table.total.mass, matrix[(0, 0)], max_relative = 1e-13);
 }

@@ -8,7 +8,7 @@ use nalgebra::{Vector2, Vector3};
 use crate::blade::{self, Blade, BladeDamping, Interpolation, Station};
 use crate::error::{Diagnostics, Place};
 use crate::line::{LinePoint, ReferenceLine};
-use crate::section::{self, Damping, SectionProperties};
+use crate::section::{self, Damping, InitialCurvature, SectionProperties};
 
 use super::problem::{ExchangeProblem, Problems};
 use super::{Options, Reading, Writing};
@@ -50,7 +50,7 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
             0,
             &ExchangeProblem::Missing {
                 what: "the length of the blade (a property file is one section)".to_owned(),
-                help: "give --length METERS for a uniform straight blade, or several sections \
+                help: "give --length METERS for a uniform blade, or several sections \
                        with their arc lengths in a NAME.blade.toml"
                     .to_owned(),
             },
@@ -58,6 +58,23 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
         return Err(problems.into_diagnostics());
     };
     uniform(&section, length, &shown)
+}
+
+/// Where in the section a line of the same beam would be normal to it: where (a, b) of
+/// `g1 = l + k x t` vanish, (y, z) = (-l3, l2)/k1.
+fn normal_point(initial: &InitialCurvature) -> String {
+    let InitialCurvature { curvature, slope } = initial;
+    let [y, z] = [-slope.z / curvature.x, slope.y / curvature.x];
+    if y.is_finite() && z.is_finite() {
+        format!(
+            "shift the properties to the point whose line is normal to the section, \
+             (y, z) = ({y:?}, {z:?}) m from here"
+        )
+    } else {
+        "a beam without twist has no line normal to this section: solve the section that is \
+         normal to the line"
+            .to_owned()
+    }
 }
 
 /// The blade of one section: straight, or with the curvature for which the section was
@@ -83,8 +100,7 @@ fn uniform(section: &SectionProperties, length: f64, file: &str) -> Result<Readi
                 what: "slope of the reference line".to_owned(),
                 found: format!("{:?}", initial.slope.as_slice()),
                 expected: "[1, 0, 0]: the sections of a blade are normal to its line".to_owned(),
-                help: "shift the properties to a point whose line is normal to the section"
-                    .to_owned(),
+                help: normal_point(initial),
             };
             return Err(Diagnostics::one(Place::file(file), &problem));
         }

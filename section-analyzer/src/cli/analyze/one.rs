@@ -285,6 +285,9 @@ fn failed(job: &Job, input: &Input, failure: &Failure, mut results: ResultWriter
     }
     let place = Place::file(job.file.display().to_string());
     let mut problems = Diagnostics::one(place, failure).to_string();
+    for warning in &input.summary.warnings {
+        problems += &format!("\nwarning: {warning}");
+    }
     if let Err(problem) = written {
         problems = problems + "\n" + &words(&problem);
     }
