@@ -12,7 +12,6 @@ mod imposed;
 mod outside;
 mod si;
 
-pub use imposed::analyze_imposed;
 pub use outside::analyze_matrices;
 
 use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length};
@@ -21,7 +20,8 @@ use crate::section::Section;
 use crate::sensitivity::{self, Derivative, Parameter, SensitivityProblem};
 use crate::solution::SectionSolution;
 use crate::solve::{CentralSystems, Decoupled, Load, ParticularSolution, in_elimination_order};
-use central::{Central, Named, OF_CELLS, require_connected, solve_central};
+use central::{Central, Named, OF_CELLS, require_connected, require_small, solve_central};
+use nalgebra::{DMatrix, DVector};
 use si::{Frame, in_si};
 
 /// Finds stiffness, mass, centers and central solutions of `section`.
@@ -114,6 +114,23 @@ impl<'a> Analysis<'a> {
         parameters: &[Parameter],
     ) -> Result<Vec<Derivative>, SensitivityProblem> {
         sensitivity::direct(self.parts(), parameters)
+    }
+
+    /// A generalized strain found a second way, by `check`, is the same within the limit.
+    fn require_work(&self, check: &'static str, error: f64) -> Result<(), Failure> {
+        let node = self.systems.smallest_pivot().node;
+        let weakest = named(self.section(), self.domain(), node);
+        require_small((check, error), OF_CELLS.check, weakest)
+    }
+
+    /// A column of a field of the domain at the nodes of the mesh.
+    fn on_mesh(&self, field: &DMatrix<f64>, column: usize) -> DVector<f64> {
+        let mut on_mesh = DVector::zeros(3 * self.section().mesh.nodes.len());
+        for (node, &mesh_node) in self.domain().mesh_nodes.iter().enumerate() {
+            let mut at_node = on_mesh.fixed_rows_mut::<3>(3 * mesh_node as usize);
+            at_node.copy_from(&field.fixed_view::<3, 1>(3 * node, column));
+        }
+        on_mesh
     }
 
     /// What derivatives are made from.

@@ -175,18 +175,28 @@ fn require_checks(checks: &Checks, limit: f64, weakest: Named) -> Result<(), Fai
         ("the symmetry of the compliance", checks.asymmetry),
         ("the energy of the solutions", checks.decoupling),
     ];
-    for (check, error) in measured {
-        if error.is_nan() || error > limit {
-            let [y, z] = weakest.place;
-            return Err(Failure::Inaccurate {
-                check,
-                error,
-                limit,
-                node: weakest.tag,
-                y,
-                z,
-            });
-        }
+    for check in measured {
+        require_small(check, limit, weakest)?;
     }
     Ok(())
+}
+
+/// The error of a check is within `limit`; `weakest` is the node that is held least.
+pub(super) fn require_small(
+    (check, error): (&'static str, f64),
+    limit: f64,
+    weakest: Named,
+) -> Result<(), Failure> {
+    if error <= limit {
+        return Ok(());
+    }
+    let [y, z] = weakest.place;
+    Err(Failure::Inaccurate {
+        check,
+        error,
+        limit,
+        node: weakest.tag,
+        y,
+        z,
+    })
 }

@@ -8,14 +8,13 @@
 //! y = X' Q + T X' P                                                               (S-107)
 //! ```
 
-use super::central::OF_CELLS;
-use super::{Analysis, named};
+use super::Analysis;
 use crate::assembly::{Rate, State, distributed_forces, largest, section_forces};
 use crate::failure::Failure;
 use crate::section::DistributedLoad;
 use crate::solution::DistributedState;
 use crate::solve::DistributedSolution;
-use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
+use nalgebra::{DMatrix, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
 /// Loads that are solved together.
@@ -37,7 +36,7 @@ impl Analysis<'_> {
             let solved = self.distributed_solution(&forces)?;
             let errors = self.distributed_errors(&solved);
             for case in 0..loads.len() {
-                self.require_same_work(errors[case])?;
+                self.require_work("the work of the distributed load", errors[case])?;
                 found.push(self.distributed_in_si(&solved, case, errors[case]));
             }
         }
@@ -84,24 +83,6 @@ impl Analysis<'_> {
         })
     }
 
-    fn require_same_work(&self, error: f64) -> Result<(), Failure> {
-        let limit = OF_CELLS.check;
-        if error <= limit {
-            return Ok(());
-        }
-        let node = self.systems.smallest_pivot().node;
-        let weakest = named(self.section(), self.domain(), node);
-        let [y, z] = weakest.place;
-        Err(Failure::Inaccurate {
-            check: "the work of the distributed load",
-            error,
-            limit,
-            node: weakest.tag,
-            y,
-            z,
-        })
-    }
-
     /// From the units of the domain to SI, from its origin to that of the mesh, as the
     /// central solutions.
     fn distributed_in_si(
@@ -126,15 +107,5 @@ impl Analysis<'_> {
             force_per_length: wrench::shift_matrix(&-t) * force,
             error,
         }
-    }
-
-    /// A column of a field of the domain at the nodes of the mesh.
-    fn on_mesh(&self, field: &DMatrix<f64>, column: usize) -> DVector<f64> {
-        let mut on_mesh = DVector::zeros(3 * self.section().mesh.nodes.len());
-        for (node, &mesh_node) in self.domain().mesh_nodes.iter().enumerate() {
-            let mut at_node = on_mesh.fixed_rows_mut::<3>(3 * mesh_node as usize);
-            at_node.copy_from(&field.fixed_view::<3, 1>(3 * node, column));
-        }
-        on_mesh
     }
 }

@@ -12,35 +12,17 @@
 //! psi_T = X' f0 + Y' fp + T X' (C x + L psi_T)
 //! ```
 
-use super::central::OF_CELLS;
-use super::{Analysis, analyze, named};
+use super::Analysis;
 use crate::assembly::{ImposedForces, Rate, State, imposed_forces, largest, section_forces};
 use crate::failure::Failure;
-use crate::section::{ImposedStrain, Section, TemperatureField};
-use crate::solution::{ImposedSolution, ImposedSolutions, SectionSolution};
+use crate::section::{ImposedStrain, TemperatureField};
+use crate::solution::{ImposedSolution, ImposedSolutions};
 use crate::solve::{Load, ParticularSolution};
-use nalgebra::{DVector, Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
 /// States that are solved together.
 const TOGETHER: usize = 6;
-
-/// As [`analyze`], together with what a kelvin does to the section, where it expands, and
-/// what each of `states` does.
-///
-/// # Errors
-/// As [`analyze`] and [`Analysis::imposed`].
-pub fn analyze_imposed(
-    section: &Section,
-    states: &[ImposedStrain],
-) -> Result<(SectionSolution, ImposedSolutions), Failure> {
-    if states.is_empty() && !section.expands() {
-        return Ok((analyze(section)?, ImposedSolutions::default()));
-    }
-    let analysis = Analysis::new(section)?;
-    let imposed = analysis.all_imposed(states)?;
-    Ok((analysis.solution, imposed))
-}
 
 impl Analysis<'_> {
     /// What a kelvin does to the section, where it expands, and what each of `states`
@@ -57,13 +39,14 @@ impl Analysis<'_> {
             rise: 1.0,
             ..TemperatureField::default()
         };
-        let kelvin = ImposedStrain::of_temperature("", section, &kelvin);
-        let all = [&[kelvin][..], states].concat();
-        let mut solved = self.imposed(&all)?.into_iter();
-        let per_kelvin = solved.next().filter(|_| section.expands());
+        let kelvin =
+            (section.expands()).then(|| ImposedStrain::of_temperature("", section, &kelvin));
+        let all: Vec<_> = kelvin.into_iter().chain(states.iter().cloned()).collect();
+        let mut solved = self.imposed(&all)?;
+        let states = solved.split_off(usize::from(section.expands()));
         Ok(ImposedSolutions {
-            per_kelvin,
-            states: solved.collect(),
+            per_kelvin: solved.pop(),
+            states,
         })
     }
 
@@ -85,7 +68,7 @@ impl Analysis<'_> {
             let solved = self.particular(&load)?;
             let errors = self.errors(&forces, &solved);
             for (case, state) in states.iter().enumerate() {
-                self.require_same(errors[case])?;
+                self.require_work("the work of the imposed strains", errors[case])?;
                 found.push(self.imposed_in_si(state, &solved, case, errors[case]));
             }
         }
@@ -119,24 +102,6 @@ impl Analysis<'_> {
         })
     }
 
-    fn require_same(&self, error: f64) -> Result<(), Failure> {
-        let limit = OF_CELLS.check;
-        if error <= limit {
-            return Ok(());
-        }
-        let node = self.systems.smallest_pivot().node;
-        let weakest = named(self.section(), self.domain(), node);
-        let [y, z] = weakest.place;
-        Err(Failure::Inaccurate {
-            check: "the work of the imposed strains",
-            error,
-            limit,
-            node: weakest.tag,
-            y,
-            z,
-        })
-    }
-
     /// From the units of the domain to SI, from its origin to that of the mesh, as the
     /// generalized strains of the central solutions.
     fn imposed_in_si(
@@ -152,16 +117,9 @@ impl Analysis<'_> {
         let v = wrench::shift_matrix(&Vector3::new(0.0, y, z));
         let strain = solved.y.column(case).component_mul(&scaling.strain());
         let free_strain: Vector6<f64> = v.transpose() * strain;
-        let mut warping = DVector::zeros(3 * self.section().mesh.nodes.len());
-        for (node, &mesh_node) in domain.mesh_nodes.iter().enumerate() {
-            for axis in 0..3 {
-                warping[3 * mesh_node as usize + axis] =
-                    scaling.length * solved.x[(3 * node + axis, case)];
-            }
-        }
         ImposedSolution {
             state: state.clone(),
-            warping,
+            warping: scaling.length * self.on_mesh(&solved.x, case),
             free_strain,
             restrained_force: -(self.solution.stiffness * free_strain),
             error: largest(error, 0.0),
@@ -173,9 +131,9 @@ impl Analysis<'_> {
 mod tests {
     use super::*;
     use crate::assembly::add_rigid_motions;
-    use crate::section::FreeStrain;
+    use crate::section::{FreeStrain, Section};
     use crate::section::samples::{Random, coupled_rectangle};
-    use nalgebra::DMatrix;
+    use nalgebra::{DMatrix, DVector};
     use shared_geom::mesh::CellKind;
     use shared_geom::section::InitialCurvature;
 
