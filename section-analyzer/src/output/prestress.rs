@@ -13,7 +13,8 @@ use crate::recovery::LoadCase;
 const ZERO: f64 = 1e-10;
 
 /// The table of a section and what follows from it: the change of the stiffness with an
-/// axial force, and the stiffness under each load. Empty without a table.
+/// axial force and with the moments, and the stiffness under each load. Empty without a
+/// table.
 pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> String {
     let Some(prestress) = &properties.prestress else {
         return String::new();
@@ -28,7 +29,7 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
         let by_axial = prestress.by_force(&compliance, 0);
         text += &format!(
             "\nPrestress, change of the stiffness per axial force at the reference point [-, m, m^2]\n{}",
-            of_four(&by_axial, properties)
+            of_four(&by_axial, 0, properties)
         );
         let at_center = at_tension_center(properties);
         let change = prestress.at_strain(&(compliance * at_center))[(3, 3)];
@@ -39,6 +40,13 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
             number(change),
             change / square
         );
+        for (k, moment) in PRESTRESS_COMPONENTS.into_iter().enumerate().skip(1) {
+            text += &format!(
+                "\nPrestress, change of the stiffness per unit moment of {} [1/m, -, m]\n{}",
+                COMPONENTS[moment],
+                of_four(&prestress.by_force(&compliance, k), k, properties)
+            );
+        }
     }
     for load in loads {
         text += &format!("\n{}", under_load(properties, load));
@@ -72,9 +80,9 @@ fn entries(properties: &SectionProperties, prestress: &Prestress) -> String {
     table(&rows, "lrll")
 }
 
-/// A 4x4 matrix under the names of its components; round-off beside `sqrt(Kii Kjj)/K11`
-/// is shown as zero.
-fn of_four(a: &Matrix4<f64>, properties: &SectionProperties) -> String {
+/// The change of the stiffness with the internal force number `k` of the table, under the
+/// names of its components; round-off beside `sqrt(Kii Kjj / (K11 Kkk))` is shown as zero.
+fn of_four(a: &Matrix4<f64>, k: usize, properties: &SectionProperties) -> String {
     let names = PRESTRESS_COMPONENTS.map(|component| COMPONENTS[component]);
     let root = properties.stiffness.diagonal().map(f64::sqrt);
     let heading = std::iter::once("").chain(names).map(str::to_owned);
@@ -83,7 +91,7 @@ fn of_four(a: &Matrix4<f64>, properties: &SectionProperties) -> String {
         let mut row = vec![name.to_owned()];
         for j in 0..4 {
             let [first, second] = [i, j].map(|index| root[PRESTRESS_COMPONENTS[index]]);
-            let scale = first * second / (root[0] * root[0]);
+            let scale = first * second / (root[0] * root[PRESTRESS_COMPONENTS[k]]);
             let is_zero = a[(i, j)].abs() <= ZERO * scale;
             row.push(number(if is_zero { 0.0 } else { a[(i, j)] }));
         }
