@@ -621,17 +621,16 @@ fn principal_axes_are_those_of_the_moments_of_area() {
 /// Principal axes of bending of a ply off the axis, [lekhnitskii]: bending alone, with
 /// all other internal forces zero, has the stiffness I/S11 about the axes of symmetry of a
 /// rectangle, wherever it lies and however it is turned. The block of the stiffness matrix,
-/// which holds twist and shears at zero, is another: more by up to a half.
+/// which holds twist and shears at zero, is another: about y more by 60 %.
 #[test]
 fn principal_axes_of_an_off_axis_ply_are_those_of_bending_alone() {
-    let (width, height, degrees) = (1.0_f64, 2.0_f64, 25.0_f64);
+    let (width, height, degrees) = (2.0_f64, 1.0_f64, 25.0_f64);
     let (iy, iz) = (width * height.powi(3) / 12.0, width.powi(3) * height / 12.0);
     let (s11, _) = off_axis_compliance(degrees.to_radians());
-    let mesh = rectangle(width, height, [4, 6], CellKind::Quadrilateral9);
+    let mesh = rectangle(width, height, [6, 4], CellKind::Quadrilateral9);
     let bar = uniform(&mesh, orthotropic(PLY), degrees.to_radians());
     let held = solved(&bar).stiffness;
-    assert!(held[(4, 4)] > 1.01 * iy / s11 && held[(5, 5)] > 1.2 * iz / s11);
-    assert!(held[(4, 5)].abs() > 0.01 * held[(5, 5)]);
+    assert!(held[(4, 4)] > 1.5 * iy / s11);
     for (turn, y0, z0) in [(0.0_f64, 0.0, 0.0), (0.0, 0.4, -0.7), (0.3, 0.4, -0.7)] {
         let (s, c) = turn.sin_cos();
         let mut section = bar.clone();
