@@ -1,6 +1,6 @@
 //! The effect of the internal forces on the stiffness, in a report.
 
-use nalgebra::{Matrix4, Vector6};
+use nalgebra::{Matrix4, Matrix6, Vector6};
 use shared_geom::section::{PRESTRESS_COMPONENTS, Prestress, SectionProperties, least_eigenvalue};
 use shared_geom::wrench::COMPONENTS;
 
@@ -13,8 +13,7 @@ use crate::recovery::LoadCase;
 const ZERO: f64 = 1e-10;
 
 /// The table of a section and what follows from it: the change of the stiffness with an
-/// axial force and with the moments, and the stiffness under each load. Empty without a
-/// table.
+/// axial force, and the stiffness under each load. Empty without a table.
 pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> String {
     let Some(prestress) = &properties.prestress else {
         return String::new();
@@ -29,7 +28,7 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
         let by_axial = prestress.by_force(&compliance, 0);
         text += &format!(
             "\nPrestress, change of the stiffness per axial force at the reference point [-, m, m^2]\n{}",
-            of_four(&by_axial, 0, properties)
+            of_four(&by_axial, properties)
         );
         let at_center = at_tension_center(properties);
         let change = prestress.at_strain(&(compliance * at_center))[(3, 3)];
@@ -40,13 +39,7 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
             number(change),
             change / square
         );
-        for (k, moment) in PRESTRESS_COMPONENTS.into_iter().enumerate().skip(1) {
-            text += &format!(
-                "\nPrestress, change of the stiffness per unit moment of {} [1/m, -, m]\n{}",
-                COMPONENTS[moment],
-                of_four(&prestress.by_force(&compliance, k), k, properties)
-            );
-        }
+        text += &by_moments(prestress, &compliance, properties);
     }
     for load in loads {
         text += &format!("\n{}", under_load(properties, load));
@@ -58,6 +51,34 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
 fn at_tension_center(properties: &SectionProperties) -> Vector6<f64> {
     let center = properties.centers.tension;
     Vector6::new(1.0, 0.0, 0.0, 0.0, center.y, -center.x)
+}
+
+/// The change of the stiffness with each moment; round-off beside `sqrt(Kii Kjj/(K11 Kkk))`
+/// is shown as zero.
+fn by_moments(
+    prestress: &Prestress,
+    compliance: &Matrix6<f64>,
+    properties: &SectionProperties,
+) -> String {
+    let root = properties.stiffness.diagonal().map(f64::sqrt);
+    let mut text = String::new();
+    for (k, moment) in PRESTRESS_COMPONENTS.into_iter().enumerate().skip(1) {
+        let mut change = prestress.by_force(compliance, k);
+        for (i, first) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
+            for (j, second) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
+                let scale = root[first] * root[second] / (root[0] * root[moment]);
+                if change[(i, j)].abs() <= ZERO * scale {
+                    change[(i, j)] = 0.0;
+                }
+            }
+        }
+        text += &format!(
+            "\nPrestress, change of the stiffness per moment of {} [1/m, -, m]\n{}",
+            COMPONENTS[moment],
+            of_four(&change, properties)
+        );
+    }
+    text
 }
 
 /// The entries that are more than round-off, a line each.
@@ -80,9 +101,9 @@ fn entries(properties: &SectionProperties, prestress: &Prestress) -> String {
     table(&rows, "lrll")
 }
 
-/// The change of the stiffness with the internal force number `k` of the table, under the
-/// names of its components; round-off beside `sqrt(Kii Kjj / (K11 Kkk))` is shown as zero.
-fn of_four(a: &Matrix4<f64>, k: usize, properties: &SectionProperties) -> String {
+/// A 4x4 matrix under the names of its components; round-off beside `sqrt(Kii Kjj)/K11`
+/// is shown as zero.
+fn of_four(a: &Matrix4<f64>, properties: &SectionProperties) -> String {
     let names = PRESTRESS_COMPONENTS.map(|component| COMPONENTS[component]);
     let root = properties.stiffness.diagonal().map(f64::sqrt);
     let heading = std::iter::once("").chain(names).map(str::to_owned);
@@ -91,7 +112,7 @@ fn of_four(a: &Matrix4<f64>, k: usize, properties: &SectionProperties) -> String
         let mut row = vec![name.to_owned()];
         for j in 0..4 {
             let [first, second] = [i, j].map(|index| root[PRESTRESS_COMPONENTS[index]]);
-            let scale = first * second / (root[0] * root[PRESTRESS_COMPONENTS[k]]);
+            let scale = first * second / (root[0] * root[0]);
             let is_zero = a[(i, j)].abs() <= ZERO * scale;
             row.push(number(if is_zero { 0.0 } else { a[(i, j)] }));
         }
