@@ -26,7 +26,7 @@ use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::ImposedSolutions;
 use shared_geom::error::Place;
 use shared_geom::mesh::CellKind;
-use shared_geom::section::{self, InitialCurvature};
+use shared_geom::section::{self, InitialCurvature, SectionProperties};
 
 use crate::record;
 use crate::swept_tip::copy;
@@ -97,9 +97,9 @@ fn a_curved_section_makes_an_exact_ring() {
     record::order(SOURCE, "ring", quantity, off, 0.03);
 }
 
-/// The quarter ring curved by `curvature` [1/m] about y and z, with the section that was
-/// solved for it: displacement of its end under a force along -x.
-fn curved([k2, k3]: [f64; 2]) -> Vector3<f64> {
+/// The section solved for a beam curved by k2 and k3 \[1/m\], with many cells across the
+/// curvature.
+fn solved([k2, k3]: [f64; 2]) -> SectionProperties {
     let cells = if k2 == 0.0 { [24, 2] } else { [2, 24] };
     let mesh = Rectangle {
         width: SIDE,
@@ -136,7 +136,13 @@ fn curved([k2, k3]: [f64; 2]) -> Vector3<f64> {
         },
     };
     let solution = analyze(&section).unwrap_or_else(|failure| panic!("{failure}"));
-    let properties = properties(&section, &solution, &ImposedSolutions::default(), "");
+    properties(&section, &solution, &ImposedSolutions::default(), "")
+}
+
+/// The quarter ring curved by k2 and k3 \[1/m\], with the section that was solved for it:
+/// displacement of its end under a force along -x.
+fn curved([k2, k3]: [f64; 2]) -> Vector3<f64> {
+    let properties = solved([k2, k3]);
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: String| std::fs::write(folder.path().join(name), text).unwrap();
     write("bar.properties.json", section::write(&properties));
