@@ -45,7 +45,7 @@ const UNITS: f64 = 1e-11;
 
 /// What is asked of other pins: two decoupled solutions, each with the round-off of what
 /// its pins left of rigid motions.
-const PINS: f64 = 1e-9;
+const PINS: f64 = 1e-10;
 
 #[derive(Debug, Clone)]
 enum Outline {
