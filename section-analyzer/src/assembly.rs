@@ -27,7 +27,10 @@ pub use matrices::{Scalar, SectionMatrices};
 pub use model::Model;
 pub use outside::{OUTSIDE_IDENTITIES, OutsideDomain};
 pub use pattern::Pattern;
-pub use rigid::{ASSEMBLED_IDENTITIES, add_rigid_motions, check_assembled_identities, resultant};
+pub use rigid::{
+    ASSEMBLED_IDENTITIES, IDENTITIES, add_rigid_motions, check_assembled_identities,
+    check_identities, resultant,
+};
 pub(crate) use stress::take_columns;
 pub use stress::{Rate, SectionForces, State, section_forces};
 

@@ -29,3 +29,6 @@ pub use strain::{
     FACE_STRAINS, NO_COLUMNS, NodalColumns, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS,
     rigid_displacement, strain_at,
 };
+
+#[cfg(test)]
+mod helix_tests;

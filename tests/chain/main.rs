@@ -7,5 +7,6 @@ mod pretwisted;
 mod princeton;
 #[path = "../common/record.rs"]
 mod record;
+mod ring;
 mod swept_tip;
 mod trapeze;

@@ -617,3 +617,52 @@ fn principal_axes_are_those_of_the_moments_of_area() {
         assert!(axes.angle.abs() > 0.01, "the axes are turned");
     }
 }
+
+/// Principal axes of bending of a ply off the axis, [lekhnitskii]: bending alone, with
+/// all other internal forces zero, has the stiffness I/S11 about the axes of symmetry of a
+/// rectangle, wherever it lies and however it is turned. The block of the stiffness matrix,
+/// which holds twist and shears at zero, is another: about y more by 60 %.
+#[test]
+fn principal_axes_of_an_off_axis_ply_are_those_of_bending_alone() {
+    let (width, height, degrees) = (2.0_f64, 1.0_f64, 25.0_f64);
+    let (iy, iz) = (width * height.powi(3) / 12.0, width.powi(3) * height / 12.0);
+    let (s11, _) = off_axis_compliance(degrees.to_radians());
+    let mesh = rectangle(width, height, [6, 4], CellKind::Quadrilateral9);
+    let bar = uniform(&mesh, orthotropic(PLY), degrees.to_radians());
+    let held = solved(&bar).stiffness;
+    assert!(held[(4, 4)] > 1.5 * iy / s11);
+    for (turn, y0, z0) in [(0.0_f64, 0.0, 0.0), (0.0, 0.4, -0.7), (0.3, 0.4, -0.7)] {
+        let (s, c) = turn.sin_cos();
+        let mut section = bar.clone();
+        for [y, z] in &mut section.mesh.nodes {
+            (*y, *z) = (y0 + c * *y - s * *z, z0 + s * *y + c * *z);
+        }
+        for cell in &mut section.cells {
+            cell.plane_angle = turn;
+        }
+        let axes = solved(&section).principal_bending;
+        // the axis that is nearest to y, and the other
+        let from_y = axes.angle - turn;
+        let (about_y, about_z, angle) = match from_y.cos().abs() > 0.7 {
+            true => (axes.first, axes.second, from_y),
+            false => (axes.second, axes.first, from_y - 0.5 * PI),
+        };
+        let case = format!("rectangle, fibers at 25 degrees, at ({y0}, {z0}), turned by {turn}");
+        for (name, found, expected) in [
+            ("principal bending about y, I/S11", about_y, iy / s11),
+            ("principal bending about z, I/S11", about_z, iz / s11),
+        ] {
+            let error = relative_error(found, expected);
+            record::value(OFF_AXIS, &case, name, [found, expected], error, 1e-10);
+            assert!(error < 1e-10, "{case}, {name}: {found} {expected}");
+        }
+        assert!(angle.sin().abs() < 1e-10, "{case}: {angle}");
+        record::largest(
+            OFF_AXIS,
+            &case,
+            "principal axes, sine of the angle to the sides",
+            angle.sin().abs(),
+            1e-10,
+        );
+    }
+}

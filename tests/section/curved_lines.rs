@@ -30,12 +30,11 @@ use crate::sections::{isotropic, orthotropic, relative_error, scaled_error, solv
 const GOLOVIN: &str = "Golovin's curved bar";
 const PRETWIST: &str = "Pretwisted bars, first order";
 const FRAME: &str = "The same beam seen otherwise";
-const PROTOTYPE: &str = "An independent program";
 
 const FILE: &str = "tests/reference/theory/curved_twisted.json";
 
 /// The section with other initial curvature and slope.
-fn along(section: &Section, curvature: [f64; 3], slope: [f64; 3]) -> Section {
+pub fn along(section: &Section, curvature: [f64; 3], slope: [f64; 3]) -> Section {
     Section {
         initial_curvature: InitialCurvature {
             curvature: curvature.into(),
@@ -45,11 +44,11 @@ fn along(section: &Section, curvature: [f64; 3], slope: [f64; 3]) -> Section {
     }
 }
 
-fn curved(section: &Section, curvature: [f64; 3]) -> Section {
+pub fn curved(section: &Section, curvature: [f64; 3]) -> Section {
     along(section, curvature, [1.0, 0.0, 0.0])
 }
 
-fn rectangle(width: f64, height: f64, cells: [usize; 2]) -> Mesh {
+pub fn rectangle(width: f64, height: f64, cells: [usize; 2]) -> Mesh {
     Rectangle {
         width,
         height,
@@ -64,7 +63,7 @@ fn rectangle(width: f64, height: f64, cells: [usize; 2]) -> Mesh {
 
 /// A solution whose own checks are at round-off: the identities, the symmetry of the
 /// strains and their equality with the energy.
-fn sound(section: &Section) -> SectionSolution {
+pub fn sound(section: &Section) -> SectionSolution {
     let solution = solved(section);
     let checks = &solution.checks;
     for error in checks.identities {
@@ -89,20 +88,9 @@ struct Ring {
 }
 
 #[derive(Deserialize)]
-struct General {
-    width_y: f64,
-    height_z: f64,
-    theta_deg: f64,
-    k: [f64; 3],
-    #[serde(rename = "K_prototype")]
-    stiffness: [[f64; 6]; 6],
-}
-
-#[derive(Deserialize)]
 struct Reference {
     #[serde(rename = "rings_nu0_k3_eq_1_over_R")]
     rings: Vec<Ring>,
-    general: General,
 }
 
 fn reference() -> Reference {
@@ -123,24 +111,25 @@ fn golovin_bending(ring: &Ring) -> f64 {
 /// bending, a shear force, a force through the center of curvature.
 ///
 /// 32 cells of degree 2 across the section: errors fall as h^4, from 1e-9 (R/h = 5) to
-/// 1e-7 (R/h = 1) in bending, and are some twenty times larger where shear takes part.
+/// 1e-7 (R/h = 1) in bending, and are some twenty times larger where shear takes part. Asked
+/// for is what the prototype of the theory has on half as many cells.
 #[test]
 fn rings_are_those_of_golovin() {
     let reference = reference();
-    for ring in &reference.rings {
+    for (ring, tolerance) in reference.rings.iter().zip([4e-8, 3e-7, 5e-6]) {
         let mesh = rectangle(ring.h_y, ring.w_z, [32, 2]);
         let section = uniform(&mesh, isotropic(1.0, 0.0), 0.0);
         let r = ring.radius;
         let c = sound(&curved(&section, [0.0, 0.0, 1.0 / r])).compliance;
         let case = format!("ring, R/h = {}", r / ring.h_y);
         let entries = [
-            ("C66", c[(5, 5)], golovin_bending(ring), 1e-6),
-            ("C22", c[(1, 1)], ring.shear, 1e-5),
+            ("C66", c[(5, 5)], golovin_bending(ring), tolerance),
+            ("C22", c[(1, 1)], ring.shear, 9e-6),
             (
                 "C11 + R^2 C66 - 2 R C16",
                 c[(0, 0)] + r * r * c[(5, 5)] - 2.0 * r * c[(0, 5)],
                 ring.through_center,
-                1e-5,
+                tolerance,
             ),
         ];
         for (name, found, expected, tolerance) in entries {
@@ -231,13 +220,13 @@ fn pretwist_couples_extension_and_twist() {
         let torsion = PI * (a * b).powi(3) / (a * a + b * b);
         let section = uniform(&ellipse, isotropic(1.0, nu), 0.0);
         // J of the mesh is good to 1e-5 of Ip
-        check_pretwist("ellipse 2:1", nu, &section, polar - torsion, 1e-4);
+        check_pretwist("ellipse 2:1", nu, &section, polar - torsion, 2e-5);
 
         let section = uniform(&strip, isotropic(1.0, nu), 0.0);
         let straight = solved(&section).stiffness;
         let torsion = 2.0 * (1.0 + nu) * straight[(3, 3)];
         let polar = 2.0 * 0.2 * (4.0 + 0.04) / 12.0;
-        check_pretwist("strip 10:1", nu, &section, polar - torsion, 1e-4);
+        check_pretwist("strip 10:1", nu, &section, polar - torsion, 1e-5);
     }
 }
 
@@ -281,7 +270,7 @@ fn a_tube_does_not_know_that_its_frame_turns() {
     let straight = solved(&section).stiffness;
     let t = Vector3::new(0.0, 0.4, -0.3);
     let translated = wrench::shift(&straight, &t);
-    for (k1, tolerance) in [(1e-6, 1e-12), (0.01, 1e-8), (0.2, 1e-6), (1.0, 1e-5)] {
+    for (k1, tolerance) in [(1e-6, 1e-14), (0.01, 5e-11), (0.2, 2e-8), (1.0, 5e-7)] {
         let found = sound(&curved(&section, [k1, 0.0, 0.0])).stiffness;
         let error = scaled_error(&found, &straight);
         // a line through t that runs straight: l = e1 - k x t, seen from the frame
@@ -301,7 +290,7 @@ fn a_tube_does_not_know_that_its_frame_turns() {
     }
 }
 
-const PLY: EngineeringConstants = EngineeringConstants {
+pub const PLY: EngineeringConstants = EngineeringConstants {
     e1: 142.0,
     e2: 9.8,
     e3: 9.8,
@@ -314,7 +303,7 @@ const PLY: EngineeringConstants = EngineeringConstants {
 };
 
 /// A rectangle 1 x 2 of plies at 20 degrees: every coupling once the beam is curved.
-fn ply_bar(cells: [usize; 2]) -> Section {
+pub fn ply_bar(cells: [usize; 2]) -> Section {
     uniform(
         &rectangle(1.0, 2.0, cells),
         orthotropic(PLY),
@@ -323,7 +312,7 @@ fn ply_bar(cells: [usize; 2]) -> Section {
 }
 
 /// The reference point moved by t0 along a line that is then oblique, `l = e1 + k x t0`:
-/// the stiffness translates exactly (round-off; 1e-10 is promised for transports).
+/// the stiffness translates exactly, to round-off.
 #[test]
 fn stiffness_moves_with_the_reference_point() {
     let k = [0.2, -0.15, 0.1];
@@ -341,8 +330,8 @@ fn stiffness_moves_with_the_reference_point() {
     ] {
         let error = scaled_error(&found, &wrench::shift(&plain, &t0));
         println!("moved {name}: {error:.1e}");
-        record::largest(FRAME, "reference point moved", name, error, 1e-10);
-        assert!(error < 1e-10, "{name}: {error:e}");
+        record::largest(FRAME, "reference point moved", name, error, 1e-13);
+        assert!(error < 1e-13, "{name}: {error:e}");
     }
 }
 
@@ -366,27 +355,6 @@ fn curvature_goes_to_zero_in_proportion() {
         record::largest(FRAME, &format!("k = {k:e}"), "slope of K", error, tolerance);
         assert!(error < tolerance, "k = {k:e}: {error:e}");
     }
-}
-
-/// A section with every coupling, curved and twisted at once, against an independent
-/// program on another mesh; its numbers are converged to some 1e-4.
-#[test]
-fn general_curvature_is_that_of_an_independent_program() {
-    let General {
-        width_y,
-        height_z,
-        theta_deg,
-        k,
-        stiffness,
-    } = reference().general;
-    let mesh = rectangle(width_y, height_z, [12, 16]);
-    let section = uniform(&mesh, orthotropic(PLY), theta_deg.to_radians());
-    let found = sound(&curved(&section, k)).stiffness;
-    let expected = Matrix6::from_fn(|i, j| stiffness[i][j]);
-    let error = scaled_error(&found, &expected);
-    println!("general: {error:.1e}");
-    record::largest(PROTOTYPE, "general curvature", "stiffness", error, 2e-4);
-    assert!(error < 2e-4, "{error:e}");
 }
 
 /// A straight prism cut obliquely is the same prism: its generators run along l, and the

@@ -4,6 +4,7 @@ mod binary_meshes;
 mod closed_forms;
 mod converged;
 mod curved_lines;
+mod curved_references;
 mod distributed_loads;
 mod end_effects;
 mod gmsh_formats;

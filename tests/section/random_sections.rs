@@ -12,11 +12,13 @@ use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use proptest::collection::vec;
 use proptest::prelude::{Just, Strategy, any, prop_oneof};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
+use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
 use section_analyzer::material::{ElasticLaw, EngineeringConstants, Material};
 use section_analyzer::mesh::{SectionCell, SectionMesh};
 use section_analyzer::properties::{AreaTable, RestrainedWarping};
 use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::SectionSolution;
+use section_analyzer::solve::{CentralSolution, CentralSystems, Decoupled, Pins};
 use shared_geom::mesh::CellKind;
 use shared_geom::section::InitialCurvature;
 use shared_geom::wrench;
@@ -40,6 +42,10 @@ const ORDER: f64 = 1e-12;
 /// What is asked of other units. All arithmetic is free of units; only the places of the
 /// nodes and the laws are rounded again.
 const UNITS: f64 = 1e-11;
+
+/// What is asked of other pins: two decoupled solutions, each with the round-off of what
+/// its pins left of rigid motions.
+const PINS: f64 = 1e-10;
 
 #[derive(Debug, Clone)]
 enum Outline {
@@ -456,4 +462,64 @@ fn lengths_and_moduli_enter_as_powers() {
         units_error,
         UNITS,
     );
+}
+
+/// Strains and warping of the decoupled central solutions with these pins, in the units of
+/// the solver; the strains before decoupling.
+fn with_pins(domain: &Domain, pins: Pins) -> (Decoupled, Matrix6<f64>) {
+    let pattern = Pattern::new(domain);
+    let matrices = SectionMatrices::assemble(domain, &pattern).expect("sound");
+    let systems = CentralSystems::new(domain, &pattern, matrices, pins).expect("sound");
+    let central = CentralSolution::solve(domain, &systems).expect("memory");
+    let coupled = central.y;
+    (Decoupled::new(domain, central), coupled)
+}
+
+/// Three nodes that span a triangle of at least a part of the section: those of `random`,
+/// or the next after them.
+fn triangle(nodes: &[[f64; 2]], random: [usize; 3]) -> Pins {
+    let [a, b, c] = random.map(|node| node % nodes.len());
+    let from_a = |i: usize| [nodes[i][0] - nodes[a][0], nodes[i][1] - nodes[a][1]];
+    let least = 1e-3;
+    let after = |first: usize| (0..nodes.len()).map(move |i| (first + i) % nodes.len());
+    for b in after(b) {
+        let ab = from_a(b);
+        for c in after(c) {
+            let ac = from_a(c);
+            if (ab[0] * ac[1] - ab[1] * ac[0]).abs() > least {
+                return Pins::at(nodes, [a, b, c]);
+            }
+        }
+    }
+    panic!("no triangle")
+}
+
+/// Pins are a choice without consequence, on straight beams and on curved ones: held at
+/// any three nodes that are not on a line, the decoupled solutions are the same; round-off
+/// times a condition of some 1e5, with moduli up to 1:2000, times that of narrow pins.
+#[test]
+fn pins_do_not_matter() {
+    let curved = prop_oneof![
+        Just([0.0; 3]),
+        [-0.2..0.2, -0.2..0.2, -0.2..0.2].prop_map(|k: [f64; 3]| k)
+    ];
+    let nodes = [0..100_000_usize, 0..100_000_usize, 0..100_000_usize];
+    let undecoupled = std::cell::Cell::new(0_u32);
+    let property = |section: &Section, (curvature, random): ([f64; 3], [usize; 3])| {
+        let mut section = section.clone();
+        section.initial_curvature.curvature = curvature.into();
+        let domain = Domain::new(&section).expect("sound");
+        let own = Pins::choose(&domain.nodes).expect("wide");
+        let (expected, coupled) = with_pins(&domain, own);
+        let (found, before) = with_pins(&domain, triangle(&domain.nodes, random));
+        let strains = scaled_error(&found.y, &expected.y);
+        let warping = (&found.x - &expected.x).amax() / expected.x.amax();
+        if scaled_error(&before, &coupled) > 1e-3 {
+            undecoupled.set(undecoupled.get() + 1);
+        }
+        largest([strains, warping])
+    };
+    check("random pins", (curved, nodes), property, PINS);
+    // what was decoupled: before, the strains of nearly all sections are those of the pins
+    assert!(undecoupled.get() > CASES * 9 / 10, "{undecoupled:?}");
 }

@@ -2,6 +2,8 @@
 
 use nalgebra::Matrix6;
 use section_analyzer::analysis::analyze;
+use section_analyzer::assembly::{Domain, IDENTITIES, Pattern, SectionMatrices, check_identities};
+use section_analyzer::failure::Failure;
 use section_analyzer::material::{ElasticLaw, EngineeringConstants, Material};
 use section_analyzer::mesh::SectionMesh;
 use section_analyzer::section::{CellMaterial, Section};
@@ -77,8 +79,23 @@ pub fn of_two(
     section
 }
 
-/// The solution of a section that has one.
+/// Largest error of each of the [`IDENTITIES`] in all six rigid motions.
+pub fn identity_errors(section: &Section) -> [f64; 6] {
+    let fail = |failure: Failure| -> ! { panic!("{}: {failure}", section.name) };
+    let domain = Domain::new(section).unwrap_or_else(|failure| fail(failure));
+    let matrices = SectionMatrices::assemble(&domain, &Pattern::new(&domain));
+    check_identities(&domain, &matrices.unwrap_or_else(|failure| fail(failure)))
+}
+
+/// What the identities may lack: round-off of sums of some thousand terms, and of the
+/// derivatives in cells a thousandth of the section thin.
+pub const IDENTITY: f64 = 1e-12;
+
+/// The solution of a section that has one, of which all identities are checked too.
 pub fn solved(section: &Section) -> SectionSolution {
+    for (name, error) in IDENTITIES.iter().zip(identity_errors(section)) {
+        assert!(error < IDENTITY, "{}, {name}: {error:e}", section.name);
+    }
     analyze(section).unwrap_or_else(|failure| panic!("{}: {failure}", section.name))
 }
 

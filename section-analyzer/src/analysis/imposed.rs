@@ -130,9 +130,10 @@ impl Analysis<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assembly::add_rigid_motions;
-    use crate::section::{FreeStrain, Section};
+    use crate::assembly::{Domain, Pattern, SectionMatrices, add_rigid_motions};
     use crate::section::samples::{Random, coupled_rectangle};
+    use crate::section::{FreeStrain, Section};
+    use crate::solve::{CentralSolution, CentralSystems, Decoupled, Pins};
     use nalgebra::{DMatrix, DVector};
     use shared_geom::mesh::CellKind;
     use shared_geom::section::InitialCurvature;
@@ -243,6 +244,57 @@ mod tests {
                 assert!(difference < 1e-11, "{difference:e}");
                 let force = analysis.solution().stiffness * solved.free_strain;
                 assert_eq!(solved.restrained_force, -force);
+            }
+        }
+    }
+
+    /// The rigid part of a state that its pins leave: its strains with the unknowns of
+    /// `pins` at zero, `y - T r` with `x + H r = 0` there, as they were before decoupling.
+    fn of_pins(domain: &Domain, pins: &Pins, state: &ParticularSolution) -> Matrix6<f64> {
+        let mut rigid = DMatrix::zeros(domain.unknowns(), 6);
+        add_rigid_motions(domain, &Matrix6::identity(), &mut rigid);
+        let held = |field: &DMatrix<f64>| Matrix6::from_fn(|i, j| field[(pins.unknowns()[i], j)]);
+        let r = held(&rigid).try_inverse().expect("pins hold") * -held(&state.x);
+        state.y - domain.line.equilibrium().transpose() * r
+    }
+
+    /// Random strains have the same state whatever the pins, to round-off times a
+    /// condition of some 1e4; before decoupling their generalized strains are those of the
+    /// pins, and differ by a part of themselves.
+    #[test]
+    fn random_states_do_not_depend_on_the_pins() {
+        for section in sections() {
+            let analysis = Analysis::new(&section).expect("sound");
+            let domain = analysis.domain();
+            let mut seed = Random(23);
+            let states = [(); 6].map(|()| random(&section, "any", &mut seed));
+            let forces = imposed_forces(&section, domain, &states);
+            let load = Load {
+                within: &forces.within,
+                resultant: &forces.resultant,
+                rate: Rate::Zero,
+            };
+            let own = Pins::choose(&domain.nodes).expect("wide");
+            let expected = analysis.particular(&load).expect("sound");
+            let coupled = of_pins(domain, &own, &expected);
+            let pattern = Pattern::new(domain);
+            let last = domain.nodes.len() - 1;
+            for triple in [[0, last / 2, last], [3, 11, last - 4], [last, 7, 1]] {
+                let pins = Pins::at(&domain.nodes, triple);
+                let matrices = SectionMatrices::assemble(domain, &pattern).expect("sound");
+                let systems = CentralSystems::new(domain, &pattern, matrices, pins);
+                let systems = systems.expect("sound");
+                let found = CentralSolution::solve(domain, &systems).expect("memory");
+                let face = Decoupled::new(domain, found).face;
+                let found = ParticularSolution::solve(domain, systems.steady(), &face, &load);
+                let found = found.expect("memory");
+                let error = (found.y - expected.y).amax() / expected.y.amax();
+                assert!(error < 1e-10, "{triple:?}: {error:e}");
+                let error = (&found.x - &expected.x).amax() / expected.x.amax();
+                assert!(error < 1e-10, "{triple:?}: {error:e}");
+                let difference = (of_pins(domain, &pins, &found) - coupled).amax();
+                let difference = difference / coupled.amax();
+                assert!(difference > 1e-3, "{triple:?}: {difference:e}");
             }
         }
     }

@@ -1,4 +1,3 @@
-use super::rigid::{GENERIC_MOTION, rigid_displacements};
 use super::*;
 use crate::element::Line;
 use crate::section::samples::{coupled_rectangle, of_quadrilaterals};
@@ -155,55 +154,6 @@ fn forces_do_the_work_of_the_stresses() {
             epsilon = 1e-14
         );
     }
-}
-
-/// The identities, as [`check_identities`] orders them.
-const IDENTITIES: [&str; 6] = [
-    "M H = L",
-    "C' H = R",
-    "C H = L T",
-    "E H = R T",
-    "L' H = A",
-    "R' H = A T",
-];
-
-/// Error of each of the [`IDENTITIES`], applied to a rigid motion with all six
-/// parts, relative to the largest entry of its right-hand side before T; that of
-/// E to the terms of its product.
-///
-/// E, R and A are the assembled ones, M, C and L act by integration.
-fn check_identities(domain: &Domain, matrices: &SectionMatrices<f64>) -> [f64; 6] {
-    let SectionMatrices { r, a, .. } = matrices;
-    let motion = Vector6::from(GENERIC_MOTION);
-    let turned = domain.line.equilibrium().transpose() * motion;
-    let displacement = rigid_displacements(domain, &motion);
-
-    // cases: u' = H m, u = H m, psi = m, psi = T m
-    let mut rate = DMatrix::zeros(displacement.len(), 4);
-    let mut warping = DMatrix::zeros(displacement.len(), 4);
-    let mut strain = Matrix6::zeros();
-    rate.set_column(0, &displacement);
-    warping.set_column(1, &displacement);
-    strain.set_column(2, &motion);
-    strain.set_column(3, &turned);
-    let state = State {
-        rate: Rate::Given(&rate),
-        warping: Some(&warping),
-        strain: &strain,
-    };
-    let forces = section_forces(domain, state);
-    let (face, within) = (forces.face, forces.within);
-    let (r_motion, l_motion) = (r * motion, face.column(2));
-    let (a_motion, theta) = (a * motion, forces.resultant.column(0));
-    let [of_e, of_r] = check_assembled_identities(domain, matrices);
-    [
-        (face.column(0) - l_motion).amax() / l_motion.amax(),
-        (within.column(0) - &r_motion).amax() / r_motion.amax(),
-        (face.column(1) - face.column(3)).amax() / l_motion.amax(),
-        of_e,
-        (theta - a_motion).amax() / a_motion.amax(),
-        of_r,
-    ]
 }
 
 /// All identities to round-off for a section with every coupling and curved sides.

@@ -1,6 +1,6 @@
 //! The effect of the internal forces on the stiffness, in a report.
 
-use nalgebra::{Matrix4, Vector6};
+use nalgebra::{Matrix4, Matrix6, Vector6};
 use shared_geom::section::{PRESTRESS_COMPONENTS, Prestress, SectionProperties, least_eigenvalue};
 use shared_geom::wrench::COMPONENTS;
 
@@ -39,6 +39,7 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
             number(change),
             change / square
         );
+        text += &by_moments(prestress, &compliance, properties);
     }
     for load in loads {
         text += &format!("\n{}", under_load(properties, load));
@@ -50,6 +51,34 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
 fn at_tension_center(properties: &SectionProperties) -> Vector6<f64> {
     let center = properties.centers.tension;
     Vector6::new(1.0, 0.0, 0.0, 0.0, center.y, -center.x)
+}
+
+/// The change of the stiffness with each moment; round-off beside `sqrt(Kii Kjj/(K11 Kkk))`
+/// is shown as zero.
+fn by_moments(
+    prestress: &Prestress,
+    compliance: &Matrix6<f64>,
+    properties: &SectionProperties,
+) -> String {
+    let root = properties.stiffness.diagonal().map(f64::sqrt);
+    let mut text = String::new();
+    for (k, moment) in PRESTRESS_COMPONENTS.into_iter().enumerate().skip(1) {
+        let mut change = prestress.by_force(compliance, k);
+        for (i, first) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
+            for (j, second) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
+                let scale = root[first] * root[second] / (root[0] * root[moment]);
+                if change[(i, j)].abs() <= ZERO * scale {
+                    change[(i, j)] = 0.0;
+                }
+            }
+        }
+        text += &format!(
+            "\nPrestress, change of the stiffness per moment of {} [1/m, -, m]\n{}",
+            COMPONENTS[moment],
+            of_four(&change, properties)
+        );
+    }
+    text
 }
 
 /// The entries that are more than round-off, a line each.

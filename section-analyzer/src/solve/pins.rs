@@ -55,7 +55,7 @@ impl Pins {
     }
 
     /// The pins at the nodes a, b, c of `nodes`, which do not lie on one line.
-    pub(super) fn at(nodes: &[[f64; 2]], [a, b, c]: [usize; 3]) -> Self {
+    pub fn at(nodes: &[[f64; 2]], [a, b, c]: [usize; 3]) -> Self {
         let ab = [nodes[b][0] - nodes[a][0], nodes[b][1] - nodes[a][1]];
         let normal = if ab[0].abs() > ab[1].abs() { 2 } else { 1 };
         let mut unknowns = [3 * a, 3 * a + 1, 3 * a + 2, 3 * b, 3 * b + normal, 3 * c];

@@ -295,6 +295,7 @@ fn solutions_do_not_depend_on_the_pins() {
         let of_pins = |pins: Pins| {
             let systems = systems(&p, pins);
             let central = CentralSolution::solve(&p.domain, &systems).expect("memory");
+            let coupled = central.y;
             let central = Decoupled::new(&p.domain, central);
             let (within, resultant) = imposed(&p);
             let load = Load {
@@ -304,12 +305,12 @@ fn solutions_do_not_depend_on_the_pins() {
             };
             let particular =
                 ParticularSolution::solve(&p.domain, systems.steady(), &central.face, &load);
-            (central, particular.expect("memory"))
+            (central, particular.expect("memory"), coupled)
         };
-        let (central, particular) = of_pins(Pins::choose(&p.domain.nodes).expect("wide"));
+        let (central, particular, coupled) = of_pins(Pins::choose(&p.domain.nodes).expect("wide"));
         let nodes = &p.domain.nodes;
         for [a, b, c] in random_triangles(nodes) {
-            let (other, with) = of_pins(Pins::at(nodes, [a, b, c]));
+            let (other, with, before) = of_pins(Pins::at(nodes, [a, b, c]));
             // round-off times a condition of some 1e4, times that of narrow pins
             let line = &p.domain.line;
             let close = |one: f64, scale: f64| assert!(one < 1e-10 * scale, "{line:?} {one:e}");
@@ -317,6 +318,9 @@ fn solutions_do_not_depend_on_the_pins() {
             close((central.y - other.y).amax(), central.y.amax());
             close((&particular.x - with.x).amax(), particular.x.amax());
             close((particular.y - with.y).amax(), particular.y.amax());
+            // what was decoupled: the shears of these strains are those of the pins
+            let difference = (coupled - before).amax() / coupled.amax();
+            assert!(difference > 1e-3, "{line:?} {difference:e}");
         }
     }
 }

@@ -24,6 +24,8 @@ fn the_table_is_in_the_report_and_in_the_property_file() {
         for expected in [
             head.as_str(),
             "\n  (per axial force at the tension center torsion gains ",
+            "\nPrestress, change of the stiffness per moment of torsion [1/m, -, m]\n",
+            "\nPrestress, change of the stiffness per moment of bending z [1/m, -, m]\n",
             "\nStiffness under load \"pull\", to first order [N, N m, N m^2]\n",
         ] {
             assert!(run.out.contains(expected), "{expected}\n{}", run.out);

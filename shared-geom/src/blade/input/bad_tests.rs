@@ -417,3 +417,32 @@ fn files_that_are_not_there_are_told_with_who_names_them() {
         "a.blade.toml:10: \"file\": no file \"nix.json\"\n  help: files there: a.blade.toml";
     assert!(shown.contains(expected), "{shown}");
 }
+
+#[test]
+fn curvatures_of_arcs_are_told_in_their_units() {
+    let with = |curvature: &str| {
+        let arc = format!("[[line.arc]]\nlength = 10\ncurvature = {curvature}\n");
+        GOOD.replace("[line]\nlength = 10\n", &arc)
+    };
+    assert_each(&[
+        (
+            with("[0, 0, \"0.5 deg\"]"),
+            "a.blade.toml:7: \"curvature\": \"deg\" measures an angle, expected a curvature \
+             (angle per length)\n  help: units of it: deg/m, rad/m; the inverse of a radius in m \
+             is in rad/m",
+        ),
+        (
+            with("0.5"),
+            "\"curvature\" is 0.5, expected an array of 3: one over a radius, or angles per \
+             length, as in \"5 deg/m\"",
+        ),
+        (
+            with("[0, 0.5]"),
+            "expected an array of 3: one over a radius, or angles per length",
+        ),
+        (
+            with("[0, \"a\", \"b\"]"),
+            "\"b\" cannot be read, expected a number, a space and a unit, as in \"5 deg/m\"",
+        ),
+    ]);
+}

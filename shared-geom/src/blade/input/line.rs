@@ -6,19 +6,14 @@ use super::Sources;
 use super::columns::{Columns, Measure};
 use super::frame::Frame;
 use super::problem::InputProblem;
-use crate::document::Table;
+use crate::document::{Item, Table};
+use crate::expression::written;
 use crate::line::{Course, LinePoint, ReferenceLine};
-use crate::units::Dimension;
+use crate::units::{Dimension, parse_any};
 
 /// Inverse of a length: curvature, angle per length without the angle.
-const CURVATURE: Dimension = Dimension {
+const INVERSE_LENGTH: Dimension = Dimension {
     length: -1,
-    ..Dimension::NUMBER
-};
-/// Twist rate: angle per length.
-const TWIST_RATE: Dimension = Dimension {
-    length: -1,
-    angle: 1,
     ..Dimension::NUMBER
 };
 
@@ -235,6 +230,31 @@ fn displaced(line: ReferenceLine, forward: &[f64], up: &[f64]) -> ReferenceLine 
     ReferenceLine::through(points.collect(), line.course)
 }
 
+/// The curvature of an arc: numbers are the inverse of a radius, texts that or angles per
+/// length, as in section files.
+fn curvature(arc: &Table<'_>) -> Option<Vector3<f64>> {
+    let expected = "an array of 3: one over a radius, or angles per length, as in \"5 deg/m\"";
+    let item = arc.item("curvature")?;
+    let Some(items) = item.list().filter(|items| items.len() == 3) else {
+        return item.wrong(expected);
+    };
+    let quantity = |item: &Item<'_>| {
+        let text = item.text().filter(|text| written(text).is_none());
+        let of_angle = text.is_some_and(|text| {
+            let found = parse_any(text).map(|(_, dimension)| dimension);
+            found != Ok(INVERSE_LENGTH)
+        });
+        item.quantity(match of_angle {
+            true => Dimension::CURVATURE,
+            false => INVERSE_LENGTH,
+        })
+    };
+    // Every number is looked at, so that each wrong one is noted.
+    let numbers: Vec<_> = items.iter().map(quantity).collect();
+    let numbers: Option<Vec<f64>> = numbers.into_iter().collect();
+    Some(Vector3::from_vec(numbers?))
+}
+
 /// A line by its curvature: `[[line.arc]]`.
 fn arcs(table: &Table<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
     let twist = match table.has("twist") {
@@ -245,11 +265,11 @@ fn arcs(table: &Table<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
     let read = tables.iter().map(|arc| {
         let length = arc.require_positive("length", Dimension::LENGTH);
         let curvature = match arc.has("curvature") {
-            true => arc.vector("curvature", CURVATURE),
+            true => curvature(arc),
             false => Some(Vector3::zeros()),
         };
         let rate = match arc.has("twist_rate") {
-            true => arc.quantity("twist_rate", TWIST_RATE),
+            true => arc.quantity("twist_rate", Dimension::CURVATURE),
             false => Some(0.0),
         };
         arc.finish();

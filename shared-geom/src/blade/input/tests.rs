@@ -317,6 +317,17 @@ fn lines_are_given_in_many_ways() {
     assert!((bent.at(bent.length()).position - Vector3::new(-3.0, 4.0, 0.0)).amax() < 1e-14);
     assert!((bent.points[2].twist - 6f64.to_radians()).abs() < 1e-15);
     assert!((with(arcs).points[0].twist - 5f64.to_radians()).abs() < 1e-15);
+    // The same curvature with units: of a radius, and of an angle as section files have it.
+    for curvature in [
+        "0.5 1/m",
+        "0.5 rad/m",
+        "28.64788975654116 deg/m",
+        "0.0005 rad/mm",
+    ] {
+        let same = with(&arcs.replace("0.5]", &format!("\"{curvature}\"]")));
+        let error = (same.curvature[0] - with(arcs).curvature[0]).amax();
+        assert!(error < 1e-15, "{curvature}: {error:e}");
+    }
 }
 
 // Two property files, of sections with damping of their own.
