@@ -142,8 +142,8 @@ pub enum LaminaProblem {
     },
     /// A corner that cannot be mitred.
     #[error(
-        "the laminate of curve \"{curve}\" turns by {:.0} deg at node {node} at {}, expected at \
-         most {:.0} deg", .turn.to_degrees(), at(*.place), .limit.to_degrees()
+        "the laminate of curve \"{curve}\" turns by {} deg at node {node} at {}, expected at \
+         most {:.0} deg", short(.turn.to_degrees()), at(*.place), .limit.to_degrees()
     )]
     Sharp {
         /// The curve.
@@ -180,6 +180,20 @@ pub enum LaminaProblem {
          its line and the other beside it", .curves[0], .curves[1], at(*.place)
     )]
     OffCenter {
+        /// Their curves.
+        curves: [String; 2],
+        /// Tag of the node.
+        node: u64,
+        /// Where it is [mesh unit].
+        place: [f64; 2],
+    },
+    /// Laminates on different sides, which nothing but a node would hold together.
+    #[error(
+        "the laminates of curves \"{}\" and \"{}\" lie on different sides of their lines where \
+         these meet, at node {node} at {}: they would touch in this node only",
+        .curves[0], .curves[1], at(*.place)
+    )]
+    OtherSide {
         /// Their curves.
         curves: [String; 2],
         /// Tag of the node.
@@ -246,12 +260,19 @@ impl Explain for LaminaProblem {
                 "use longer lines there, or mesh the junction as cells, with laminates on their \
                  border"
             }
-            Self::Sharp { .. } => "mesh the corner as cells, with the laminates on their border",
+            Self::Sharp { .. } => {
+                "walls that meet at a sharper corner would overlap, or touch in one node only: mesh \
+                 the corner as cells, with the laminates on their border"
+            }
             Self::Differ { .. } => {
                 "give both as many plies (one ply may be written as two), or mesh the corner as \
                  cells"
             }
             Self::OffCenter { .. } => "give both the same \"side\"",
+            Self::OtherSide { .. } => {
+                "give both the same \"side\"; or the other one, if the curves run against each \
+                 other"
+            }
             Self::Folded { .. } => {
                 "lines must be longer than the laminate is thick where they meet at an angle, \
                  and radii larger on its inner side"

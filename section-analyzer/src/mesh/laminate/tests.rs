@@ -208,7 +208,7 @@ fn corners_and_junctions_that_cannot_be_made_are_told() {
     assert_eq!(
         told(&[("a", &[&[1, 2], &[2, 3]], None)]),
         [
-            "the laminate of curve \"a\" turns by 174 deg at node 2 at (1, 0), expected at most \
+            "the laminate of curve \"a\" turns by 174.289 deg at node 2 at (1, 0), expected at most \
              135 deg"
         ]
     );
@@ -242,14 +242,50 @@ fn corners_and_junctions_that_cannot_be_made_are_told() {
 
 #[test]
 fn where_a_corner_opens_both_laminates_end() {
-    let places = [[0.0, 0.0], [1.0, 0.0], [0.0, -0.1]];
-    // the line turns right by 174 degrees, the laminates lie to the left
+    // a wedge of 6 degrees as one cell, its sides run to the right around the tip
+    let places = [[0.0, 0.0], [1.0, 0.0], [0.0, -0.1], [0.1, -0.05]];
     let left = Some(LaminaSide::Left);
-    let (mut mesh, laminae) = mesh(&places, &[], &[("a", &[&[1, 2], &[2, 3]], left)]);
-    add_laminae(&mut mesh, &laminae).expect("sound");
-    let [one, other] = [&mesh.cells[0], &mesh.cells[2]];
+    let skin: &Curves<'_> = &[("a", &[&[1, 2], &[2, 3]], left)];
+    let (mut wedge, laminae) = mesh(&places, &[&[1, 4, 3, 2]], skin);
+    add_laminae(&mut wedge, &laminae).expect("sound");
+    let [one, other] = [&wedge.cells[1], &wedge.cells[3]];
     assert_eq!((one.nodes()[1], other.nodes()[0]), (1, 1));
     assert_ne!(one.nodes()[2], other.nodes()[3]);
+    // without the cell the walls would hang together at the node alone
+    let (alone, laminae) = mesh(&places, &[], skin);
+    assert_eq!(
+        refused(alone, &laminae),
+        [
+            "the laminate of curve \"a\" turns by 174.289 deg at node 2 at (1, 0), expected at \
+             most 135 deg"
+        ]
+    );
+}
+
+/// Two walls in line, one to the left and one to the right of their lines: a closed section
+/// of them would be cut open at the node, one with cells beside is not.
+#[test]
+fn walls_that_change_sides_are_told() {
+    let (left, right) = (Some(LaminaSide::Left), Some(LaminaSide::Right));
+    let curves: &Curves<'_> = &[("a", &[&[1, 2]], left), ("b", &[&[2, 5]], right)];
+    let (alone, laminae) = mesh(&PLACES, &[], curves);
+    assert_eq!(
+        refused(alone, &laminae),
+        [
+            "the laminates of curves \"a\" and \"b\" lie on different sides of their lines where \
+             these meet, at node 2 at (1, 0): they would touch in this node only"
+        ]
+    );
+    // cells on the other side of each, joined elsewhere
+    let places = [PLACES[0], PLACES[1], PLACES[4], [0.0, -1.0], [1.0, -1.0]];
+    let places = [&places[..], &[[1.0, 1.0], [2.0, 1.0]]].concat();
+    let cells: [&[u32]; 2] = [&[4, 5, 2, 1], &[2, 3, 7, 6]];
+    let curves: &Curves<'_> = &[("a", &[&[1, 2]], left), ("b", &[&[2, 3]], right)];
+    let (mut held, laminae) = mesh(&places, &cells, curves);
+    assert_eq!(
+        add_laminae(&mut held, &laminae).expect("sound").cells.len(),
+        4
+    );
 }
 
 #[test]
