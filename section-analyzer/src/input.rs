@@ -56,8 +56,8 @@ use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
 use distributed::WrittenDistribution;
 use files::Files;
-use imposed::WrittenStates;
-use laminae::WrittenLamina;
+use imposed::{Rows, WrittenStates};
+use laminae::{Faces, WrittenLamina};
 use materials::WrittenMaterial;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
@@ -183,9 +183,8 @@ impl WrittenSection {
             region_of_cell: &meshed.region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
-        let distributed = self.distributed(document, &meshed.mesh, section_mesh);
-        let tags: Vec<_> = meshed.mesh.cells.iter().map(|cell| cell.tag).collect();
-        let rises = self.states.rises(document, files, &tags);
+        let distributed = self.distributed(document, &meshed);
+        let rises = self.states.rises(document, files, &meshed.rows());
         let materials = self.materials.iter();
         let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
         let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
@@ -231,7 +230,7 @@ impl WrittenSection {
         let mut mesh = read_mesh(document, files, mesh_key)?;
         let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
         let unit = document.factor(Dimension::LENGTH);
-        let laminated = laminae::add(document, &mut mesh, &self.laminae, unit);
+        let (laminated, faces) = laminae::add(document, &mut mesh, &self.laminae, unit);
         let place = Place::file(files.path(mesh_key).display().to_string());
         // without its laminates the section may well be in parts
         let checked = laminated.as_ref().and_then(|_| {
@@ -246,6 +245,7 @@ impl WrittenSection {
             mesh,
             region_of_cell,
             laminated,
+            faces,
             checked,
         })
     }
@@ -259,8 +259,19 @@ struct Meshed {
     /// The cells of the laminates, behind the others; `None` when something is wrong
     /// with them.
     laminated: Option<Laminated>,
+    /// The faces of the laminates.
+    faces: Faces,
     /// The mesh in meters, when it is sound.
     checked: Option<(SectionMesh, MeshReport)>,
+}
+
+impl Meshed {
+    /// What rows of tables may name.
+    fn rows(&self) -> Option<Rows> {
+        let tags = self.mesh.cells.iter().map(|cell| cell.tag).collect();
+        let lines = laminae::lines_of_cells(self.laminated.as_ref()?);
+        Some(Rows { tags, lines })
+    }
 }
 
 impl WrittenSection {
@@ -273,14 +284,11 @@ impl WrittenSection {
     }
 
     /// The loads along the beam on the mesh; `None` when anything is wrong with one.
-    fn distributed(
-        &self,
-        document: &Document,
-        mesh: &Mesh,
-        section_mesh: Option<&SectionMesh>,
-    ) -> Option<Vec<DistributedLoad>> {
+    fn distributed(&self, document: &Document, meshed: &Meshed) -> Option<Vec<DistributedLoad>> {
+        let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
+        let (mesh, faces) = (&meshed.mesh, &meshed.faces);
         let loads = self.loads.iter();
-        let loads = loads.map(|(_, load)| load.on_mesh(document, mesh, section_mesh));
+        let loads = loads.map(|(_, load)| load.on_mesh(document, mesh, section_mesh, faces));
         // every load is looked at before the first wrong one ends the search
         let loads: Vec<_> = loads.collect();
         loads.into_iter().collect()

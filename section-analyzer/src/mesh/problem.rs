@@ -325,7 +325,7 @@ pub(super) fn counted(count: usize, what: &str) -> String {
 }
 
 /// A number with six digits at most.
-pub(super) fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     let rounded = format!("{value:.5e}").parse().unwrap_or(value);
     let text = format!("{rounded:?}");
     text.strip_suffix(".0").unwrap_or(&text).to_string()

@@ -20,6 +20,9 @@ use super::segments::{Segment, label};
 /// of a layer is 2.6 times as far from the corner as from the line.
 const SHARPEST: f64 = 135.0 * std::f64::consts::PI / 180.0;
 
+/// What coordinates of some digits make of an angle \[rad\].
+const ROUND_OFF: f64 = 1e-6;
+
 /// Nodes of a laminate at the two ends of a line, parallel to its levels.
 pub(super) type Ends = [Vec<u32>; 2];
 
@@ -220,7 +223,7 @@ fn pair(
     }
     let angle = turn(one.tangent, other.tangent);
     let equal = one.equals(other);
-    if angle.abs() > SHARPEST {
+    if angle.abs() > SHARPEST + ROUND_OFF {
         // room for both where the corner opens away from the laminates, and cells between
         // them hold them together
         let opens = match one.bank() {
