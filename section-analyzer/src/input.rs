@@ -21,7 +21,7 @@ use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
-use crate::mesh::{DoubledNodes, Laminated, MeshReport, SectionMesh};
+use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
 use crate::section::{DistributedLoad, ImposedStrain, Section};
@@ -57,7 +57,7 @@ use curvature::WrittenCurvature;
 use distributed::WrittenDistribution;
 use files::Files;
 use imposed::{Rows, WrittenStates};
-use laminae::{Faces, WrittenLamina};
+use laminae::{Added, WrittenLamina};
 use materials::WrittenMaterial;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
@@ -189,7 +189,7 @@ impl WrittenSection {
         let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
         let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
         let (section_mesh, mut report) = meshed.checked?;
-        let (mut cells, laminated) = (cells?, meshed.laminated?);
+        let (mut cells, laminated) = (cells?, meshed.added.cells?.laminated);
         let of_plies = &of_region[self.regions.len()..];
         cells.extend(laminae::cells(&self.laminae, &laminated, of_plies)?);
         report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
@@ -230,13 +230,10 @@ impl WrittenSection {
         let mut mesh = read_mesh(document, files, mesh_key)?;
         let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
         let unit = document.factor(Dimension::LENGTH);
-        let (laminated, faces) = laminae::add(document, &mut mesh, &self.laminae, unit);
+        let added = laminae::add(document, &mut mesh, &self.laminae, unit);
         let place = Place::file(files.path(mesh_key).display().to_string());
-        // without its laminates the section may well be in parts
-        let checked = laminated.as_ref().and_then(|_| {
-            let checked = SectionMesh::from_mesh_with(&mesh, unit, self.doubled_nodes, &place);
-            document.keep(checked)
-        });
+        let how = (unit, self.doubled_nodes, &place);
+        let checked = added.checked(document, &mesh, &self.laminae, how);
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
         if let Some(Err(problem)) = section_mesh.map(extent::check) {
             document.note(mesh_key.line, &problem);
@@ -244,8 +241,7 @@ impl WrittenSection {
         Some(Meshed {
             mesh,
             region_of_cell,
-            laminated,
-            faces,
+            added,
             checked,
         })
     }
@@ -256,11 +252,8 @@ struct Meshed {
     mesh: Mesh,
     /// Region of each cell that is not part of a laminate, where it has one.
     region_of_cell: Vec<Option<usize>>,
-    /// The cells of the laminates, behind the others; `None` when something is wrong
-    /// with them.
-    laminated: Option<Laminated>,
-    /// The faces of the laminates.
-    faces: Faces,
+    /// The laminates, whose cells are behind the others.
+    added: Added,
     /// The mesh in meters, when it is sound.
     checked: Option<(SectionMesh, MeshReport)>,
 }
@@ -269,7 +262,7 @@ impl Meshed {
     /// What rows of tables may name.
     fn rows(&self) -> Option<Rows> {
         let tags = self.mesh.cells.iter().map(|cell| cell.tag).collect();
-        let lines = laminae::lines_of_cells(self.laminated.as_ref()?);
+        let lines = laminae::lines_of_cells(self.added.laminated()?);
         Some(Rows { tags, lines })
     }
 }
@@ -286,7 +279,7 @@ impl WrittenSection {
     /// The loads along the beam on the mesh; `None` when anything is wrong with one.
     fn distributed(&self, document: &Document, meshed: &Meshed) -> Option<Vec<DistributedLoad>> {
         let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
-        let (mesh, faces) = (&meshed.mesh, &meshed.faces);
+        let (mesh, faces) = (&meshed.mesh, &meshed.added.faces);
         let loads = self.loads.iter();
         let loads = loads.map(|(_, load)| load.on_mesh(document, mesh, section_mesh, faces));
         // every load is looked at before the first wrong one ends the search

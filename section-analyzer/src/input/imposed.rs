@@ -352,6 +352,10 @@ fn rises(
                 true => "the mesh".to_owned(),
                 false => "the mesh and each line with plies".to_owned(),
             },
+            row: match rows.lines.is_empty() {
+                true => "cell",
+                false => "cell or line",
+            },
             missing: misfit.missing.into(),
             unknown: misfit.unknown.into(),
         };

@@ -1,13 +1,17 @@
 //! Laminates along curves as written, and their cells in the mesh.
 
 use shared_geom::document::{Document, Table};
+use shared_geom::error::{Diagnostics, Place};
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 use shared_geom::units::Dimension;
 
 use super::groups;
 use super::problem::InputProblem;
 use super::regions::{Written, WrittenAngle, WrittenRegion, constant_angle, name};
-use crate::mesh::{Lamina, LaminaSide, Laminated, add_laminae};
+use crate::mesh::{
+    DoubledNodes, Lamina, LaminaProblem, LaminaSide, Laminated, MeshReport, SectionMesh,
+    add_laminae, of_laminae,
+};
 use crate::section::CellMaterial;
 
 mod faces;
@@ -166,21 +170,79 @@ pub(super) fn add(
     mesh: &mut Mesh,
     laminae: &[WrittenLamina],
     meters_per_unit: f64,
-) -> (Option<Laminated>, Faces) {
+) -> Added {
     let found = found(document, mesh, laminae, meters_per_unit);
     let names = Names::check(document, mesh, laminae, &found);
     let found: Option<Vec<Lamina>> = found.into_iter().collect();
     let made = found.filter(|_| names.are_free).and_then(|mut found| {
         add_groups(mesh, laminae, &mut found);
-        let curves: Vec<_> = found.iter().map(|lamina| lamina.curve).collect();
-        Some((made(document, mesh, laminae, &found)?, curves))
+        Some((made(document, mesh, laminae, &found)?, found))
     });
     match made {
-        Some((laminated, curves)) if names.are_told_apart(document) => {
-            let faces = Faces::add(mesh, laminae, &curves, &laminated);
-            (Some(laminated), faces)
+        Some((laminated, found)) if names.are_told_apart(document) => {
+            let faces = Faces::add(mesh, laminae, &found, &laminated);
+            let cells = Some(Made { found, laminated });
+            Added { cells, faces }
         }
-        _ => (None, Faces::unknown(laminae)),
+        _ => Added {
+            cells: None,
+            faces: Faces::unknown(laminae),
+        },
+    }
+}
+
+/// What laminates were made of and what they became.
+#[derive(Debug)]
+pub(super) struct Made {
+    found: Vec<Lamina>,
+    pub laminated: Laminated,
+}
+
+/// What [`add`] made.
+#[derive(Debug)]
+pub(super) struct Added {
+    /// `None` when anything was noted.
+    pub cells: Option<Made>,
+    pub faces: Faces,
+}
+
+impl Added {
+    /// The cells, if they could be made.
+    pub fn laminated(&self) -> Option<&Laminated> {
+        self.cells.as_ref().map(|made| &made.laminated)
+    }
+
+    /// The mesh with the laminates in meters, if it is sound; what is wrong with plies is
+    /// noted where these are written, all else at the mesh.
+    pub fn checked(
+        &self,
+        document: &Document,
+        mesh: &Mesh,
+        laminae: &[WrittenLamina],
+        (unit, doubled_nodes, place): (f64, DoubledNodes, &Place),
+    ) -> Option<(SectionMesh, MeshReport)> {
+        // without its laminates the section may well be in parts
+        let made = self.cells.as_ref()?;
+        let problems = match SectionMesh::checked(mesh, unit, doubled_nodes) {
+            Ok(checked) => return Some(checked),
+            Err(problems) => problems,
+        };
+        let (own, told) = of_laminae(mesh, &made.found, &made.laminated, problems);
+        note(document, laminae, told);
+        let mut diagnostics = Diagnostics::new();
+        for problem in &own {
+            diagnostics.push(place.clone(), problem);
+        }
+        document.keep::<()>(diagnostics.into_result(()));
+        None
+    }
+}
+
+/// Notes problems of laminates where their curves are written.
+fn note(document: &Document, laminae: &[WrittenLamina], problems: Vec<(usize, LaminaProblem)>) {
+    for (lamina, problem) in problems {
+        let line = laminae[lamina].curve.as_ref().map_or(0, |curve| curve.line);
+        document.note(line, &problem);
     }
 }
 
@@ -231,10 +293,7 @@ fn made(
     match add_laminae(mesh, found) {
         Ok(laminated) => Some(laminated),
         Err(problems) => {
-            for (lamina, problem) in problems {
-                let line = laminae[lamina].curve.as_ref().map_or(0, |curve| curve.line);
-                document.note(line, &problem);
-            }
+            note(document, laminae, problems);
             None
         }
     }

@@ -85,6 +85,7 @@ impl Tables {
                     found: table.len(),
                     expected: table_use.cells.len(),
                     users: quoted(&table_use.groups),
+                    row: "cell",
                     missing: misfit.missing.into(),
                     unknown: misfit.unknown.into(),
                 };

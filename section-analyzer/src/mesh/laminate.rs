@@ -26,6 +26,7 @@ use super::plane::check_references;
 
 mod build;
 mod faces;
+mod fits;
 mod joints;
 mod layers;
 mod mitre;
@@ -33,8 +34,10 @@ mod problem;
 mod segments;
 mod steps;
 mod tees;
+mod told;
 
-pub use problem::LaminaProblem;
+pub use problem::{LaminaProblem, Wall};
+pub use told::of_laminae;
 
 use build::Builder;
 use layers::Layers;
@@ -109,6 +112,8 @@ pub struct Laminated {
     pub cells: Vec<LaminaCell>,
     /// Their faces away from the line, on both sides of one in the middle.
     pub faces: Vec<LaminaFace>,
+    /// Index of the first node that was made for them.
+    pub first_node: usize,
     /// Number of nodes of their lines that no cell has: those of lines that run inside
     /// of a ply.
     pub bare_nodes: usize,
@@ -150,6 +155,7 @@ pub fn add_laminae(
     Ok(Laminated {
         cells,
         faces,
+        first_node: bare.count,
         bare_nodes,
     })
 }

@@ -29,7 +29,8 @@ mod sides;
 pub use curve_sides::{Bank, CurveSide};
 pub use findings::{CellOverlap, DoubledNodes, HangingNode, NarrowGap, Seam};
 pub use laminate::{
-    Lamina, LaminaCell, LaminaFace, LaminaProblem, LaminaSide, Laminated, add_laminae,
+    Lamina, LaminaCell, LaminaFace, LaminaProblem, LaminaSide, Laminated, Wall, add_laminae,
+    of_laminae,
 };
 pub(crate) use plane::{distance, polygon_area};
 pub(crate) use problem::short;

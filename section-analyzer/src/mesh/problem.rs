@@ -15,7 +15,10 @@ use super::findings::{CellOverlap, HangingNode, NarrowGap, Seam};
 pub enum MeshProblem {
     /// A mesh that has no triangles or quadrilaterals.
     #[error("the mesh has no triangles or quadrilaterals, expected at least one")]
-    NoCells,
+    NoCells {
+        /// Labels of the physical curves that have lines.
+        curves: Vec<String>,
+    },
     /// An element of a mesh made by hand that names a node which is not there.
     #[error("element {element} refers to a node that the mesh does not have")]
     MissingNode {
@@ -359,7 +362,15 @@ pub(super) fn place([x, y]: [f64; 2]) -> String {
 impl Explain for MeshProblem {
     fn help(&self) -> Option<String> {
         let help = match self {
-            Self::NoCells => {
+            Self::NoCells { curves } if !curves.is_empty() => {
+                let names: Vec<_> = curves.iter().map(|name| format!("\"{name}\"")).collect();
+                return Some(format!(
+                    "mesh the surfaces (gmsh -2) and put them in a physical surface; or, for thin \
+                     walls along the curves {}, give their plies by [[lamina]]",
+                    names.join(", ")
+                ));
+            }
+            Self::NoCells { .. } => {
                 "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only \
                  what is in them, so put the surfaces in a physical surface"
             }

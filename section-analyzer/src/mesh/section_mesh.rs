@@ -227,7 +227,10 @@ fn check_whole(mesh: &Mesh, meters_per_unit: f64) -> Result<(), Vec<MeshProblem>
         });
     }
     if mesh.cells.is_empty() {
-        problems.push(MeshProblem::NoCells);
+        let has_lines = |group: &usize| mesh.lines.iter().any(|l| l.groups.contains(*group));
+        let curves = (0..mesh.groups.len()).filter(has_lines);
+        let curves = curves.map(|group| mesh.groups[group].label()).collect();
+        problems.push(MeshProblem::NoCells { curves });
     }
     let plane = check_references(mesh).and_then(|()| check_plane(mesh));
     problems.extend(plane.err());

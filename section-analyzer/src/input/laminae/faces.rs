@@ -7,7 +7,7 @@
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 
 use super::WrittenLamina;
-use crate::mesh::{LaminaFace, LaminaSide, Laminated};
+use crate::mesh::{Lamina, LaminaFace, LaminaSide, Laminated};
 
 const CURVE: u8 = 1;
 
@@ -45,15 +45,15 @@ impl Faces {
         }
     }
 
-    /// Adds those of `laminated` to the mesh; `curves` are the curves of the laminates.
+    /// Adds those of `laminated` to the mesh.
     pub fn add(
         mesh: &mut Mesh,
         laminae: &[WrittenLamina],
-        curves: &[usize],
+        found: &[Lamina],
         laminated: &Laminated,
     ) -> Self {
         let mut faces = Self::default();
-        for (index, (lamina, &curve)) in laminae.iter().zip(curves).enumerate() {
+        for (index, (lamina, found)) in laminae.iter().zip(found).enumerate() {
             let of_lamina = laminated.faces.iter().filter(|face| face.lamina == index);
             let of_lamina: Vec<_> = of_lamina.collect();
             let has = |side| of_lamina.iter().any(|face| face.side == side);
@@ -69,7 +69,9 @@ impl Faces {
                     names.push(name);
                 }
             }
-            faces.of_curves.push((mesh.groups[curve].label(), names));
+            faces
+                .of_curves
+                .push((mesh.groups[found.curve].label(), names));
         }
         faces
     }

@@ -2,6 +2,8 @@
 //!
 //! Places are those of the mesh file, in its unit.
 
+use std::fmt;
+
 use shared_geom::error::Explain;
 
 use super::super::problem::{counted, place as at, short};
@@ -35,6 +37,8 @@ pub enum LaminaProblem {
         curve: String,
         /// The side as it was given.
         side: LaminaSide,
+        /// The side without cells.
+        free: LaminaSide,
         /// Tag of one of the lines.
         line: u64,
         /// Its middle [mesh unit].
@@ -63,6 +67,8 @@ pub enum LaminaProblem {
     Mixed {
         /// The curve.
         curve: String,
+        /// The side without cells.
+        free: LaminaSide,
         /// Tags of a line of each kind.
         lines: [u64; 2],
         /// Their middles [mesh unit].
@@ -76,6 +82,49 @@ pub enum LaminaProblem {
         /// Their curves.
         curves: [String; 2],
         /// Tag of a line that has both.
+        line: u64,
+        /// Its middle [mesh unit].
+        place: [f64; 2],
+    },
+    /// Lines that share both ends, but not their middle.
+    #[error(
+        "lines {} and {} of {} have the same ends: the one at {} and the other cannot be told \
+         apart where laminates meet", .lines[0], .lines[1], both(.curves), at(*.place)
+    )]
+    SameEnds {
+        /// Their curves.
+        curves: [String; 2],
+        /// Tags of the lines.
+        lines: [u64; 2],
+        /// Middle of the second [mesh unit].
+        place: [f64; 2],
+    },
+    /// A line on the border of cells that has other nodes than the side there.
+    #[error(
+        "line {line} of curve \"{curve}\" at {} {}{}", at(*.place), order(*.has_middle),
+        more(*.count)
+    )]
+    OtherOrder {
+        /// The curve.
+        curve: String,
+        /// Tag of one of the lines.
+        line: u64,
+        /// Its middle [mesh unit].
+        place: [f64; 2],
+        /// Whether the line has a node there.
+        has_middle: bool,
+        /// How many there are.
+        count: usize,
+    },
+    /// A line on the border of cells that is none of their sides.
+    #[error(
+        "line {line} of curve \"{curve}\" at {} runs along the border of cells without being one \
+         of their sides", at(*.place)
+    )]
+    NoSide {
+        /// The curve.
+        curve: String,
+        /// Tag of the line.
         line: u64,
         /// Its middle [mesh unit].
         place: [f64; 2],
@@ -220,6 +269,47 @@ pub enum LaminaProblem {
         /// Its radius of curvature, unless it is straight [mesh unit].
         radius: Option<f64>,
     },
+    /// A laminate without room for its plies.
+    #[error(
+        "the plies of curve \"{curve}\" are crossed or folded at line {line}, around {}: together \
+         they are {} thick", at(*.place), short(*.thickness)
+    )]
+    Misshapen {
+        /// The curve.
+        curve: String,
+        /// Tag of the line.
+        line: u64,
+        /// Middle of the ply [mesh unit].
+        place: [f64; 2],
+        /// Thickness of the laminate [mesh unit].
+        thickness: f64,
+    },
+    /// A laminate that covers what is there already.
+    #[error(
+        "{} overlaps {} at {}{}", .walls[0], .walls[1].as_other(&.walls[0]), at(*.place),
+        places(*.count)
+    )]
+    Overlaps {
+        /// Both, of which one is a laminate.
+        walls: [Wall; 2],
+        /// A place in both [mesh unit].
+        place: [f64; 2],
+        /// Number of pairs of cells.
+        count: usize,
+    },
+    /// A laminate that touches what it is not joined to.
+    #[error(
+        "{} touches {} at {}{} without being joined to it", .walls[0],
+        .walls[1].as_other(&.walls[0]), at(*.place), places(*.count)
+    )]
+    Unjoined {
+        /// Both, of which one is a laminate.
+        walls: [Wall; 2],
+        /// Where [mesh unit].
+        place: [f64; 2],
+        /// Number of places.
+        count: usize,
+    },
     /// Further problems of a kind of which the first have been told.
     #[error("and {count} more {what}")]
     More {
@@ -236,17 +326,27 @@ impl Explain for LaminaProblem {
             Self::Inside { .. } => {
                 "mesh a layer between cells as cells of its own, or name a curve on the border"
             }
-            Self::IntoCells { .. } => {
-                "leave \"side\" out: on the border of cells the laminate then lies on the other \
-                 side"
+            Self::IntoCells { free, .. } | Self::Mixed { free, .. } => {
+                return Some(format!(
+                    "give side = \"{}\", the one without cells",
+                    free.name()
+                ));
             }
             Self::SideChanges { .. } => {
                 "in gmsh, give the lines one direction along the border (Physical Curve with a \
                  minus sign turns one), or name two curves"
             }
-            Self::Mixed { .. } => "give side = \"left\" or \"right\", the one without cells",
             Self::Twice { .. } => "one [[lamina]] lists all its plies",
             Self::NoLength { .. } => "mesh this curve again",
+            Self::SameEnds { .. } => "use shorter lines: at least three around a closed curve",
+            Self::OtherOrder { .. } => {
+                "mesh curves and surfaces in one order (in gmsh, Mesh.ElementOrder), from the same \
+                 geometry"
+            }
+            Self::NoSide { .. } => {
+                "lines and cells must share their nodes: in gmsh, make the physical curve of the \
+                 curves that bound the surfaces, and mesh both together"
+            }
             Self::AgainstEachOther { .. } => {
                 "in gmsh, give all lines of the curve one direction: in Physical Curve(...) = \
                  {1, -2} the minus sign turns curve 2 around"
@@ -277,9 +377,60 @@ impl Explain for LaminaProblem {
                 "lines must be longer than the laminate is thick where they meet at an angle, \
                  and radii larger on its inner side"
             }
+            Self::Misshapen { .. } => {
+                "lines must be longer than the laminate is thick where they meet at an angle, and \
+                 radii larger on its inner side; check the unit of \"thickness\""
+            }
+            Self::Overlaps { .. } => {
+                "the plies reach from their line to its \"side\" by their thickness: check both, or \
+                 leave room between the curves; walls that cross need a node there"
+            }
+            Self::Unjoined { .. } => {
+                "a laminate is joined to cells along whole sides, lines that share their nodes with \
+                 them, and to another laminate at the ends of their lines: let the curves meet \
+                 there, or mesh the joint as cells"
+            }
             Self::More { .. } => return None,
         };
         Some(help.to_owned())
+    }
+}
+
+/// What touches a laminate.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Wall {
+    /// The laminate of a curve.
+    Curve(String),
+    /// Cells of a surface, if they are in one.
+    Cells(Option<String>),
+}
+
+impl fmt::Display for Wall {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Curve(curve) => write!(f, "the laminate of curve \"{curve}\""),
+            Self::Cells(Some(group)) => write!(f, "the surface \"{group}\""),
+            Self::Cells(None) => f.write_str("a surface"),
+        }
+    }
+}
+
+impl Wall {
+    /// Beside another one, which may be the same.
+    fn as_other(&self, one: &Self) -> String {
+        match (self == one, self) {
+            (true, _) => "itself".to_owned(),
+            (false, Self::Curve(curve)) => format!("that of \"{curve}\""),
+            (false, _) => self.to_string(),
+        }
+    }
+}
+
+fn places(count: usize) -> String {
+    match count {
+        1 => String::new(),
+        2 => " and 1 more place".to_owned(),
+        _ => format!(" and {} more places", count - 1),
     }
 }
 
@@ -287,6 +438,20 @@ fn more(count: usize) -> String {
     match count {
         1 => String::new(),
         _ => format!(", as do {} more", count - 1),
+    }
+}
+
+fn order(has_middle: bool) -> &'static str {
+    match has_middle {
+        true => "has a node in its middle that the side of the cell there does not have",
+        false => "lacks the node in its middle that the side of the cell there has",
+    }
+}
+
+fn both([one, other]: &[String; 2]) -> String {
+    match one == other {
+        true => format!("curve \"{one}\""),
+        false => format!("curves \"{one}\" and \"{other}\""),
     }
 }
 

@@ -1,0 +1,63 @@
+//! Words of messages.
+
+use shared_geom::error::nearest_name;
+
+/// How many names a message lists before it counts the rest.
+const NAMES_SHOWN: usize = 5;
+
+/// The keys of a table of strengths, in words.
+pub(super) fn strength_keys(table: &str) -> &'static str {
+    match table {
+        "strength" => "\"xt\" to \"s23\", \"tension\" to \"shear\", or \"yield\"",
+        _ => "\"xt\" to \"s23\", or \"tension\" to \"shear\"",
+    }
+}
+
+pub(in crate::input) fn nearest_or_all(found: &str, known: &[String], what: &str) -> String {
+    match nearest_name(found, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None if known.is_empty() => format!("{what}: none"),
+        None => format!("{what}: {}", quoted(known)),
+    }
+}
+
+/// Names in quotes, joined by commas; "none" for none.
+pub(in crate::input) fn quoted(names: &[String]) -> String {
+    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    match names.is_empty() {
+        true => "none".to_owned(),
+        false => names.join(", "),
+    }
+}
+
+pub(super) fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s"),
+    }
+}
+
+pub(super) fn more(count: usize) -> String {
+    match count {
+        1 => "1 more row".to_owned(),
+        _ => format!("{count} more rows"),
+    }
+}
+
+/// `lead cells 1, 2, 3 and 4 more`; nothing for no cells.
+pub(super) fn listed(lead: &str, row: &str, cells: &[u64]) -> String {
+    if cells.is_empty() {
+        return String::new();
+    }
+    let shown: Vec<_> = cells.iter().take(NAMES_SHOWN).map(u64::to_string).collect();
+    let word = match (cells.len(), row) {
+        (1, row) => row,
+        (_, "cell") => "cells",
+        _ => "cells or lines",
+    };
+    let rest = match cells.len() - shown.len() {
+        0 => String::new(),
+        rest => format!(" and {rest} more"),
+    };
+    format!("{lead} {word} {}{rest}", shown.join(", "))
+}
