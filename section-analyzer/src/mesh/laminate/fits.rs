@@ -6,7 +6,7 @@ use shared_geom::mesh::Mesh;
 
 use super::super::boundary::Curve;
 use super::super::plane::distance;
-use super::problem::{LaminaProblem, limited};
+use super::problem::LaminaProblem;
 use super::segments::{Segment, label};
 use super::{Lamina, LaminaSide};
 
@@ -76,7 +76,8 @@ fn other_orders(
     problems
 }
 
-/// Lines with no cell beside them that run along the border of cells all the same.
+/// For each laminate the first line with no cell beside it that runs along the border of
+/// cells all the same.
 fn along_borders(
     mesh: &Mesh,
     laminae: &[Lamina],
@@ -92,20 +93,20 @@ fn along_borders(
         })
         .collect();
     let mut problems = Vec::new();
-    for segment in segments.iter().filter(|segment| segment.is_alone) {
-        if runs_along(&segment.curve, &border) {
+    for lamina in 0..laminae.len() {
+        let own = segments.iter().filter(|segment| segment.lamina == lamina);
+        let mut own = own.filter(|line| line.is_alone && runs_along(&line.curve, &border));
+        if let Some(segment) = own.next() {
             let problem = LaminaProblem::NoSide {
-                curve: label(mesh, laminae, segment.lamina),
+                curve: label(mesh, laminae, lamina),
                 line: segment.tag,
                 place: segment.place(),
+                count: 1 + own.count(),
             };
-            problems.push((segment.lamina, problem));
+            problems.push((lamina, problem));
         }
     }
-    limited(
-        problems,
-        "lines on the border of cells that are none of their sides",
-    )
+    problems
 }
 
 fn place(mesh: &Mesh, node: u32) -> [f64; 2] {

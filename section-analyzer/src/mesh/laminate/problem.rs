@@ -119,7 +119,7 @@ pub enum LaminaProblem {
     /// A line on the border of cells that is none of their sides.
     #[error(
         "line {line} of curve \"{curve}\" at {} runs along the border of cells without being one \
-         of their sides", at(*.place)
+         of their sides{}", at(*.place), more(*.count)
     )]
     NoSide {
         /// The curve.
@@ -128,6 +128,8 @@ pub enum LaminaProblem {
         line: u64,
         /// Its middle [mesh unit].
         place: [f64; 2],
+        /// How many there are.
+        count: usize,
     },
     /// A line without direction.
     #[error("line {line} of curve \"{curve}\" at {} has no length", at(*.place))]
@@ -271,8 +273,8 @@ pub enum LaminaProblem {
     },
     /// A laminate without room for its plies.
     #[error(
-        "the plies of curve \"{curve}\" are crossed or folded at line {line}, around {}: together \
-         they are {} thick", at(*.place), short(*.thickness)
+        "the plies of curve \"{curve}\" are crossed or folded at line {line}, around {}{}: together \
+         they are {} thick", at(*.place), places(*.count), short(*.thickness)
     )]
     Misshapen {
         /// The curve.
@@ -283,6 +285,8 @@ pub enum LaminaProblem {
         place: [f64; 2],
         /// Thickness of the laminate [mesh unit].
         thickness: f64,
+        /// Number of cells.
+        count: usize,
     },
     /// A laminate that covers what is there already.
     #[error(

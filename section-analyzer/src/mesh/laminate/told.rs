@@ -30,6 +30,7 @@ pub fn of_laminae(
     let mut others = Vec::new();
     for problem in problems {
         match cells.told(&problem) {
+            Some((lamina, LaminaProblem::Misshapen { .. })) if counted(&mut misshapen, lamina) => {}
             Some(told) if matches!(told.1, LaminaProblem::Misshapen { .. }) => {
                 misshapen.push(told);
             }
@@ -45,9 +46,21 @@ pub fn of_laminae(
         own.clear();
     }
     others.dedup();
-    let mut told = limited(misshapen, "cells of laminates without room");
+    let mut told = misshapen;
     told.extend(limited(others, "places where laminates do not fit"));
     (own, told)
+}
+
+/// Counts one more cell of a laminate of which one is told already; false if none is.
+fn counted(told: &mut [Told], lamina: usize) -> bool {
+    let known = told.iter_mut().find(|(known, _)| *known == lamina);
+    match known {
+        Some((_, LaminaProblem::Misshapen { count, .. })) => {
+            *count += 1;
+            true
+        }
+        _ => false,
+    }
 }
 
 /// The cells of a mesh by their tags.
@@ -97,6 +110,7 @@ impl<'a> Cells<'a> {
                     line: found.line,
                     place: *center,
                     thickness: lamina.thicknesses.iter().sum(),
+                    count: 1,
                 };
                 Some((found.lamina, problem))
             }
@@ -147,7 +161,11 @@ impl<'a> Cells<'a> {
         let mut found = cells.iter().filter_map(|&cell| self.of_lamina(cell));
         let lamina = found.next().map(|cell| cell.lamina)?;
         let lamina = found.fold(lamina, |last, cell| last.max(cell.lamina));
-        Some((lamina, problem(cells.map(|cell| self.wall(cell)))))
+        let mut walls = cells.map(|cell| self.wall(cell));
+        if matches!(walls[0], Wall::Cells(_)) {
+            walls.reverse();
+        }
+        Some((lamina, problem(walls)))
     }
 
     /// The problem without pairs of nodes that the file does not have.
