@@ -141,6 +141,13 @@ pub enum InputWarning {
         /// Tags of the first pair.
         first: [u64; 2],
     },
+    /// Walls that touch in a node alone.
+    PinchedNodes {
+        /// Number of nodes.
+        count: usize,
+        /// Tag of the first.
+        first: u64,
+    },
     /// A slit: cells touch along sides with nodes of their own.
     Slit(Seam),
     /// Nodes that hang on sides of other cells.
@@ -196,6 +203,10 @@ impl InputWarning {
             let count = alone.len();
             warnings.push(Self::CoincidentNodes { count, first });
         }
+        if let Some(&first) = report.pinched_nodes.first() {
+            let count = report.pinched_nodes.len();
+            warnings.push(Self::PinchedNodes { count, first });
+        }
         let slits = report.seams.iter().cloned().map(Self::Slit);
         warnings.extend(limited(slits.collect(), "slits"));
         if let Some(first) = report.hanging_nodes.first().cloned() {
@@ -243,6 +254,16 @@ impl fmt::Display for InputWarning {
                 f,
                 "{} at the same place, as nodes {a} and {b}, but not joined",
                 are(*count, "node pair")
+            ),
+            Self::PinchedNodes { count, first } => write!(
+                f,
+                "walls touch in a single node at {} ({first}{}): a point carries no shear flow, so \
+                 stiffness and stresses there depend on the mesh",
+                match count {
+                    1 => "1 place".to_owned(),
+                    _ => format!("{count} places"),
+                },
+                if *count > 1 { " and others" } else { "" },
             ),
             Self::Slit(seam) => write!(f, "slit: {seam}"),
             Self::HangingNodes { count: 1, first } => write!(f, "slit: {first}"),

@@ -109,6 +109,8 @@ pub struct MeshReport {
     pub hanging_nodes: Vec<HangingNode>,
     /// Sides that nearly touch.
     pub narrow_gaps: Vec<NarrowGap>,
+    /// Tags of nodes that hold walls together which share no side there.
+    pub pinched_nodes: Vec<u64>,
 }
 
 impl SectionMesh {
@@ -191,6 +193,7 @@ impl SectionMesh {
             seams: cells.seams,
             hanging_nodes: cells.hanging,
             narrow_gaps: cells.gaps,
+            pinched_nodes: cells.pinches.into_iter().map(tag).collect(),
         };
         let cell = |(cell, &group): (&Cell, &usize)| {
             SectionCell::new(cell.tag, cell.kind, group, |i| cell.nodes()[i])
