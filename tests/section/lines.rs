@@ -1,7 +1,7 @@
 //! Meshes with lines and sections of laminates along them.
 
 use section_analyzer::material::Material;
-use section_analyzer::mesh::{Lamina, LaminaCell, LaminaSide, add_laminae};
+use section_analyzer::mesh::{Lamina, LaminaCell, LaminaFace, LaminaSide, add_laminae};
 use section_analyzer::section::{CellMaterial, Section};
 use shared_geom::mesh::{Line, LineKind, Mesh, Node, PhysicalGroup};
 use shared_geom::section::InitialCurvature;
@@ -112,20 +112,7 @@ pub fn laminated(
     }
     let solid = mesh.cells.len();
     let found = add_laminae(&mut mesh, &laminae).expect("sound laminates");
-    for face in &found.faces {
-        let name = format!("{}/{}", walls[face.lamina].curve, face.side.name());
-        let group = mesh.group(1, &name).unwrap_or_else(|| {
-            mesh.groups.push(PhysicalGroup {
-                dimension: 1,
-                tag: mesh.groups.len() as i32 + 100,
-                name: Some(name),
-            });
-            mesh.groups.len() - 1
-        });
-        let mut line = face.line.clone();
-        line.groups = group.into();
-        mesh.lines.push(line);
-    }
+    add_faces(&mut mesh, walls, &found.faces);
     let core = CellMaterial {
         material: 0,
         fiber_angle: 0.0,
@@ -148,6 +135,24 @@ pub fn laminated(
         initial_curvature: InitialCurvature::STRAIGHT,
     };
     (section, found.cells)
+}
+
+/// Adds the faces of laminates as curves.
+fn add_faces(mesh: &mut Mesh, walls: &[Wall], faces: &[LaminaFace]) {
+    for face in faces {
+        let name = format!("{}/{}", walls[face.lamina].curve, face.side.name());
+        let group = mesh.group(1, &name).unwrap_or_else(|| {
+            mesh.groups.push(PhysicalGroup {
+                dimension: 1,
+                tag: mesh.groups.len() as i32 + 100,
+                name: Some(name),
+            });
+            mesh.groups.len() - 1
+        });
+        let mut line = face.line.clone();
+        line.groups = group.into();
+        mesh.lines.push(line);
+    }
 }
 
 /// The laminate centered on a curve of lines alone.

@@ -9,7 +9,7 @@ use crate::properties::NoPrestress;
 
 mod words;
 
-use words::{counted, listed, more, strength_keys};
+use words::{counted, known_groups, listed, more, strength_keys};
 pub(super) use words::{nearest_or_all, quoted};
 
 /// A problem of a section input, of the tables it names, or of what it says about
@@ -365,28 +365,9 @@ impl Explain for InputProblem {
             Self::UnknownGroup {
                 kind,
                 group,
-                is_other: true,
-                ..
-            } => Some(match *kind {
-                "curve" => format!("\"{group}\" is a physical surface; give a physical curve"),
-                _ => format!(
-                    "\"{group}\" is a physical curve; give a physical surface, or put plies along \
-                     the curve by [[lamina]]"
-                ),
-            }),
-            Self::UnknownGroup {
-                kind, group, known, ..
-            } => {
-                let all = format!("physical {kind}s of the mesh: {}", quoted(known));
-                let near = nearest_name(group, known.iter().map(String::as_str));
-                Some(match near {
-                    Some(near) => format!("did you mean \"{near}\"? {all}"),
-                    None if known.is_empty() => {
-                        format!("the mesh names no {kind} at all: in gmsh, add a physical {kind}")
-                    }
-                    None => all,
-                })
-            }
+                known,
+                is_other,
+            } => Some(known_groups(kind, group, known, *is_other)),
             Self::GroupWithoutRegion { group, .. } => Some(format!(
                 "add [[region]] with group = \"{group}\" and its material"
             )),

@@ -255,16 +255,7 @@ impl fmt::Display for InputWarning {
                 "{} at the same place, as nodes {a} and {b}, but not joined",
                 are(*count, "node pair")
             ),
-            Self::PinchedNodes { count, first } => write!(
-                f,
-                "walls touch in a single node at {} ({first}{}): a point carries no shear flow, so \
-                 stiffness and stresses there depend on the mesh",
-                match count {
-                    1 => "1 place".to_owned(),
-                    _ => format!("{count} places"),
-                },
-                if *count > 1 { " and others" } else { "" },
-            ),
+            Self::PinchedNodes { count, first } => write!(f, "{}", pinched(*count, *first)),
             Self::Slit(seam) => write!(f, "slit: {seam}"),
             Self::HangingNodes { count: 1, first } => write!(f, "slit: {first}"),
             Self::HangingNodes { count, first } => {
@@ -317,6 +308,18 @@ fn limited(mut warnings: Vec<InputWarning>, what: &'static str) -> Vec<InputWarn
 
 fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Nodes in which walls touch.
+fn pinched(count: usize, first: u64) -> String {
+    let others = match count {
+        1 => String::new(),
+        _ => format!(" and {} more", count - 1),
+    };
+    format!(
+        "walls touch in a single node, {first}{others}: a point carries no shear flow, so that \
+         stiffness and stresses there depend on the mesh"
+    )
 }
 
 fn are(count: usize, what: &str) -> String {

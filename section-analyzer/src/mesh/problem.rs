@@ -363,12 +363,7 @@ impl Explain for MeshProblem {
     fn help(&self) -> Option<String> {
         let help = match self {
             Self::NoCells { curves } if !curves.is_empty() => {
-                let names: Vec<_> = curves.iter().map(|name| format!("\"{name}\"")).collect();
-                return Some(format!(
-                    "mesh the surfaces (gmsh -2) and put them in a physical surface; or, for thin \
-                     walls along the curves {}, give their plies by [[lamina]]",
-                    names.join(", ")
-                ));
+                return Some(give_plies(curves));
             }
             Self::NoCells { .. } => {
                 "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only \
@@ -428,6 +423,16 @@ impl Explain for MeshProblem {
         };
         Some(help.into())
     }
+}
+
+/// What a mesh of lines may be meant for.
+fn give_plies(curves: &[String]) -> String {
+    let names: Vec<_> = curves.iter().map(|name| format!("\"{name}\"")).collect();
+    format!(
+        "mesh the surfaces (gmsh -2) and put them in a physical surface; or, for thin walls along \
+         the curves {}, give their plies by [[lamina]]",
+        names.join(", ")
+    )
 }
 
 /// How the parts of a section are brought together.

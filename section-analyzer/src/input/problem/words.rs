@@ -5,6 +5,28 @@ use shared_geom::error::nearest_name;
 /// How many names a message lists before it counts the rest.
 const NAMES_SHOWN: usize = 5;
 
+/// What may stand in place of a group that the mesh does not have; `is_other` if it has one
+/// of the other kind by this name.
+pub(super) fn known_groups(kind: &str, group: &str, known: &[String], is_other: bool) -> String {
+    if is_other {
+        return match kind {
+            "curve" => format!("\"{group}\" is a physical surface; give a physical curve"),
+            _ => format!(
+                "\"{group}\" is a physical curve; give a physical surface, or put plies along the \
+                 curve by [[lamina]]"
+            ),
+        };
+    }
+    let all = format!("physical {kind}s of the mesh: {}", quoted(known));
+    match nearest_name(group, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean \"{near}\"? {all}"),
+        None if known.is_empty() => {
+            format!("the mesh names no {kind} at all: in gmsh, add a physical {kind}")
+        }
+        None => all,
+    }
+}
+
 /// The keys of a table of strengths, in words.
 pub(super) fn strength_keys(table: &str) -> &'static str {
     match table {

@@ -381,6 +381,16 @@ impl Explain for LaminaProblem {
                 "lines must be longer than the laminate is thick where they meet at an angle, \
                  and radii larger on its inner side"
             }
+            _ => return self.help_with_cells(),
+        };
+        Some(help.to_owned())
+    }
+}
+
+impl LaminaProblem {
+    /// The remedy for cells that do not fit, as far as there is one.
+    fn help_with_cells(&self) -> Option<String> {
+        let help = match self {
             Self::Misshapen { .. } => {
                 "lines must be longer than the laminate is thick where they meet at an angle, and \
                  radii larger on its inner side; check the unit of \"thickness\""
@@ -394,7 +404,7 @@ impl Explain for LaminaProblem {
                  them, and to another laminate at the ends of their lines: let the curves meet \
                  there, or mesh the joint as cells"
             }
-            Self::More { .. } => return None,
+            _ => return None,
         };
         Some(help.to_owned())
     }

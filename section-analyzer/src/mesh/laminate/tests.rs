@@ -338,10 +338,10 @@ fn levels_that_nearly_agree_are_one() {
         laminae[1].thicknesses[1] *= 1.0 + 2.0 * part;
         let found = add_laminae(&mut walls, &laminae).expect("sound");
         assert_eq!(found.cells.len(), cells, "{part}");
-        // the three nodes at the joint are those of both
+        // the nodes at the joint up to 0.2 are those of both
         let [one, other] = [1, 3].map(|cell: usize| walls.cells[cell].nodes());
         assert_eq!(one[1], other[0]);
-        assert_eq!(one[2] == other[3], cells == 4);
+        assert_eq!(one[2], other[3]);
     }
 }
 
