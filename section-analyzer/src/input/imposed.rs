@@ -352,10 +352,7 @@ fn rises(
                 true => "the mesh".to_owned(),
                 false => "the mesh and each line with plies".to_owned(),
             },
-            row: match rows.lines.is_empty() {
-                true => "cell",
-                false => "cell or line",
-            },
+            has_lines: !rows.lines.is_empty(),
             missing: misfit.missing.into(),
             unknown: misfit.unknown.into(),
         };

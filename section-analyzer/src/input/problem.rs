@@ -1,6 +1,6 @@
 //! What can be wrong with a section input, beyond what any input file can have.
 
-use shared_geom::error::{Explain, nearest_name};
+use shared_geom::error::Explain;
 use shared_geom::figure::tick_label;
 use shared_geom::wrench::COMPONENTS;
 
@@ -333,8 +333,8 @@ pub enum InputProblem {
     /// A table with too few or wrong rows.
     #[error(
         "{column} table \"{table}\" has {}, expected {expected}, one for each cell of {users}{}{}",
-        counted(*.found, "row"), listed(&format!("; no {column} for"), .row, .missing),
-        listed("; unknown", .row, .unknown)
+        counted(*.found, "row"), listed(&format!("; no {column} for"), *.has_lines, .missing),
+        listed("; unknown", *.has_lines, .unknown)
     )]
     TableCells {
         /// Heading of the column of values.
@@ -347,8 +347,8 @@ pub enum InputProblem {
         expected: usize,
         /// What takes its values from it: groups, or the mesh.
         users: String,
-        /// What a row stands for: `cell`, or `cell or line`.
-        row: &'static str,
+        /// Whether rows stand for lines too.
+        has_lines: bool,
         /// Cells without a value.
         missing: Box<[u64]>,
         /// Cells that are not among these.

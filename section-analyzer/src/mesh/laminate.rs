@@ -35,9 +35,11 @@ mod segments;
 mod steps;
 mod tees;
 mod told;
+mod words;
 
-pub use problem::{LaminaProblem, Wall};
+pub use problem::LaminaProblem;
 pub use told::of_laminae;
+pub use words::Wall;
 
 use build::Builder;
 use layers::Layers;

@@ -362,13 +362,7 @@ pub(super) fn place([x, y]: [f64; 2]) -> String {
 impl Explain for MeshProblem {
     fn help(&self) -> Option<String> {
         let help = match self {
-            Self::NoCells { curves } if !curves.is_empty() => {
-                return Some(give_plies(curves));
-            }
-            Self::NoCells { .. } => {
-                "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only \
-                 what is in them, so put the surfaces in a physical surface"
-            }
+            Self::NoCells { curves } => return Some(give_cells(curves)),
             Self::OtherPlane { normal, .. } => {
                 let turn = match normal {
                     [1.0, 0.0, 0.0] => "turn it by -120 degrees about the direction (1, 1, 1)",
@@ -425,8 +419,13 @@ impl Explain for MeshProblem {
     }
 }
 
-/// What a mesh of lines may be meant for.
-fn give_plies(curves: &[String]) -> String {
+/// What a mesh without cells lacks; `curves` are its curves with lines.
+fn give_cells(curves: &[String]) -> String {
+    if curves.is_empty() {
+        return "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only what \
+                is in them, so put the surfaces in a physical surface"
+            .to_owned();
+    }
     let names: Vec<_> = curves.iter().map(|name| format!("\"{name}\"")).collect();
     format!(
         "mesh the surfaces (gmsh -2) and put them in a physical surface; or, for thin walls along \

@@ -67,15 +67,16 @@ pub(super) fn more(count: usize) -> String {
 }
 
 /// `lead cells 1, 2, 3 and 4 more`; nothing for no cells.
-pub(super) fn listed(lead: &str, row: &str, cells: &[u64]) -> String {
+pub(super) fn listed(lead: &str, has_lines: bool, cells: &[u64]) -> String {
     if cells.is_empty() {
         return String::new();
     }
     let shown: Vec<_> = cells.iter().take(NAMES_SHOWN).map(u64::to_string).collect();
-    let word = match (cells.len(), row) {
-        (1, row) => row,
-        (_, "cell") => "cells",
-        _ => "cells or lines",
+    let word = match (cells.len(), has_lines) {
+        (1, false) => "cell",
+        (1, true) => "cell or line",
+        (_, false) => "cells",
+        (_, true) => "cells or lines",
     };
     let rest = match cells.len() - shown.len() {
         0 => String::new(),

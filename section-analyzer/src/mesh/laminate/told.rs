@@ -7,8 +7,9 @@ use shared_geom::mesh::Mesh;
 
 use super::super::findings::CellOverlap;
 use super::super::problem::MeshProblem;
-use super::problem::{LaminaProblem, Wall, limited};
+use super::problem::{LaminaProblem, limited};
 use super::segments::label;
+use super::words::Wall;
 use super::{Lamina, LaminaCell, Laminated};
 
 type Told = (usize, LaminaProblem);
