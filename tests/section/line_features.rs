@@ -88,7 +88,11 @@ fn boxes() -> [Section; 2] {
         ..orthotropic(PLY)
     };
     let plies = wound(t);
-    let lines = alone(&polygon(&corners(HALF), t), &[material.clone()], &plies);
+    let lines = alone(
+        &polygon(&corners(HALF), t),
+        std::slice::from_ref(&material),
+        &plies,
+    );
     let mut solid = solid_box(t, &plies, &material);
     solid.mesh.curves.push(outer(&solid, t));
     let line = InitialCurvature {
@@ -96,7 +100,7 @@ fn boxes() -> [Section; 2] {
         ..InitialCurvature::STRAIGHT
     };
     [lines, solid].map(|section| Section {
-        initial_curvature: line.clone(),
+        initial_curvature: line,
         ..section
     })
 }
