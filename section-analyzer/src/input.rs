@@ -21,7 +21,7 @@ use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
-use crate::mesh::{DoubledNodes, Laminated, MeshReport, SectionMesh};
+use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
 use crate::section::{DistributedLoad, ImposedStrain, Section};
@@ -56,8 +56,8 @@ use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
 use distributed::WrittenDistribution;
 use files::Files;
-use imposed::WrittenStates;
-use laminae::WrittenLamina;
+use imposed::{Rows, WrittenStates};
+use laminae::{Added, WrittenLamina};
 use materials::WrittenMaterial;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
@@ -183,14 +183,13 @@ impl WrittenSection {
             region_of_cell: &meshed.region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
-        let distributed = self.distributed(document, &meshed.mesh, section_mesh);
-        let tags: Vec<_> = meshed.mesh.cells.iter().map(|cell| cell.tag).collect();
-        let rises = self.states.rises(document, files, &tags);
+        let distributed = self.distributed(document, &meshed);
+        let rises = self.states.rises(document, files, &meshed.rows());
         let materials = self.materials.iter();
         let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
         let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
         let (section_mesh, mut report) = meshed.checked?;
-        let (mut cells, laminated) = (cells?, meshed.laminated?);
+        let (mut cells, laminated) = (cells?, meshed.added.cells?.laminated);
         let of_plies = &of_region[self.regions.len()..];
         cells.extend(laminae::cells(&self.laminae, &laminated, of_plies)?);
         report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
@@ -231,13 +230,10 @@ impl WrittenSection {
         let mut mesh = read_mesh(document, files, mesh_key)?;
         let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
         let unit = document.factor(Dimension::LENGTH);
-        let laminated = laminae::add(document, &mut mesh, &self.laminae, unit);
+        let added = laminae::add(document, &mut mesh, &self.laminae, unit);
         let place = Place::file(files.path(mesh_key).display().to_string());
-        // without its laminates the section may well be in parts
-        let checked = laminated.as_ref().and_then(|_| {
-            let checked = SectionMesh::from_mesh_with(&mesh, unit, self.doubled_nodes, &place);
-            document.keep(checked)
-        });
+        let how = (unit, self.doubled_nodes, &place);
+        let checked = added.checked(document, &mesh, &self.laminae, how);
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
         if let Some(Err(problem)) = section_mesh.map(extent::check) {
             document.note(mesh_key.line, &problem);
@@ -245,7 +241,7 @@ impl WrittenSection {
         Some(Meshed {
             mesh,
             region_of_cell,
-            laminated,
+            added,
             checked,
         })
     }
@@ -256,11 +252,19 @@ struct Meshed {
     mesh: Mesh,
     /// Region of each cell that is not part of a laminate, where it has one.
     region_of_cell: Vec<Option<usize>>,
-    /// The cells of the laminates, behind the others; `None` when something is wrong
-    /// with them.
-    laminated: Option<Laminated>,
+    /// The laminates, whose cells are behind the others.
+    added: Added,
     /// The mesh in meters, when it is sound.
     checked: Option<(SectionMesh, MeshReport)>,
+}
+
+impl Meshed {
+    /// What rows of tables may name.
+    fn rows(&self) -> Option<Rows> {
+        let tags = self.mesh.cells.iter().map(|cell| cell.tag).collect();
+        let lines = laminae::lines_of_cells(self.added.laminated()?);
+        Some(Rows { tags, lines })
+    }
 }
 
 impl WrittenSection {
@@ -273,14 +277,11 @@ impl WrittenSection {
     }
 
     /// The loads along the beam on the mesh; `None` when anything is wrong with one.
-    fn distributed(
-        &self,
-        document: &Document,
-        mesh: &Mesh,
-        section_mesh: Option<&SectionMesh>,
-    ) -> Option<Vec<DistributedLoad>> {
+    fn distributed(&self, document: &Document, meshed: &Meshed) -> Option<Vec<DistributedLoad>> {
+        let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
+        let (mesh, faces) = (&meshed.mesh, &meshed.added.faces);
         let loads = self.loads.iter();
-        let loads = loads.map(|(_, load)| load.on_mesh(document, mesh, section_mesh));
+        let loads = loads.map(|(_, load)| load.on_mesh(document, mesh, section_mesh, faces));
         // every load is looked at before the first wrong one ends the search
         let loads: Vec<_> = loads.collect();
         loads.into_iter().collect()

@@ -26,7 +26,7 @@ use crate::sections::{
 const CELLS: &str = "Cells of the same geometry";
 const BREDT: &str = "Bredt's thin closed walls";
 
-const PLY: EngineeringConstants = EngineeringConstants {
+pub const PLY: EngineeringConstants = EngineeringConstants {
     e1: 142e9,
     e2: 9.8e9,
     e3: 9.8e9,
@@ -62,7 +62,7 @@ fn around(section: &mut Section, fiber_angle: impl Fn(f64) -> f64) {
 }
 
 /// Two plies, the inner one wound at 20 and the outer one at 50 degrees.
-fn wound(thickness: f64) -> [Ply; 2] {
+pub fn wound(thickness: f64) -> [Ply; 2] {
     [
         (0.5 * thickness, 20_f64.to_radians(), 0),
         (0.5 * thickness, 50_f64.to_radians(), 0),
@@ -143,10 +143,10 @@ fn check_orders(case: &str, what: &str, errors: [f64; 3], least: f64) {
     }
 }
 
-const HALF: [f64; 2] = [0.05, 0.025];
+pub const HALF: [f64; 2] = [0.05, 0.025];
 
 /// The corners of the middle of a box, clockwise.
-fn corners([y, z]: [f64; 2]) -> [[f64; 2]; 5] {
+pub fn corners([y, z]: [f64; 2]) -> [[f64; 2]; 5] {
     [[-y, -z], [-y, z], [y, z], [y, -z], [-y, -z]]
 }
 
@@ -190,7 +190,7 @@ fn box_of_cells(first: f64, levels: &[f64]) -> Quads {
     shape
 }
 
-fn solid_box(thickness: f64, plies: &[Ply], material: &Material) -> Section {
+pub fn solid_box(thickness: f64, plies: &[Ply], material: &Material) -> Section {
     let levels: Vec<f64> = steps(-0.5 * thickness, 0.5 * thickness, plies.len());
     let mesh = box_of_cells(thickness, &levels).mesh(|_| CellKind::Quadrilateral9);
     let mesh = section_mesh(&mesh);

@@ -1,7 +1,7 @@
 //! Meshes with lines and sections of laminates along them.
 
 use section_analyzer::material::Material;
-use section_analyzer::mesh::{Lamina, LaminaCell, LaminaSide, add_laminae};
+use section_analyzer::mesh::{Lamina, LaminaCell, LaminaFace, LaminaSide, add_laminae};
 use section_analyzer::section::{CellMaterial, Section};
 use shared_geom::mesh::{Line, LineKind, Mesh, Node, PhysicalGroup};
 use shared_geom::section::InitialCurvature;
@@ -85,7 +85,8 @@ pub fn graded_to_ends(length: f64, first: f64) -> Vec<f64> {
 }
 
 /// The section of `mesh` with these laminates, and what each of their cells is part of;
-/// the cells of the mesh itself are of the first material, unturned.
+/// the cells of the mesh itself are of the first material, unturned. The faces are the
+/// curves `CURVE/left` and `CURVE/right`.
 pub fn laminated(
     mut mesh: Mesh,
     materials: &[Material],
@@ -111,6 +112,7 @@ pub fn laminated(
     }
     let solid = mesh.cells.len();
     let found = add_laminae(&mut mesh, &laminae).expect("sound laminates");
+    add_faces(&mut mesh, walls, &found.faces);
     let core = CellMaterial {
         material: 0,
         fiber_angle: 0.0,
@@ -133,6 +135,24 @@ pub fn laminated(
         initial_curvature: InitialCurvature::STRAIGHT,
     };
     (section, found.cells)
+}
+
+/// Adds the faces of laminates as curves.
+fn add_faces(mesh: &mut Mesh, walls: &[Wall], faces: &[LaminaFace]) {
+    for face in faces {
+        let name = format!("{}/{}", walls[face.lamina].curve, face.side.name());
+        let group = mesh.group(1, &name).unwrap_or_else(|| {
+            mesh.groups.push(PhysicalGroup {
+                dimension: 1,
+                tag: mesh.groups.len() as i32 + 100,
+                name: Some(name),
+            });
+            mesh.groups.len() - 1
+        });
+        let mut line = face.line.clone();
+        line.groups = group.into();
+        mesh.lines.push(line);
+    }
 }
 
 /// The laminate centered on a curve of lines alone.

@@ -12,6 +12,7 @@ mod gmsh_pairs;
 mod imposed;
 mod invariances;
 mod line_cells;
+mod line_features;
 mod lines;
 mod outside_matrices;
 mod prestress;

@@ -7,6 +7,7 @@ use shared_geom::mesh::Mesh;
 use shared_geom::units::Dimension;
 
 use super::groups;
+use super::laminae::Faces;
 use super::regions::{Written, name};
 use crate::mesh::{Bank, CurveSide, SectionMesh};
 use crate::section::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
@@ -182,23 +183,26 @@ impl WrittenDistribution {
     }
 
     /// The load on the mesh; `None` when anything is wrong with it, which has been noted.
-    /// `section_mesh` is `mesh` in meters, when that is sound.
+    /// `section_mesh` is `mesh` in meters, when that is sound; `faces` are those of its
+    /// laminates.
     pub fn on_mesh(
         &self,
         document: &Document,
         mesh: &Mesh,
         section_mesh: Option<&SectionMesh>,
+        faces: &Faces,
     ) -> Option<DistributedLoad> {
         // every part is looked at before the first wrong one ends the search
         let parts = self.parts.iter().map(|part| {
             let part = part.as_ref()?;
             let action = match &part.place {
                 WrittenPlace::Curve(curve, traction) => Action::Traction {
-                    sides: sides(document, mesh, section_mesh, curve, traction)?,
+                    sides: sides(document, mesh, section_mesh, faces, (curve, traction))?,
                     traction: *traction,
                 },
                 WrittenPlace::Region(region, force) => Action::Volume {
                     group: match region {
+                        Some(region) if faces.is_open(&region.text) => return None,
                         Some(region) => Some(group(document, mesh, section_mesh, region)?),
                         None => None,
                     },
@@ -219,9 +223,12 @@ fn sides(
     document: &Document,
     mesh: &Mesh,
     section_mesh: Option<&SectionMesh>,
-    written: &Written,
-    traction: &Traction,
+    faces: &Faces,
+    (written, traction): (&Written, &Traction),
 ) -> Option<Vec<CurveSide>> {
+    if faces.is_open(&written.text) {
+        return None;
+    }
     let group = groups::curve(document, mesh, written)?;
     let label = mesh.groups[group].label();
     let section_mesh = section_mesh?;
@@ -233,6 +240,7 @@ fn sides(
                 curve: written.text.clone(),
                 line: line.tag,
                 at: [0, 1].map(|axis| 0.5 * (line.first[axis] + line.second[axis])),
+                faces: faces.on(&label),
             };
             document.note(written.line, &problem);
             return None;
@@ -244,6 +252,7 @@ fn sides(
             let problem = DistributedProblem::Inside {
                 curve: written.text.clone(),
                 line: side.tag,
+                faces: faces.on(&label),
             };
             document.note(written.line, &problem);
             None

@@ -29,6 +29,9 @@ fn find(document: &Document, mesh: &Mesh, dimension: u8, written: &Written) -> O
             kind: word(dimension),
             group: written.text.clone(),
             known: of_dimension.map(PhysicalGroup::label).collect(),
+            is_other: mesh
+                .group(SURFACE + CURVE - dimension, &written.text)
+                .is_some(),
         };
         document.note(written.line, &problem);
     }

@@ -201,6 +201,29 @@ fn region_strain(table: &Table<'_>) -> Option<RegionStrain> {
     })
 }
 
+/// What the rows of a table may name.
+#[derive(Debug)]
+pub(super) struct Rows {
+    /// The tag of every cell, those of laminates last.
+    pub tags: Vec<u64>,
+    /// The tag of the line of each cell of a laminate, in their order.
+    pub lines: Vec<u64>,
+}
+
+impl Rows {
+    /// The row of each cell: its own, or for one of a laminate that of its line.
+    fn keys(&self, table: &CellTable) -> Vec<u64> {
+        let solid = self.tags.len().saturating_sub(self.lines.len());
+        let (cells, plies) = self.tags.split_at(solid);
+        let of_plies = plies.iter().zip(&self.lines);
+        let of_plies = of_plies.map(|(&own, &line)| match table.value(own) {
+            Some(_) => own,
+            None => line,
+        });
+        cells.iter().copied().chain(of_plies).collect()
+    }
+}
+
 impl WrittenStates {
     /// Names of the states of a kind, `temperature` or `initial_strain`.
     pub fn names(&self, kind: &str) -> Vec<String> {
@@ -251,16 +274,16 @@ impl WrittenStates {
     }
 
     /// The rises of every table, by cell; `None` for a temperature without table. Notes
-    /// tables whose rows are not those of the cells, which have the given tags.
+    /// tables whose rows are not those of the mesh; `rows` is `None` while that is not known.
     pub fn rises(
         &self,
         document: &Document,
         files: &mut Files<'_>,
-        tags: &[u64],
+        rows: &Option<Rows>,
     ) -> Option<Vec<Option<Vec<f64>>>> {
         let mut of_state = |state: &WrittenState<Temperature>| match state.content.as_ref()? {
             Temperature::Linear(_) => Some(None),
-            Temperature::Table(written) => rises(document, files, tags, written).map(Some),
+            Temperature::Table(written) => rises(document, files, rows.as_ref(), written).map(Some),
         };
         // Every table is read before the first wrong one ends the reading.
         let found: Vec<_> = self.temperatures.iter().map(&mut of_state).collect();
@@ -310,20 +333,26 @@ fn names<T>(states: &[WrittenState<T>]) -> Vec<String> {
 fn rises(
     document: &Document,
     files: &mut Files<'_>,
-    tags: &[u64],
+    rows: Option<&Rows>,
     written: &Written,
 ) -> Option<Vec<f64>> {
     let path = files.path(written);
     let text = files.read_text("temperature table", &path, written)?;
     let table = document.keep(CellTable::parse(&text, &path, &RISE))?;
-    let cells: BTreeSet<_> = tags.iter().copied().collect();
-    if let Some(misfit) = table.misfit(&cells) {
+    let rows = rows?;
+    let keys = rows.keys(&table);
+    let expected: BTreeSet<_> = keys.iter().copied().collect();
+    if let Some(misfit) = table.misfit(&expected) {
         let problem = InputProblem::TableCells {
             column: RISE.heading,
             table: written.text.clone(),
             found: table.len(),
-            expected: cells.len(),
-            users: "the mesh".to_owned(),
+            expected: expected.len(),
+            users: match rows.lines.is_empty() {
+                true => "the mesh".to_owned(),
+                false => "the mesh and each line with plies".to_owned(),
+            },
+            has_lines: !rows.lines.is_empty(),
             missing: misfit.missing.into(),
             unknown: misfit.unknown.into(),
         };
@@ -331,7 +360,7 @@ fn rises(
         return None;
     }
     let unit = document.factor(Dimension::TEMPERATURE);
-    tags.iter()
+    keys.iter()
         .map(|&tag| Some(unit * table.value(tag)?))
         .collect()
 }

@@ -1,14 +1,22 @@
 //! Laminates along curves as written, and their cells in the mesh.
 
 use shared_geom::document::{Document, Table};
+use shared_geom::error::{Diagnostics, Place};
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 use shared_geom::units::Dimension;
 
 use super::groups;
 use super::problem::InputProblem;
 use super::regions::{Written, WrittenAngle, WrittenRegion, constant_angle, name};
-use crate::mesh::{Lamina, LaminaSide, Laminated, add_laminae};
+use crate::mesh::{
+    DoubledNodes, Lamina, LaminaProblem, LaminaSide, Laminated, MeshReport, SectionMesh,
+    add_laminae, of_laminae,
+};
 use crate::section::CellMaterial;
+
+mod faces;
+
+pub(super) use faces::Faces;
 
 const SIDES: [LaminaSide; 3] = [LaminaSide::Left, LaminaSide::Right, LaminaSide::Center];
 /// Keys of a laminate of one ply, which exclude a list of plies.
@@ -107,10 +115,15 @@ fn ply(table: &Table<'_>) -> WrittenPly {
 }
 
 impl WrittenLamina {
+    /// Its name, or that of its curve.
+    fn called(&self) -> Option<&str> {
+        let name = self.name.as_ref().or(self.curve.as_ref());
+        name.map(|name| name.text.as_str())
+    }
+
     /// What its cells are called: its name, with a number for each of several plies.
     fn labels(&self) -> Vec<String> {
-        let name = self.name.as_ref().or(self.curve.as_ref());
-        let name = name.map_or("?", |name| name.text.as_str());
+        let name = self.called().unwrap_or("?");
         let count = self.plies.as_ref().map_or(0, Vec::len);
         match count {
             1 => vec![name.to_owned()],
@@ -151,33 +164,112 @@ pub(super) fn regions(laminae: &[WrittenLamina]) -> Vec<WrittenRegion> {
 }
 
 /// Adds the cells of the laminates to the mesh, whose unit of length is
-/// `meters_per_unit`; `None` when anything was noted.
+/// `meters_per_unit`, and their faces; without cells when anything was noted.
 pub(super) fn add(
     document: &Document,
     mesh: &mut Mesh,
     laminae: &[WrittenLamina],
     meters_per_unit: f64,
-) -> Option<Laminated> {
-    let is_free = names_are_free(document, mesh, laminae);
-    // Every laminate is looked at before the first wrong one ends the search.
-    let found: Vec<_> = laminae
-        .iter()
-        .map(|lamina| {
-            let curve = groups::curve(document, mesh, lamina.curve.as_ref()?)?;
-            let plies = lamina.plies.as_ref()?.iter();
-            let thicknesses = plies.map(|ply| Some(ply.thickness? / meters_per_unit));
-            Some(Lamina {
-                curve,
-                side: lamina.side,
-                thicknesses: thicknesses.collect::<Option<_>>()?,
-                groups: Vec::new(),
-            })
-        })
-        .collect();
-    let mut found: Vec<Lamina> = found.into_iter().collect::<Option<_>>()?;
-    if !is_free {
-        return None;
+) -> Added {
+    let found = found(document, mesh, laminae, meters_per_unit);
+    let names = Names::check(document, mesh, laminae, &found);
+    let found: Option<Vec<Lamina>> = found.into_iter().collect();
+    let made = found.filter(|_| names.are_free).and_then(|mut found| {
+        add_groups(mesh, laminae, &mut found);
+        Some((made(document, mesh, laminae, &found)?, found))
+    });
+    match made {
+        Some((laminated, found)) if names.are_told_apart(document) => {
+            let faces = Faces::add(mesh, laminae, &found, &laminated);
+            let cells = Some(Made { found, laminated });
+            Added { cells, faces }
+        }
+        _ => Added {
+            cells: None,
+            faces: Faces::unknown(laminae),
+        },
     }
+}
+
+/// What laminates were made of and what they became.
+#[derive(Debug)]
+pub(super) struct Made {
+    found: Vec<Lamina>,
+    pub laminated: Laminated,
+}
+
+/// What [`add`] made.
+#[derive(Debug)]
+pub(super) struct Added {
+    /// `None` when anything was noted.
+    pub cells: Option<Made>,
+    pub faces: Faces,
+}
+
+impl Added {
+    /// The cells, if they could be made.
+    pub fn laminated(&self) -> Option<&Laminated> {
+        self.cells.as_ref().map(|made| &made.laminated)
+    }
+
+    /// The mesh with the laminates in meters, if it is sound; what is wrong with plies is
+    /// noted where these are written, all else at the mesh.
+    pub fn checked(
+        &self,
+        document: &Document,
+        mesh: &Mesh,
+        laminae: &[WrittenLamina],
+        (unit, doubled_nodes, place): (f64, DoubledNodes, &Place),
+    ) -> Option<(SectionMesh, MeshReport)> {
+        // without its laminates the section may well be in parts
+        let made = self.cells.as_ref()?;
+        let problems = match SectionMesh::checked(mesh, unit, doubled_nodes) {
+            Ok(checked) => return Some(checked),
+            Err(problems) => problems,
+        };
+        let (own, told) = of_laminae(mesh, &made.found, &made.laminated, problems);
+        note(document, laminae, told);
+        let mut diagnostics = Diagnostics::new();
+        for problem in &own {
+            diagnostics.push(place.clone(), problem);
+        }
+        document.keep::<()>(diagnostics.into_result(()));
+        None
+    }
+}
+
+/// Notes problems of laminates where their curves are written.
+fn note(document: &Document, laminae: &[WrittenLamina], problems: Vec<(usize, LaminaProblem)>) {
+    for (lamina, problem) in problems {
+        let line = laminae[lamina].curve.as_ref().map_or(0, |curve| curve.line);
+        document.note(line, &problem);
+    }
+}
+
+/// The laminates on the curves of the mesh, as far as they are known; every one is looked
+/// at.
+fn found(
+    document: &Document,
+    mesh: &Mesh,
+    laminae: &[WrittenLamina],
+    meters_per_unit: f64,
+) -> Vec<Option<Lamina>> {
+    let of_mesh = |lamina: &WrittenLamina| {
+        let curve = groups::curve(document, mesh, lamina.curve.as_ref()?)?;
+        let plies = lamina.plies.as_ref()?.iter();
+        let thicknesses = plies.map(|ply| Some(ply.thickness? / meters_per_unit));
+        Some(Lamina {
+            curve,
+            side: lamina.side,
+            thicknesses: thicknesses.collect::<Option<_>>()?,
+            groups: Vec::new(),
+        })
+    };
+    laminae.iter().map(of_mesh).collect()
+}
+
+/// Adds a physical surface for each ply.
+fn add_groups(mesh: &mut Mesh, laminae: &[WrittenLamina], found: &mut [Lamina]) {
     for (lamina, written) in found.iter_mut().zip(laminae) {
         for label in written.labels() {
             lamina.groups.push(mesh.groups.len());
@@ -190,33 +282,82 @@ pub(super) fn add(
             });
         }
     }
-    match add_laminae(mesh, &found) {
+}
+
+fn made(
+    document: &Document,
+    mesh: &mut Mesh,
+    laminae: &[WrittenLamina],
+    found: &[Lamina],
+) -> Option<Laminated> {
+    match add_laminae(mesh, found) {
         Ok(laminated) => Some(laminated),
         Err(problems) => {
-            for (lamina, problem) in problems {
-                let line = laminae[lamina].curve.as_ref().map_or(0, |curve| curve.line);
-                document.note(line, &problem);
-            }
+            note(document, laminae, problems);
             None
         }
     }
 }
 
-/// Notes names of laminates that surfaces or other laminates have.
-fn names_are_free(document: &Document, mesh: &Mesh, laminae: &[WrittenLamina]) -> bool {
-    let surfaces = mesh.groups.iter().filter(|group| group.dimension == 2);
-    let mut taken: Vec<String> = surfaces.map(PhysicalGroup::label).collect();
-    let mut is_free = true;
-    for lamina in laminae {
-        let labels = lamina.labels();
-        if let Some(label) = labels.iter().find(|label| taken.contains(label)) {
-            let name = label.clone();
-            document.note(lamina.line(), &InputProblem::LaminaName { name });
-            is_free = false;
+/// What laminates are called.
+struct Names {
+    /// Whether no name was noted as taken.
+    are_free: bool,
+    /// Lines and names of laminates without a name of their own on a curve that another
+    /// one has too: first it is to be seen whether they fit there.
+    twice: Vec<(usize, String)>,
+}
+
+impl Names {
+    /// Notes names that surfaces or other laminates have; those of laminates whose curve is
+    /// not known are no names.
+    fn check(
+        document: &Document,
+        mesh: &Mesh,
+        laminae: &[WrittenLamina],
+        found: &[Option<Lamina>],
+    ) -> Self {
+        let surfaces = mesh.groups.iter().filter(|group| group.dimension == 2);
+        let surfaces: Vec<String> = surfaces.map(PhysicalGroup::label).collect();
+        let mut taken: Vec<(String, Option<&str>)> =
+            surfaces.into_iter().map(|label| (label, None)).collect();
+        let mut names = Self {
+            are_free: true,
+            twice: Vec::new(),
+        };
+        for (lamina, found) in laminae.iter().zip(found) {
+            if lamina.name.is_none() && found.is_none() {
+                continue;
+            }
+            // the curve that gives the name, if it is one
+            let curve = lamina.curve.as_ref().filter(|_| lamina.name.is_none());
+            let curve = curve.map(|curve| curve.text.as_str());
+            let labels = lamina.labels();
+            let same = taken.iter().find(|(label, _)| labels.contains(label));
+            match same {
+                None => {}
+                Some((name, of)) if curve.is_some() && *of == curve => {
+                    names.twice.push((lamina.line(), name.clone()));
+                }
+                Some((name, _)) => {
+                    let name = name.clone();
+                    document.note(lamina.line(), &InputProblem::LaminaName { name });
+                    names.are_free = false;
+                }
+            }
+            taken.extend(labels.into_iter().map(|label| (label, curve)));
         }
-        taken.extend(labels);
+        names
     }
-    is_free
+
+    /// Notes what several laminates on one curve are called, if it is the same.
+    fn are_told_apart(self, document: &Document) -> bool {
+        let is_told = self.twice.is_empty();
+        for (line, name) in self.twice {
+            document.note(line, &InputProblem::LaminaName { name });
+        }
+        is_told
+    }
 }
 
 /// The index of the region of each cell of the laminates, of those that [`regions`] has.
@@ -229,6 +370,11 @@ pub(super) fn region_of_cells(laminae: &[WrittenLamina], laminated: &Laminated) 
     }
     let cells = laminated.cells.iter();
     cells.map(|cell| first[cell.lamina] + cell.ply).collect()
+}
+
+/// The tag of the line of each cell of the laminates.
+pub(super) fn lines_of_cells(laminated: &Laminated) -> Vec<u64> {
+    laminated.cells.iter().map(|cell| cell.line).collect()
 }
 
 /// Material and angles of the cells of the laminates, where `materials` are those of

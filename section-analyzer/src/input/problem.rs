@@ -1,14 +1,16 @@
 //! What can be wrong with a section input, beyond what any input file can have.
 
-use shared_geom::error::{Explain, nearest_name};
+use shared_geom::error::Explain;
 use shared_geom::figure::tick_label;
 use shared_geom::wrench::COMPONENTS;
 
 use crate::material::{MaterialProblem, StrengthProblem};
 use crate::properties::NoPrestress;
 
-/// How many names a message lists before it counts the rest.
-const NAMES_SHOWN: usize = 5;
+mod words;
+
+use words::{counted, known_groups, listed, more, strength_keys};
+pub(super) use words::{nearest_or_all, quoted};
 
 /// A problem of a section input, of the tables it names, or of what it says about
 /// its mesh.
@@ -206,6 +208,8 @@ pub enum InputProblem {
         group: String,
         /// The groups of this kind in the mesh.
         known: Vec<String>,
+        /// Whether a group of the other kind has this name.
+        is_other: bool,
     },
     /// A group that names nothing.
     #[error("physical {kind} \"{group}\" has no {content} in the mesh, expected at least one")]
@@ -329,8 +333,8 @@ pub enum InputProblem {
     /// A table with too few or wrong rows.
     #[error(
         "{column} table \"{table}\" has {}, expected {expected}, one for each cell of {users}{}{}",
-        counted(*.found, "row"), listed(&format!("; no {column} for"), .missing),
-        listed("; unknown", .unknown)
+        counted(*.found, "row"), listed(&format!("; no {column} for"), *.has_lines, .missing),
+        listed("; unknown", *.has_lines, .unknown)
     )]
     TableCells {
         /// Heading of the column of values.
@@ -343,6 +347,8 @@ pub enum InputProblem {
         expected: usize,
         /// What takes its values from it: groups, or the mesh.
         users: String,
+        /// Whether rows stand for lines too.
+        has_lines: bool,
         /// Cells without a value.
         missing: Box<[u64]>,
         /// Cells that are not among these.
@@ -356,17 +362,12 @@ impl Explain for InputProblem {
             Self::UnknownMaterial {
                 material, known, ..
             } => Some(nearest_or_all(material, known, "materials of the file")),
-            Self::UnknownGroup { kind, group, known } => {
-                let all = format!("physical {kind}s of the mesh: {}", quoted(known));
-                let near = nearest_name(group, known.iter().map(String::as_str));
-                Some(match near {
-                    Some(near) => format!("did you mean \"{near}\"? {all}"),
-                    None if known.is_empty() => {
-                        format!("the mesh names no {kind} at all: in gmsh, add a physical {kind}")
-                    }
-                    None => all,
-                })
-            }
+            Self::UnknownGroup {
+                kind,
+                group,
+                known,
+                is_other,
+            } => Some(known_groups(kind, group, known, *is_other)),
             Self::GroupWithoutRegion { group, .. } => Some(format!(
                 "add [[region]] with group = \"{group}\" and its material"
             )),
@@ -438,57 +439,4 @@ impl InputProblem {
             _ => None,
         }
     }
-}
-
-/// The keys of a table of strengths, in words.
-fn strength_keys(table: &str) -> &'static str {
-    match table {
-        "strength" => "\"xt\" to \"s23\", \"tension\" to \"shear\", or \"yield\"",
-        _ => "\"xt\" to \"s23\", or \"tension\" to \"shear\"",
-    }
-}
-
-pub(super) fn nearest_or_all(found: &str, known: &[String], what: &str) -> String {
-    match nearest_name(found, known.iter().map(String::as_str)) {
-        Some(near) => format!("did you mean \"{near}\"?"),
-        None if known.is_empty() => format!("{what}: none"),
-        None => format!("{what}: {}", quoted(known)),
-    }
-}
-
-/// Names in quotes, joined by commas; "none" for none.
-pub(super) fn quoted(names: &[String]) -> String {
-    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
-    match names.is_empty() {
-        true => "none".to_owned(),
-        false => names.join(", "),
-    }
-}
-
-fn counted(count: usize, what: &str) -> String {
-    match count {
-        1 => format!("1 {what}"),
-        _ => format!("{count} {what}s"),
-    }
-}
-
-fn more(count: usize) -> String {
-    match count {
-        1 => "1 more row".to_owned(),
-        _ => format!("{count} more rows"),
-    }
-}
-
-/// `lead cells 1, 2, 3 and 4 more`; nothing for no cells.
-fn listed(lead: &str, cells: &[u64]) -> String {
-    if cells.is_empty() {
-        return String::new();
-    }
-    let shown: Vec<_> = cells.iter().take(NAMES_SHOWN).map(u64::to_string).collect();
-    let word = if cells.len() == 1 { "cell" } else { "cells" };
-    let rest = match cells.len() - shown.len() {
-        0 => String::new(),
-        rest => format!(" and {rest} more"),
-    };
-    format!("{lead} {word} {}{rest}", shown.join(", "))
 }

@@ -58,7 +58,10 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenRegion> {
 
 /// A required name, or a number that stands for one.
 pub(super) fn name(table: &Table<'_>, key: &str, expected: &str) -> Option<Written> {
-    let text = if table.has(key) && !table.is_text(key) {
+    let text = if table.is_list(key) || table.is_table(key) {
+        table.wrong(key, expected);
+        return None;
+    } else if table.has(key) && !table.is_text(key) {
         table.count(key)?.to_string()
     } else {
         table.require_text(key, expected)?

@@ -141,6 +141,13 @@ pub enum InputWarning {
         /// Tags of the first pair.
         first: [u64; 2],
     },
+    /// Walls that touch in a node alone.
+    PinchedNodes {
+        /// Number of nodes.
+        count: usize,
+        /// Tag of the first.
+        first: u64,
+    },
     /// A slit: cells touch along sides with nodes of their own.
     Slit(Seam),
     /// Nodes that hang on sides of other cells.
@@ -201,6 +208,10 @@ impl InputWarning {
             let count = alone.len();
             warnings.push(Self::CoincidentNodes { count, first });
         }
+        if let Some(&first) = report.pinched_nodes.first() {
+            let count = report.pinched_nodes.len();
+            warnings.push(Self::PinchedNodes { count, first });
+        }
         let slits = report.seams.iter().cloned().map(Self::Slit);
         warnings.extend(limited(slits.collect(), "slits"));
         if let Some(first) = report.hanging_nodes.first().cloned() {
@@ -249,6 +260,7 @@ impl fmt::Display for InputWarning {
                 "{} at the same place, as nodes {a} and {b}, but not joined",
                 are(*count, "node pair")
             ),
+            Self::PinchedNodes { count, first } => write!(f, "{}", pinched(*count, *first)),
             Self::Slit(seam) => write!(f, "slit: {seam}"),
             Self::HangingNodes { count: 1, first } => write!(f, "slit: {first}"),
             Self::HangingNodes { count, first } => {
@@ -307,6 +319,18 @@ fn limited(mut warnings: Vec<InputWarning>, what: &'static str) -> Vec<InputWarn
 
 fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Nodes in which walls touch.
+fn pinched(count: usize, first: u64) -> String {
+    let others = match count {
+        1 => String::new(),
+        _ => format!(" and {} more", count - 1),
+    };
+    format!(
+        "walls touch in a single node, {first}{others}: a point carries no shear flow, so that \
+         stiffness and stresses there depend on the mesh"
+    )
 }
 
 fn are(count: usize, what: &str) -> String {

@@ -85,6 +85,7 @@ impl Tables {
                     found: table.len(),
                     expected: table_use.cells.len(),
                     users: quoted(&table_use.groups),
+                    has_lines: false,
                     missing: misfit.missing.into(),
                     unknown: misfit.unknown.into(),
                 };

@@ -175,6 +175,19 @@ impl Boundary {
         Self { sides, of_cell }
     }
 
+    /// Nodes where walls touch that share no side there: the boundary passes them more
+    /// than once. `count` is the number of all nodes.
+    pub(super) fn pinches(&self, count: usize) -> Vec<u32> {
+        let mut passing = vec![0_u32; count];
+        for side in &self.sides {
+            // each passage enters and leaves
+            passing[side.ends[0] as usize] += 1;
+        }
+        let nodes = (0..).zip(passing);
+        let pinched = nodes.filter(|&(_, passing)| passing > 1);
+        pinched.map(|(node, _)| node).collect()
+    }
+
     /// The numbers of the sides of a cell.
     pub(super) fn of_cell(&self, cell: usize) -> std::ops::Range<usize> {
         self.of_cell[cell] as usize..self.of_cell[cell + 1] as usize

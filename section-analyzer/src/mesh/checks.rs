@@ -24,6 +24,8 @@ pub(super) struct CheckedCells {
     pub(super) seams: Vec<Seam>,
     pub(super) hanging: Vec<HangingNode>,
     pub(super) gaps: Vec<NarrowGap>,
+    /// Nodes where walls touch that share no side there.
+    pub(super) pinches: Vec<u32>,
 }
 
 /// Turns the cells counterclockwise and states that they fit and hold together.
@@ -81,6 +83,7 @@ pub(super) fn check_cells(
             seams,
             hanging,
             gaps: contacts.gaps,
+            pinches: boundary.pinches(plane.nodes.len()),
         }),
         false => Err(problems),
     }

@@ -25,6 +25,8 @@ use shared_geom::mesh::{Line, Mesh};
 use super::plane::check_references;
 
 mod build;
+mod faces;
+mod fits;
 mod joints;
 mod layers;
 mod mitre;
@@ -32,8 +34,12 @@ mod problem;
 mod segments;
 mod steps;
 mod tees;
+mod told;
+mod words;
 
 pub use problem::LaminaProblem;
+pub use told::of_laminae;
+pub use words::Wall;
 
 use build::Builder;
 use layers::Layers;
@@ -85,6 +91,20 @@ pub struct LaminaCell {
     pub ply: usize,
     /// Direction of the line halfway along the cell, from +y \[rad\].
     pub direction: f64,
+    /// Tag of its line in the mesh file.
+    pub line: u64,
+}
+
+/// A line of a face of a laminate: a side of one of its cells, on the surface of the
+/// section.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LaminaFace {
+    /// The laminate: index in the list that was given.
+    pub lamina: usize,
+    /// Left or right of the laminate, seen along its line.
+    pub side: LaminaSide,
+    /// In the direction of the laminate's line, with the tag of that; in no group.
+    pub line: Line,
 }
 
 /// The cells that [`add_laminae`] has put behind those of the mesh.
@@ -92,6 +112,10 @@ pub struct LaminaCell {
 pub struct Laminated {
     /// What they are a part of, in their order.
     pub cells: Vec<LaminaCell>,
+    /// Their faces away from the line, on both sides of one in the middle.
+    pub faces: Vec<LaminaFace>,
+    /// Index of the first node that was made for them.
+    pub first_node: usize,
     /// Number of nodes of their lines that no cell has: those of lines that run inside
     /// of a ply.
     pub bare_nodes: usize,
@@ -127,8 +151,15 @@ pub fn add_laminae(
     let mut ends = mitre::join(&mut builder, &found)?;
     tees::land(&landings, &mut ends);
     let cells = builder.cells(&ends)?;
+    let mut faces = builder.faces;
+    faces::keep_free(mesh, &mut faces);
     let bare_nodes = bare.count(mesh);
-    Ok(Laminated { cells, bare_nodes })
+    Ok(Laminated {
+        cells,
+        faces,
+        first_node: bare.count,
+        bare_nodes,
+    })
 }
 
 /// The nodes of the lines before any cell was made.

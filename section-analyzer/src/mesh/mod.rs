@@ -28,7 +28,11 @@ mod sides;
 
 pub use curve_sides::{Bank, CurveSide};
 pub use findings::{CellOverlap, DoubledNodes, HangingNode, NarrowGap, Seam};
-pub use laminate::{Lamina, LaminaCell, LaminaProblem, LaminaSide, Laminated, add_laminae};
+pub use laminate::{
+    Lamina, LaminaCell, LaminaFace, LaminaProblem, LaminaSide, Laminated, Wall, add_laminae,
+    of_laminae,
+};
 pub(crate) use plane::{distance, polygon_area};
+pub(crate) use problem::short;
 pub use problem::{Inversion, MeshProblem, Part};
 pub use section_mesh::{Curve, CurveLine, MeshReport, SectionCell, SectionMesh};

@@ -15,7 +15,10 @@ use super::findings::{CellOverlap, HangingNode, NarrowGap, Seam};
 pub enum MeshProblem {
     /// A mesh that has no triangles or quadrilaterals.
     #[error("the mesh has no triangles or quadrilaterals, expected at least one")]
-    NoCells,
+    NoCells {
+        /// Labels of the physical curves that have lines.
+        curves: Vec<String>,
+    },
     /// An element of a mesh made by hand that names a node which is not there.
     #[error("element {element} refers to a node that the mesh does not have")]
     MissingNode {
@@ -325,7 +328,7 @@ pub(super) fn counted(count: usize, what: &str) -> String {
 }
 
 /// A number with six digits at most.
-pub(super) fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     let rounded = format!("{value:.5e}").parse().unwrap_or(value);
     let text = format!("{rounded:?}");
     text.strip_suffix(".0").unwrap_or(&text).to_string()
@@ -359,10 +362,7 @@ pub(super) fn place([x, y]: [f64; 2]) -> String {
 impl Explain for MeshProblem {
     fn help(&self) -> Option<String> {
         let help = match self {
-            Self::NoCells => {
-                "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only \
-                 what is in them, so put the surfaces in a physical surface"
-            }
+            Self::NoCells { curves } => return Some(give_cells(curves)),
             Self::OtherPlane { normal, .. } => {
                 let turn = match normal {
                     [1.0, 0.0, 0.0] => "turn it by -120 degrees about the direction (1, 1, 1)",
@@ -417,6 +417,21 @@ impl Explain for MeshProblem {
         };
         Some(help.into())
     }
+}
+
+/// What a mesh without cells lacks; `curves` are its curves with lines.
+fn give_cells(curves: &[String]) -> String {
+    if curves.is_empty() {
+        return "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only what \
+                is in them, so put the surfaces in a physical surface"
+            .to_owned();
+    }
+    let names: Vec<_> = curves.iter().map(|name| format!("\"{name}\"")).collect();
+    format!(
+        "mesh the surfaces (gmsh -2) and put them in a physical surface; or, for thin walls along \
+         the curves {}, give their plies by [[lamina]]",
+        names.join(", ")
+    )
 }
 
 /// How the parts of a section are brought together.

@@ -109,6 +109,8 @@ pub struct MeshReport {
     pub hanging_nodes: Vec<HangingNode>,
     /// Sides that nearly touch.
     pub narrow_gaps: Vec<NarrowGap>,
+    /// Tags of nodes that hold walls together which share no side there.
+    pub pinched_nodes: Vec<u64>,
 }
 
 impl SectionMesh {
@@ -191,6 +193,7 @@ impl SectionMesh {
             seams: cells.seams,
             hanging_nodes: cells.hanging,
             narrow_gaps: cells.gaps,
+            pinched_nodes: cells.pinches.into_iter().map(tag).collect(),
         };
         let cell = |(cell, &group): (&Cell, &usize)| {
             SectionCell::new(cell.tag, cell.kind, group, |i| cell.nodes()[i])
@@ -227,7 +230,10 @@ fn check_whole(mesh: &Mesh, meters_per_unit: f64) -> Result<(), Vec<MeshProblem>
         });
     }
     if mesh.cells.is_empty() {
-        problems.push(MeshProblem::NoCells);
+        let has_lines = |group: &usize| mesh.lines.iter().any(|l| l.groups.contains(*group));
+        let curves = (0..mesh.groups.len()).filter(has_lines);
+        let curves = curves.map(|group| mesh.groups[group].label()).collect();
+        problems.push(MeshProblem::NoCells { curves });
     }
     let plane = check_references(mesh).and_then(|()| check_plane(mesh));
     problems.extend(plane.err());

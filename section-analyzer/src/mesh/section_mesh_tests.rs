@@ -97,6 +97,36 @@ fn a_sound_mesh_comes_out_in_meters_without_unused_nodes() {
     assert_eq!(report, expected);
 }
 
+/// ```text
+/// 12--13--14--15
+/// |   |   |   |
+/// 8---9---10--11     squares without those at 0 and at 5: the two beside these touch
+/// |   |   |   |      in node 5, and are joined around it
+/// 4---5---6---7
+///     |   |   |
+///     1---2---3
+/// ```
+#[test]
+fn walls_that_touch_in_a_node_are_reported() {
+    let nodes: Vec<[f64; 2]> = (0..16)
+        .map(|i| [f64::from(i % 4), f64::from(i / 4)])
+        .collect();
+    let square = |i: u32| [i, i + 1, i + 5, i + 4];
+    let whole: Vec<_> = [0, 1, 2, 4, 5, 6, 8, 9, 10].map(square).into();
+    let cells = |without: &[usize]| {
+        let kept = whole
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| !without.contains(i));
+        let kept: Vec<&[u32]> = kept.map(|(_, cell)| &cell[..]).collect();
+        accepted(&mesh(&nodes, &kept)).1.pinched_nodes
+    };
+    assert_eq!(cells(&[0, 4]), [106]);
+    // a hole, and none
+    assert_eq!(cells(&[4]), [0_u64; 0]);
+    assert_eq!(cells(&[]), [0_u64; 0]);
+}
+
 #[test]
 fn groups_are_those_with_cells() {
     let mut mesh = mesh(&LADDER, &[LEFT, RIGHT]);

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
-use section_analyzer::analysis::analyze;
+use section_analyzer::analysis::{Analysis, analyze};
 use section_analyzer::input::{self, Input, InputWarning};
+use section_analyzer::mesh::Bank;
 use section_analyzer::mesh::generate::Rectangle;
+use section_analyzer::section::Action;
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, Line, LineKind, Mesh, Node, PhysicalGroup};
 
@@ -141,7 +143,11 @@ fn a_section_of_lines_only_is_read() {
     // without the lamina it has no cells
     let told = read(folder.path(), &square(true), head).unwrap_err();
     assert!(
-        told.contains("the mesh has no triangles or quadrilaterals"),
+        told.contains(
+            "the mesh has no triangles or quadrilaterals, expected at least one\n  help: mesh the \
+             surfaces (gmsh -2) and put them in a physical surface; or, for thin walls along the \
+             curves \"7\", give their plies by [[lamina]]"
+        ),
         "{told}"
     );
 }
@@ -159,7 +165,7 @@ const WRONG: &[[&str; 3]] = &[
         "curve = \"top\"",
         "curve = \"core\"",
         "error: a.section.toml:24: the mesh has no physical curve \"core\"\n  \
-         help: physical curves of the mesh: \"bottom\", \"right\", \"top\", \"left\"",
+         help: \"core\" is a physical surface; give a physical curve",
     ],
     [
         "thickness = 2",
@@ -188,8 +194,8 @@ const WRONG: &[[&str; 3]] = &[
         "name = \"lower\"",
         "side = \"right\"",
         "error: a.section.toml:30: side = \"right\" puts the laminate of curve \"bottom\" \
-         into the cells beside line 1 at (45, -10)\n  help: leave \"side\" out: on the \
-         border of cells the laminate then lies on the other side",
+         into the cells beside line 1 at (45, -10)\n  help: give side = \"left\", the one \
+         without cells",
     ],
     [
         "name = \"lower\"",
@@ -197,6 +203,33 @@ const WRONG: &[[&str; 3]] = &[
         "error: a.section.toml:31: the name \"core\" of a lamina is taken by a surface or \
          another lamina\n  help: tables and reports go by it: give the lamina a \"name\" of \
          its own",
+    ],
+    [
+        // neither has a curve: they have no names that could be the same
+        "curve = \"top\"\nplies",
+        "plies",
+        "error: a.section.toml:23: [[lamina]] number 1 has no \"curve\", expected the name of a \
+         physical curve",
+    ],
+    [
+        "curve = \"bottom\"\nname = \"lower\"\n",
+        "curve = \"core\"\n",
+        "error: a.section.toml:30: the mesh has no physical curve \"core\"\n  \
+         help: \"core\" is a physical surface; give a physical curve",
+    ],
+    [
+        "curve = \"top\"",
+        "curve = [\"top\"]",
+        "error: a.section.toml:24: \"curve\" is an array of 1, expected the name of a physical \
+         curve",
+    ],
+    [
+        "group = \"core\"",
+        "group = \"top\"",
+        "error: a.section.toml:2: physical surface \"core\" (20 cells) has no region\n  \
+         help: add [[region]] with group = \"core\" and its material\n\
+         error: a.section.toml:21: the mesh has no physical surface \"top\"\n  help: \"top\" is a \
+         physical curve; give a physical surface, or put plies along the curve by [[lamina]]",
     ],
     [
         "name = \"lower\"",
@@ -233,4 +266,208 @@ fn wrong_laminae_are_told_with_line_and_remedy() {
         let told = read(folder.path(), &mesh, &text).unwrap_err();
         assert_eq!(told, *expected, "{to}");
     }
+}
+
+/// Sides and cells of a traction of the first load, as far as they lie on the surface.
+fn free_sides(input: &Input) -> usize {
+    let Action::Traction { sides, .. } = &input.distributed[0].parts[0].action else {
+        panic!("a traction")
+    };
+    assert!(sides.iter().all(|side| side.bank != Bank::Both));
+    sides.len()
+}
+
+/// The outer face of facings and both faces of a wall in the middle of its line take a
+/// pressure; the force of a pressure on one face is that on its length.
+#[test]
+fn faces_of_laminae_take_a_pressure() {
+    let folder = tempfile::tempdir().unwrap();
+    let pressed = |curve: &str| {
+        format!("[load.p]\n[[load.p.traction]]\ncurve = \"{curve}\"\npressure = \"1 MPa\"\n")
+    };
+    for (curve, force) in [("top/outer", -1e5), ("lower/outer", 1e5)] {
+        let text = format!("{SOUND}{}", pressed(curve));
+        let input = read(folder.path(), &core(), &text).unwrap();
+        assert_eq!(free_sides(&input), 10);
+        let analysis = Analysis::new(&input.section).unwrap();
+        let state = analysis.distributed(&[&input.distributed[0]]).unwrap();
+        let found = state[0].force_per_length;
+        // 1 MPa on a face of 0.1 m
+        assert!((found[2] / force - 1.0).abs() < 1e-12, "{found}");
+        assert!(found[1].abs() < 1e-12 * found[2].abs(), "{found}");
+    }
+    let (head, _) = SOUND.split_once("[[region]]").unwrap();
+    let wall = format!("{head}[[lamina]]\ncurve = 7\nname = \"w\"\nmaterial = \"glass\"\n");
+    // clockwise: the left is outside; a pressure there and within holds itself in balance
+    for (side, names) in [
+        ("center", ["w/left", "w/right"]),
+        ("left", ["w/outer", "7"]),
+    ] {
+        for name in names {
+            let text = format!("{wall}thickness = 4\nside = \"{side}\"\n{}", pressed(name));
+            let input = read(folder.path(), &square(true), &text).unwrap();
+            assert_eq!(free_sides(&input), 16);
+        }
+    }
+    // the line itself is inside, or no side at all
+    let told = read(
+        folder.path(),
+        &core(),
+        &format!("{SOUND}{}", pressed("top")),
+    )
+    .unwrap_err();
+    assert_eq!(
+        told,
+        "error: a.section.toml:36: physical curve \"top\" has cells at both sides of line 13, \
+         expected a pressure on a surface\n  help: the curve has a laminate: give its face, \
+         \"top/outer\""
+    );
+    let text = format!("{wall}thickness = 4\n{}", pressed("7"));
+    let told = read(folder.path(), &square(true), &text).unwrap_err();
+    assert!(
+        told.ends_with("help: the curve has a laminate: give its faces, \"w/left\" or \"w/right\""),
+        "{told}"
+    );
+}
+
+/// A lamina that cannot be made hides nothing else: an unknown curve and an unknown region
+/// are told; faces and plies of the laminae are not called unknown.
+#[test]
+fn wrong_laminae_hide_no_other_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let loads = "[load.p]\n[[load.p.traction]]\ncurve = \"topp\"\npressure = 1\n\
+                 [[load.p.traction]]\ncurve = \"lower/outer\"\npressure = 1\n\
+                 [[load.p.volume]]\nregion = \"top/1\"\nforce = [1, 0, 0]\n\
+                 [[load.p.volume]]\nregion = \"coore\"\nforce = [1, 0, 0]\n";
+    let sound = format!("{SOUND}{loads}");
+    let own = "name = \"lower\"";
+    let thick = "expected a length greater than zero";
+    let mut tilted = core();
+    tilted.nodes[0].position.z = 5.0;
+    for (mesh, from, to, told_too) in [
+        (
+            core(),
+            own,
+            "name = \"lower\"\nside = \"right\"",
+            "puts the laminate",
+        ),
+        (core(), "thickness = 2", "thickness = 0", thick),
+        (
+            core(),
+            "\"bottom\"",
+            "\"botom\"",
+            "no physical curve \"botom\"",
+        ),
+        (
+            core(),
+            "\"bottom\"",
+            "\"left\"",
+            "layers cannot be joined one by one",
+        ),
+        (tilted, own, own, "the mesh is not plane"),
+    ] {
+        let told = read(folder.path(), &mesh, &sound.replacen(from, to, 1)).unwrap_err();
+        let unknown = [
+            "physical curve \"topp\"",
+            "physical surface \"coore\"",
+            told_too,
+        ];
+        assert!(unknown.iter().all(|text| told.contains(text)), "{told}");
+        let errors = told.lines().filter(|line| line.starts_with("error"));
+        assert_eq!(errors.count(), 3, "{told}");
+    }
+}
+
+/// The rows of a table of rises: the tags of the cells of the mesh, and for plies that of
+/// their line, or their own.
+#[test]
+fn a_line_stands_for_its_plies_in_tables_of_rises() {
+    let folder = tempfile::tempdir().unwrap();
+    let glass = "nu23 = 0.4\n";
+    let text = SOUND.replacen(glass, "nu23 = 0.4\nexpansion = \"1e-5 1/K\"\n", 1);
+    let text = format!("{text}[temperature.hot]\ntable = \"rises.csv\"\n");
+    let mesh = core();
+    let mut rows = "cell,rise\n".to_owned();
+    for cell in &mesh.cells {
+        rows += &format!("{},1\n", cell.tag);
+    }
+    let without_lines = rows.clone();
+    let is_wall = |name: &str, line: &Line| line.groups.contains(mesh.group(1, name).unwrap());
+    let walls = mesh
+        .lines
+        .iter()
+        .filter(|l| is_wall("top", l) || is_wall("bottom", l));
+    for line in walls.clone() {
+        rows += &format!("{},{}\n", line.tag, 100 + line.tag);
+    }
+    std::fs::write(folder.path().join("rises.csv"), &rows).unwrap();
+    let input = read(folder.path(), &mesh, &text).unwrap();
+    let found = input.imposed[0].cells.iter().zip(&input.section.mesh.cells);
+    let mut plies = 0;
+    for (strain, cell) in found.skip(mesh.cells.len()) {
+        let [y, z] = input.section.mesh.middle(cell);
+        let mut lines = walls.clone();
+        let line = lines.find(|line| {
+            let middle = mesh.nodes[line.nodes()[2] as usize].position * 1e-3;
+            (middle.x - y).abs() < 1e-9 && middle.y * z > 0.0
+        });
+        let rise = 100.0 + line.unwrap().tag as f64;
+        assert!((strain.at_origin[0] / (1e-5 * rise) - 1.0).abs() < 1e-12);
+        plies += 1;
+    }
+    assert_eq!(plies, 30);
+    // one line is left out, one is none of the walls
+    let rows = format!("{without_lines}1,5\n");
+    std::fs::write(folder.path().join("rises.csv"), rows).unwrap();
+    let told = read(folder.path(), &mesh, &text).unwrap_err();
+    assert!(
+        told.contains(
+            "rise table \"rises.csv\" has 21 rows, expected 40, one for each cell of the mesh and \
+             each line with plies; no rise for cells or lines 2, 3, 4, 5, 6 and 14 more"
+        ),
+        "{told}"
+    );
+}
+
+/// Laminates that have no room are told by their curves and lines: tags of their cells are
+/// in no file.
+#[test]
+fn cells_of_plies_are_told_by_their_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    let (head, _) = SOUND.split_once("[[region]]").unwrap();
+    // two walls, nearer to each other than they are thick, joined by a third
+    let mut mesh = Mesh::default();
+    for (x, y) in [
+        (0.0, 0.0),
+        (10.0, 0.0),
+        (20.0, 0.0),
+        (20.0, 10.0),
+        (10.0, 2.0),
+        (0.0, 2.0),
+    ] {
+        let tag = mesh.nodes.len() as u64 + 1;
+        let position = [x, y, 0.0].into();
+        mesh.nodes.push(Node { tag, position });
+    }
+    for i in 0..5_u32 {
+        let mut line = Line::new(u64::from(i) + 1, LineKind::Line2, 1, |local| {
+            i + local as u32
+        });
+        line.groups = 0.into();
+        mesh.lines.push(line);
+    }
+    mesh.groups.push(PhysicalGroup {
+        dimension: 1,
+        tag: 7,
+        name: Some("wall".into()),
+    });
+    let text = format!("{head}[[lamina]]\ncurve = \"wall\"\nmaterial = \"glass\"\nthickness = 3\n");
+    let told = read(folder.path(), &mesh, &text).unwrap_err();
+    println!("{told}");
+    assert!(
+        told.starts_with(
+            "error: a.section.toml:21: the laminate of curve \"wall\" overlaps itself at "
+        ),
+        "{told}"
+    );
 }

@@ -2,6 +2,8 @@
 
 use shared_geom::error::Explain;
 
+use crate::mesh::short;
+
 /// A problem of a traction or of a volume force.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DistributedProblem {
@@ -27,7 +29,7 @@ pub enum DistributedProblem {
     #[error(
         "line {line} of physical curve \"{curve}\", at ({}, {}) m, is no side of a cell, expected \
          a curve along sides of cells",
-        .at[0], .at[1]
+        short(.at[0]), short(.at[1])
     )]
     NoSide {
         /// Name of the curve.
@@ -36,6 +38,8 @@ pub enum DistributedProblem {
         line: u64,
         /// Its middle (y, z) \[m\].
         at: [f64; 2],
+        /// Faces of the laminates on the curve.
+        faces: Vec<String>,
     },
     /// A pressure on a curve that has cells at both sides.
     #[error(
@@ -47,6 +51,8 @@ pub enum DistributedProblem {
         curve: String,
         /// Tag of the line.
         line: u64,
+        /// Faces of the laminates on the curve.
+        faces: Vec<String>,
     },
     /// A region that has no cells.
     #[error("physical surface \"{group}\" is no region of the section")]
@@ -61,6 +67,14 @@ pub enum DistributedProblem {
 impl Explain for DistributedProblem {
     fn help(&self) -> Option<String> {
         match self {
+            Self::NoSide { faces, .. } | Self::Inside { faces, .. } if !faces.is_empty() => {
+                let names: Vec<_> = faces.iter().map(|name| format!("\"{name}\"")).collect();
+                Some(format!(
+                    "the curve has a laminate: give its {}, {}",
+                    if names.len() == 1 { "face" } else { "faces" },
+                    names.join(" or ")
+                ))
+            }
             Self::NoSide { .. } => Some(
                 "in gmsh, make the physical curve of curves that bound surfaces of the section"
                     .to_owned(),

@@ -59,7 +59,8 @@ const TRACTION: TableSchema = TableSchema {
             GROUP,
             Required,
             "\"top\"",
-            "The physical curve, by its name or its tag, along sides of cells.",
+            "The physical curve, by its name or its tag, along sides of cells; a face of a lamina \
+             is \"NAME/outer\", or \"NAME/left\" and \"NAME/right\" of one in the middle.",
         ),
         ALONG,
     ],

@@ -63,7 +63,7 @@ pub(super) const TEMPERATURE: TableSchema = TableSchema {
                 Required,
                 "\"rises.csv\"",
                 "CSV file with the header cell,rise and a row for each cell of the mesh, by its \
-                 tag; rises in the declared unit.",
+                 tag, and for each line with plies; rises in the declared unit.",
             )],
         },
     ],

@@ -11,7 +11,7 @@ use super::layers::Layers;
 use super::mitre::Ends;
 use super::problem::{LaminaProblem, limited};
 use super::segments::{Segment, label};
-use super::{Lamina, LaminaCell};
+use super::{Lamina, LaminaCell, LaminaFace, faces};
 
 /// Makes nodes and cells of laminates in a mesh.
 pub(super) struct Builder<'a> {
@@ -20,6 +20,8 @@ pub(super) struct Builder<'a> {
     pub segments: &'a [Segment],
     /// Of each laminate.
     pub layers: &'a [Layers],
+    /// Those of the cells made.
+    pub faces: Vec<LaminaFace>,
     next_node: u64,
     next_cell: u64,
     /// Surface entity of the first laminate: none of the mesh.
@@ -46,6 +48,7 @@ impl<'a> Builder<'a> {
             next_cell: elements.max().unwrap_or(0).saturating_add(1),
             entity: entities.max().unwrap_or(0).max(0).saturating_add(1),
             middles: HashMap::new(),
+            faces: Vec::new(),
             mesh,
             laminae,
             segments,
@@ -98,6 +101,8 @@ impl<'a> Builder<'a> {
                 continue;
             }
             let middles = self.middles_of(segment, layers, ends, &places);
+            self.faces
+                .extend(faces::of_line(segment, layers, ends, &middles));
             let chord = segment.curve.chord();
             for (layer, &ply) in layers.plies.iter().enumerate() {
                 self.cell(segment, ends, &middles, [layer, ply]);
@@ -105,6 +110,7 @@ impl<'a> Builder<'a> {
                     lamina: segment.lamina,
                     ply,
                     direction: chord[1].atan2(chord[0]),
+                    line: segment.tag,
                 });
             }
         }

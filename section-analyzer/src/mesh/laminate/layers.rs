@@ -88,6 +88,16 @@ impl Layers {
         self.levels.iter().fold(0.0, |reach, x| reach.max(x.abs()))
     }
 
+    /// Whether a level may move there: half of the plies beside it must be left.
+    pub fn may_be_at(&self, index: usize, level: f64) -> bool {
+        let from = self.levels[index];
+        let has_room = |beside: Option<&f64>| {
+            beside.is_none_or(|x| (level - from).abs() <= 0.5 * (x - from).abs())
+        };
+        has_room(index.checked_sub(1).and_then(|i| self.levels.get(i)))
+            && has_room(self.levels.get(index + 1))
+    }
+
     /// Cuts the layer that holds `level`, unless it is a level already or lies outside;
     /// tells whether it did.
     pub fn cut(&mut self, level: f64) -> bool {

@@ -20,6 +20,9 @@ use super::segments::{Segment, label};
 /// of a layer is 2.6 times as far from the corner as from the line.
 const SHARPEST: f64 = 135.0 * std::f64::consts::PI / 180.0;
 
+/// What coordinates of some digits make of an angle \[rad\].
+const ROUND_OFF: f64 = 1e-6;
+
 /// Nodes of a laminate at the two ends of a line, parallel to its levels.
 pub(super) type Ends = [Vec<u32>; 2];
 
@@ -138,10 +141,15 @@ fn through(builder: &mut Builder<'_>, node: u32, lines: &[Vec<End>; 2]) -> Resul
     let before: Vec<_> = lines[0].iter().map(|end| view(end, true)).collect();
     let mut behind: Vec<_> = lines[1].iter().map(|end| view(end, false)).collect();
     let mut nodes = Vec::new();
+    // cells beside both lines hold together what ends there
+    let mut is_joined = lines.iter().flatten().all(|end| !is_alone(builder, *end));
     for one in &before {
         let same = behind.iter().position(|other| other.bank() == one.bank());
         match same.map(|other| behind.swap_remove(other)) {
-            Some(other) => nodes.extend(pair(builder, node, one, &other)?),
+            Some(other) => {
+                nodes.extend(pair(builder, node, one, &other)?);
+                is_joined = true;
+            }
             None => {
                 let other = behind
                     .iter()
@@ -162,7 +170,15 @@ fn through(builder: &mut Builder<'_>, node: u32, lines: &[Vec<End>; 2]) -> Resul
         }
         nodes.push((other.end, single(builder, node, other.end)));
     }
-    Ok(nodes)
+    match (is_joined, before.first(), behind.first()) {
+        (false, Some(one), Some(other)) => Err(unlike(builder, node, [one, other])),
+        _ => Ok(nodes),
+    }
+}
+
+/// Whether no cell of the mesh lies beside the line of an end.
+fn is_alone(builder: &Builder<'_>, end: End) -> bool {
+    builder.segments[end.segment].is_alone
 }
 
 fn lamina(builder: &Builder<'_>, view: &View<'_>) -> usize {
@@ -181,7 +197,12 @@ fn unlike(builder: &Builder<'_>, node: u32, views: [&View<'_>; 2]) -> Problem {
             node: tag,
             place,
         },
-        false => LaminaProblem::OffCenter {
+        false if views.iter().any(|view| view.bank() == Bank::Middle) => LaminaProblem::OffCenter {
+            curves,
+            node: tag,
+            place,
+        },
+        false => LaminaProblem::OtherSide {
             curves,
             node: tag,
             place,
@@ -202,14 +223,16 @@ fn pair(
     }
     let angle = turn(one.tangent, other.tangent);
     let equal = one.equals(other);
-    if angle.abs() > SHARPEST {
-        // room for both where the corner opens away from the laminates
+    if angle.abs() > SHARPEST + ROUND_OFF {
+        // room for both where the corner opens away from the laminates, and cells between
+        // them hold them together
         let opens = match one.bank() {
             Bank::Left => angle < 0.0,
             Bank::Right => angle > 0.0,
             Bank::Middle => false,
         };
-        if opens {
+        let is_held = ![one, other].iter().any(|view| is_alone(builder, view.end));
+        if opens && is_held {
             return Ok(all_single(builder, node, &[one.end, other.end]));
         }
         return Err(sharp(builder, node, other, angle));

@@ -6,6 +6,7 @@ use shared_geom::error::Explain;
 
 use super::super::problem::{counted, place as at, short};
 use super::LaminaSide;
+use super::words::{Wall, both, fold, more, order, places, quoted, twice};
 
 /// A problem of a laminate on its lines.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -35,6 +36,8 @@ pub enum LaminaProblem {
         curve: String,
         /// The side as it was given.
         side: LaminaSide,
+        /// The side without cells.
+        free: LaminaSide,
         /// Tag of one of the lines.
         line: u64,
         /// Its middle [mesh unit].
@@ -63,6 +66,8 @@ pub enum LaminaProblem {
     Mixed {
         /// The curve.
         curve: String,
+        /// The side without cells.
+        free: LaminaSide,
         /// Tags of a line of each kind.
         lines: [u64; 2],
         /// Their middles [mesh unit].
@@ -79,6 +84,51 @@ pub enum LaminaProblem {
         line: u64,
         /// Its middle [mesh unit].
         place: [f64; 2],
+    },
+    /// Lines that share both ends, but not their middle.
+    #[error(
+        "lines {} and {} of {} have the same ends: the one at {} and the other cannot be told \
+         apart where laminates meet", .lines[0], .lines[1], both(.curves), at(*.place)
+    )]
+    SameEnds {
+        /// Their curves.
+        curves: [String; 2],
+        /// Tags of the lines.
+        lines: [u64; 2],
+        /// Middle of the second [mesh unit].
+        place: [f64; 2],
+    },
+    /// A line on the border of cells that has other nodes than the side there.
+    #[error(
+        "line {line} of curve \"{curve}\" at {} {}{}", at(*.place), order(*.has_middle),
+        more(*.count)
+    )]
+    OtherOrder {
+        /// The curve.
+        curve: String,
+        /// Tag of one of the lines.
+        line: u64,
+        /// Its middle [mesh unit].
+        place: [f64; 2],
+        /// Whether the line has a node there.
+        has_middle: bool,
+        /// How many there are.
+        count: usize,
+    },
+    /// A line on the border of cells that is none of their sides.
+    #[error(
+        "line {line} of curve \"{curve}\" at {} runs along the border of cells without being one \
+         of their sides{}", at(*.place), more(*.count)
+    )]
+    NoSide {
+        /// The curve.
+        curve: String,
+        /// Tag of the line.
+        line: u64,
+        /// Its middle [mesh unit].
+        place: [f64; 2],
+        /// How many there are.
+        count: usize,
     },
     /// A line without direction.
     #[error("line {line} of curve \"{curve}\" at {} has no length", at(*.place))]
@@ -142,8 +192,8 @@ pub enum LaminaProblem {
     },
     /// A corner that cannot be mitred.
     #[error(
-        "the laminate of curve \"{curve}\" turns by {:.0} deg at node {node} at {}, expected at \
-         most {:.0} deg", .turn.to_degrees(), at(*.place), .limit.to_degrees()
+        "the laminate of curve \"{curve}\" turns by {} deg at node {node} at {}, expected at \
+         most {:.0} deg", short(.turn.to_degrees()), at(*.place), .limit.to_degrees()
     )]
     Sharp {
         /// The curve.
@@ -187,6 +237,20 @@ pub enum LaminaProblem {
         /// Where it is [mesh unit].
         place: [f64; 2],
     },
+    /// Laminates on different sides, which nothing but a node would hold together.
+    #[error(
+        "the laminates of curves \"{}\" and \"{}\" lie on different sides of their lines where \
+         these meet, at node {node} at {}: they would touch in this node only",
+        .curves[0], .curves[1], at(*.place)
+    )]
+    OtherSide {
+        /// Their curves.
+        curves: [String; 2],
+        /// Tag of the node.
+        node: u64,
+        /// Where it is [mesh unit].
+        place: [f64; 2],
+    },
     /// A laminate that folds over itself.
     #[error(
         "the laminate of curve \"{curve}\" folds over itself at line {line} at {}: it reaches \
@@ -206,6 +270,49 @@ pub enum LaminaProblem {
         /// Its radius of curvature, unless it is straight [mesh unit].
         radius: Option<f64>,
     },
+    /// A laminate without room for its plies.
+    #[error(
+        "the plies of curve \"{curve}\" are crossed or folded at line {line}, around {}{}: together \
+         they are {} thick", at(*.place), places(*.count), short(*.thickness)
+    )]
+    Misshapen {
+        /// The curve.
+        curve: String,
+        /// Tag of the line.
+        line: u64,
+        /// Middle of the ply [mesh unit].
+        place: [f64; 2],
+        /// Thickness of the laminate [mesh unit].
+        thickness: f64,
+        /// Number of cells.
+        count: usize,
+    },
+    /// A laminate that covers what is there already.
+    #[error(
+        "{} overlaps {} at {}{}", .walls[0], .walls[1].as_other(&.walls[0]), at(*.place),
+        places(*.count)
+    )]
+    Overlaps {
+        /// Both, of which one is a laminate.
+        walls: [Wall; 2],
+        /// A place in both [mesh unit].
+        place: [f64; 2],
+        /// Number of pairs of cells.
+        count: usize,
+    },
+    /// A laminate that touches what it is not joined to.
+    #[error(
+        "{} touches {} at {}{} without being joined to it", .walls[0],
+        .walls[1].as_other(&.walls[0]), at(*.place), places(*.count)
+    )]
+    Unjoined {
+        /// Both, of which one is a laminate.
+        walls: [Wall; 2],
+        /// Where [mesh unit].
+        place: [f64; 2],
+        /// Number of places.
+        count: usize,
+    },
     /// Further problems of a kind of which the first have been told.
     #[error("and {count} more {what}")]
     More {
@@ -222,17 +329,27 @@ impl Explain for LaminaProblem {
             Self::Inside { .. } => {
                 "mesh a layer between cells as cells of its own, or name a curve on the border"
             }
-            Self::IntoCells { .. } => {
-                "leave \"side\" out: on the border of cells the laminate then lies on the other \
-                 side"
+            Self::IntoCells { free, .. } | Self::Mixed { free, .. } => {
+                return Some(format!(
+                    "give side = \"{}\", the one without cells",
+                    free.name()
+                ));
             }
             Self::SideChanges { .. } => {
                 "in gmsh, give the lines one direction along the border (Physical Curve with a \
                  minus sign turns one), or name two curves"
             }
-            Self::Mixed { .. } => "give side = \"left\" or \"right\", the one without cells",
             Self::Twice { .. } => "one [[lamina]] lists all its plies",
             Self::NoLength { .. } => "mesh this curve again",
+            Self::SameEnds { .. } => "use shorter lines: at least three around a closed curve",
+            Self::OtherOrder { .. } => {
+                "mesh curves and surfaces in one order (in gmsh, Mesh.ElementOrder), from the same \
+                 geometry"
+            }
+            Self::NoSide { .. } => {
+                "lines and cells must share their nodes: in gmsh, make the physical curve of the \
+                 curves that bound the surfaces, and mesh both together"
+            }
             Self::AgainstEachOther { .. } => {
                 "in gmsh, give all lines of the curve one direction: in Physical Curve(...) = \
                  {1, -2} the minus sign turns curve 2 around"
@@ -246,49 +363,49 @@ impl Explain for LaminaProblem {
                 "use longer lines there, or mesh the junction as cells, with laminates on their \
                  border"
             }
-            Self::Sharp { .. } => "mesh the corner as cells, with the laminates on their border",
+            Self::Sharp { .. } => {
+                "walls that meet at a sharper corner would overlap, or touch in one node only: mesh \
+                 the corner as cells, with the laminates on their border"
+            }
             Self::Differ { .. } => {
                 "give both as many plies (one ply may be written as two), or mesh the corner as \
                  cells"
             }
             Self::OffCenter { .. } => "give both the same \"side\"",
+            Self::OtherSide { .. } => {
+                "give both the same \"side\"; or the other one, if the curves run against each \
+                 other"
+            }
             Self::Folded { .. } => {
                 "lines must be longer than the laminate is thick where they meet at an angle, \
                  and radii larger on its inner side"
             }
-            Self::More { .. } => return None,
+            _ => return self.help_with_cells(),
         };
         Some(help.to_owned())
     }
 }
 
-fn more(count: usize) -> String {
-    match count {
-        1 => String::new(),
-        _ => format!(", as do {} more", count - 1),
-    }
-}
-
-fn twice([one, other]: &[String; 2]) -> String {
-    match one == other {
-        true => format!("curve \"{one}\" has two laminates"),
-        false => format!("curves \"{one}\" and \"{other}\" both have a laminate"),
-    }
-}
-
-fn quoted(names: &[String]) -> String {
-    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
-    names.join(", ")
-}
-
-fn fold(length: f64, radius: Option<f64>) -> String {
-    match radius {
-        Some(radius) => format!(
-            "and the line of length {} has a radius of curvature of {}",
-            short(length),
-            short(radius)
-        ),
-        None => format!("and the line is {} long", short(length)),
+impl LaminaProblem {
+    /// The remedy for cells that do not fit, as far as there is one.
+    fn help_with_cells(&self) -> Option<String> {
+        let help = match self {
+            Self::Misshapen { .. } => {
+                "lines must be longer than the laminate is thick where they meet at an angle, and \
+                 radii larger on its inner side; check the unit of \"thickness\""
+            }
+            Self::Overlaps { .. } => {
+                "the plies reach from their line to its \"side\" by their thickness: check both, or \
+                 leave room between the curves; walls that cross need a node there"
+            }
+            Self::Unjoined { .. } => {
+                "a laminate is joined to cells along whole sides, lines that share their nodes with \
+                 them, and to another laminate at the ends of their lines: let the curves meet \
+                 there, or mesh the joint as cells"
+            }
+            _ => return None,
+        };
+        Some(help.to_owned())
     }
 }
 

@@ -7,7 +7,7 @@ use shared_geom::mesh::{Line, LineKind, Mesh};
 use super::super::boundary::Curve;
 use super::super::plane::{distance, polygon_area};
 use super::problem::LaminaProblem;
-use super::{Lamina, LaminaSide};
+use super::{Lamina, LaminaSide, fits};
 
 /// A line with its laminate.
 #[derive(Debug, Clone)]
@@ -71,8 +71,9 @@ pub(super) fn collect(
             Err(problem) => problems.push((index, problem)),
         }
     }
+    problems.extend(fits::misfits(mesh, laminae, &segments));
     if sides.len() == laminae.len() {
-        problems.extend(twice(mesh, laminae, &segments, &sides));
+        problems.extend(fits::twice(mesh, laminae, &segments, &sides));
     }
     match problems.is_empty() {
         true => Ok((segments, sides)),
@@ -182,70 +183,37 @@ fn side_of(
     let left = first(&|beside| beside.left > 0);
     let right = first(&|beside| beside.right > 0);
     let alone = first(&|beside| beside.left + beside.right == 0);
-    let into = match lamina.side {
-        Some(LaminaSide::Left) => left,
-        Some(LaminaSide::Right) => right,
-        Some(LaminaSide::Center) => left.or(right),
-        None => None,
+    if let (Some(one), Some(other)) = (left, right) {
+        return Err(LaminaProblem::SideChanges {
+            curve,
+            lines: [one.0, other.0],
+            places: [one.1, other.1],
+        });
+    }
+    // the side without cells, where there are some
+    let free = match (left, right) {
+        (Some(_), _) => Some(LaminaSide::Right),
+        (_, Some(_)) => Some(LaminaSide::Left),
+        _ => None,
     };
-    match (lamina.side, into) {
-        (Some(side), Some((line, place, _))) => Err(LaminaProblem::IntoCells {
+    let beside = left.or(right);
+    match (lamina.side, free.zip(beside), alone) {
+        (None, None, _) => Ok(LaminaSide::Center),
+        (Some(side), None, _) => Ok(side),
+        (None, Some((free, _)), None) => Ok(free),
+        (Some(side), Some((free, _)), _) if side == free => Ok(side),
+        (Some(side), Some((free, (line, place, _))), _) => Err(LaminaProblem::IntoCells {
             curve,
             side,
+            free,
             line,
             place,
         }),
-        (Some(side), None) => Ok(side),
-        (None, _) => match (left, right, alone) {
-            (None, None, _) => Ok(LaminaSide::Center),
-            (Some(_), None, None) => Ok(LaminaSide::Right),
-            (None, Some(_), None) => Ok(LaminaSide::Left),
-            (Some(one), Some(other), _) => Err(LaminaProblem::SideChanges {
-                curve,
-                lines: [one.0, other.0],
-                places: [one.1, other.1],
-            }),
-            (Some(one), _, Some(other)) | (_, Some(one), Some(other)) => {
-                Err(LaminaProblem::Mixed {
-                    curve,
-                    lines: [one.0, other.0],
-                    places: [one.1, other.1],
-                })
-            }
-        },
+        (None, Some((free, one)), Some(other)) => Err(LaminaProblem::Mixed {
+            curve,
+            free,
+            lines: [one.0, other.0],
+            places: [one.1, other.1],
+        }),
     }
-}
-
-/// Lines with two laminates on one side.
-fn twice(mesh: &Mesh, laminae: &[Lamina], segments: &[Segment], sides: &[LaminaSide]) -> Problems {
-    // banks that are taken, seen from the lower to the higher node
-    let mut taken: HashMap<[u32; 2], Vec<(LaminaSide, usize)>> = HashMap::new();
-    let mut told = Vec::new();
-    let mut problems = Vec::new();
-    for segment in segments {
-        let forward = segment.nodes[0] < segment.nodes[1];
-        let side = match (sides[segment.lamina], forward) {
-            (LaminaSide::Left, false) => LaminaSide::Right,
-            (LaminaSide::Right, false) => LaminaSide::Left,
-            (side, _) => side,
-        };
-        let others = taken.entry(segment.key()).or_default();
-        let meets = |other: &&(LaminaSide, usize)| {
-            other.0 == side || LaminaSide::Center == other.0 || side == LaminaSide::Center
-        };
-        if let Some((_, other)) = others.iter().find(meets) {
-            let pair = [*other, segment.lamina];
-            if !told.contains(&pair) {
-                told.push(pair);
-                let problem = LaminaProblem::Twice {
-                    curves: pair.map(|lamina| label(mesh, laminae, lamina)),
-                    line: segment.tag,
-                    place: segment.place(),
-                };
-                problems.push((segment.lamina, problem));
-            }
-        }
-        others.push((side, segment.lamina));
-    }
-    problems
 }

@@ -1,15 +1,33 @@
 //! Steps of the thickness along a smooth wall: the levels of both laminates are cut
 //! through all their plies, so that cells on either side of the step share whole sides.
+//! Levels that nearly agree are made one before: there would be slivers between them.
 
 use super::joints::{End, Joint, Meeting, SMOOTH, turn};
 use super::layers::Layers;
 use super::mitre::View;
 use super::segments::Segment;
 
+/// Levels of two laminates that differ by less, relative to the thickness, are meant to be
+/// one.
+const NEAR: f64 = 1e-4;
+
 /// Cuts the layers of laminates that step into each other, until nothing changes: the
 /// levels of all of them are then those of all, as far as each reaches.
 pub(super) fn cut(joints: &[Joint], segments: &[Segment], layers: &mut [Layers]) {
     let pairs: Vec<[End; 2]> = joints.iter().flat_map(of_joint).collect();
+    // what agrees with one neighbor hands it on to the next
+    for _ in 0..layers.len() {
+        let near: Vec<_> = pairs
+            .iter()
+            .flat_map(|&[before, behind]| near(segments, layers, before, behind))
+            .collect();
+        for &(lamina, index, level) in &near {
+            layers[lamina].levels[index] = level;
+        }
+        if near.is_empty() {
+            break;
+        }
+    }
     let mut changed = true;
     while changed {
         changed = false;
@@ -33,14 +51,53 @@ fn of_joint(joint: &Joint) -> Vec<[End; 2]> {
     }
 }
 
+/// The levels of the later one of two laminates that nearly agree with one of the other,
+/// by laminate and index, and what they become.
+fn near(
+    segments: &[Segment],
+    layers: &[Layers],
+    before: End,
+    behind: End,
+) -> Vec<(usize, usize, f64)> {
+    let one = View::new(segments, layers, before, true);
+    let other = View::new(segments, layers, behind, false);
+    let [a, b] = [before, behind].map(|end| segments[end.segment].lamina);
+    if !steps(&one, &other, [a, b]) {
+        return Vec::new();
+    }
+    let (kept, (moved, lamina)) = match a < b {
+        true => (&one, (&other, b)),
+        false => (&other, (&one, a)),
+    };
+    let own = &layers[lamina];
+    let tolerance = NEAR * layers[a].thickness().max(layers[b].thickness());
+    let mut found = Vec::new();
+    for (level, _) in kept.levels() {
+        let level = moved.turned(level);
+        let index = own.levels.iter().position(|x| {
+            let off = (x - level).abs();
+            *x != 0.0 && off > own.tolerance() && off <= tolerance
+        });
+        if let Some(index) = index.filter(|&index| own.may_be_at(index, level)) {
+            found.push((lamina, index, level));
+        }
+    }
+    found
+}
+
+/// Whether two laminates in line have other levels.
+fn steps(one: &View<'_>, other: &View<'_>, [a, b]: [usize; 2]) -> bool {
+    let is_smooth = turn(one.tangent, other.tangent).abs() <= SMOOTH;
+    a != b && is_smooth && one.bank() == other.bank() && !one.equals(other)
+}
+
 /// The levels of each of two laminates, as the other sees them, if one steps into the
 /// other: each with the laminate to be cut.
 fn missing(segments: &[Segment], layers: &[Layers], before: End, behind: End) -> Vec<(f64, usize)> {
     let one = View::new(segments, layers, before, true);
     let other = View::new(segments, layers, behind, false);
     let [a, b] = [before, behind].map(|end| segments[end.segment].lamina);
-    let is_smooth = turn(one.tangent, other.tangent).abs() <= SMOOTH;
-    if a == b || !is_smooth || one.bank() != other.bank() || one.equals(&other) {
+    if !steps(&one, &other, [a, b]) {
         return Vec::new();
     }
     let for_other = one.levels().into_iter();

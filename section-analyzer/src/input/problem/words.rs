@@ -1,0 +1,86 @@
+//! Words of messages.
+
+use shared_geom::error::nearest_name;
+
+/// How many names a message lists before it counts the rest.
+const NAMES_SHOWN: usize = 5;
+
+/// What may stand in place of a group that the mesh does not have; `is_other` if it has one
+/// of the other kind by this name.
+pub(super) fn known_groups(kind: &str, group: &str, known: &[String], is_other: bool) -> String {
+    if is_other {
+        return match kind {
+            "curve" => format!("\"{group}\" is a physical surface; give a physical curve"),
+            _ => format!(
+                "\"{group}\" is a physical curve; give a physical surface, or put plies along the \
+                 curve by [[lamina]]"
+            ),
+        };
+    }
+    let all = format!("physical {kind}s of the mesh: {}", quoted(known));
+    match nearest_name(group, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean \"{near}\"? {all}"),
+        None if known.is_empty() => {
+            format!("the mesh names no {kind} at all: in gmsh, add a physical {kind}")
+        }
+        None => all,
+    }
+}
+
+/// The keys of a table of strengths, in words.
+pub(super) fn strength_keys(table: &str) -> &'static str {
+    match table {
+        "strength" => "\"xt\" to \"s23\", \"tension\" to \"shear\", or \"yield\"",
+        _ => "\"xt\" to \"s23\", or \"tension\" to \"shear\"",
+    }
+}
+
+pub(in crate::input) fn nearest_or_all(found: &str, known: &[String], what: &str) -> String {
+    match nearest_name(found, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None if known.is_empty() => format!("{what}: none"),
+        None => format!("{what}: {}", quoted(known)),
+    }
+}
+
+/// Names in quotes, joined by commas; "none" for none.
+pub(in crate::input) fn quoted(names: &[String]) -> String {
+    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    match names.is_empty() {
+        true => "none".to_owned(),
+        false => names.join(", "),
+    }
+}
+
+pub(super) fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s"),
+    }
+}
+
+pub(super) fn more(count: usize) -> String {
+    match count {
+        1 => "1 more row".to_owned(),
+        _ => format!("{count} more rows"),
+    }
+}
+
+/// `lead cells 1, 2, 3 and 4 more`; nothing for no cells.
+pub(super) fn listed(lead: &str, has_lines: bool, cells: &[u64]) -> String {
+    if cells.is_empty() {
+        return String::new();
+    }
+    let shown: Vec<_> = cells.iter().take(NAMES_SHOWN).map(u64::to_string).collect();
+    let word = match (cells.len(), has_lines) {
+        (1, false) => "cell",
+        (1, true) => "cell or line",
+        (_, false) => "cells",
+        (_, true) => "cells or lines",
+    };
+    let rest = match cells.len() - shown.len() {
+        0 => String::new(),
+        rest => format!(" and {rest} more"),
+    };
+    format!("{lead} {word} {}{rest}", shown.join(", "))
+}

@@ -1,0 +1,87 @@
+//! Words of the problems of laminates.
+
+use std::fmt;
+
+use super::super::problem::short;
+
+/// What touches a laminate.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Wall {
+    /// The laminate of a curve.
+    Curve(String),
+    /// Cells of a surface, if they are in one.
+    Cells(Option<String>),
+}
+
+impl fmt::Display for Wall {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Curve(curve) => write!(f, "the laminate of curve \"{curve}\""),
+            Self::Cells(Some(group)) => write!(f, "the surface \"{group}\""),
+            Self::Cells(None) => f.write_str("a surface"),
+        }
+    }
+}
+
+impl Wall {
+    /// Beside another one, which may be the same.
+    pub(super) fn as_other(&self, one: &Self) -> String {
+        match (self == one, self) {
+            (true, _) => "itself".to_owned(),
+            (false, Self::Curve(curve)) => format!("that of \"{curve}\""),
+            (false, _) => self.to_string(),
+        }
+    }
+}
+
+pub(super) fn places(count: usize) -> String {
+    match count {
+        1 => String::new(),
+        2 => " and 1 more place".to_owned(),
+        _ => format!(" and {} more places", count - 1),
+    }
+}
+
+pub(super) fn more(count: usize) -> String {
+    match count {
+        1 => String::new(),
+        _ => format!(", as do {} more", count - 1),
+    }
+}
+
+pub(super) fn order(has_middle: bool) -> &'static str {
+    match has_middle {
+        true => "has a node in its middle that the side of the cell there does not have",
+        false => "lacks the node in its middle that the side of the cell there has",
+    }
+}
+
+pub(super) fn both([one, other]: &[String; 2]) -> String {
+    match one == other {
+        true => format!("curve \"{one}\""),
+        false => format!("curves \"{one}\" and \"{other}\""),
+    }
+}
+
+pub(super) fn twice([one, other]: &[String; 2]) -> String {
+    match one == other {
+        true => format!("curve \"{one}\" has two laminates"),
+        false => format!("curves \"{one}\" and \"{other}\" both have a laminate"),
+    }
+}
+
+pub(super) fn quoted(names: &[String]) -> String {
+    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    names.join(", ")
+}
+
+pub(super) fn fold(length: f64, radius: Option<f64>) -> String {
+    match radius {
+        Some(radius) => format!(
+            "and the line of length {} has a radius of curvature of {}",
+            short(length),
+            short(radius)
+        ),
+        None => format!("and the line is {} long", short(length)),
+    }
+}
