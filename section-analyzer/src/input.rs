@@ -48,13 +48,13 @@ mod tables;
 
 pub use distributed::DistributedProblem;
 pub use imposed::ImposedProblem;
-pub use loads::{LOAD_KEYS, checked_load, is_load_name};
+pub use loads::{LOAD_KEYS, LoadProblem, checked_load, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
-use distributed::WrittenDistribution;
+use distributed::{Places, WrittenDistribution};
 use files::Files;
 use imposed::WrittenStates;
 use laminae::WrittenLamina;
@@ -74,6 +74,8 @@ pub struct Input {
     pub loads: Vec<LoadCase>,
     /// What is distributed along the beam in each of them, parallel to them.
     pub distributed: Vec<DistributedLoad>,
+    /// The parts of these, in words.
+    pub distributed_words: Vec<Vec<String>>,
     /// Number of end effects to find.
     pub end_effects: Option<usize>,
     /// The measure of strain for the effect of prestress, where it is asked for.
@@ -123,7 +125,7 @@ struct WrittenSection {
     states: WrittenStates,
     laminae: Vec<WrittenLamina>,
     curvature: Option<WrittenCurvature>,
-    loads: Vec<(LoadCase, WrittenDistribution)>,
+    loads: Vec<(Option<LoadCase>, WrittenDistribution)>,
     end_effects: Option<usize>,
     prestress: Option<StrainMeasure>,
     /// Line of the key.
@@ -167,7 +169,9 @@ impl WrittenSection {
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
         let regions = [&self.regions[..], &laminae::regions(&self.laminae)].concat();
         let of_region = materials_of_regions(document, &regions, &self.materials);
-        let strains = self.states.strains_of_regions(document, &regions);
+        let strains = self
+            .states
+            .strains_of_regions(document, &regions, &self.laminae);
         let meshed = self.meshed(document, files)?;
         let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
         let mut odd = Vec::new();
@@ -183,12 +187,20 @@ impl WrittenSection {
             region_of_cell: &meshed.region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
-        let distributed = self.distributed(document, &meshed.mesh, section_mesh);
+        let distributed = self.distributed(Places {
+            document,
+            mesh: &meshed.mesh,
+            section_mesh,
+            laminae: &self.laminae,
+        });
         let tags: Vec<_> = meshed.mesh.cells.iter().map(|cell| cell.tag).collect();
         let rises = self.states.rises(document, files, &tags);
         let materials = self.materials.iter();
         let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
-        let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
+        let loads = self.loads.iter().map(|(load, _)| load.clone());
+        let loads: Option<Vec<_>> = loads.collect();
+        let (materials, of_region) = (materials?, of_region?);
+        let (loads, distributed) = (loads?, distributed?);
         let (section_mesh, mut report) = meshed.checked?;
         let (mut cells, laminated) = (cells?, meshed.laminated?);
         let of_plies = &of_region[self.regions.len()..];
@@ -217,8 +229,9 @@ impl WrittenSection {
             section,
             limits: self.materials.iter().map(|known| known.limits).collect(),
             imposed,
-            loads: self.loads.iter().map(|(load, _)| load.clone()).collect(),
+            loads,
             distributed,
+            distributed_words: self.loads.iter().map(|(_, load)| load.words()).collect(),
             end_effects: self.end_effects,
             prestress: self.prestress,
             summary,
@@ -273,14 +286,9 @@ impl WrittenSection {
     }
 
     /// The loads along the beam on the mesh; `None` when anything is wrong with one.
-    fn distributed(
-        &self,
-        document: &Document,
-        mesh: &Mesh,
-        section_mesh: Option<&SectionMesh>,
-    ) -> Option<Vec<DistributedLoad>> {
+    fn distributed(&self, places: Places<'_>) -> Option<Vec<DistributedLoad>> {
         let loads = self.loads.iter();
-        let loads = loads.map(|(_, load)| load.on_mesh(document, mesh, section_mesh));
+        let loads = loads.map(|(_, load)| load.on_mesh(places));
         // every load is looked at before the first wrong one ends the search
         let loads: Vec<_> = loads.collect();
         loads.into_iter().collect()
