@@ -75,7 +75,7 @@ const FEW: usize = 60;
 const FOUND: f64 = 1e-9;
 
 /// The same of rates that are not wanted: known well enough to say that they decay faster.
-const KNOWN: f64 = 1e-3;
+const KNOWN: f64 = 5e-3;
 
 /// Rates that differ by less, relative, are one: copies of it, by symmetry of the
 /// section and by the square of the operator.
