@@ -169,9 +169,8 @@ impl WrittenSection {
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
         let regions = [&self.regions[..], &laminae::regions(&self.laminae)].concat();
         let of_region = materials_of_regions(document, &regions, &self.materials);
-        let strains = self
-            .states
-            .strains_of_regions(document, &regions, &self.laminae);
+        let (states, laminae) = (&self.states, &self.laminae);
+        let strains = states.strains_of_regions(document, &regions, laminae);
         let meshed = self.meshed(document, files)?;
         let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
         let mut odd = Vec::new();
@@ -187,28 +186,25 @@ impl WrittenSection {
             region_of_cell: &meshed.region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
-        let distributed = self.distributed(Places {
+        let loads = self.loads(Places {
             document,
             mesh: &meshed.mesh,
             section_mesh,
-            laminae: &self.laminae,
+            laminae,
         });
         let tags: Vec<_> = meshed.mesh.cells.iter().map(|cell| cell.tag).collect();
-        let rises = self.states.rises(document, files, &tags);
+        let rises = states.rises(document, files, &tags);
         let materials = self.materials.iter();
         let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
-        let loads = self.loads.iter().map(|(load, _)| load.clone());
-        let loads: Option<Vec<_>> = loads.collect();
-        let (materials, of_region) = (materials?, of_region?);
-        let (loads, distributed) = (loads?, distributed?);
+        let (materials, of_region, (loads, distributed)) = (materials?, of_region?, loads?);
         let (section_mesh, mut report) = meshed.checked?;
         let (mut cells, laminated) = (cells?, meshed.laminated?);
         let of_plies = &of_region[self.regions.len()..];
-        cells.extend(laminae::cells(&self.laminae, &laminated, of_plies)?);
+        cells.extend(laminae::cells(laminae, &laminated, of_plies)?);
         report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
         let of_cells = meshed.region_of_cell.into_iter();
         let mut region_of_cell = of_cells.collect::<Option<Vec<_>>>()?;
-        let of_laminae = laminae::region_of_cells(&self.laminae, &laminated).into_iter();
+        let of_laminae = laminae::region_of_cells(laminae, &laminated).into_iter();
         region_of_cell.extend(of_laminae.map(|region| self.regions.len() + region));
         let section = Section {
             name: self.name.clone(),
@@ -219,7 +215,7 @@ impl WrittenSection {
         };
         self.note_prestress(document, &section);
         let of_regions = (strains?, &region_of_cell[..]);
-        let imposed = self.states.states(document, &section, rises?, of_regions);
+        let imposed = states.states(document, &section, rises?, of_regions);
         let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
         summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
@@ -285,13 +281,16 @@ impl WrittenSection {
         }
     }
 
-    /// The loads along the beam on the mesh; `None` when anything is wrong with one.
-    fn distributed(&self, places: Places<'_>) -> Option<Vec<DistributedLoad>> {
+    /// The loads, and what acts along the beam with each; `None` when anything is wrong with
+    /// one.
+    fn loads(&self, places: Places<'_>) -> Option<(Vec<LoadCase>, Vec<DistributedLoad>)> {
         let loads = self.loads.iter();
         let loads = loads.map(|(_, load)| load.on_mesh(places));
         // every load is looked at before the first wrong one ends the search
-        let loads: Vec<_> = loads.collect();
-        loads.into_iter().collect()
+        let distributed: Vec<_> = loads.collect();
+        let distributed: Option<Vec<_>> = distributed.into_iter().collect();
+        let loads = self.loads.iter().map(|(load, _)| load.clone());
+        Some((loads.collect::<Option<_>>()?, distributed?))
     }
 
     /// What went in; regions, those of plies too, have the materials `of_region`.
