@@ -19,7 +19,7 @@ use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
-use crate::material::MaterialLimits;
+use crate::material::{Material, MaterialLimits};
 use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, Laminated, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
@@ -186,17 +186,10 @@ impl WrittenSection {
             region_of_cell: &meshed.region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
-        let loads = self.loads(Places {
-            document,
-            mesh: &meshed.mesh,
-            section_mesh,
-            laminae,
-        });
+        let loads = self.loads(document, &meshed);
         let tags: Vec<_> = meshed.mesh.cells.iter().map(|cell| cell.tag).collect();
         let rises = states.rises(document, files, &tags);
-        let materials = self.materials.iter();
-        let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
-        let (materials, of_region, (loads, distributed)) = (materials?, of_region?, loads?);
+        let (materials, of_region, (loads, distributed)) = (self.laws()?, of_region?, loads?);
         let (section_mesh, mut report) = meshed.checked?;
         let (mut cells, laminated) = (cells?, meshed.laminated?);
         let of_plies = &of_region[self.regions.len()..];
@@ -281,9 +274,25 @@ impl WrittenSection {
         }
     }
 
+    /// The materials, when all of them could be read.
+    fn laws(&self) -> Option<Vec<Material>> {
+        let materials = self.materials.iter();
+        materials.map(|known| known.material.clone()).collect()
+    }
+
     /// The loads, and what acts along the beam with each; `None` when anything is wrong with
     /// one.
-    fn loads(&self, places: Places<'_>) -> Option<(Vec<LoadCase>, Vec<DistributedLoad>)> {
+    fn loads(
+        &self,
+        document: &Document,
+        meshed: &Meshed,
+    ) -> Option<(Vec<LoadCase>, Vec<DistributedLoad>)> {
+        let places = Places {
+            document,
+            mesh: &meshed.mesh,
+            section_mesh: meshed.checked.as_ref().map(|(mesh, _)| mesh),
+            laminae: &self.laminae,
+        };
         let loads = self.loads.iter();
         let loads = loads.map(|(_, load)| load.on_mesh(places));
         // every load is looked at before the first wrong one ends the search
