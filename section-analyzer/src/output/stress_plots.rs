@@ -201,8 +201,8 @@ mod tests {
         assert_eq!(
             load_words(&heated),
             [
-                "load case \"sun\": no internal force, imposed strain \"hot\",",
-                "imposed strain \"cure\", load along the beam"
+                "load case \"sun\": no internal force, imposed strain \"hot\", imposed strain \"cure\",",
+                "load along the beam"
             ]
         );
         let lines = words([-20123.0, 1234.5, -123450.0, 12345.0, -23456.0, -34567.0]);
