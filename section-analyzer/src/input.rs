@@ -19,7 +19,7 @@ use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
-use crate::material::MaterialLimits;
+use crate::material::{Material, MaterialLimits};
 use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
@@ -48,13 +48,13 @@ mod tables;
 
 pub use distributed::DistributedProblem;
 pub use imposed::ImposedProblem;
-pub use loads::{LOAD_KEYS, checked_load, is_load_name};
+pub use loads::{LOAD_KEYS, LoadProblem, checked_load, is_load_name};
 pub use problem::InputProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
-use distributed::WrittenDistribution;
+use distributed::{Places, WrittenDistribution};
 use files::Files;
 use imposed::{Rows, WrittenStates};
 use laminae::{Added, WrittenLamina};
@@ -74,6 +74,8 @@ pub struct Input {
     pub loads: Vec<LoadCase>,
     /// What is distributed along the beam in each of them, parallel to them.
     pub distributed: Vec<DistributedLoad>,
+    /// The parts of these, in words.
+    pub distributed_words: Vec<Vec<String>>,
     /// Number of end effects to find.
     pub end_effects: Option<usize>,
     /// The measure of strain for the effect of prestress, where it is asked for.
@@ -123,7 +125,7 @@ struct WrittenSection {
     states: WrittenStates,
     laminae: Vec<WrittenLamina>,
     curvature: Option<WrittenCurvature>,
-    loads: Vec<(LoadCase, WrittenDistribution)>,
+    loads: Vec<(Option<LoadCase>, WrittenDistribution)>,
     end_effects: Option<usize>,
     prestress: Option<StrainMeasure>,
     /// Line of the key.
@@ -167,7 +169,8 @@ impl WrittenSection {
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
         let regions = [&self.regions[..], &laminae::regions(&self.laminae)].concat();
         let of_region = materials_of_regions(document, &regions, &self.materials);
-        let strains = self.states.strains_of_regions(document, &regions);
+        let (states, laminae) = (&self.states, &self.laminae);
+        let strains = states.strains_of_regions(document, &regions, laminae);
         let meshed = self.meshed(document, files)?;
         let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
         let mut odd = Vec::new();
@@ -183,19 +186,17 @@ impl WrittenSection {
             region_of_cell: &meshed.region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
-        let distributed = self.distributed(document, &meshed);
-        let rises = self.states.rises(document, files, &meshed.rows());
-        let materials = self.materials.iter();
-        let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
-        let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
+        let loads = self.loads(document, &meshed);
+        let rises = states.rises(document, files, &meshed.rows());
+        let (materials, of_region, (loads, distributed)) = (self.laws()?, of_region?, loads?);
         let (section_mesh, mut report) = meshed.checked?;
         let (mut cells, laminated) = (cells?, meshed.added.cells?.laminated);
         let of_plies = &of_region[self.regions.len()..];
-        cells.extend(laminae::cells(&self.laminae, &laminated, of_plies)?);
+        cells.extend(laminae::cells(laminae, &laminated, of_plies)?);
         report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
         let of_cells = meshed.region_of_cell.into_iter();
         let mut region_of_cell = of_cells.collect::<Option<Vec<_>>>()?;
-        let of_laminae = laminae::region_of_cells(&self.laminae, &laminated).into_iter();
+        let of_laminae = laminae::region_of_cells(laminae, &laminated).into_iter();
         region_of_cell.extend(of_laminae.map(|region| self.regions.len() + region));
         let section = Section {
             name: self.name.clone(),
@@ -206,7 +207,7 @@ impl WrittenSection {
         };
         self.note_prestress(document, &section);
         let of_regions = (strains?, &region_of_cell[..]);
-        let imposed = self.states.states(document, &section, rises?, of_regions);
+        let imposed = states.states(document, &section, rises?, of_regions);
         let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
         summary.warnings.extend(odd);
         summary.warnings.extend(InputWarning::of_mesh(&report));
@@ -216,8 +217,9 @@ impl WrittenSection {
             section,
             limits: self.materials.iter().map(|known| known.limits).collect(),
             imposed,
-            loads: self.loads.iter().map(|(load, _)| load.clone()).collect(),
+            loads,
             distributed,
+            distributed_words: self.loads.iter().map(|(_, load)| load.words()).collect(),
             end_effects: self.end_effects,
             prestress: self.prestress,
             summary,
@@ -276,15 +278,33 @@ impl WrittenSection {
         }
     }
 
-    /// The loads along the beam on the mesh; `None` when anything is wrong with one.
-    fn distributed(&self, document: &Document, meshed: &Meshed) -> Option<Vec<DistributedLoad>> {
-        let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
-        let (mesh, faces) = (&meshed.mesh, &meshed.added.faces);
+    /// The materials, when all of them could be read.
+    fn laws(&self) -> Option<Vec<Material>> {
+        let materials = self.materials.iter();
+        materials.map(|known| known.material.clone()).collect()
+    }
+
+    /// The loads, and what acts along the beam with each; `None` when anything is wrong with
+    /// one.
+    fn loads(
+        &self,
+        document: &Document,
+        meshed: &Meshed,
+    ) -> Option<(Vec<LoadCase>, Vec<DistributedLoad>)> {
+        let places = Places {
+            document,
+            mesh: &meshed.mesh,
+            section_mesh: meshed.checked.as_ref().map(|(mesh, _)| mesh),
+            laminae: &self.laminae,
+            faces: &meshed.added.faces,
+        };
         let loads = self.loads.iter();
-        let loads = loads.map(|(_, load)| load.on_mesh(document, mesh, section_mesh, faces));
+        let loads = loads.map(|(_, load)| load.on_mesh(places));
         // every load is looked at before the first wrong one ends the search
-        let loads: Vec<_> = loads.collect();
-        loads.into_iter().collect()
+        let distributed: Vec<_> = loads.collect();
+        let distributed: Option<Vec<_>> = distributed.into_iter().collect();
+        let loads = self.loads.iter().map(|(load, _)| load.clone());
+        Some((loads.collect::<Option<_>>()?, distributed?))
     }
 
     /// What went in; regions, those of plies too, have the materials `of_region`.

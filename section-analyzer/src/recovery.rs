@@ -72,6 +72,7 @@ mod imposed;
 mod locate;
 mod recoverer;
 mod resultant;
+mod scale;
 mod state;
 
 pub use criteria::{Criterion, FailureIndex, Mode, failure_indices};

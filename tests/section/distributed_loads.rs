@@ -209,25 +209,134 @@ fn pressure_that_grows_along_a_narrow_beam() {
     assert!(others.iter().all(|value| *value < 1e-10 * q), "{others:?}");
 }
 
-/// A polynomial load seen from another section of the beam is the polynomial about that
-/// section: at x = s of `1 + 2 x + 3 x^2` the state is that of the coefficients there.
+/// A pressure q2 x^2/2 on the upper face, at x = 0, where neither load nor internal force
+/// are. The stress function of plane stress is a sum of functions of z times the bending
+/// moment M and even derivatives of the load, with M,xx F0 = q G,
+///
+/// ```text
+/// phi = M F0 + q F1 + q,xx F2        sigma_zz = phi,xx        sigma_xx = phi,zz
+/// G,zzzz = 0 ,    F1,zzzz = -2 G,zz ,    F2,zzzz = -2 F1,zz - G
+/// G  = -(1/2 + 3 z/(4c) - z^3/(4c^3))                 the pressure at z = c, none at z = -c
+/// F1 = -z (z^2 - c^2)^2/(40 c^3)
+/// F2,zz = z^2/4 - c^2/12 + 3 z^5/(80 c^3) + z^3/(40 c) - 87/2800 c^2 z/c
+/// ```
+///
+/// where F1, F2 and their slopes are zero at both faces, so that they bear no force and no
+/// moment. Here sigma_xx = q2 F2,zz and sigma_zz = q2 F1.
+#[test]
+fn pressure_that_is_a_parabola_along_a_narrow_beam() {
+    let q = 3.0;
+    let xx = |[_, z]: [f64; 2]| {
+        let even = z * z / 4.0 - C * C / 12.0;
+        let odd = 3.0 * z.powi(5) / (80.0 * C.powi(3)) + z.powi(3) / (40.0 * C);
+        q * (even + odd - 87.0 / 2800.0 * C * z)
+    };
+    let zz = |[_, z]: [f64; 2]| -q * z * (z * z - C * C).powi(2) / (40.0 * C.powi(3));
+    let along = [0.0, 0.0, 0.5];
+    let load = |section: &Section| on_curve(section, "top", Traction::Pressure(q), &along);
+    // of fifth degree, the next one beyond that of the warping: a tenth of (1/16)^2
+    let case = "parabolic pressure";
+    let stresses: [Stress<'_>; 1] = [(0, "sigma_xx", &xx, 4e-4)];
+    let found = check_beam(case, load, &stresses);
+    // zero at the faces with its slope: its order, that of strains, is yet to come there,
+    // and some (1/16)^2 times five are left
+    let errors = [0, 1, 2].map(|i: usize| error(&found[i], 2, zz));
+    println!("{errors:?}");
+    let name = "sigma_zz";
+    record::largest(
+        NARROW,
+        "parabolic pressure, 16 cells",
+        name,
+        errors[1],
+        2e-2,
+    );
+    assert!(errors[1] < 2e-2, "{errors:?}");
+    let orders = [0, 1].map(|i: usize| (errors[i] / errors[i + 1]).log2());
+    assert!(orders[0] > 1.5 && orders[1] > orders[0], "{orders:?}");
+    let [_, recovery, _] = found;
+    let others = [1, 3, 4, 5].map(|component| {
+        let values = recovery.points.iter();
+        values.fold(0.0_f64, |worst, p| {
+            worst.max(p.tensors.stress[component].abs())
+        })
+    });
+    assert!(others.iter().all(|value| *value < 1e-10 * q), "{others:?}");
+}
+
+/// Coefficients about x of the polynomial with the given ones about zero.
+fn about(along: &[f64; 4], x: f64) -> [f64; 4] {
+    let [c0, c1, c2, c3] = *along;
+    [
+        c0 + c1 * x + c2 * x * x + c3 * x.powi(3),
+        c1 + 2.0 * c2 * x + 3.0 * c3 * x * x,
+        c2 + 3.0 * c3 * x,
+        c3,
+    ]
+}
+
+/// A polynomial load of third degree told from any section is the same load: the warping
+/// of stations beside one, each with the polynomial about itself and the internal force
+/// that the load leaves there, changes along the beam at the rate that the state of this
+/// one has,
+///
+/// ```text
+/// d/dx ( X theta(x) + w(x) ) = X T' theta + w'         theta' = T' theta - H' f
+/// ```
+///
+/// theta is of fifth degree, so that differences over six stations are exact.
 #[test]
 fn polynomials_can_be_told_from_any_section() {
     let section = beam(4, isotropic(1.0, 0.3));
-    let (analysis, s) = (analysis(&section), 0.7);
+    let analysis = analysis(&section);
     let traction = Traction::Force(Vector3::new(0.2, -0.5, 1.0));
-    let of = |along: &[f64]| state(&analysis, &on_curve(&section, "right", traction, along));
-    let there = of(&[1.0 + 2.0 * s + 3.0 * s * s, 2.0 + 6.0 * s, 3.0]);
-    let parts = [of(&[1.0]), of(&[0.0, 1.0]), of(&[0.0, 0.0, 1.0])];
-    let factors = [1.0 + 2.0 * s + 3.0 * s * s, 2.0 + 6.0 * s, 3.0];
-    let mut warping = -there.warping.clone();
-    let mut strain = -there.strain;
-    for (part, factor) in parts.iter().zip(factors) {
-        warping += factor * &part.warping;
-        strain += factor * part.strain;
+    let along = [1.0, 2.0, -3.0, 1.5];
+    let at = |x: f64| {
+        let load = on_curve(&section, "right", traction, &about(&along, x));
+        state(&analysis, &load)
+    };
+    let unit = state(&analysis, &on_curve(&section, "right", traction, &[1.0]));
+    let tt = analysis.domain().line.equilibrium();
+    let central = &analysis.solution().warping;
+    let (s, force) = (0.7, Vector6::new(0.3, -0.2, 0.5, 0.1, -0.4, 0.2));
+    // derivatives of the internal force at s
+    let mut theta = vec![force];
+    let mut factorial = 1.0;
+    for (order, c) in about(&along, s).into_iter().chain([0.0]).enumerate() {
+        factorial *= (order as f64).max(1.0);
+        theta.push(tt * theta[order] - unit.force_per_length * (factorial * c));
     }
-    assert!(warping.amax() < 1e-12 * there.warping.amax());
-    assert!(strain.amax() < 1e-12 * there.strain.amax());
+    let warping = |h: f64| {
+        let mut there = Vector6::zeros();
+        let mut power = 1.0;
+        for (order, derivative) in theta.iter().enumerate() {
+            there += derivative * power;
+            power *= h / (order as f64 + 1.0);
+        }
+        central * there + at(s + h).warping
+    };
+    let h = 0.25;
+    let weights = [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)];
+    let parts = weights
+        .map(|(steps, weight)| (warping(steps * h) - warping(-steps * h)) * (weight / (60.0 * h)));
+    let mut found = nalgebra::DVector::zeros(central.nrows());
+    for part in parts {
+        found += part;
+    }
+    let of_force = central * (tt * force);
+    let expected = &of_force + at(s).rate;
+    // round-off of warpings some ten times as large, over h
+    let error = (&found - &expected).amax() / expected.amax();
+    println!("{error:e}");
+    record::largest(
+        NARROW,
+        "cubic load from another section",
+        "rate of the warping",
+        error,
+        1e-10,
+    );
+    assert!(error < 1e-10, "{error:e}");
+    // the load itself has a part in it
+    assert!((of_force - &expected).amax() > 0.1 * expected.amax());
 }
 
 /// Curvature of the center line of a narrow beam under uniform pressure, for any

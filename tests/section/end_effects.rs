@@ -7,15 +7,16 @@
 
 use nalgebra::Complex;
 use section_analyzer::analysis::Analysis;
+use section_analyzer::material::EngineeringConstants;
 use section_analyzer::mesh::generate::{Ellipse, Rectangle};
 use section_analyzer::properties::RestrainedWarping;
 use section_analyzer::section::Section;
-use section_analyzer::solution::EndEffects;
+use section_analyzer::solution::{DecayingMode, EndEffects};
 use shared_geom::mesh::CellKind;
 
 use crate::record;
 use crate::restrained_warping::thin_i_mesh;
-use crate::sections::{isotropic, relative_error, uniform};
+use crate::sections::{isotropic, orthotropic, relative_error, uniform};
 
 const END_EFFECTS: &str = "End effects";
 
@@ -145,6 +146,54 @@ fn torsion_of_a_circular_bar() {
         1e-4,
     );
     assert!(error < 1e-4, "{error:e}");
+}
+
+/// A material whose slowest end effect is a wave that is not the nearest to zero: however
+/// many are asked for, the first are the same.
+#[test]
+fn slowest_is_found_where_it_is_far_from_zero() {
+    let mesh = Rectangle {
+        width: 1.0,
+        height: 1.0,
+        cells_y: 4,
+        cells_z: 4,
+        kind: CellKind::Quadrilateral8,
+        name: "square".into(),
+    };
+    let section = uniform(
+        &mesh.generate().expect("sound measures"),
+        orthotropic(EngineeringConstants {
+            e1: 39.92,
+            e2: 6.621,
+            e3: 2.0023,
+            g12: 6.112,
+            g13: 31.338,
+            g23: 1.3729,
+            nu12: -0.911,
+            nu13: 2.1603,
+            nu23: 1.2201,
+        }),
+        0.0,
+    );
+    let many = end_effects(&section, 20);
+    let by_distance = |a: &&DecayingMode, b: &&DecayingMode| {
+        let distance = |mode: &DecayingMode| mode.rate.hypot(mode.wave_number);
+        distance(a).total_cmp(&distance(b))
+    };
+    let nearest = many.modes.iter().min_by(by_distance).expect("twenty");
+    assert!(nearest.rate > 1.02 * many.modes[0].rate, "{nearest:?}");
+    for wanted in 1..5 {
+        let few = end_effects(&section, wanted);
+        for (mode, expected) in few.modes.iter().zip(&many.modes) {
+            // both stand still to 1e-9
+            let difference =
+                (mode.rate - expected.rate).hypot(mode.wave_number - expected.wave_number);
+            assert!(
+                difference < 1e-8 * expected.rate,
+                "{wanted}: {mode:?} {expected:?}"
+            );
+        }
+    }
 }
 
 /// Restrained warping of an I section decays as Vlasov's theory has it, to the order of

@@ -24,6 +24,7 @@ impl Analysis<'_> {
         });
         Ok(EndEffects {
             modes: modes.collect(),
+            wanted,
             change: found.change,
             is_converged: found.is_converged,
             vectors: found.vectors,

@@ -37,7 +37,12 @@ impl Analysis<'_> {
             let errors = self.distributed_errors(&solved);
             for case in 0..loads.len() {
                 self.require_work("the work of the distributed load", errors[case])?;
-                found.push(self.distributed_in_si(&solved, case, errors[case]));
+                let (pressure, error) = (self.pressure(loads[case]), errors[case]);
+                found.push(DistributedState {
+                    pressure,
+                    error,
+                    ..self.distributed_in_si(&solved, case)
+                });
             }
         }
         Ok(found)
@@ -85,12 +90,7 @@ impl Analysis<'_> {
 
     /// From the units of the domain to SI, from its origin to that of the mesh, as the
     /// central solutions.
-    fn distributed_in_si(
-        &self,
-        solved: &DistributedSolution,
-        case: usize,
-        error: f64,
-    ) -> DistributedState {
+    fn distributed_in_si(&self, solved: &DistributedSolution, case: usize) -> DistributedState {
         let scaling = &self.domain().scaling;
         let [y, z] = scaling.origin;
         let t = Vector3::new(0.0, y, z);
@@ -105,7 +105,19 @@ impl Analysis<'_> {
             rate: self.on_mesh(&solved.rate, case),
             strain: wrench::shift_matrix(&t).transpose() * strain,
             force_per_length: wrench::shift_matrix(&-t) * force,
-            error,
+            pressure: 0.0,
+            error: 0.0,
         }
+    }
+
+    /// The largest of the parts of a load \[Pa\].
+    fn pressure(&self, load: &DistributedLoad) -> f64 {
+        let length = self.domain().scaling.length;
+        let densities = self.section().materials.iter().map(|known| known.density);
+        let density = densities.fold(0.0, f64::max);
+        let parts = load.parts.iter();
+        parts.fold(0.0, |size, part| {
+            largest(size, part.pressure(density, length))
+        })
     }
 }

@@ -45,6 +45,7 @@ pub(super) fn recover_file(
     if let Some(load) = written_load(load, terminal)? {
         input.loads = vec![load];
         input.distributed = vec![DistributedLoad::default()];
+        input.distributed_words = vec![Vec::new()];
     }
     let place = Place::file(file.display().to_string());
     if input.loads.is_empty() {
@@ -124,14 +125,16 @@ impl Stresses {
         }
         let recoverer =
             Recoverer::new(&input.section, &solved.solution).with_imposed(&solved.imposed.states);
-        for (load, added) in input.loads.iter().zip(&solved.distributed) {
+        let added = solved.distributed.iter().zip(&input.distributed_words);
+        for (load, (added, words)) in input.loads.iter().zip(added) {
             let recovered = match added {
                 Some(added) => recoverer.recover_with(load, added),
                 None => recoverer.recover(load),
             };
             match recovered {
                 Ok(recovery) => {
-                    let state = (&solved.solution, added.as_ref());
+                    let added = added.as_ref().map(|state| (state, &words[..]));
+                    let state = (&solved.solution, added);
                     self.write_one(input, state, &recovery, results)?;
                 }
                 Err(failure) => {
@@ -147,7 +150,7 @@ impl Stresses {
     fn write_one(
         &mut self,
         input: &Input,
-        (solution, added): (&SectionSolution, Option<&DistributedState>),
+        (solution, added): (&SectionSolution, Option<(&DistributedState, &[String])>),
         recovery: &Recovery,
         results: &mut ResultWriter,
     ) -> Result<(), OutputProblem> {
@@ -159,8 +162,9 @@ impl Stresses {
         // of an earlier run, which may have had strengths
         files.remove_stresses(load);
         let mut report = stress_report(section, limits, recovery);
-        if let Some(added) = added {
-            report = report + "\n" + &distributed_load(section, added);
+        if let Some((added, words)) = added {
+            let words = (words, recovery.strain_scale);
+            report = report + "\n" + &distributed_load(section, added, words);
         }
         results.text(files.stress_report(load), &report)?;
         self.reports.push(report);

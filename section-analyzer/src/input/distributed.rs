@@ -7,12 +7,13 @@ use shared_geom::mesh::Mesh;
 use shared_geom::units::Dimension;
 
 use super::groups;
-use super::laminae::Faces;
+use super::laminae::{self, Faces, WrittenLamina};
 use super::regions::{Written, name};
 use crate::mesh::{Bank, CurveSide, SectionMesh};
 use crate::section::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
 
 mod problem;
+mod words;
 
 pub use problem::DistributedProblem;
 
@@ -26,20 +27,37 @@ const LARGEST: f64 = 1e20;
 /// The distributed parts of a load as far as they could be read.
 #[derive(Debug, Clone, Default)]
 pub(super) struct WrittenDistribution {
-    parts: Vec<Option<WrittenPart>>,
+    parts: Vec<WrittenPart>,
+    /// Whether there is anything, read or not.
+    is_written: bool,
 }
 
-/// A part, whose curve or region is not yet compared with the mesh.
+/// A part, whose curve or region is not yet compared with the mesh; what could not be read
+/// is missing.
 #[derive(Debug, Clone)]
 struct WrittenPart {
     place: WrittenPlace,
-    along: Vec<f64>,
+    along: Option<Vec<f64>>,
 }
 
 #[derive(Debug, Clone)]
 enum WrittenPlace {
-    Curve(Written, Traction),
-    Region(Option<Written>, VolumeForce),
+    Curve(Option<Written>, Option<Traction>),
+    /// A region, or everywhere.
+    Region(Option<Option<Written>>, Option<VolumeForce>),
+}
+
+/// What the names of loads are looked for in.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Places<'a> {
+    pub document: &'a Document,
+    /// The mesh as it is in its file, with the laminates.
+    pub mesh: &'a Mesh,
+    /// The same in meters, when it is sound.
+    pub section_mesh: Option<&'a SectionMesh>,
+    pub laminae: &'a [WrittenLamina],
+    /// The faces of laminates.
+    pub faces: &'a Faces,
 }
 
 /// Reads the distributed parts of the load in `table`; what is wrong is noted.
@@ -51,12 +69,14 @@ pub(super) fn read(table: &Table<'_>) -> WrittenDistribution {
     }
     for part in table.tables("volume") {
         parts.push(volume(&part));
-        part.finish();
+        part.finish_beside(&[("group", "\"region\"")]);
     }
-    WrittenDistribution { parts }
+    let is_written = |key: &str| table.has(key) && table.row_count(key) != Some(0);
+    let is_written = ["traction", "volume"].into_iter().any(is_written);
+    WrittenDistribution { parts, is_written }
 }
 
-fn traction(table: &Table<'_>) -> Option<WrittenPart> {
+fn traction(table: &Table<'_>) -> WrittenPart {
     let curve = name(table, "curve", "the name of a physical curve");
     let along = along(table);
     let pressure = number(table, "pressure").map(Traction::Pressure);
@@ -69,13 +89,20 @@ fn traction(table: &Table<'_>) -> Option<WrittenPart> {
     ];
     let expected = "\"pressure\", \"tangential\" or \"force\"";
     let traction = only(table, "traction", expected, found);
-    Some(WrittenPart {
-        place: WrittenPlace::Curve(curve?, traction?),
-        along: along?,
-    })
+    if traction.is_some_and(|traction| traction.size() == 0.0) {
+        note_zero(table, "traction");
+    }
+    WrittenPart {
+        place: WrittenPlace::Curve(curve, traction),
+        along,
+    }
 }
 
-fn volume(table: &Table<'_>) -> Option<WrittenPart> {
+fn note_zero(table: &Table<'_>, part: &'static str) {
+    table.note("", &DistributedProblem::Zero { part });
+}
+
+fn volume(table: &Table<'_>) -> WrittenPart {
     let region = match table.has("region") {
         true => name(table, "region", "the name of a physical surface").map(Some),
         false => Some(None),
@@ -91,10 +118,13 @@ fn volume(table: &Table<'_>) -> Option<WrittenPart> {
         "\"force\" or \"acceleration\"",
         found,
     );
-    Some(WrittenPart {
-        place: WrittenPlace::Region(region?, force?),
-        along: along?,
-    })
+    if force.is_some_and(|force| force.size(1.0) == 0.0) {
+        note_zero(table, "volume force");
+    }
+    WrittenPart {
+        place: WrittenPlace::Region(region, force),
+        along,
+    }
 }
 
 /// The one of several forces that is given; else the problem is noted. Those that could
@@ -168,70 +198,83 @@ fn along(table: &Table<'_>) -> Option<Vec<f64>> {
 
 /// Whether no number is beyond all structures.
 fn checked(table: &Table<'_>, key: &str, values: &[f64]) -> bool {
-    let fits = |value: &f64| value.abs() <= LARGEST;
-    let fit = values.iter().all(fits);
-    if !fit {
-        table.wrong(key, &format!("at most {LARGEST:e} in SI units"));
+    let large = values.iter().position(|value| value.abs() > LARGEST);
+    if let Some(entry) = large {
+        let problem = DistributedProblem::Large {
+            key: key.to_owned(),
+            entry: (values.len() > 1).then_some(entry + 1),
+            value: values[entry],
+            limit: LARGEST,
+        };
+        table.note(key, &problem);
     }
-    fit
+    large.is_none()
 }
 
 impl WrittenDistribution {
     /// Whether nothing was written.
     pub fn is_empty(&self) -> bool {
-        self.parts.is_empty()
+        !self.is_written
     }
 
     /// The load on the mesh; `None` when anything is wrong with it, which has been noted.
-    /// `section_mesh` is `mesh` in meters, when that is sound; `faces` are those of its
-    /// laminates.
-    pub fn on_mesh(
-        &self,
-        document: &Document,
-        mesh: &Mesh,
-        section_mesh: Option<&SectionMesh>,
-        faces: &Faces,
-    ) -> Option<DistributedLoad> {
+    pub fn on_mesh(&self, places: Places<'_>) -> Option<DistributedLoad> {
         // every part is looked at before the first wrong one ends the search
-        let parts = self.parts.iter().map(|part| {
-            let part = part.as_ref()?;
-            let action = match &part.place {
-                WrittenPlace::Curve(curve, traction) => Action::Traction {
-                    sides: sides(document, mesh, section_mesh, faces, (curve, traction))?,
-                    traction: *traction,
-                },
-                WrittenPlace::Region(region, force) => Action::Volume {
-                    group: match region {
-                        Some(region) if faces.is_open(&region.text) => return None,
-                        Some(region) => Some(group(document, mesh, section_mesh, region)?),
-                        None => None,
-                    },
-                    force: *force,
-                },
-            };
-            let along = part.along.clone();
-            Some(DistributedForce { action, along })
-        });
-        let parts: Vec<_> = parts.collect();
+        let parts: Vec<_> = self.parts.iter().map(|part| part.on_mesh(places)).collect();
         let parts: Option<Vec<_>> = parts.into_iter().collect();
-        Some(DistributedLoad { parts: parts? })
+        Some(DistributedLoad {
+            parts: parts?.concat(),
+        })
+    }
+}
+
+impl WrittenPart {
+    /// The part on the mesh: one for each ply where a laminate is named.
+    fn on_mesh(&self, places: Places<'_>) -> Option<Vec<DistributedForce>> {
+        // the names are looked for even if the values are wrong
+        let actions = match &self.place {
+            WrittenPlace::Curve(curve, traction) => {
+                let found = sides(places, curve.as_ref()?, traction.as_ref());
+                let (sides, traction) = (found?, (*traction)?);
+                vec![Action::Traction { sides, traction }]
+            }
+            WrittenPlace::Region(region, force) => {
+                let groups = match region.as_ref()? {
+                    Some(region) => groups_of(places, region)?.into_iter().map(Some).collect(),
+                    None => vec![None],
+                };
+                let force = (*force)?;
+                let volume = |group| Action::Volume { group, force };
+                groups.into_iter().map(volume).collect()
+            }
+        };
+        let along = self.along.as_ref()?;
+        let force = |action| DistributedForce {
+            action,
+            along: along.clone(),
+        };
+        Some(actions.into_iter().map(force).collect())
     }
 }
 
 /// The sides on the curve that `written` names.
 fn sides(
-    document: &Document,
-    mesh: &Mesh,
-    section_mesh: Option<&SectionMesh>,
-    faces: &Faces,
-    (written, traction): (&Written, &Traction),
+    places: Places<'_>,
+    written: &Written,
+    traction: Option<&Traction>,
 ) -> Option<Vec<CurveSide>> {
+    let Places {
+        document,
+        mesh,
+        faces,
+        ..
+    } = places;
     if faces.is_open(&written.text) {
         return None;
     }
     let group = groups::curve(document, mesh, written)?;
     let label = mesh.groups[group].label();
-    let section_mesh = section_mesh?;
+    let section_mesh = places.section_mesh?;
     let curve = section_mesh.curves.iter().find(|c| c.label == label)?;
     let sides = match section_mesh.sides_of_curve(curve) {
         Ok(sides) => sides,
@@ -248,7 +291,7 @@ fn sides(
     };
     let inside = sides.iter().find(|side| side.bank == Bank::Both);
     match (traction, inside) {
-        (Traction::Pressure(_), Some(side)) => {
+        (Some(Traction::Pressure(_)), Some(side)) => {
             let problem = DistributedProblem::Inside {
                 curve: written.text.clone(),
                 line: side.tag,
@@ -261,16 +304,30 @@ fn sides(
     }
 }
 
+/// The region that `written` names, or those of the plies of a laminate: their indices in
+/// the groups of the section mesh.
+fn groups_of(places: Places<'_>, written: &Written) -> Option<Vec<usize>> {
+    if places.faces.is_open(&written.text) {
+        return None;
+    }
+    let plies = laminae::plies_of(places.laminae, &written.text);
+    let found = plies.iter().map(|ply| {
+        let text = ply.clone();
+        let line = written.line;
+        group(places, &Written { text, line })
+    });
+    match plies.is_empty() {
+        true => Some(vec![group(places, written)?]),
+        false => found.collect(),
+    }
+}
+
 /// The region that `written` names: its index in the groups of the section mesh.
-fn group(
-    document: &Document,
-    mesh: &Mesh,
-    section_mesh: Option<&SectionMesh>,
-    written: &Written,
-) -> Option<usize> {
+fn group(places: Places<'_>, written: &Written) -> Option<usize> {
+    let Places { document, mesh, .. } = places;
     let group = groups::surface(document, mesh, written)?;
     let label = mesh.groups[group].label();
-    let known = &section_mesh?.groups;
+    let known = &places.section_mesh?.groups;
     let found = known.iter().position(|known| *known == label);
     if found.is_none() {
         let problem = DistributedProblem::NoRegion {

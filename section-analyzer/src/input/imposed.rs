@@ -8,10 +8,11 @@ use shared_geom::units::Dimension;
 
 use super::cell_table::{CellTable, LARGEST_RISE, RISE};
 use super::files::Files;
+use super::laminae::{self, WrittenLamina};
 use super::loads::is_load_name;
 use super::problem::InputProblem;
 use super::regions::{Written, WrittenRegion, name};
-use crate::section::{FreeStrain, ImposedStrain, Section, TemperatureField};
+use crate::section::{CellMaterial, FreeStrain, ImposedStrain, Section, TemperatureField};
 
 mod problem;
 
@@ -19,6 +20,9 @@ pub use problem::ImposedProblem;
 
 /// Largest initial strain \[-\]: beyond it nothing is linear.
 const LARGEST_STRAIN: f64 = 1.0;
+
+/// The components of a strain in material axes.
+const COMPONENTS: [&str; 6] = ["11", "22", "33", "23", "13", "12"];
 
 /// Every imposed state of a file, as far as it could be read.
 #[derive(Debug, Default)]
@@ -42,11 +46,12 @@ enum Temperature {
     Table(Written),
 }
 
-/// The initial strain of a region, in material axes \[-\].
+/// The initial strain of a region, in material axes \[-\]; what could not be read is
+/// missing.
 #[derive(Debug)]
 struct RegionStrain {
-    group: Written,
-    strain: Vector6<f64>,
+    group: Option<Written>,
+    strain: Option<Vector6<f64>>,
 }
 
 /// Reads every `[temperature.NAME]` and `[initial_strain.NAME]`.
@@ -162,22 +167,23 @@ fn region_strains(state: &str, table: &Table<'_>) -> Option<Vec<RegionStrain>> {
         table.note("", &ImposedProblem::NoRegion { name });
         return None;
     }
-    // Every region is read before the first wrong one ends the reading.
-    let read: Vec<_> = tables.iter().map(region_strain).collect();
-    let strains: Vec<_> = read.into_iter().collect::<Option<_>>()?;
-    if strains
-        .iter()
-        .all(|region| region.strain == Vector6::zeros())
-    {
+    let strains: Vec<_> = tables.iter().map(region_strain).collect();
+    let is_zero = |region: &RegionStrain| region.strain == Some(Vector6::zeros());
+    if strains.iter().all(is_zero) {
         note_zero(state, "initial_strain", table);
-        return None;
     }
     Some(strains)
 }
 
-fn region_strain(table: &Table<'_>) -> Option<RegionStrain> {
-    const EXPECTED: &str = "an array of 6 strains in material axes, order 11 22 33 23 13 12";
+fn region_strain(table: &Table<'_>) -> RegionStrain {
     let group = name(table, "group", "the name of a physical surface of a region");
+    let strain = strain(table);
+    table.finish_beside(&[("region", "\"group\"")]);
+    RegionStrain { group, strain }
+}
+
+fn strain(table: &Table<'_>) -> Option<Vector6<f64>> {
+    const EXPECTED: &str = "an array of 6 strains in material axes, order 11 22 33 23 13 12";
     let strain = match table.has("strain") {
         true => table.quantities("strain", Dimension::NUMBER),
         false => {
@@ -185,20 +191,22 @@ fn region_strain(table: &Table<'_>) -> Option<RegionStrain> {
             None
         }
     };
-    table.finish();
     let strain = strain?;
     if strain.len() != 6 {
         table.wrong("strain", EXPECTED);
         return None;
     }
-    if strain.iter().any(|part| part.abs() > LARGEST_STRAIN) {
-        table.wrong("strain", "strains of at most 1");
+    let large = strain.iter().position(|part| part.abs() > LARGEST_STRAIN);
+    if let Some(entry) = large {
+        let problem = ImposedProblem::Large {
+            component: COMPONENTS[entry],
+            value: strain[entry],
+            limit: LARGEST_STRAIN,
+        };
+        table.note("strain", &problem);
         return None;
     }
-    Some(RegionStrain {
-        group: group?,
-        strain: Vector6::from_vec(strain),
-    })
+    Some(Vector6::from_vec(strain))
 }
 
 /// What the rows of a table may name.
@@ -234,35 +242,37 @@ impl WrittenStates {
     }
 
     /// For each region and initial strain the strain; notes regions that the file does not
-    /// have, and those that stand twice.
+    /// have, and those that stand twice. The name of a laminate stands for its plies.
     pub fn strains_of_regions(
         &self,
         document: &Document,
         regions: &[WrittenRegion],
+        laminae: &[WrittenLamina],
     ) -> Option<Vec<Vec<FreeStrain>>> {
         let groups = regions.iter().map(|region| region.group.as_ref());
         let groups: Vec<_> = groups.map(|g| g.map(|group| group.text.clone())).collect();
         let of_state = |state: &WrittenState<Vec<RegionStrain>>| {
             let mut strains = vec![None; regions.len()];
             let mut is_sound = true;
-            for RegionStrain { group, strain } in state.content.as_ref()? {
-                let same = |known: &Option<String>| known.as_ref() == Some(&group.text);
-                let (name, text) = (state.name.clone(), group.text.clone());
+            for (written, text, strain) in by_region(state.content.as_ref()?, laminae) {
+                let same = |known: &Option<String>| known.as_ref() == Some(&text);
+                let (name, group) = (state.name.clone(), text.clone());
                 let problem = match groups.iter().position(same) {
                     None => ImposedProblem::UnknownRegion {
                         name,
-                        group: text,
+                        group,
                         known: groups.iter().flatten().cloned().collect(),
                     },
                     Some(region) if strains[region].is_some() => {
-                        ImposedProblem::RegionTwice { name, group: text }
+                        ImposedProblem::RegionTwice { name, group }
                     }
                     Some(region) => {
-                        strains[region] = Some(FreeStrain::constant(*strain));
+                        strains[region] = Some(FreeStrain::constant(strain.unwrap_or_default()));
+                        is_sound &= strain.is_some();
                         continue;
                     }
                 };
-                document.note(group.line, &problem);
+                document.note(written.line, &problem);
                 is_sound = false;
             }
             let strains = strains.into_iter().map(Option::unwrap_or_default);
@@ -283,7 +293,14 @@ impl WrittenStates {
     ) -> Option<Vec<Option<Vec<f64>>>> {
         let mut of_state = |state: &WrittenState<Temperature>| match state.content.as_ref()? {
             Temperature::Linear(_) => Some(None),
-            Temperature::Table(written) => rises(document, files, rows.as_ref(), written).map(Some),
+            Temperature::Table(written) => {
+                let rises = rises(document, files, rows.as_ref(), written)?;
+                if rises.iter().all(|rise| *rise == 0.0) {
+                    let (kind, name) = ("temperature", state.name.clone());
+                    document.note(written.line, &ImposedProblem::Zero { kind, name });
+                }
+                Some(Some(rises))
+            }
         };
         // Every table is read before the first wrong one ends the reading.
         let found: Vec<_> = self.temperatures.iter().map(&mut of_state).collect();
@@ -300,7 +317,11 @@ impl WrittenStates {
         rises: Vec<Option<Vec<f64>>>,
         (strains, region_of_cell): (Vec<Vec<FreeStrain>>, &[usize]),
     ) -> Vec<ImposedStrain> {
-        if !section.expands() {
+        let is_heated = |cell: &CellMaterial| {
+            let expansion = section.materials[cell.material].expansion;
+            expansion.is_some_and(|along| along != [0.0; 3])
+        };
+        if !section.cells.iter().any(is_heated) {
             for state in &self.temperatures {
                 let name = state.name.clone();
                 document.note(state.line, &ImposedProblem::NothingExpands { name });
@@ -323,6 +344,27 @@ impl WrittenStates {
         });
         temperatures.chain(strains).collect()
     }
+}
+
+/// The strains with the names of their regions, those of laminates for each ply.
+fn by_region<'a>(
+    strains: &'a [RegionStrain],
+    laminae: &[WrittenLamina],
+) -> Vec<(&'a Written, String, Option<Vector6<f64>>)> {
+    let named = strains.iter().filter_map(|region| {
+        let group = region.group.as_ref()?;
+        let plies = laminae::plies_of(laminae, &group.text);
+        let names = match plies.is_empty() {
+            true => vec![group.text.clone()],
+            false => plies,
+        };
+        Some(
+            names
+                .into_iter()
+                .map(move |name| (group, name, region.strain)),
+        )
+    });
+    named.flatten().collect()
 }
 
 fn names<T>(states: &[WrittenState<T>]) -> Vec<String> {

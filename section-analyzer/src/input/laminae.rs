@@ -140,6 +140,16 @@ impl WrittenLamina {
     }
 }
 
+/// What the plies of the laminate `name` are called, where it has several.
+pub(super) fn plies_of(laminae: &[WrittenLamina], name: &str) -> Vec<String> {
+    let is_named = |lamina: &&WrittenLamina| {
+        let own = lamina.name.as_ref().or(lamina.curve.as_ref());
+        own.is_some_and(|own| own.text == name)
+    };
+    let labels = laminae.iter().find(is_named).map(WrittenLamina::labels);
+    labels.filter(|labels| labels.len() > 1).unwrap_or_default()
+}
+
 /// A region for each ply of each laminate, in their order.
 pub(super) fn regions(laminae: &[WrittenLamina]) -> Vec<WrittenRegion> {
     let of_lamina = |lamina: &WrittenLamina| -> Vec<WrittenRegion> {

@@ -9,6 +9,10 @@ use super::imposed::{ImposedProblem, WrittenStates};
 use super::problem::InputProblem;
 use crate::recovery::LoadCase;
 
+mod problem;
+
+pub use problem::LoadProblem;
+
 /// Keys of the six components, in their order, with what each measures.
 pub const LOAD_KEYS: [(&str, Dimension); 6] = [
     ("axial", Dimension::FORCE),
@@ -47,21 +51,40 @@ pub fn is_load_name(name: &str) -> bool {
 }
 
 /// Reads every `[load.NAME]` with what is distributed along the beam, of which some act
-/// with imposed `states`; those that are wrong are noted and left out.
+/// with imposed `states`; what is wrong is noted. Loads without sound components are
+/// `None`, and what is distributed stands all the same.
 pub(super) fn read(
     root: &Table<'_>,
     states: &WrittenStates,
-) -> Vec<(LoadCase, WrittenDistribution)> {
+) -> Vec<(Option<LoadCase>, WrittenDistribution)> {
     let tables = root.named_tables("load");
+    note_same_files(&tables);
     tables
         .into_iter()
-        .filter_map(|(name, table)| {
+        .map(|(name, table)| {
             let distributed = distributed::read(&table);
             let load = read_one(&name, &table, (states, &distributed));
             table.finish();
-            Some((load?, distributed))
+            (load, distributed)
         })
         .collect()
+}
+
+/// Notes names that differ in upper and lower case only.
+fn note_same_files(tables: &[(String, Table<'_>)]) {
+    for (number, (load, table)) in tables.iter().enumerate() {
+        let is_same = |(other, _): &&(String, Table<'_>)| {
+            other != load && other.to_lowercase() == load.to_lowercase()
+        };
+        if let Some((other, before)) = tables[..number].iter().find(is_same) {
+            let problem = LoadProblem::SameFile {
+                load: load.clone(),
+                other: other.clone(),
+                line: before.line(),
+            };
+            table.note("", &problem);
+        }
+    }
 }
 
 fn read_one(
@@ -87,6 +110,9 @@ fn read_one(
     if force == Vector6::zeros() && imposed.is_empty() && distributed.is_empty() {
         table.note("", &InputProblem::ZeroLoad { load });
         return None;
+    }
+    if force == Vector6::zeros() && table.has("point") {
+        table.note("point", &LoadProblem::PointAlone { load: load.clone() });
     }
     let load = LoadCase {
         imposed,

@@ -7,13 +7,18 @@ use super::text::{number, table};
 use crate::section::Section;
 use crate::solution::DistributedState;
 
-/// The force per length of a load on `section` and the generalized strain that it adds.
-pub fn distributed_load(section: &Section, state: &DistributedState) -> String {
+/// The force per length of a load on `section` and the generalized strain that it adds;
+/// `acts` are its parts in words, `strain` is what round-off of strains is measured beside.
+pub fn distributed_load(
+    section: &Section,
+    state: &DistributedState,
+    (acts, strain): (&[String], f64),
+) -> String {
     let size = size(section);
     let heading = ["", "force per length", "generalized strain"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
-    let force = without_round_off(&state.force_per_length, size.recip());
-    let strain = without_round_off(&state.strain, size);
+    let force = without_round_off(&state.force_per_length, size.recip(), state.pressure * size);
+    let strain = without_round_off(&state.strain, size, strain);
     for (i, component) in COMPONENTS.iter().enumerate() {
         rows.push(vec![
             (*component).to_owned(),
@@ -21,9 +26,11 @@ pub fn distributed_load(section: &Section, state: &DistributedState) -> String {
             number(strain[i]),
         ]);
     }
+    let acts = acts.iter().map(|part| format!("  {part}\n"));
+    let acts: String = acts.collect();
     format!(
         "Distributed load at the section: force per length about the reference point [N/m, N]\n\
-         and the generalized strain that it adds to that of the internal force [-, 1/m]\n{}  \
+         and the generalized strain that it adds to that of the internal force [-, 1/m]\n{acts}{}  \
          (the work of its stresses on the central solutions differs from that strain by {:.1e})\n",
         table(&rows, "lr"),
         state.error

@@ -18,6 +18,9 @@ pub fn end_effects(found: &EndEffects) -> String {
         ]);
     }
     let status = match found.is_converged {
+        true if found.modes.len() < found.wanted => {
+            "  These are all: the mesh has no more.\n".to_owned()
+        }
         true => String::new(),
         false => format!(
             "  (not converged: the rates still change by {:.1e} with {} vectors)\n",
@@ -33,7 +36,8 @@ pub fn end_effects(found: &EndEffects) -> String {
         )
     });
     format!(
-        "End effects: decaying solutions, those that reach farthest first\n{}{words}{status}",
+        "End effects: decaying solutions, those that reach farthest first, equal ones once\n\
+         {}{words}{status}",
         table(&rows, "rrr")
     )
 }
@@ -61,6 +65,7 @@ mod tests {
                     wave_number: 5.0,
                 },
             ],
+            wanted: 2,
             change: 1e-11,
             is_converged: true,
             vectors: 42,
@@ -74,6 +79,9 @@ mod tests {
             text.contains("1.25664") && !text.contains("not converged"),
             "{text}"
         );
+        assert!(!text.contains("no more"), "{text}");
+        found.wanted = 3;
+        assert!(end_effects(&found).contains("These are all: the mesh has no more."));
         found.is_converged = false;
         found.change = 2e-5;
         let text = end_effects(&found);

@@ -25,7 +25,7 @@ fn thermal(force: Option<&Vector6<f64>>, length: f64) -> String {
     let Some(forces) = force else {
         return String::new();
     };
-    let forces = without_round_off(forces, 1.0 / length);
+    let forces = without_round_off(forces, 1.0 / length, 0.0);
     let rows = COMPONENTS.iter().zip(forces.iter());
     let rows = rows.map(|(name, force)| vec![(*name).to_owned(), number(*force)]);
     let rows: Vec<_> = rows.collect();
@@ -40,8 +40,8 @@ fn states(states: &[ImposedState], length: f64) -> String {
     let of_state = |state: &ImposedState| {
         let heading = ["", "free strain [-, 1/m]", "restrained force [N, N m]"];
         let mut rows = vec![heading.map(str::to_owned).to_vec()];
-        let strain = without_round_off(&state.free_strain, length);
-        let force = without_round_off(&state.restrained_force, 1.0 / length);
+        let strain = without_round_off(&state.free_strain, length, 0.0);
+        let force = without_round_off(&state.restrained_force, 1.0 / length, 0.0);
         for (i, name) in COMPONENTS.iter().enumerate() {
             let values = [strain[i], force[i]].map(number);
             rows.push([vec![(*name).to_owned()], values.to_vec()].concat());

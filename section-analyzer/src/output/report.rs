@@ -193,7 +193,8 @@ fn law(law: &ElasticLaw) -> (&'static str, String) {
     }
 }
 
-/// Isotropic materials have no directions: their angles are left out.
+/// Isotropic materials have no directions but those of what they would strain by: their
+/// angles are left out where they are zero.
 fn regions(section: &Section, summary: &InputSummary) -> String {
     let is_isotropic = |name: &str| {
         let mut materials = section.materials.iter();
@@ -211,9 +212,12 @@ fn regions(section: &Section, summary: &InputSummary) -> String {
     ];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     for (region, area) in summary.regions.iter().zip(&summary.areas.regions) {
-        let angle = |angle: &AngleSource| match is_isotropic(&region.material) {
-            true => "-".to_owned(),
-            false => angle.to_string(),
+        let angle = |angle: &AngleSource| {
+            let is_zero = *angle == AngleSource::Constant(0.0);
+            match is_zero && is_isotropic(&region.material) {
+                true => "-".to_owned(),
+                false => angle.to_string(),
+            }
         };
         rows.push(vec![
             region.group.clone(),

@@ -117,12 +117,11 @@ pub(super) fn recovery(
         }
     });
     Recovery {
-        load: LoadCase {
-            name: name.into(),
-            force,
-            imposed: Vec::new(),
-        },
+        load: LoadCase::at_point(name, &force, [0.0; 2]),
         generalized_strain: Vector6::zeros(),
+        is_distributed: false,
+        stress_scale: 0.0,
+        strain_scale: 0.0,
         points: Vec::new(),
         cells: cells.collect(),
         nodes,

@@ -57,7 +57,11 @@ pub fn stress_plots<'a>(
     let plot = |field: Field| FieldPlot::new(section, summary, field, load.clone());
     let mut fields = vec![axial(recovery), shear(recovery), equivalent(recovery)];
     if !failure.is_empty() {
-        fields.push(largest_index(section, failure));
+        let mut field = largest_index(section, failure);
+        if largest_stress(recovery) <= NEGLIGIBLE * recovery.stress_scale {
+            field.negligible = f64::INFINITY;
+        }
+        fields.push(field);
     }
     let plots = fields.into_iter().map(plot);
     STRESS_PLOTS.into_iter().zip(plots).collect()
@@ -109,8 +113,7 @@ fn of_nodes(
     title: &str,
     take: impl Fn(&Tensors) -> f64,
 ) -> Field {
-    let stress = |state: &NodalState| state.tensors.stress.amax();
-    let largest = recovery.nodes.iter().map(stress).fold(0.0_f64, f64::max);
+    let largest = largest_stress(recovery).max(recovery.stress_scale);
     Field {
         title: title.to_owned(),
         note: String::new(),
@@ -119,6 +122,12 @@ fn of_nodes(
         vectors: None,
         negligible: NEGLIGIBLE * largest,
     }
+}
+
+/// The largest component at a node \[Pa\].
+fn largest_stress(recovery: &Recovery) -> f64 {
+    let stress = |state: &NodalState| state.tensors.stress.amax();
+    recovery.nodes.iter().map(stress).fold(0.0, f64::max)
 }
 
 /// A value of the state at each node of each cell.
@@ -133,19 +142,30 @@ fn at_nodes<T: Copy + Default>(recovery: &Recovery, take: impl Fn(&Tensors) -> T
     recovery.cell_nodes.iter().map(of_cell).collect()
 }
 
-/// `load case "gust": shear z 1200 N, torsion -35 N m`, in lines that fit.
+/// `load case "gust": shear z 1200 N, torsion -35 N m and what else acts`, in lines that fit.
 fn load_words(recovery: &Recovery) -> Vec<String> {
     let mut lines = vec![format!("load case \"{}\":", recovery.load.name)];
     let force = recovery.load.force.iter().enumerate();
-    let parts: Vec<_> = force.filter(|(_, value)| **value != 0.0).collect();
+    let parts = force.filter(|(_, value)| **value != 0.0);
+    let parts = parts.map(|(component, value)| {
+        let unit = if component < 3 { "N" } else { "N m" };
+        let (name, value) = (COMPONENTS[component], tick_label(*value, 0.0));
+        format!("{name} {value} {unit}")
+    });
+    let mut parts: Vec<_> = parts.collect();
     if parts.is_empty() {
-        lines[0] += " no internal force";
+        parts.push("no internal force".to_owned());
     }
-    for (count, (component, value)) in parts.iter().enumerate() {
-        let unit = if *component < 3 { "N" } else { "N m" };
+    let states = recovery.load.imposed.iter();
+    parts.extend(states.map(|state| format!("imposed strain \"{state}\"")));
+    parts.extend(
+        recovery
+            .is_distributed
+            .then(|| "load along the beam".to_owned()),
+    );
+    for (count, part) in parts.iter().enumerate() {
         let comma = if count + 1 < parts.len() { "," } else { "" };
-        let (name, value) = (COMPONENTS[*component], tick_label(**value, 0.0));
-        let words = format!("{name} {value} {unit}{comma}");
+        let words = format!("{part}{comma}");
         match lines.last_mut() {
             Some(line) if line.len() + words.len() < LINE => *line += &format!(" {words}"),
             _ => lines.push(words),
@@ -175,6 +195,16 @@ mod tests {
             ["load case \"gust\": shear z 1200 N, torsion -35 N m"]
         );
         assert_eq!(words([0.0; 6]), ["load case \"gust\": no internal force"]);
+        let mut heated = recovery(&section, "sun", Vector6::zeros(), |_, _| Vector6::zeros());
+        heated.load.imposed = vec!["hot".into(), "cure".into()];
+        heated.is_distributed = true;
+        assert_eq!(
+            load_words(&heated),
+            [
+                "load case \"sun\": no internal force, imposed strain \"hot\", imposed strain \"cure\",",
+                "load along the beam"
+            ]
+        );
         let lines = words([-20123.0, 1234.5, -123450.0, 12345.0, -23456.0, -34567.0]);
         assert_eq!(
             lines,

@@ -14,7 +14,7 @@ const CONVENTION: &str = "\
 Convention
   Stresses xx to xy are in section axes: x along the beam, y and z in the section. 11 to
   12 are in material axes: 1 the fiber, 2 across it in the ply, 3 the normal of the wall;
-  isotropic materials have none.
+  the stress of isotropic materials is listed without them.
   Moments are about the reference point, the origin of the mesh. SI units: N, m, Pa.
 ";
 
@@ -43,11 +43,11 @@ pub fn stress_report(section: &Section, limits: &[MaterialLimits], recovery: &Re
 fn load(recovery: &Recovery, size: f64) -> String {
     let heading = ["", "load", "of the stresses", "generalized strain"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
-    let strain = without_round_off(&recovery.generalized_strain, size);
+    let strain = without_round_off(&recovery.generalized_strain, size, recovery.strain_scale);
     // without internal force, that of a load along the beam is round-off
     let has_force = recovery.load.force.amax() > 0.0;
     let resultant = match has_force {
-        true => without_round_off(&recovery.resultant, size.recip()),
+        true => without_round_off(&recovery.resultant, size.recip(), 0.0),
         false => Vector6::zeros(),
     };
     for (i, component) in COMPONENTS.iter().enumerate() {
@@ -72,39 +72,43 @@ fn load(recovery: &Recovery, size: f64) -> String {
     )
 }
 
-/// The imposed states of the load, if it has any.
+/// The imposed states of the load and what acts along the beam, if there is any.
 fn acting_with(recovery: &Recovery) -> String {
     let states = &recovery.load.imposed;
-    match states.is_empty() {
+    let mut words = match states.is_empty() {
         true => String::new(),
         false => format!("  under the imposed strains of {}\n", states.join(", ")),
+    };
+    if recovery.is_distributed {
+        words += "  with a load along the beam, told at the end\n";
     }
+    words
 }
 
-/// What is zero beside the largest component, shown as zero; the last three times
-/// `length` are comparable with the first three.
-pub(super) fn without_round_off(values: &Vector6<f64>, length: f64) -> Vector6<f64> {
+/// What is zero beside the largest component, or beside `least` where that is more, shown
+/// as zero; the last three times `length` are comparable with the first three.
+pub(super) fn without_round_off(values: &Vector6<f64>, length: f64, least: f64) -> Vector6<f64> {
     let weight = |i: usize| if i < 3 { 1.0 } else { length };
     let compared = Vector6::from_fn(|i, _| (values[i] * weight(i)).abs());
-    let scale = compared.amax();
+    let scale = compared.amax().max(least);
     values.zip_map(&compared, |value, compared| {
         if compared <= ZERO * scale { 0.0 } else { value }
     })
 }
 
 fn stresses(section: &Section, recovery: &Recovery) -> String {
-    let size = size(section);
+    let (size, least) = (size(section), recovery.stress_scale);
     let mut parts = Vec::new();
     for region in region_stresses(section, recovery) {
         let name = &section.mesh.groups[region.group];
         let has_axes = has_material_axes(section, region.group);
         parts.push(format!(
             "Extreme stresses of region \"{name}\", at integration points [Pa, m]\n{}",
-            ranges(&region.points, has_axes, "cell", size)
+            ranges(&region.points, has_axes, "cell", (size, least))
         ));
         parts.push(format!(
             "Extreme stresses of region \"{name}\", smoothed at nodes [Pa, m]\n{}",
-            ranges(&region.nodes, has_axes, "node", size)
+            ranges(&region.nodes, has_axes, "node", (size, least))
         ));
     }
     parts.join("\n")
@@ -125,14 +129,15 @@ pub(super) fn size(section: &Section) -> f64 {
     coordinates.fold(0.0, |size, x| x.abs().max(size))
 }
 
-/// Rows of the stresses, without those in material axes unless `has_axes`.
-fn ranges(ranges: &[Range; 13], has_axes: bool, what: &str, size: f64) -> String {
+/// Rows of the stresses, without those in material axes unless `has_axes`; `size` is the
+/// largest coordinate, and stresses that are nothing beside `least` are round-off.
+fn ranges(ranges: &[Range; 13], has_axes: bool, what: &str, (size, least): (f64, f64)) -> String {
     let heading = ["", "smallest", what, "y", "z", "largest", what, "y", "z"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     let scale = ranges
         .iter()
         .map(|range| range.min.value.abs().max(range.max.value.abs()));
-    let scale = scale.fold(0.0, f64::max);
+    let scale = scale.fold(least, f64::max);
     for (i, (range, name)) in ranges.iter().zip(STRESS_NAMES).enumerate() {
         if MATERIAL_AXES.contains(&i) && !has_axes {
             continue;
@@ -171,7 +176,19 @@ fn failures(section: &Section, limits: &[MaterialLimits], recovery: &Recovery) -
     ];
     let size = size(section);
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    let is_stressed = stressed_groups(section, recovery);
     for failure in &found {
+        if !is_stressed[failure.group] {
+            let name = section.mesh.groups[failure.group].clone();
+            let criterion = failure.worst.criterion.name().to_owned();
+            rows.push(vec![
+                name,
+                criterion,
+                "0".to_owned(),
+                reserve(f64::INFINITY),
+            ]);
+            continue;
+        }
         let [y, z] = failure.place.map(|x| coordinate(x, size));
         rows.push(vec![
             section.mesh.groups[failure.group].clone(),
@@ -184,7 +201,8 @@ fn failures(section: &Section, limits: &[MaterialLimits], recovery: &Recovery) -
             z,
         ]);
     }
-    let smallest = found.iter().map(|failure| failure.worst.reserve_factor);
+    let stressed = found.iter().filter(|failure| is_stressed[failure.group]);
+    let smallest = stressed.map(|failure| failure.worst.reserve_factor);
     let smallest = smallest.fold(f64::INFINITY, f64::min);
     format!(
         "Failure indices at the integration point with the smallest reserve factor\n  \
@@ -193,6 +211,16 @@ fn failures(section: &Section, limits: &[MaterialLimits], recovery: &Recovery) -
         table(&rows, "llrrlr"),
         reserve(smallest)
     )
+}
+
+/// Whether the regions have any stress that is more than round-off.
+fn stressed_groups(section: &Section, recovery: &Recovery) -> Vec<bool> {
+    let mut found = vec![false; section.mesh.groups.len()];
+    for point in &recovery.points {
+        let group = section.mesh.cells[point.cell].group;
+        found[group] |= point.tensors.stress.amax() > ZERO * recovery.stress_scale;
+    }
+    found
 }
 
 fn reserve(factor: f64) -> String {

@@ -207,12 +207,15 @@ impl<'a> Recoverer<'a> {
         let least = held + added.map_or(0.0, |state| self.size_of(state, &points));
         let error = resultant_error(&about_center, &theta, self.size, least);
         self.require(load, error)?;
-        let added = added.map_or(Vector6::zeros(), |state| state.strain);
+        let scales = self.scales(imposed.as_ref(), added, &points);
         Ok(Recovery {
             load: load.clone(),
             generalized_strain: self.solution.strain * load.force
                 + imposed.map_or_else(Vector6::zeros, |imposed| imposed.strain)
-                + added,
+                + added.map_or_else(Vector6::zeros, |state| state.strain),
+            is_distributed: added.is_some(),
+            stress_scale: scales.stress,
+            strain_scale: scales.strain,
             nodes: self.nodal_states(&sums),
             points,
             cells,
@@ -279,15 +282,9 @@ impl<'a> Recoverer<'a> {
         imposed.strain_at(self.section, cell, (&self.line, point, place), &strain)
     }
 
-    /// The force that the imposed stresses would have if all of them pulled the same way
-    /// \[N\]: what their resultant is measured beside.
-    fn held(&self, imposed: &Imposed, points: &[PointState]) -> f64 {
-        let of_point = |point: &PointState| {
-            let strain = imposed.free_strain(self.section, point.cell, point.place);
-            let law = &self.laws[self.law_of_cell[point.cell]];
-            point.area * (law.stiffness * strain).amax()
-        };
-        points.iter().map(of_point).sum()
+    /// The law of a cell in section axes, order yz yy zz xx xy xz \[Pa\].
+    pub(super) fn stiffness(&self, cell: usize) -> &Matrix6<f64> {
+        &self.laws[self.law_of_cell[cell]].stiffness
     }
 
     pub(super) fn section(&self) -> &Section {

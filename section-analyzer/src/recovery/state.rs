@@ -104,6 +104,13 @@ pub struct Recovery {
     pub load: LoadCase,
     /// Generalized strain, order of [`shared_geom::wrench::COMPONENTS`] \[-, 1/m\].
     pub generalized_strain: Vector6<f64>,
+    /// Whether a load along the beam acts too.
+    pub is_distributed: bool,
+    /// The largest stress, or that of what acts if nothing gave way: what is nothing beside
+    /// it is round-off \[Pa\].
+    pub stress_scale: f64,
+    /// The largest strain, or that of such a stress \[-\].
+    pub strain_scale: f64,
     /// Integration points, cell by cell.
     pub points: Vec<PointState>,
     /// Means of the cells, parallel to the cells of the mesh.

@@ -66,6 +66,40 @@ pub enum VolumeForce {
     Acceleration(Vector3<f64>),
 }
 
+impl Traction {
+    /// Its size \[Pa\].
+    pub fn size(&self) -> f64 {
+        match self {
+            Self::Force(force) => force.norm(),
+            Self::Pressure(size) | Self::Tangential(size) => size.abs(),
+        }
+    }
+}
+
+impl VolumeForce {
+    /// Its size in a material of the given density [kg/m^3] \[N/m^3\].
+    pub fn size(&self, density: f64) -> f64 {
+        match self {
+            Self::Force(force) => force.norm(),
+            Self::Acceleration(acceleration) => density * acceleration.norm(),
+        }
+    }
+}
+
+impl DistributedForce {
+    /// Size of its force per area, or of that of a volume of the given density [kg/m^3] as
+    /// deep as `length` [m], at the section and over such a length beside it \[Pa\].
+    pub fn pressure(&self, density: f64, length: f64) -> f64 {
+        let size = match &self.action {
+            Action::Traction { traction, .. } => traction.size(),
+            Action::Volume { force, .. } => length * force.size(density),
+        };
+        let terms = (0..).zip(&self.along);
+        let along: f64 = terms.map(|(power, c)| (c * length.powi(power)).abs()).sum();
+        size * along
+    }
+}
+
 impl DistributedLoad {
     /// Whether there is nothing.
     pub fn is_empty(&self) -> bool {

@@ -18,6 +18,9 @@ pub struct DistributedState {
     pub strain: Vector6<f64>,
     /// Force and moment per length \[N/m, N\].
     pub force_per_length: Vector6<f64>,
+    /// Size of what acts: of tractions, and of volume forces over a length as large as the
+    /// section, the largest one. Stresses that are nothing beside it are round-off \[Pa\].
+    pub pressure: f64,
     /// Difference of the generalized strain from that of the work on the central
     /// solutions (S-107), relative to the largest deformation \[-\].
     pub error: f64,

@@ -15,9 +15,12 @@ pub struct DecayingMode {
 /// The slowest decaying solutions of a section, or as many as were found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EndEffects {
-    /// Each once, the slowest first.
+    /// Those of equal rates once, the slowest first.
     pub modes: Vec<DecayingMode>,
-    /// Change of their rates by the last vectors of the search, relative \[-\].
+    /// Number of modes that were asked for.
+    pub wanted: usize,
+    /// Change by the last vectors of the search of their rates and of those that may be
+    /// as slow, relative \[-\].
     pub change: f64,
     /// Whether that is small enough.
     pub is_converged: bool,

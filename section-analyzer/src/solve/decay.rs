@@ -43,15 +43,39 @@ use nalgebra::{Complex, DMatrix, Matrix6};
 const BLOCK: usize = 6;
 
 /// Blocks of the space at most.
-const MOST_BLOCKS: usize = 48;
+const MOST_BLOCKS: usize = 64;
 
-/// Rates that are looked for beyond those that are wanted: the nearest to zero need not
-/// decay slowest, as they may oscillate.
-const SPARE: usize = 2;
+/// Rates are found nearest to zero first, and those that oscillate decay slower than
+/// their distance from zero tells: all are found with `|lambda|` up to this many times
+/// the real part of the last that is wanted. A rate is missed if its imaginary part is
+/// more than twice its real part; those of sections of admissible orthotropic materials
+/// have been seen up to 1.8.
+const REACH: f64 = 2.2;
 
-/// Change of the rates by the last block at which they count as found, relative. It is
-/// the error before that block, and the next ones gain digits quickly.
+/// The same once [`MANY`] are found, which show how much those of the section oscillate.
+const REACH_OF_MANY: f64 = 1.5;
+
+/// Number of rates that are many.
+const MANY: usize = 12;
+
+/// The same where some oscillate more: times the largest `|lambda|` over real part of
+/// those found.
+const MARGIN: f64 = 1.25;
+
+/// Eigenvalues below this part of the largest are round-off.
+const NEGLIGIBLE: f64 = 1e-13;
+
+/// Vectors up to which the rates are looked at after every block; later each time there
+/// are a tenth more.
+const FEW: usize = 60;
+
+/// Change of the rates since they were looked at last, by a block or more, at which they
+/// count as found, relative. It is the error before, and further blocks gain digits
+/// quickly.
 const FOUND: f64 = 1e-9;
+
+/// The same of rates that are not wanted: known well enough to say that they decay faster.
+const KNOWN: f64 = 5e-3;
 
 /// Rates that differ by less, relative, are one: copies of it, by symmetry of the
 /// section and by the square of the operator.
@@ -63,7 +87,8 @@ pub struct DecayRates {
     /// lambda, per unit of length of the domain, real part positive and rising,
     /// imaginary part not negative; equal ones once \[-\].
     pub rates: Vec<Complex<f64>>,
-    /// Change of them by the last block, relative to each, the largest \[-\].
+    /// Change by the last vectors of the space, relative to each, the largest; where these
+    /// stand still and others that may be as slow do not, the change of those \[-\].
     pub change: f64,
     /// Whether the change is small enough.
     pub is_converged: bool,
@@ -136,30 +161,98 @@ impl DecayRates {
         let all = (2 * n).saturating_sub(12);
         let most = (MOST_BLOCKS * BLOCK).min(all);
         let mut space = Space::new(&stacked(&states, weight), most);
-        let mut before: Vec<Complex<f64>> = Vec::new();
+        let mut search = Search::new(wanted);
         loop {
             unstack(&space.last_block(), weight, &mut states);
             operator.multiply(&mut states)?;
             operator.multiply(&mut states)?;
             space.grow(stacked(&states, weight));
-            let mut rates = distinct(dense::eigenvalues(&space.projection()));
-            rates.truncate(wanted + SPARE);
-            let change = change(&before, &rates);
-            let is_whole = space.is_whole() || space.dimension() >= all;
-            let is_converged = change <= FOUND || is_whole;
-            if is_converged || space.is_full() {
-                rates.sort_by(|a, b| a.re.total_cmp(&b.re));
-                rates.truncate(wanted);
-                return Some(Self {
-                    rates,
-                    change,
-                    is_converged,
-                    vectors: space.dimension(),
-                });
+            let vectors = space.dimension();
+            let is_whole = space.is_whole() || vectors >= all;
+            let is_last = is_whole || space.is_full();
+            if !is_last && vectors > FEW && 10 * vectors < 11 * search.vectors {
+                continue;
             }
-            before = rates;
+            search.look(distinct(dense::eigenvalues(&space.projection())), vectors);
+            if search.is_found || is_last {
+                return Some(search.into_rates(is_whole));
+            }
         }
     }
+}
+
+/// The rates as they were found last.
+struct Search {
+    wanted: usize,
+    /// Nearest to zero first.
+    rates: Vec<Complex<f64>>,
+    /// How many of them matter, the nearest to zero.
+    looked_at: usize,
+    /// Largest relative change of the slowest of them; of all, if those stand still.
+    change: f64,
+    /// Whether these are enough and stand still.
+    is_found: bool,
+    vectors: usize,
+}
+
+impl Search {
+    fn new(wanted: usize) -> Self {
+        Self {
+            wanted,
+            rates: Vec::new(),
+            looked_at: 0,
+            change: f64::INFINITY,
+            is_found: false,
+            vectors: 0,
+        }
+    }
+
+    /// Takes the rates of a space of so many vectors.
+    fn look(&mut self, rates: Vec<Complex<f64>>, vectors: usize) {
+        let needed = needed(&rates, self.wanted);
+        self.looked_at = needed.unwrap_or(rates.len());
+        let mut looked_at = rates[..self.looked_at].to_vec();
+        let others = change(&self.rates, &looked_at);
+        looked_at.sort_by(|a, b| a.re.total_cmp(&b.re));
+        looked_at.truncate(self.wanted);
+        self.change = change(&self.rates, &looked_at);
+        self.is_found = needed.is_some() && self.change <= FOUND && others <= KNOWN;
+        if self.change <= FOUND && !self.is_found {
+            self.change = others;
+        }
+        (self.rates, self.vectors) = (rates, vectors);
+    }
+
+    /// The slowest; the space may hold all there are.
+    fn into_rates(mut self, is_whole: bool) -> DecayRates {
+        self.rates.truncate(self.looked_at);
+        self.rates.sort_by(|a, b| a.re.total_cmp(&b.re));
+        self.rates.truncate(self.wanted);
+        DecayRates {
+            rates: self.rates,
+            change: if is_whole { 0.0 } else { self.change },
+            is_converged: is_whole || self.is_found,
+            vectors: self.vectors,
+        }
+    }
+}
+
+/// How many of `rates`, nearest to zero first, must be known for the `wanted` slowest:
+/// all that may be as slow. `None` if they are too few.
+fn needed(rates: &[Complex<f64>], wanted: usize) -> Option<usize> {
+    let mut slowest: Vec<f64> = Vec::new();
+    let mut seen: f64 = 0.0;
+    for (count, rate) in (1..).zip(rates) {
+        slowest.insert(slowest.partition_point(|re| *re <= rate.re), rate.re);
+        seen = seen.max(rate.norm() / rate.re);
+        let least = if count < MANY { REACH } else { REACH_OF_MANY };
+        let reach = least.max(MARGIN * seen);
+        let last = wanted.checked_sub(1).and_then(|last| slowest.get(last));
+        if last.is_some_and(|last| rate.norm() >= reach * last) {
+            return Some(count);
+        }
+    }
+    None
 }
 
 fn stacked(states: &States, weight: f64) -> DMatrix<f64> {
@@ -179,7 +272,8 @@ fn unstack(both: &DMatrix<f64>, weight: f64, states: &mut States) {
 /// lambda of the eigenvalues 1/lambda^2, nearest to zero first, each once and one of
 /// each pair of conjugates.
 fn distinct(mut squares: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
-    squares.retain(|value| value.norm() > 0.0);
+    let largest = squares.iter().map(|value| value.norm()).fold(0.0, f64::max);
+    squares.retain(|value| value.norm() > NEGLIGIBLE * largest);
     squares.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
     let mut rates: Vec<Complex<f64>> = Vec::new();
     for square in squares {
@@ -195,12 +289,12 @@ fn distinct(mut squares: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
     rates
 }
 
-/// Largest relative change of the rates; infinite where their number has changed.
+/// Largest relative distance of one of `rates` from the nearest of those before;
+/// infinite where there were none.
 fn change(before: &[Complex<f64>], rates: &[Complex<f64>]) -> f64 {
-    if before.len() != rates.len() || rates.is_empty() {
-        return f64::INFINITY;
-    }
-    let pairs = before.iter().zip(rates);
-    let changes = pairs.map(|(old, new)| (old - new).norm() / new.norm());
-    changes.fold(0.0, f64::max)
+    let nearest = |rate: &Complex<f64>| {
+        let distances = before.iter().map(|old| (old - rate).norm() / rate.norm());
+        distances.fold(f64::INFINITY, f64::min)
+    };
+    rates.iter().map(nearest).fold(0.0, f64::max)
 }

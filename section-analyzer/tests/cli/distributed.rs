@@ -55,6 +55,15 @@ fn loads_along_the_beam_are_recovered() {
         ] {
             assert!(report.contains(line), "{command} {line}: {report}");
         }
+        for words in [
+            "with a load along the beam, told at the end",
+            "pressure 1000000 Pa on curve \"edge\", times 1 + 500 x",
+            "force [1000, 0, 0] Pa on curve \"3\"",
+            "acceleration [0, 0, -10] m/s^2 in region \"web\"",
+            "force [0, 2000000, 0] N/m^3 everywhere",
+        ] {
+            assert!(report.contains(words), "{command} {words}: {report}");
+        }
         assert!(place.path("results/a.gust.stress.vtu").exists());
     }
 }
@@ -138,6 +147,73 @@ fn everything_wrong_with_loads_along_the_beam_is_told_at_once() {
     assert!(run.err.contains("did you mean \"web\"?"), "{}", run.err);
 }
 
+/// Loads that do nothing, numbers beyond all structures, and names beside wrong values.
+const EMPTY: &str = "\
+[load.gust]
+point = [1, 0]
+[[load.gust.traction]]
+curve = \"edge\"
+pressure = 0
+[[load.gust.volume]]
+acceleration = [0, 0, 0]
+[[load.gust.traction]]
+curve = \"edge\"
+pressure = 1
+along = [1, 1e300]
+[load.single.traction]
+curve = \"edge\"
+pressure = 1
+[load.wrong]
+shear_z = \"2 K\"
+[[load.wrong.traction]]
+curve = \"edges\"
+pressure = \"x\"
+[[load.wrong.volume]]
+group = \"web\"
+region = \"wed\"
+force = [1, 2]
+[load.Gust]
+axial = 1
+";
+
+#[test]
+fn loads_without_effect_and_names_beside_wrong_values_are_told() {
+    let run = with(EMPTY, &[]).run(&["check", "a.section.toml"]);
+    println!("{}", run.err);
+    assert_eq!(run.code, 2);
+    for (line, told) in [
+        (
+            22,
+            "load \"gust\" has a \"point\", but no force or moment that acts there",
+        ),
+        (23, "the traction is zero, expected a number that is not"),
+        (
+            26,
+            "the volume force is zero, expected a number that is not",
+        ),
+        (
+            31,
+            "number 2 of \"along\" is 1e303 in SI units, expected at most 1e20",
+        ),
+        (36, "\"K\" measures"),
+        (38, "the mesh has no physical curve \"edges\""),
+        (41, "unknown key \"group\""),
+        (42, "the mesh has no physical surface \"wed\""),
+        (43, "\"force\" is an array of 2, expected an array of 3"),
+        (
+            44,
+            "load \"Gust\" differs from load \"gust\" on line 21 in upper and lower case only",
+        ),
+    ] {
+        let start = format!("error: a.section.toml:{line}: ");
+        let mut lines = run.err.lines();
+        let found = lines.any(|l| l.starts_with(&start) && l.contains(told));
+        assert!(found, "{line} {told}:\n{}", run.err);
+    }
+    assert!(run.err.contains("did you mean \"region\"?"), "{}", run.err);
+    assert!(!run.err.contains("load \"single\" is zero"), "{}", run.err);
+}
+
 #[test]
 fn curves_inside_and_curves_of_no_cell_are_told() {
     let pressed = "[[load.a.traction]]\ncurve = \"edge\"\npressure = 1\n";
@@ -182,5 +258,12 @@ fn end_effects_are_reported() {
         .skip(2)
         .take_while(|line| !line.contains("End effects"));
     assert_eq!(rows.count(), 3, "{part}");
+    assert!(!part.contains("no more"), "{part}");
+    // the mesh has fewer than twenty
+    place.write("a.section.toml", &format!("end_effects = 20\n{SECTION}"));
+    let many = place.run(&["analyze", "a.section.toml"]);
+    assert_eq!((many.code, many.err.as_str()), (0, ""));
+    let told = "These are all: the mesh has no more.";
+    assert!(many.out.contains(told), "{}", many.out);
     assert!(!run.out.is_empty());
 }

@@ -64,7 +64,7 @@ fn wrong_initial_strains_are_told_together() {
         ":32: initial strain \"empty\" has no region, expected [[initial_strain.empty.region]]",
         ":36: \"strain\" is an array of 2, expected an array of 6 strains in material axes, order \
          11 22 33 23 13 12",
-        ":40: \"strain\" is an array of 6, expected strains of at most 1",
+        ":40: strain 11 is 2, expected at most 1",
         ":43: [initial_strain.hot] has the name of [temperature.hot] on line 41, expected a name \
          of its own",
     ] {
@@ -98,9 +98,22 @@ fn heat_needs_something_that_expands() {
     let heated = format!("{last}[temperature.hot]\nrise = 5\n");
     Workplace::with(&[(last, &heated)], &[]).is_refused(&[
         "error: a.section.toml:21: temperature \"hot\" has no effect: no region has a material with \
-         \"expansion\"",
-        "  help: add \"expansion\", in 1/K, to [material.NAME] of what is heated",
+         an \"expansion\" that is not zero",
+        "  help: add \"expansion\" to [material.NAME] of what is heated: strain per declared unit of \
+         temperature, or a text with its own unit, \"12e-6 1/K\"",
     ]);
+    // an expansion of zero is none
+    let zero = (
+        "density = \"7850 kg/m^3\"\n",
+        "density = \"7850 kg/m^3\"\nexpansion = 0\n",
+    );
+    let run = Workplace::with(&[zero, (last, &heated)], &[]).run(&["check", "a.section.toml"]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err.contains("temperature \"hot\" has no effect"),
+        "{}",
+        run.err
+    );
     let material = "[material.foam]\nyoung = 0.1\npoisson = 0.3\ndensity = \"100 kg/m^3\"\n";
     let region = "group = \"web\"\nmaterial = \"steel\"";
     let changes = [
@@ -123,6 +136,50 @@ fn heat_needs_something_that_expands() {
     Workplace::with(&[EXPANDS, ("12e-6", "12")], &[]).is_refused(&[
         "error: a.section.toml:11: \"expansion\" is 12, expected coefficients of at most 0.01 1/K",
     ]);
+}
+
+/// A name that is not known is told beside a wrong value of the same table, and the key of
+/// another table with the one that is meant.
+#[test]
+fn names_are_looked_for_even_if_values_are_wrong() {
+    let text = "[initial_strain.cure]\n\
+        [[initial_strain.cure.region]]\ngroup = \"wab\"\nstrain = [1e-3]\n\
+        [[initial_strain.cure.region]]\nregion = \"skin\"\nstrain = [1e-3, 0, 0, 0, 0, 0]\n\
+        [temperature.none]\ntable = \"zero.csv\"\n";
+    let place = with(text);
+    place.write("zero.csv", "cell,rise\n11,0\n12,0\n");
+    let run = place.run(&["check", "a.section.toml"]);
+    assert_eq!(run.code, 2);
+    for expected in [
+        ":24: unknown region \"wab\" in initial strain \"cure\"\n  help: did you mean \"web\"?",
+        ":25: \"strain\" is an array of 1",
+        "unknown key \"region\"",
+        "  help: did you mean \"group\"?",
+        ":30: temperature \"none\" is zero everywhere",
+    ] {
+        assert!(run.err.contains(expected), "{expected}\n{}", run.err);
+    }
+}
+
+/// Steel heated evenly without any stress: round-off is shown as zero, in the report and
+/// in the figures, beside what the steel would bear if it were held.
+#[test]
+fn free_heat_is_shown_without_stress() {
+    let strong = (
+        "[[region]]\ngroup = \"skin\"",
+        "[material.steel.strength]\nyield = 0.3\n[[region]]\ngroup = \"skin\"",
+    );
+    let last = "fiber_angle = 0\nplane_angle = 0\n";
+    let heat = format!("{last}[temperature.hot]\nrise = 50\n[load.heat]\ntemperature = \"hot\"\n");
+    let place = Workplace::with(&[EXPANDS, strong, (last, &heat)], &[]);
+    let run = place.run(&["analyze", "a.section.toml"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let report = place.read("results/a.heat.stress.txt");
+    let (_, stresses) = report.split_once("Extreme stresses").unwrap();
+    assert!(!stresses.contains("e-"), "{report}");
+    assert!(report.contains("smallest reserve factor: none"), "{report}");
+    // what it strains by stays
+    assert!(report.contains("6.00000e-4"), "{report}");
 }
 
 /// Property file, report and stresses: two cells of one steel, 2 mm wide and 1 mm high,

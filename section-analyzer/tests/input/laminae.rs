@@ -88,6 +88,32 @@ fn plies_become_regions_of_their_own() {
     analyze(&input.section).unwrap();
 }
 
+/// The name of a laminate stands for all its plies, in initial strains and in loads.
+#[test]
+fn the_name_of_a_laminate_is_that_of_its_plies() {
+    let strain = "strain = [1e-3, 0, 0, 0, 0, 0]\n";
+    let region = format!("[[initial_strain.cure.region]]\n{strain}");
+    let volume = "[[load.own.volume]]\nforce = [0, 0, 1]\n";
+    let text = |names: &[&str]| {
+        let parts = names
+            .iter()
+            .map(|name| format!("{region}group = \"{name}\"\n{volume}region = \"{name}\"\n"));
+        let parts: String = parts.collect();
+        format!("{SOUND}[initial_strain.cure]\n[load.own]\n{parts}")
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let of = |names: &[&str]| read(folder.path(), &core(), &text(names));
+    let (whole, plies) = (of(&["top"]).unwrap(), of(&["top/1", "top/2"]).unwrap());
+    assert_eq!(whole.imposed, plies.imposed);
+    assert_eq!(whole.distributed, plies.distributed);
+    assert_eq!(whole.distributed[0].parts.len(), 2);
+    let told = of(&["top", "top/2"]).unwrap_err();
+    assert!(
+        told.contains("initial strain \"cure\" has region \"top/2\" twice"),
+        "{told}"
+    );
+}
+
 /// A closed square of lines, of two or three nodes each.
 fn square(is_quadratic: bool) -> Mesh {
     let mut mesh = Mesh::default();

@@ -10,3 +10,4 @@ mod laminae;
 mod mutation;
 mod robust;
 mod schema;
+mod temperatures;

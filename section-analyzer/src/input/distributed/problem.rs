@@ -25,6 +25,25 @@ pub enum DistributedProblem {
         /// Another.
         second: &'static str,
     },
+    /// A part of a load that does nothing.
+    #[error("the {part} is zero, expected a number that is not")]
+    Zero {
+        /// `traction` or `volume force`.
+        part: &'static str,
+    },
+    /// A number beyond all structures.
+    #[error("{}\"{key}\" is {value:e} in SI units, expected at most {limit:e}",
+        .entry.map_or_else(String::new, |entry| format!("number {entry} of ")))]
+    Large {
+        /// The key.
+        key: String,
+        /// Which of several numbers, from 1.
+        entry: Option<usize>,
+        /// The number \[SI\].
+        value: f64,
+        /// The largest \[SI\].
+        limit: f64,
+    },
     /// A curve whose lines belong to no cell.
     #[error(
         "line {line} of physical curve \"{curve}\", at ({}, {}) m, is no side of a cell, expected \
@@ -88,7 +107,10 @@ impl Explain for DistributedProblem {
                 let names: Vec<_> = known.iter().map(|name| format!("\"{name}\"")).collect();
                 Some(format!("regions of the section: {}", names.join(", ")))
             }
-            Self::NoForce { .. } | Self::TwoForces { .. } => None,
+            Self::NoForce { .. }
+            | Self::TwoForces { .. }
+            | Self::Zero { .. }
+            | Self::Large { .. } => None,
         }
     }
 }

@@ -45,6 +45,16 @@ pub enum ImposedProblem {
         /// Its name.
         name: String,
     },
+    /// A strain beyond all that is linear.
+    #[error("strain {component} is {value}, expected at most {limit}")]
+    Large {
+        /// The component, in material axes.
+        component: &'static str,
+        /// The strain \[-\].
+        value: f64,
+        /// The largest \[-\].
+        limit: f64,
+    },
     /// An initial strain without any region.
     #[error("initial strain \"{name}\" has no region, expected [[initial_strain.{name}.region]]")]
     NoRegion {
@@ -70,7 +80,10 @@ pub enum ImposedProblem {
         group: String,
     },
     /// A temperature where nothing expands.
-    #[error("temperature \"{name}\" has no effect: no region has a material with \"expansion\"")]
+    #[error(
+        "temperature \"{name}\" has no effect: no region has a material with an \
+         \"expansion\" that is not zero"
+    )]
     NothingExpands {
         /// Name of the temperature.
         name: String,
@@ -101,9 +114,11 @@ impl Explain for ImposedProblem {
                 true => format!("add [{kind}.{name}] to the section file"),
                 false => nearest_or_all(name, known, "those of the file"),
             }),
-            Self::NothingExpands { .. } => {
-                Some("add \"expansion\", in 1/K, to [material.NAME] of what is heated".to_owned())
-            }
+            Self::NothingExpands { .. } => Some(
+                "add \"expansion\" to [material.NAME] of what is heated: strain per declared unit \
+                 of temperature, or a text with its own unit, \"12e-6 1/K\""
+                    .to_owned(),
+            ),
             Self::Name { .. } => Some("the name stands in property files".to_owned()),
             _ => None,
         }

@@ -110,7 +110,8 @@ const VOLUME: TableSchema = TableSchema {
             GROUP,
             Default("the whole section"),
             "\"skin\"",
-            "The physical surface that it acts in, by its name or its tag.",
+            "The physical surface that it acts in, by its name or its tag, or a lamina by its name, for \
+             all its plies.",
         ),
         ALONG,
     ],

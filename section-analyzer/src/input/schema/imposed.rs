@@ -16,7 +16,7 @@ pub(super) const EXPANSION: KeySchema = key(
     ],
     Optional,
     "[1e-7, 2.8e-5, 2.8e-5]",
-    "Strain per rise of temperature: one for all directions, or along the material axes \
+    "Strain per rise of temperature, plain numbers per declared unit of it: one for all directions, or along the material axes \
      1, 2, 3; without it the material does not expand.",
 );
 
@@ -93,7 +93,7 @@ const REGION: TableSchema = TableSchema {
             &[ValueKind::Name],
             Required,
             "\"skin\"",
-            "The region, by its \"group\".",
+            "The region, by its \"group\", or a lamina by its name, for all its plies.",
         ),
         key(
             "strain",
