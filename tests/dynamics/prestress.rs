@@ -45,6 +45,7 @@ fn strip() -> SectionProperties {
         prestress: Some(Prestress {
             strain_measure: StrainMeasure::Biot,
             third: CubicTable::from_fn(entry),
+            per_kelvin: None,
         }),
         ..written.section("strip", Provenance::default())
     }

@@ -1,8 +1,8 @@
 //! What a set of section properties must satisfy before anyone computes with it.
 
-use nalgebra::{DMatrix, Matrix6};
+use nalgebra::{DMatrix, Matrix4, Matrix6, Vector4};
 
-use super::{Change, Damping, SectionProperties, Step};
+use super::{Change, Damping, PRESTRESS_COMPONENTS, SectionProperties, Step};
 use crate::error::Explain;
 use crate::wrench::COMPONENTS;
 
@@ -297,6 +297,9 @@ fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     }
     if let Some(prestress) = &section.prestress {
         finite("prestress", prestress.third.is_finite());
+        if let Some(change) = &prestress.per_kelvin {
+            change_of_stiffness("stiffness_per_kelvin", section, change, found);
+        }
         let mut initial = section.initial_curvature.iter();
         if initial.any(|initial| !initial.is_straight()) {
             found.push(("prestress", PropertyProblem::CurvedPrestress));
@@ -320,6 +323,9 @@ fn imposed(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
         if !force.iter().chain(strain).all(|value| value.is_finite()) {
             found.push((field, PropertyProblem::NotFinite { field }));
             continue;
+        }
+        if let Some(change) = &state.stiffness_change {
+            change_of_stiffness("stiffness_change", section, change, found);
         }
         // beside the largest force of the strain, in terms of the stiffness
         let scale = largest(
@@ -457,6 +463,37 @@ fn smallest_scaled_eigenvalue(a: &DMatrix<f64>) -> f64 {
         0.5 * (a[(i, j)] + a[(j, i)]) / (scale[i] * scale[j])
     });
     scaled.symmetric_eigenvalues().min()
+}
+
+/// A change of the stiffness over the components of a table of prestress: finite, and
+/// symmetric beside its largest entry, entries made comparable by the stiffness.
+fn change_of_stiffness(
+    field: &'static str,
+    section: &SectionProperties,
+    change: &Matrix4<f64>,
+    found: &mut Vec<FieldProblem>,
+) {
+    if !change.iter().all(|value| value.is_finite()) {
+        return found.push((field, PropertyProblem::NotFinite { field }));
+    }
+    let root = PRESTRESS_COMPONENTS.map(|component| section.stiffness[(component, component)]);
+    let root = Vector4::from(root).map(f64::sqrt);
+    let scaled = change.component_div(&(root * root.transpose()));
+    let limit = SYMMETRY * scaled.amax();
+    for i in 0..4 {
+        for j in i + 1..4 {
+            if (scaled[(i, j)] - scaled[(j, i)]).abs() > limit {
+                let problem = PropertyProblem::Asymmetric {
+                    field,
+                    row: i + 1,
+                    column: j + 1,
+                    upper: change[(i, j)],
+                    lower: change[(j, i)],
+                };
+                return found.push((field, problem));
+            }
+        }
+    }
 }
 
 fn dynamic(matrix: &Matrix6<f64>) -> DMatrix<f64> {

@@ -100,6 +100,8 @@ struct FileImposed {
     name: String,
     restrained_force: [f64; 6],
     free_strain: [f64; 6],
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    stiffness_change: Option<[[f64; 4]; 4]>,
 }
 
 #[expect(
@@ -287,6 +289,7 @@ impl File {
             name: state.name.clone(),
             restrained_force: Vector6::from(state.restrained_force),
             free_strain: Vector6::from(state.free_strain),
+            stiffness_change: state.stiffness_change.as_ref().map(prestress::matrix4),
         };
         self.imposed.iter().map(state).collect()
     }
@@ -390,6 +393,7 @@ impl From<&ImposedState> for FileImposed {
             name: state.name.clone(),
             restrained_force: state.restrained_force.into(),
             free_strain: state.free_strain.into(),
+            stiffness_change: state.stiffness_change.as_ref().map(prestress::rows4),
         }
     }
 }

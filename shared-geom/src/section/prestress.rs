@@ -15,6 +15,14 @@
 //! ```text
 //! T'_abc = T_ijk V_ia V_jb V_kc                                            (S-86)
 //! ```
+//!
+//! Heat and other imposed strains add a matrix for each of their states, which moves as
+//! the stiffness does, and leave to T the strain that is not free:
+//!
+//! ```text
+//! q = p - sum c_i psi_i       force_j = K_jk q_k + 1/2 T_jkl q_k q_l + sum c_i T_ijk q_k  (S-150)
+//! K(F, c) = K + T . (C F) + sum c_i T_i                                    (S-151)
+//! ```
 
 use nalgebra::{Matrix4, Matrix6, Vector2, Vector4, Vector6};
 
@@ -56,6 +64,10 @@ pub struct Prestress {
     pub strain_measure: StrainMeasure,
     /// Third derivatives of the energy.
     pub third: CubicTable,
+    /// Change of the stiffness of the section without internal force, when it is heated
+    /// evenly by one kelvin, over the components of the table, 4x4 symmetric
+    /// [N/K, N m/K, N m^2/K]; `None` where it was not computed.
+    pub per_kelvin: Option<Matrix4<f64>>,
 }
 
 /// A table `T_ijk` that is symmetric in its three indices, over axial, torsion, bending
@@ -136,28 +148,49 @@ impl CubicTable {
     /// four strains, and k' = k.
     #[must_use]
     pub fn shifted(&self, by: Vector2<f64>) -> Self {
-        let mut v = Matrix4::identity();
-        v[(0, 2)] = -by.y;
-        v[(0, 3)] = by.x;
-        self.transformed(&v)
+        self.transformed(&strains_of_moved(by))
     }
 
     /// The table in axes turned by `angle` about +x [rad].
     #[must_use]
     pub fn rotated(&self, angle: f64) -> Self {
-        let (s, c) = angle.sin_cos();
-        let mut v = Matrix4::identity();
-        v[(2, 2)] = c;
-        v[(2, 3)] = -s;
-        v[(3, 2)] = s;
-        v[(3, 3)] = c;
-        self.transformed(&v)
+        self.transformed(&strains_of_turned(angle))
     }
 
     /// Whether all entries are finite.
     pub fn is_finite(&self) -> bool {
         self.0.iter().all(|value| value.is_finite())
     }
+}
+
+/// V of `p = V p'`, with p' about the reference point moved by `by` = (y, z) [m].
+pub fn strains_of_moved(by: Vector2<f64>) -> Matrix4<f64> {
+    let mut v = Matrix4::identity();
+    v[(0, 2)] = -by.y;
+    v[(0, 3)] = by.x;
+    v
+}
+
+/// V of `p = V p'`, with p' in axes turned by `angle` about +x [rad].
+pub(super) fn strains_of_turned(angle: f64) -> Matrix4<f64> {
+    let (s, c) = angle.sin_cos();
+    let mut v = Matrix4::identity();
+    v[(2, 2)] = c;
+    v[(2, 3)] = -s;
+    v[(3, 2)] = s;
+    v[(3, 3)] = c;
+    v
+}
+
+/// A 4x4 matrix over the components of a table among the six; none of the shears.
+pub fn among_six(four: &Matrix4<f64>) -> Matrix6<f64> {
+    let mut all = Matrix6::zeros();
+    for (i, row) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
+        for (j, column) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
+            all[(row, column)] = four[(i, j)];
+        }
+    }
+    all
 }
 
 /// The four strains or forces of a table among six.
@@ -177,14 +210,7 @@ impl Prestress {
     /// The change of the 6x6 stiffness at a generalized strain; none of the shears
     /// [N, N m, N m^2].
     pub fn at_strain(&self, strain: &Vector6<f64>) -> Matrix6<f64> {
-        let change = self.third.along(&prestress_part(strain));
-        let mut all = Matrix6::zeros();
-        for (i, row) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
-            for (j, column) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
-                all[(row, column)] = change[(i, j)];
-            }
-        }
-        all
+        among_six(&self.third.along(&prestress_part(strain)))
     }
 }
 
@@ -200,6 +226,17 @@ impl SectionProperties {
         let prestress = self.prestress.as_ref()?;
         let strain = self.stiffness.cholesky()?.solve(force);
         Some(self.stiffness + prestress.at_strain(&strain))
+    }
+
+    /// The change of the 6x6 stiffness by the imposed states of these names at the factor
+    /// one, to first order: the sum of T_i of (S-151) [N, N m, N m^2]; `None` where the
+    /// properties do not have that of one of them.
+    pub fn change_by_imposed(&self, names: &[String]) -> Option<Matrix6<f64>> {
+        let of_state = |name: &String| {
+            let state = self.imposed.iter().find(|state| state.name == *name)?;
+            Some(among_six(&state.stiffness_change?))
+        };
+        names.iter().map(of_state).sum()
     }
 }
 

@@ -96,6 +96,7 @@ fn with_imposed() -> SectionProperties {
         name: "hot".to_owned(),
         restrained_force: -(section.stiffness * free_strain),
         free_strain,
+        stiffness_change: None,
     }];
     section
 }
@@ -372,6 +373,7 @@ fn with_prestress() -> SectionProperties {
         prestress: Some(Prestress {
             strain_measure: StrainMeasure::Biot,
             third: CubicTable::from_fn(third),
+            per_kelvin: None,
         }),
         initial_curvature: None,
         ..section()
