@@ -8,4 +8,5 @@ mod princeton;
 #[path = "../common/record.rs"]
 mod record;
 mod swept_tip;
+mod tee_column;
 mod trapeze;

@@ -72,7 +72,7 @@ fn thermal_force(table: &Table<'_>) -> Option<Option<Vector6<f64>>> {
     }
     let numbers = table.quantities(KEY, Dimension::NUMBER)?;
     if numbers.len() != 6 {
-        let expected = "an array of 6 numbers, forces and moments per kelvin";
+        let expected = "an array of 6 numbers, forces and moments per declared unit of temperature";
         table.wrong(KEY, expected);
         return None;
     }
