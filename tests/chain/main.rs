@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod bimetal;
+mod composite_axes;
 mod pretwisted;
 mod princeton;
 #[path = "../common/record.rs"]

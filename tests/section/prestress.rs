@@ -7,7 +7,7 @@
 //!   section in large strain to 3e-6 and better.
 //! - [HouboltBrooks1958]: a strip under tension N gains N Ip/A in torsion.
 
-use nalgebra::{Matrix2x4, Matrix4, Vector2, Vector3, Vector4, Vector6};
+use nalgebra::{Matrix4, Vector4, Vector6};
 use section_analyzer::analysis::Analysis;
 use section_analyzer::material::{EngineeringConstants, Material};
 use section_analyzer::mesh::generate::Rectangle;
@@ -107,33 +107,10 @@ fn difference(a: &CubicTable, b: &CubicTable) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// The cubic form `-force . second(p)` as a table, `second` being quadratic.
-fn form(stiffness: &Matrix4<f64>, second: impl Fn(&Vector4<f64>) -> Vector4<f64>) -> CubicTable {
-    let unit = |i: usize| Vector4::ith(i, 1.0);
-    let bilinear =
-        |j: usize, k: usize| 0.25 * (second(&(unit(j) + unit(k))) - second(&(unit(j) - unit(k))));
-    let s = |i: usize, j: usize, k: usize| -stiffness.column(i).dot(&bilinear(j, k));
-    CubicTable::from_fn(|[i, j, k]| 2.0 * (s(i, j, k) + s(j, i, k) + s(k, i, j)))
-}
-
-/// The table in axes that follow the tangent of the reference line, as the prototype has
-/// them: where a state has shear strains, (nu2, nu3) = B p, the axes turn by
-/// r = (0, -nu3, nu2), and p' differs from p by its square.
+/// The table as the prototype has it.
 fn along_tangent(solution: &SectionSolution, table: &CubicTable) -> CubicTable {
-    let compliance = Matrix4::from_fn(|i, j| {
-        solution.compliance[(PRESTRESS_COMPONENTS[i], PRESTRESS_COMPONENTS[j])]
-    });
-    let stiffness = compliance.try_inverse().expect("a sound section");
-    let shears = Matrix2x4::from_fn(|i, j| solution.compliance[(1 + i, PRESTRESS_COMPONENTS[j])]);
-    let shears = shears * stiffness;
-    let change = form(&stiffness, |p| {
-        let nu: Vector2<f64> = shears * p;
-        let turn = Vector3::new(0.0, -nu.y, nu.x);
-        let kappa = Vector3::new(p[1], p[2], p[3]);
-        let change = kappa.cross(&turn);
-        Vector4::new(0.5 * nu.norm_squared(), change.x, change.y, change.z)
-    });
-    table.plus(&change)
+    let tangent = table.along_tangent(&solution.compliance);
+    tangent.expect("a sound section")
 }
 
 /// The three strips of the prototype, by both measures of strain. Both are on one mesh: what

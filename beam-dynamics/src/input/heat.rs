@@ -24,6 +24,8 @@ use crate::model::Drive;
 /// The keys, as cards have them.
 const KEYS: [&str; 2] = ["temperature", "imposed"];
 
+/// Cards that are named.
+const MOST_CARDS: usize = 3;
 /// Digits of temperatures and factors.
 const DIGITS: usize = 6;
 /// What an even rise of temperature is called.
@@ -143,32 +145,52 @@ impl Heat {
     }
 }
 
-/// What acts on beams, a line for each card: the values at the time zero.
+/// What acts on beams, a line for all cards on which the same acts: the values at the time
+/// zero.
 pub(super) fn told<'a>(beams: impl Iterator<Item = &'a [Acting]>) -> Vec<String> {
-    let mut cards: Vec<(&str, &[Acting])> = Vec::new();
+    let mut known: Vec<(Vec<&str>, &[Acting])> = Vec::new();
     for acting in beams {
-        if let Some(first) = acting.first()
-            && !cards.iter().any(|known| known.0 == first.card)
-        {
-            cards.push((&first.card, acting));
+        let Some(first) = acting.first() else {
+            continue;
+        };
+        match known.iter_mut().find(|known| same(known.1, acting)) {
+            Some((cards, _)) if cards.contains(&first.card.as_str()) => {}
+            Some((cards, _)) => cards.push(&first.card),
+            None => known.push((vec![&first.card], acting)),
         }
     }
-    let line = |(card, acting): (&str, &[Acting])| {
-        let state = |state: &Acting| {
-            let now = short_number(state.force.drive.at(0.0).value, DIGITS);
-            let when = match state.force.drive {
-                Drive::Constant(_) => "",
-                _ => " at the time zero",
-            };
-            match state.name.as_str() {
-                TEMPERATURE => format!("temperature {now} K{when}"),
-                name => format!("\"{name}\" times {now}{when}"),
-            }
+    known.iter().map(line).collect()
+}
+
+/// Whether the same acts, whatever the cards are called.
+fn same(a: &[Acting], b: &[Acting]) -> bool {
+    let pairs = || a.iter().zip(b);
+    a.len() == b.len() && pairs().all(|(a, b)| a.name == b.name && a.force == b.force)
+}
+
+fn line((cards, acting): &(Vec<&str>, &[Acting])) -> String {
+    let state = |state: &Acting| {
+        let now = short_number(state.force.drive.at(0.0).value, DIGITS);
+        let when = match state.force.drive {
+            Drive::Constant(_) => "",
+            _ => " at the time zero",
         };
-        let states: Vec<_> = acting.iter().map(state).collect();
-        format!("heat and imposed strains of {card}: {}", states.join(", "))
+        match state.name.as_str() {
+            TEMPERATURE => format!("temperature {now} K{when}"),
+            name => format!("\"{name}\" times {now}{when}"),
+        }
     };
-    cards.into_iter().map(line).collect()
+    let states: Vec<_> = acting.iter().map(state).collect();
+    let more = match cards.len().saturating_sub(MOST_CARDS) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let cards = cards.iter().take(MOST_CARDS).copied().collect::<Vec<_>>();
+    format!(
+        "heat and imposed strains of {}{more}: {}",
+        cards.join("; "),
+        states.join(", ")
+    )
 }
 
 /// Whether a card says anything about heat.

@@ -1,10 +1,12 @@
 //! What a set of section properties must satisfy before anyone computes with it.
 
-use nalgebra::{DMatrix, Matrix4, Matrix6, Vector4};
+use nalgebra::{DMatrix, Matrix6};
 
-use super::{Change, Damping, PRESTRESS_COMPONENTS, SectionProperties, Step};
+use super::{Change, Damping, SectionProperties, Step};
 use crate::error::Explain;
 use crate::wrench::COMPONENTS;
+
+mod imposed;
 
 /// Largest asymmetry accepted, relative to sqrt(Aii Ajj): files written with seven
 /// digits pass, a sign error or an exchanged row does not.
@@ -60,6 +62,16 @@ pub enum PropertyProblem {
         name: String,
         /// Relative difference [-].
         error: f64,
+    },
+    /// A field that does not hold the numbers that it should.
+    #[error("{field} is {found}, expected {expected}")]
+    Shape {
+        /// The field, in words.
+        field: String,
+        /// What it holds.
+        found: String,
+        /// What it should hold.
+        expected: String,
     },
     /// A list or matrix of another size.
     #[error("{field} is {found}, expected {expected}")]
@@ -174,7 +186,7 @@ impl SectionProperties {
         stiffness(&self.stiffness, &mut found);
         mass(&self.mass, &mut found);
         scalars(self, &mut found);
-        imposed(self, &mut found);
+        imposed::check(self, &mut found);
         slope(self, &mut found);
         piezo(self, &mut found);
         damping(self, &mut found);
@@ -298,55 +310,13 @@ fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     if let Some(prestress) = &section.prestress {
         finite("prestress", prestress.third.is_finite());
         if let Some(change) = &prestress.per_kelvin {
-            change_of_stiffness("stiffness_per_kelvin", section, change, found);
+            imposed::change_of_stiffness("stiffness_per_kelvin", section, change, found);
         }
         let mut initial = section.initial_curvature.iter();
         if initial.any(|initial| !initial.is_straight()) {
             found.push(("prestress", PropertyProblem::CurvedPrestress));
         }
     }
-}
-
-/// Names of their own, finite numbers, and forces that are those of the strains.
-fn imposed(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
-    let field = "imposed";
-    let root = section.stiffness.diagonal().map(f64::sqrt);
-    for (i, state) in section.imposed.iter().enumerate() {
-        let name = || state.name.clone();
-        if section.imposed[..i]
-            .iter()
-            .any(|one| one.name == state.name)
-        {
-            found.push((field, PropertyProblem::ImposedTwice { name: name() }));
-        }
-        let (force, strain) = (&state.restrained_force, &state.free_strain);
-        if !force.iter().chain(strain).all(|value| value.is_finite()) {
-            found.push((field, PropertyProblem::NotFinite { field }));
-            continue;
-        }
-        if let Some(change) = &state.stiffness_change {
-            change_of_stiffness("stiffness_change", section, change, found);
-        }
-        // beside the largest force of the strain, in terms of the stiffness
-        let scale = largest(
-            strain.component_mul(&root).amax(),
-            force.component_div(&root).amax(),
-        );
-        let difference = force + section.stiffness * strain;
-        let worst = difference.component_div(&root).amax();
-        if worst > SYMMETRY * scale {
-            let error = worst / scale;
-            let problem = PropertyProblem::ImposedForce {
-                name: name(),
-                error,
-            };
-            found.push((field, problem));
-        }
-    }
-}
-
-fn largest(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }
 
 /// A reference line that leads into the section, or along it.
@@ -463,37 +433,6 @@ fn smallest_scaled_eigenvalue(a: &DMatrix<f64>) -> f64 {
         0.5 * (a[(i, j)] + a[(j, i)]) / (scale[i] * scale[j])
     });
     scaled.symmetric_eigenvalues().min()
-}
-
-/// A change of the stiffness over the components of a table of prestress: finite, and
-/// symmetric beside its largest entry, entries made comparable by the stiffness.
-fn change_of_stiffness(
-    field: &'static str,
-    section: &SectionProperties,
-    change: &Matrix4<f64>,
-    found: &mut Vec<FieldProblem>,
-) {
-    if !change.iter().all(|value| value.is_finite()) {
-        return found.push((field, PropertyProblem::NotFinite { field }));
-    }
-    let root = PRESTRESS_COMPONENTS.map(|component| section.stiffness[(component, component)]);
-    let root = Vector4::from(root).map(f64::sqrt);
-    let scaled = change.component_div(&(root * root.transpose()));
-    let limit = SYMMETRY * scaled.amax();
-    for i in 0..4 {
-        for j in i + 1..4 {
-            if (scaled[(i, j)] - scaled[(j, i)]).abs() > limit {
-                let problem = PropertyProblem::Asymmetric {
-                    field,
-                    row: i + 1,
-                    column: j + 1,
-                    upper: change[(i, j)],
-                    lower: change[(j, i)],
-                };
-                return found.push((field, problem));
-            }
-        }
-    }
 }
 
 fn dynamic(matrix: &Matrix6<f64>) -> DMatrix<f64> {

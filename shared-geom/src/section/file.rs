@@ -13,6 +13,7 @@ use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
 
 mod prestress;
+mod shapes;
 
 use prestress::FilePrestress;
 
@@ -178,7 +179,8 @@ pub fn parse(text: &str, file: &str) -> Result<SectionProperties, Diagnostics> {
     };
     let head: Head = serde_json::from_str(text).map_err(malformed)?;
     check_head(&head, text, file)?;
-    let content: File = serde_json::from_str(text).map_err(malformed)?;
+    let content = serde_json::from_str::<File>(text);
+    let content = content.map_err(|error| shapes::malformed(&error, text, file))?;
     let mut problems = Diagnostics::new();
     let section = content.section(text, file, &mut problems);
     for (field, problem) in section.field_problems() {

@@ -24,7 +24,7 @@
 //! K(F, c) = K + T . (C F) + sum c_i T_i                                    (S-151)
 //! ```
 
-use nalgebra::{Matrix4, Matrix6, Vector2, Vector4, Vector6};
+use nalgebra::{DMatrix, Matrix4, Matrix6, Vector2, Vector3, Vector4, Vector6};
 
 use super::SectionProperties;
 
@@ -155,6 +155,40 @@ impl CubicTable {
     #[must_use]
     pub fn rotated(&self, angle: f64) -> Self {
         self.transformed(&strains_of_turned(angle))
+    }
+
+    /// The table in axes that follow the tangent of the reference line, as literature often
+    /// has it, of a section of the 6x6 `compliance`: with the shears (nu2, nu3) of the
+    /// linear solution and the turn `r = (0, -nu3, nu2)`,
+    ///
+    /// ```text
+    /// p' - p = [ 1/2 (nu2^2 + nu3^2) ; - r x kappa ] ,   U3' = U3 - (K4 p) . (p' - p)   (S-87)
+    /// ```
+    ///
+    /// without the mean turn of the warping about x, which is not in a property file.
+    /// `None` for a compliance that has no inverse.
+    pub fn along_tangent(&self, compliance: &Matrix6<f64>) -> Option<Self> {
+        let [four, shears] = [&PRESTRESS_COMPONENTS[..], &[1, 2]].map(|rows| {
+            DMatrix::from_fn(rows.len(), 4, |i, j| {
+                compliance[(rows[i], PRESTRESS_COMPONENTS[j])]
+            })
+        });
+        let stiffness = four.try_inverse()?;
+        let shears = shears * &stiffness;
+        // the change of the strains, bilinear in two states
+        let second = |j: usize, k: usize| {
+            let turn = |state: usize| Vector3::new(0.0, -shears[(1, state)], shears[(0, state)]);
+            let curvature = |state: usize| match state {
+                0 => Vector3::zeros(),
+                _ => Vector3::ith(state - 1, 1.0),
+            };
+            let both = turn(j).cross(&curvature(k)) + turn(k).cross(&curvature(j));
+            let stretch = 0.5 * shears.column(j).dot(&shears.column(k));
+            Vector4::new(stretch, -0.5 * both.x, -0.5 * both.y, -0.5 * both.z)
+        };
+        let s = |i: usize, j: usize, k: usize| -stiffness.column(i).dot(&second(j, k));
+        let change = Self::from_fn(|[i, j, k]| 2.0 * (s(i, j, k) + s(j, i, k) + s(k, i, j)));
+        Some(self.plus(&change))
     }
 
     /// Whether all entries are finite.
