@@ -220,7 +220,12 @@ fn heat_without_thermal_force_is_told() {
 /// What acts is told, by the card that says it, once for beams that are heated alike.
 #[test]
 fn what_is_heated_is_told() {
-    let told = |of_properties, of_blade| read(&bar(of_properties, of_blade, "[static]\n")).remarks;
+    let told = |of_properties, of_blade| {
+        let mut remarks = read(&bar(of_properties, of_blade, "[static]\n")).remarks;
+        // the bar is lighter than any of a material, which is told too
+        remarks.retain(|remark| remark.starts_with("heat"));
+        remarks
+    };
     assert_eq!(told("", ""), Vec::<String>::new());
     assert_eq!(
         told("temperature = \"36 degF\"", ""),
