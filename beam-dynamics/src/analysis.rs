@@ -2,6 +2,7 @@
 
 pub mod buckling;
 mod critical;
+mod first_order;
 mod modal_damping;
 pub mod modes;
 pub mod statics;

@@ -256,7 +256,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
 /// The input as a value, when the model is complete.
 fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) -> Option<Input> {
     let summary = draft.summary(questions.modes.as_ref(), &measured);
-    let remarks = draft.remarks().to_vec();
+    let remarks = draft.remarks(questions.buckling.is_some());
     let spin = draft.hub()?.spin();
     let model = draft.model(name, spin)?;
     Some(Input {

@@ -49,7 +49,7 @@ pub use imposed::imposed_report;
 pub use mesh_plot::MeshPlot;
 pub use outside::{outside_properties, outside_warping_csv};
 pub use prestress::prestress_report;
-pub use properties::properties;
+pub use properties::{add_prestress, properties};
 pub use property_report::{property_axes, property_centers, property_report};
 pub use record::AnalysisRecord;
 pub use report::{checks, failure_report, input_report, report};

@@ -17,7 +17,7 @@ pub use boundary::Perimeter;
 pub use centers::Centers;
 pub use difference::{Difference, Entry, Part, radius_of_gyration};
 pub use moments::{AreaMoments, SecondMoments};
-pub use prestress::{NoPrestress, prestress};
+pub use prestress::{FreeState, NoPrestress, prestress, prestress_of_imposed};
 pub use principal::PrincipalAxes;
 pub use restrained::{NoRestrainedWarping, RestrainedWarping};
 pub use scaled::{invert_symmetric, scaled_difference};

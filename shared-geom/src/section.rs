@@ -5,9 +5,10 @@
 //! shear z, torsion, bending y, bending z; all of them at the reference point and
 //! in the section axes (x along the beam, y and z in the section). SI units.
 
-use nalgebra::{DMatrix, Matrix3, Matrix6, Vector2, Vector3, Vector6};
+use nalgebra::{DMatrix, Matrix3, Matrix4, Matrix6, Vector2, Vector3, Vector6};
 
 use crate::wrench;
+use prestress::strains_of_turned;
 
 mod centers;
 mod check;
@@ -24,7 +25,10 @@ pub use curvature::{Agreement, CurvatureMismatch};
 pub use engineering::Engineering;
 pub use file::{VERSION, parse, read, write};
 pub use history::{Change, Step};
-pub use prestress::{CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure, prestress_part};
+pub use prestress::{
+    CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure, among_six, prestress_part,
+    strains_of_moved,
+};
 
 /// What a beam needs to know of a cross-section.
 #[derive(Debug, Clone, PartialEq)]
@@ -120,6 +124,10 @@ pub struct ImposedState {
     pub restrained_force: Vector6<f64>,
     /// Generalized strain where there is no internal force, 6 components [-, 1/m].
     pub free_strain: Vector6<f64>,
+    /// Change of the stiffness of the section without internal force, over the components
+    /// [`PRESTRESS_COMPONENTS`], 4x4 symmetric [N, N m, N m^2]; `None` where it was not
+    /// computed.
+    pub stiffness_change: Option<Matrix4<f64>>,
 }
 
 /// Internal damping of the beam: internal force per rate of generalized strain.
@@ -158,13 +166,14 @@ impl SectionProperties {
     ///
     /// Exact: `K' = U K U^T` with [`wrench::shift_matrix`] `U`, mass and viscous
     /// damping likewise, coupling, thermal and restrained forces by `U`, free strains by
-    /// `U^-T`, the table of prestress by [`CubicTable::shifted`].
+    /// `U^-T`, the table of prestress and the changes of the stiffness by
+    /// [`strains_of_moved`].
     pub fn shift(&self, by: Vector2<f64>) -> Self {
         let d = Vector3::new(0.0, by.x, by.y);
         let u = wrench::shift_matrix(&d);
         let mut moved = self.transform(|matrix| wrench::shift(matrix, &d), &u);
         moved.reference_point += by;
-        moved.prestress = self.with_third(|third| third.shifted(by));
+        moved.set_prestress(&strains_of_moved(by));
         for center in moved.centers.points() {
             *center -= by;
         }
@@ -183,7 +192,7 @@ impl SectionProperties {
         let mut turned = self.transform(|matrix| wrench::rotate(matrix, &q), &into);
         let plane = q.fixed_view::<2, 2>(1, 1).transpose();
         turned.reference_point = plane * turned.reference_point;
-        turned.prestress = self.with_third(|third| third.rotated(angle));
+        turned.set_prestress(&strains_of_turned(angle));
         for center in turned.centers.points() {
             *center = plane * *center;
         }
@@ -196,11 +205,20 @@ impl SectionProperties {
         turned
     }
 
-    fn with_third(&self, change: impl Fn(&CubicTable) -> CubicTable) -> Option<Prestress> {
-        self.prestress.map(|prestress| Prestress {
-            third: change(&prestress.third),
+    /// Table and changes of the stiffness over the strains p' with `p = V p'`.
+    fn set_prestress(&mut self, v: &Matrix4<f64>) {
+        let congruent = |change: Matrix4<f64>| {
+            let moved = v.transpose() * change * v;
+            0.5 * (moved + moved.transpose())
+        };
+        self.prestress = self.prestress.map(|prestress| Prestress {
+            third: prestress.third.transformed(v),
+            per_kelvin: prestress.per_kelvin.map(congruent),
             ..prestress
-        })
+        });
+        for state in &mut self.imposed {
+            state.stiffness_change = state.stiffness_change.map(congruent);
+        }
     }
 
     /// Applies a congruence to the matrices and `force` to the force-like columns.

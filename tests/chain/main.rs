@@ -3,10 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod bimetal;
+mod composite_axes;
 mod pretwisted;
 mod princeton;
 #[path = "../common/record.rs"]
 mod record;
 mod ring;
 mod swept_tip;
+mod tee_column;
 mod trapeze;

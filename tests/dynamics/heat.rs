@@ -216,3 +216,23 @@ fn heat_without_thermal_force_is_told() {
         assert!(told.contains(expected), "{told}");
     }
 }
+
+/// What acts is told, by the card that says it, once for beams that are heated alike.
+#[test]
+fn what_is_heated_is_told() {
+    let told = |of_properties, of_blade| {
+        let mut remarks = read(&bar(of_properties, of_blade, "[static]\n")).remarks;
+        // the bar is lighter than any of a material, which is told too
+        remarks.retain(|remark| remark.starts_with("heat"));
+        remarks
+    };
+    assert_eq!(told("", ""), Vec::<String>::new());
+    assert_eq!(
+        told("temperature = \"36 degF\"", ""),
+        ["heat and imposed strains of properties \"bar\": temperature 20 K"]
+    );
+    assert_eq!(
+        told("temperature = 20", "temperature = \"= 40 + t\""),
+        ["heat and imposed strains of blade \"bar\", piece 1: temperature 40 K at the time zero"]
+    );
+}

@@ -7,9 +7,9 @@
 use beam_dynamics::analysis::buckling::buckling;
 use beam_dynamics::analysis::statics::{StaticOutcome, statics};
 use beam_dynamics::input::{self, Input};
-use nalgebra::{Vector2, Vector3, Vector4};
+use nalgebra::{Matrix4, Vector2, Vector3, Vector4, Vector6};
 use shared_geom::section::{
-    self, Centers, CubicTable, Engineering, Prestress, Provenance, SectionProperties,
+    self, Centers, CubicTable, Engineering, ImposedState, Prestress, Provenance, SectionProperties,
     StrainMeasure, prestress_part,
 };
 
@@ -45,6 +45,7 @@ fn strip() -> SectionProperties {
         prestress: Some(Prestress {
             strain_measure: StrainMeasure::Biot,
             third: CubicTable::from_fn(entry),
+            per_kelvin: None,
         }),
         ..written.section("strip", Provenance::default())
     }
@@ -73,14 +74,19 @@ fn loaded(keys: &str, loads: [f64; 2]) -> StaticOutcome {
 }
 
 /// Axial strain and twist under `N`, `M`, by Newton's method on the two equations.
-fn strain([n, m]: [f64; 2]) -> Vector4<f64> {
+fn strain(loads: [f64; 2]) -> Vector4<f64> {
+    strain_with(loads, &Matrix4::zeros())
+}
+
+/// The same with a change of the stiffness.
+fn strain_with([n, m]: [f64; 2], by_heat: &Matrix4<f64>) -> Vector4<f64> {
     let third = strip().prestress.unwrap().third;
     let mut p = Vector4::new(n / STIFFNESS[0], m / STIFFNESS[3], 0.0, 0.0);
     let stiffness = Vector4::new(STIFFNESS[0], STIFFNESS[3], STIFFNESS[4], STIFFNESS[5]);
     for _ in 0..50 {
         let change = third.along(&p);
-        let force = stiffness.component_mul(&p) + 0.5 * change * p;
-        let tangent = nalgebra::Matrix4::from_diagonal(&stiffness) + change;
+        let force = stiffness.component_mul(&p) + 0.5 * change * p + by_heat * p;
+        let tangent = Matrix4::from_diagonal(&stiffness) + change + by_heat;
         p -= tangent.try_inverse().unwrap() * (force - Vector4::new(n, m, 0.0, 0.0));
     }
     p
@@ -191,4 +197,108 @@ fn strips_buckle_in_torsion() {
     let turn = mode.rotations.iter().map(Vector3::norm).fold(0.0, f64::max);
     let about_x = mode.rotations.iter().map(|r| r.x.abs()).fold(0.0, f64::max);
     assert!(about_x > 0.999 * turn);
+}
+
+/// Strains of the strip heated evenly by one kelvin, and in the state "edge".
+const PER_KELVIN: [f64; 6] = [2e-5, 0.0, 0.0, 1e-4, 0.0, 0.0];
+const EDGE: [f64; 6] = [3e-4, 0.0, 0.0, -2e-3, 0.0, 0.0];
+
+/// The strip with heat and a state, and what they do to its stiffness.
+fn heated_strip() -> (SectionProperties, Matrix4<f64>) {
+    let mut section = strip();
+    let free = Vector6::from(PER_KELVIN);
+    section.thermal_force = Some(-(section.stiffness * free));
+    let change = |axial_torsion: f64, torsion: f64| {
+        let mut change = Matrix4::zeros();
+        (change[(0, 1)], change[(1, 0)]) = (axial_torsion, axial_torsion);
+        change[(1, 1)] = torsion;
+        change
+    };
+    let (even, edge) = (change(0.4, -4e-3), change(5.0, -0.7));
+    let prestress = section.prestress.as_mut().unwrap();
+    prestress.per_kelvin = Some(even);
+    let free_strain = Vector6::from(EDGE);
+    section.imposed = vec![ImposedState {
+        name: "edge".to_owned(),
+        restrained_force: -(section.stiffness * free_strain),
+        free_strain,
+        stiffness_change: Some(edge),
+    }];
+    (section, 50.0 * even + 2.0 * edge)
+}
+
+/// Under heat and an imposed state the table acts on the strain that is not free, (D-252):
+/// `e = q + sum c_i psi_i`, with q the strain of the section of changed stiffness. Free
+/// ends, and ends that are pushed back so that the bar does not grow.
+#[test]
+fn the_table_acts_on_the_strain_that_is_not_free() {
+    const TOLERANCE: f64 = 1e-8;
+    let (section, change) = heated_strip();
+    let free = 50.0 * Vector6::from(PER_KELVIN) + 2.0 * Vector6::from(EDGE);
+    let free = prestress_part(&free);
+    let heat = "prestress = true\ntemperature = 50\nimposed = { edge = \"= 1 + 1\" }";
+    let held = -STIFFNESS[0] * 1e-3;
+    for (case, loads) in [
+        ("free", [0.0, 0.1]),
+        ("held", [held, 0.1]),
+        ("pulled", [5e3, 0.5]),
+    ] {
+        let input = input(&section, heat, loads, "[static]\n");
+        let outcome = statics(&input.model, &input.statics.unwrap());
+        assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+        let expected = strain_with(loads, &change) + free;
+        for section in &outcome.result.last().unwrap().sections {
+            let found = prestress_part(&section.strain);
+            for (i, quantity) in [(0, "axial strain [-]"), (1, "twist [1/m]")] {
+                let error = (found[i] - expected[i]).abs() / strain(loads)[i].abs().max(1e-3);
+                let case = format!("heated strip, {case}");
+                let pair = [found[i], expected[i]];
+                record::value(CLOSED, &case, quantity, pair, error, TOLERANCE);
+                assert!(error < TOLERANCE, "{case} {quantity} {pair:?}");
+            }
+        }
+    }
+}
+
+/// The trapeze alone: a free heated strip twists as a cold one, `M/GJ`; one that is held,
+/// pressed by EA alpha T, as `M/(GJ - T144 alpha T)`.
+#[test]
+fn free_heat_does_not_stiffen_and_held_heat_softens() {
+    const TOLERANCE: f64 = 1e-6;
+    let mut section = strip();
+    section.thermal_force = Some(Vector6::new(-STIFFNESS[0] * 2e-5, 0.0, 0.0, 0.0, 0.0, 0.0));
+    let prestress = section.prestress.as_mut().unwrap();
+    prestress.third = CubicTable::from_fn(|at| if at == [0, 1, 1] { POLAR } else { 0.0 });
+    prestress.per_kelvin = Some(Matrix4::zeros());
+    // so small a torque that its own shortening does not count, 1e-7 of GJ
+    let torque = 1e-4;
+    for (case, force, torsion) in [
+        ("free", 0.0, STIFFNESS[3]),
+        ("held", -STIFFNESS[0] * 1e-3, STIFFNESS[3] - POLAR * 1e-3),
+    ] {
+        let keys = "prestress = true\ntemperature = 50";
+        let input = input(&section, keys, [force, torque], "[static]\n");
+        let outcome = statics(&input.model, &input.statics.unwrap());
+        assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+        let found = outcome.result.last().unwrap().sections[0].strain[3];
+        let expected = torque / torsion;
+        let error = (found / expected - 1.0).abs();
+        let case = format!("strip at 50 K, {case}");
+        record::value(
+            CLOSED,
+            &case,
+            "twist [1/m]",
+            [found, expected],
+            error,
+            TOLERANCE,
+        );
+        assert!(error < TOLERANCE, "{case} {found} {expected}");
+        // 40 % of GJ is told
+        let remarks = outcome.result.remarks.join("\n");
+        assert_eq!(
+            remarks.contains("changes the stiffness of beam"),
+            case.ends_with("held"),
+            "{remarks}"
+        );
+    }
 }

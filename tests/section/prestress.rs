@@ -7,11 +7,12 @@
 //!   section in large strain to 3e-6 and better.
 //! - [HouboltBrooks1958]: a strip under tension N gains N Ip/A in torsion.
 
-use nalgebra::{Matrix2x4, Matrix4, Vector2, Vector3, Vector4};
+use nalgebra::{Matrix4, Vector4, Vector6};
+use section_analyzer::analysis::Analysis;
 use section_analyzer::material::{EngineeringConstants, Material};
 use section_analyzer::mesh::generate::Rectangle;
-use section_analyzer::properties::prestress;
-use section_analyzer::section::Section;
+use section_analyzer::properties::{FreeState, prestress, prestress_of_imposed};
+use section_analyzer::section::{FreeStrain, ImposedStrain, Section};
 use section_analyzer::solution::SectionSolution;
 use serde_json::Value;
 use shared_geom::mesh::{CellKind, Mesh};
@@ -106,33 +107,10 @@ fn difference(a: &CubicTable, b: &CubicTable) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// The cubic form `-force . second(p)` as a table, `second` being quadratic.
-fn form(stiffness: &Matrix4<f64>, second: impl Fn(&Vector4<f64>) -> Vector4<f64>) -> CubicTable {
-    let unit = |i: usize| Vector4::ith(i, 1.0);
-    let bilinear =
-        |j: usize, k: usize| 0.25 * (second(&(unit(j) + unit(k))) - second(&(unit(j) - unit(k))));
-    let s = |i: usize, j: usize, k: usize| -stiffness.column(i).dot(&bilinear(j, k));
-    CubicTable::from_fn(|[i, j, k]| 2.0 * (s(i, j, k) + s(j, i, k) + s(k, i, j)))
-}
-
-/// The table in axes that follow the tangent of the reference line, as the prototype has
-/// them: where a state has shear strains, (nu2, nu3) = B p, the axes turn by
-/// r = (0, -nu3, nu2), and p' differs from p by its square.
+/// The table as the prototype has it.
 fn along_tangent(solution: &SectionSolution, table: &CubicTable) -> CubicTable {
-    let compliance = Matrix4::from_fn(|i, j| {
-        solution.compliance[(PRESTRESS_COMPONENTS[i], PRESTRESS_COMPONENTS[j])]
-    });
-    let stiffness = compliance.try_inverse().expect("a sound section");
-    let shears = Matrix2x4::from_fn(|i, j| solution.compliance[(1 + i, PRESTRESS_COMPONENTS[j])]);
-    let shears = shears * stiffness;
-    let change = form(&stiffness, |p| {
-        let nu: Vector2<f64> = shears * p;
-        let turn = Vector3::new(0.0, -nu.y, nu.x);
-        let kappa = Vector3::new(p[1], p[2], p[3]);
-        let change = kappa.cross(&turn);
-        Vector4::new(0.5 * nu.norm_squared(), change.x, change.y, change.z)
-    });
-    table.plus(&change)
+    let tangent = table.along_tangent(&solution.compliance);
+    tangent.expect("a sound section")
 }
 
 /// The three strips of the prototype, by both measures of strain. Both are on one mesh: what
@@ -359,4 +337,107 @@ fn tapered_strips_have_the_effect_of_wagner() {
         );
         assert!(*missing < 5e-3, "{quantity} {missing}");
     }
+}
+
+/// What a state does to the stiffness without internal force.
+fn change_by(section: &Section, state: ImposedStrain, measure: StrainMeasure) -> Matrix4<f64> {
+    let analysis = Analysis::new(section).expect("sound");
+    let solution = analysis.solution();
+    let solved = &analysis.imposed(&[state]).expect("sound")[0];
+    let free = FreeState {
+        imposed: &solved.state,
+        warping: &solved.warping,
+        strain: &solved.free_strain,
+    };
+    let (warping, strain) = (&solution.warping, &solution.strain);
+    prestress_of_imposed(section, warping, strain, measure, &[free]).expect("straight")[0]
+}
+
+/// A section of one material that is heated evenly has no stress, and grows: with
+/// H_0 = eps I, (S-150) is the work of sigma_j on `eps kappa_k x t`,
+///
+/// ```text
+/// T_0jk = 2 eps K_jk (Biot; none for extension),   4 eps K_jk and 2 eps EA (Green)
+/// ```
+///
+/// to round-off of the solution.
+#[test]
+fn even_heat_of_one_material_only_makes_the_section_grow() {
+    const TOLERANCE: f64 = 1e-10;
+    let section = isotropic_strip(10.0, 1.0, [12, 4]);
+    let stiffness = solved(&section).stiffness;
+    let k = PRESTRESS_COMPONENTS.map(|component| stiffness[(component, component)]);
+    let free = FreeStrain::constant(Vector6::new(1.0, 1.0, 1.0, 0.0, 0.0, 0.0));
+    for (measure, [axial, turning]) in [
+        (StrainMeasure::Biot, [0.0, 2.0]),
+        (StrainMeasure::Green, [2.0, 4.0]),
+    ] {
+        let state = ImposedStrain {
+            name: "even".into(),
+            cells: vec![free; section.cells.len()],
+        };
+        let found = change_by(&section, state, measure);
+        let factors = Vector4::new(axial, turning, turning, turning);
+        let expected = Matrix4::from_diagonal(&factors.component_mul(&Vector4::from(k)));
+        let root = Vector4::from(k.map(f64::sqrt));
+        let error = (found - expected)
+            .component_div(&(root * root.transpose()))
+            .amax();
+        let case = format!("strip heated evenly, {}", measure.name());
+        record::largest(CLOSED, &case, "change of the stiffness", error, TOLERANCE);
+        assert!(error < TOLERANCE, "{found} {expected}");
+    }
+}
+
+/// A strip with hot edges, `eps = (y/b)^2`, is pressed there and pulled in the middle, and
+/// loses torsional stiffness by its stress along the beam, which balances itself:
+///
+/// ```text
+/// sigma = E ( mean of eps - eps(y) )     T_044 -> int sigma r^2 dA = - E b^3 t / 180
+/// ```
+///
+/// What is missing is of the size of GJ times the strain and falls with the square of
+/// thickness over width. Strains are linear in each cell: 1e-3 of the integral on 40 cells.
+#[test]
+fn hot_edges_take_torsional_stiffness() {
+    const TOLERANCE: f64 = 0.01;
+    let missing = |b: f64| {
+        let cells = 40;
+        let section = isotropic_strip(b, 1.0, [cells, 2]);
+        let chord = |cell: &[[f64; 2]]| {
+            let ends = cell.iter().map(|place| place[0] / b);
+            let (low, high) = ends.fold((1.0_f64, -1.0_f64), |(a, z), y| (a.min(y), z.max(y)));
+            let even = Vector6::new(1.0, 1.0, 1.0, 0.0, 0.0, 0.0);
+            FreeStrain {
+                at_origin: -low * high * even,
+                by_y: (low + high) / b * even,
+                by_z: Vector6::zeros(),
+            }
+        };
+        let mesh = &section.mesh;
+        let of_cell = |cell| chord(&mesh.places(cell).collect::<Vec<_>>());
+        let state = ImposedStrain {
+            name: "edges".into(),
+            cells: mesh.cells.iter().map(of_cell).collect(),
+        };
+        let found = change_by(&section, state, StrainMeasure::Biot)[(1, 1)];
+        (found, -b.powi(3) / 180.0)
+    };
+    let all = [10.0, 20.0, 40.0].map(missing);
+    let [wide, wider, widest] = all.map(|(found, limit)| relative_error(found, limit));
+    println!("{all:?} {wide} {wider} {widest}");
+    let (found, limit) = all[2];
+    let quantity = "loss of GJ by hot edges, int sigma r^2 dA [N m^2]";
+    record::value(
+        CLOSED,
+        "strip 40 x 1",
+        quantity,
+        [found, limit],
+        widest,
+        TOLERANCE,
+    );
+    assert!(
+        widest < TOLERANCE && wider < 0.4 * wide,
+        "{wide} {wider} {widest}"
+    );
 }

@@ -22,6 +22,7 @@ use crate::solver::LinearSolver;
 
 use super::balance::Balance;
 use super::critical::critical_part;
+use super::first_order::first_order;
 use super::statics::{base, static_step};
 use super::steady::NoEquilibrium;
 
@@ -30,6 +31,8 @@ use super::steady::NoEquilibrium;
 const COPIES: usize = 4;
 /// Relative error of factor and shape above which the reader is told.
 const TRUSTED: f64 = 1e-6;
+/// Difference of factors that count as one, relative.
+const SAME: f64 = 1e-6;
 /// Growth of the tangent below this part of the loads is round-off.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -99,6 +102,10 @@ pub fn buckling(model: &Model, question: &BucklingQuestion) -> BucklingOutcome {
         remarks: Vec::new(),
     };
     let failure = run(model, question, &mut result).err();
+    let base = result.base.as_ref();
+    let place = "under rotation and constant loads";
+    let remark = base.and_then(|step| first_order(&step.sections, place));
+    result.remarks.extend(remark);
     BucklingOutcome { result, failure }
 }
 
@@ -158,6 +165,7 @@ fn remarks(modes: &[BucklingMode], asked: usize) -> Vec<String> {
             modes.len()
         ));
     }
+    remarks.extend(copies(modes));
     let worst = modes.iter().map(|mode| mode.residual);
     let worst = worst.fold(0.0, |a: f64, b| if b > a || b.is_nan() { b } else { a });
     if worst > TRUSTED || worst.is_nan() {
@@ -167,6 +175,23 @@ fn remarks(modes: &[BucklingMode], asked: usize) -> Vec<String> {
         ));
     }
     remarks
+}
+
+/// A remark on turns of sections that have one factor: where all sections lose their
+/// torsional stiffness together, there is a shape for every one of them.
+fn copies(modes: &[BucklingMode]) -> Option<String> {
+    let turns: Vec<_> = modes.iter().filter(|mode| mode.is_rotation()).collect();
+    let same = |a: &BucklingMode, b: &BucklingMode| (a.factor / b.factor - 1.0).abs() < SAME;
+    let of = |mode: &BucklingMode| turns.iter().filter(|other| same(mode, other)).count();
+    let most = turns.iter().map(|mode| (of(mode), mode.factor));
+    let (count, factor) = most
+        .max_by_key(|(count, _)| *count)
+        .filter(|most| most.0 > 1)?;
+    Some(format!(
+        "{count} of the shapes turn sections at the same factor, {factor:.6}: there the sections lose \
+         their torsional stiffness, and every shape of torsion is critical; ask for more critical \
+         loads if others are sought"
+    ))
 }
 
 /// A remark where rotation and constant loads alone are past a critical point.
@@ -206,7 +231,10 @@ fn mode(pair: &Eigenpair) -> BucklingMode {
     // Where no node moves the shape is one of rotations.
     let by = match moved.norm() > 1e-9 * turned.norm() {
         true => moved,
-        false => turned,
+        false => {
+            displacements.fill(Vector3::zeros());
+            turned
+        }
     };
     let sign = by.iamax();
     let scale = by.norm() * by.get(sign).copied().unwrap_or(1.0).signum();

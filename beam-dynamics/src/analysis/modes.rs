@@ -12,6 +12,7 @@ use crate::modes::{
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
 
+use super::first_order::first_order;
 use super::modal_damping;
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
 
@@ -154,6 +155,16 @@ fn run(
         table.remarks.extend(remarks(case, &now, last.is_none()));
         last = Some(now);
     }
+    let fastest = equilibria.last().and_then(|(speed, steady)| {
+        let conditions = case.model.conditions(*speed, 1.0, 1.0);
+        let sections = case
+            .model
+            .system
+            .observe(&steady.state, &conditions)
+            .sections;
+        first_order(&sections, &format!("at {}", rpm(*speed)))
+    });
+    table.remarks.extend(fastest);
     failure.map_or(Ok(()), Err)
 }
 

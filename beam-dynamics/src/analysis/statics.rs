@@ -8,6 +8,7 @@ use crate::solver::LinearSolver;
 
 use super::balance::Balance;
 use super::critical::critical_part;
+use super::first_order::first_order;
 use super::path::{Point, Walker};
 use super::steady::{NoEquilibrium, equilibrium};
 
@@ -69,6 +70,12 @@ pub fn statics(model: &Model, question: &StaticQuestion) -> StaticOutcome {
     };
     let failure = run(model, question, &mut result).err();
     result.remarks.extend(limits_passed(&result.steps));
+    let last = result.last();
+    let remark = last.and_then(|step| {
+        let place = format!("at factor {:.6}", step.factor);
+        first_order(&step.sections, &place)
+    });
+    result.remarks.extend(remark);
     StaticOutcome { result, failure }
 }
 

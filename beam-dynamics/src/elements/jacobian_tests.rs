@@ -4,7 +4,7 @@
 //! eps/h of terms of order one (properties are chosen so) give about 1e-9 of the
 //! largest entry; 2e-8 leaves a factor for the third derivatives.
 
-use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::section::CubicTable;
 use shared_geom::wrench;
@@ -14,7 +14,7 @@ use super::beams::{
 };
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
-use super::laws::{Cubic, Driven, Law, LawKind, Term};
+use super::laws::{self, Cubic, Driven, Law, LawKind, Term};
 use super::loads::{
     Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
 };
@@ -549,17 +549,23 @@ fn beams_of_any_law_with_offsets_and_turned_sections() {
     }
 }
 
-/// `K psi + 1/2 T psi psi`, T of unit size over the components that a section has it for,
-/// and a viscosity beside it.
+/// `K psi + 1/2 T q q + sum c_i T_i q`, T of unit size over the components that a section
+/// has it for, under two states, and a viscosity beside it.
 fn prestressed_law(random: &mut Random) -> Law<6> {
     let table = CubicTable::from_fn(|_| random.number());
+    let mut state = |drive| laws::Imposed {
+        free_strain: Vector6::from_fn(|_, _| 0.2 * random.number()),
+        change: 0.1 * random.stiffness(),
+        drive,
+    };
+    let imposed = vec![state(Drive::Constant(0.7)), state(Drive::Constant(-1.3))];
     Law::sum(vec![
         LawKind::Viscoelastic {
             stiffness: random.stiffness(),
             viscosity: random.stiffness(),
         }
         .into(),
-        LawKind::quadratic(&table).into(),
+        LawKind::quadratic(&table, imposed).into(),
     ])
 }
 

@@ -15,16 +15,18 @@ mod curve;
 mod expression;
 mod kind;
 mod per_component;
+mod quadratic;
 
 #[cfg(test)]
 mod tests;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Matrix6, SMatrix, SVector, Vector6};
 
 pub use curve::{Between, Curve, Outside};
 pub use expression::ExpressionLaw;
 pub use kind::LawKind;
 pub use per_component::{Bilinear, Cubic};
+pub use quadratic::{Imposed, Quadratic};
 
 use crate::model::Drive;
 
@@ -142,7 +144,7 @@ impl<const N: usize> Law<N> {
                 None => SVector::zeros(),
             };
             let elastic = strain - value(&term.prestrain);
-            term.kind.energy(&elastic) + value(&term.prestress).dot(strain)
+            term.kind.energy(&elastic, time) + value(&term.prestress).dot(strain)
         };
         self.terms.iter().map(of_term).sum()
     }
@@ -168,11 +170,20 @@ impl<const N: usize> Law<N> {
         self.terms.iter().any(|term| term.kind.is_viscous())
     }
 
-    /// The drives of prestrains and prestresses.
+    /// The drives of prestrains, prestresses and imposed states.
     pub fn drives(&self) -> impl Iterator<Item = &Drive> {
         let terms = self.terms.iter();
         let driven = terms.flat_map(|term| [&term.prestrain, &term.prestress]);
-        driven.flatten().map(|driven| &driven.drive)
+        let driven = driven.flatten().map(|driven| &driven.drive);
+        driven.chain(self.imposed().map(|state| &state.drive))
+    }
+
+    /// The imposed states of the terms whose force is quadratic.
+    fn imposed(&self) -> impl Iterator<Item = &Imposed<N>> {
+        self.terms.iter().flat_map(|term| match &term.kind {
+            LawKind::Quadratic(law) => law.imposed.as_slice(),
+            _ => &[],
+        })
     }
 
     /// The first time after `time` at which a drive has a corner or a jump \[s\];
@@ -180,5 +191,32 @@ impl<const N: usize> Law<N> {
     pub fn next_corner(&self, time: f64) -> f64 {
         let next = self.drives().map(|drive| drive.next_corner(time));
         next.fold(f64::INFINITY, f64::min)
+    }
+}
+
+impl Law<6> {
+    /// Least and largest change of the stiffness by prestress, as parts of the stiffness
+    /// itself \[-\]: the eigenvalues of the change that quadratic forces make of it, beside
+    /// the rest. `None` for a law without such a force, or without stiffness.
+    pub fn change_by_prestress(&self, strain: &Vector6<f64>, time: f64) -> Option<[f64; 2]> {
+        let mut change = None;
+        let zero = Vector6::zeros();
+        let mut rest = Response::zero();
+        for term in &self.terms {
+            match &term.kind {
+                LawKind::Quadratic(law) => {
+                    let mut response = Response::zero();
+                    law.add(strain, time, &mut response);
+                    let sum = change.get_or_insert_with(Matrix6::zeros);
+                    *sum += response.by_strain;
+                }
+                kind => kind.add(&zero, &zero, time, &mut rest),
+            }
+        }
+        let factor = rest.by_strain.cholesky()?.l();
+        let half = factor.solve_lower_triangular(&change?)?;
+        let whole = factor.solve_lower_triangular(&half.transpose())?;
+        let parts = (0.5 * (whole + whole.transpose())).symmetric_eigenvalues();
+        Some([parts.min(), parts.max()])
     }
 }

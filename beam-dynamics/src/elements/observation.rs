@@ -17,6 +17,9 @@ pub struct SectionState {
     pub strain: Vector6<f64>,
     /// Internal force, section axes [N, N m].
     pub internal_force: Vector6<f64>,
+    /// Least and largest change of the stiffness by prestress, as parts of the stiffness
+    /// without; `None` where no table of prestress is used [-].
+    pub change_of_stiffness: Option<[f64; 2]>,
 }
 
 /// What a joint exerts on a node.

@@ -1,13 +1,13 @@
 //! Section properties along a beam, as its elements want them.
 
 use nalgebra::Matrix6;
-use shared_geom::section::CubicTable;
+use shared_geom::section::{CubicTable, among_six};
 
 use super::curved::Curved;
-use super::heat::Heat;
+use super::heat::{Acting, Heat};
 use super::properties::Properties;
 use crate::elements::beams::MassAlong;
-use crate::elements::laws::{Driven, Law, LawKind};
+use crate::elements::laws::{Imposed, Law, LawKind};
 
 /// Stiffness and mass per length along one beam, by xi from -1 to 1.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +21,7 @@ pub(super) struct Along {
     /// Effect of prestress on the stiffness there; `None` where it is not asked for.
     prestress: Option<[CubicTable; 2]>,
     /// What heat and imposed strains add to the forces there.
-    heat: Vec<Driven<6>>,
+    heat: Vec<Acting>,
     /// What the section was solved for; `None` for a straight beam, and where a blade
     /// file has compared it with its line.
     pub curved: Option<Curved>,
@@ -87,6 +87,7 @@ impl Along {
             law: None,
             heat: Heat::default(),
             prestress: None,
+            torsional_buckling: None,
             curved: None,
         });
         Self {
@@ -98,15 +99,17 @@ impl Along {
     /// The laws at the evaluation points; `None` for those of stiffness and damping alone.
     ///
     /// ```text
-    /// f = K e + D e' + 1/2 T e e + heat                             (D-241), (D-250)
+    /// f = K e + D e' + sum theta_i c_i + 1/2 T q q + sum c_i T_i q ,
+    /// q = e - sum c_i psi_i ,  psi_i = - K^-1 theta_i        (D-241), (D-250), (D-252)
     /// ```
     pub fn laws(&self) -> Option<[Law<6>; 2]> {
         let is_plain = self.law.is_none() && self.prestress.is_none() && self.heat.is_empty();
-        let heated = |point| self.law_at(point).prestressed(self.heat.iter().cloned());
+        let forces = || self.heat.iter().map(|state| state.force.clone());
+        let heated = |point| self.law_at(point).prestressed(forces());
         (!is_plain).then(|| std::array::from_fn(heated))
     }
 
-    /// The law at an evaluation point without heat.
+    /// The law at an evaluation point without the forces of heat.
     fn law_at(&self, point: usize) -> Law<6> {
         if let Some(law) = &self.law {
             return law.clone();
@@ -120,8 +123,30 @@ impl Along {
             },
         };
         let quadratic = self.prestress.as_ref();
-        let quadratic = quadratic.map(|third| LawKind::quadratic(&third[point]).into());
+        let quadratic = quadratic
+            .map(|third| LawKind::quadratic(&third[point], self.imposed(&stiffness)).into());
         Law::sum(std::iter::once(linear.into()).chain(quadratic).collect())
+    }
+
+    /// What the states that act are to a quadratic force.
+    fn imposed(&self, stiffness: &Matrix6<f64>) -> Vec<Imposed<6>> {
+        // what is not positive definite has been refused
+        let Some(factors) = stiffness.cholesky() else {
+            return Vec::new();
+        };
+        let of_state = |state: &Acting| Imposed {
+            free_strain: -factors.solve(&state.force.vector),
+            change: state
+                .stiffness
+                .map_or_else(Matrix6::zeros, |four| among_six(&four)),
+            drive: state.force.drive.clone(),
+        };
+        self.heat.iter().map(of_state).collect()
+    }
+
+    /// What acts of heat and imposed strains.
+    pub fn heat(&self) -> &[Acting] {
+        &self.heat
     }
 
     /// Calls `user` with the mass along the beam.
@@ -170,6 +195,7 @@ mod tests {
             law: None,
             heat: Heat::default(),
             prestress: None,
+            torsional_buckling: None,
             curved: None,
         };
         let constant = Along::constant(&properties);

@@ -12,6 +12,7 @@ use shared_geom::error::nearest_name;
 use super::along::Along;
 use super::drives;
 use super::frames::Frames;
+use super::heat;
 use super::hub::Hub;
 use super::joints::HingeCard;
 use super::problem::InputProblem;
@@ -416,8 +417,10 @@ impl Draft {
     }
 
     /// What the reader must know of the files that were read.
-    pub fn remarks(&self) -> &[String] {
-        &self.remarks
+    pub fn remarks(&self, of_buckling: bool) -> Vec<String> {
+        let heat = heat::told(self.beams.iter().map(|beam| beam.along.heat()));
+        let buckling = of_buckling.then(|| self.properties.of_buckling());
+        [self.remarks.clone(), heat, buckling.unwrap_or_default()].concat()
     }
 
     /// The checked model.

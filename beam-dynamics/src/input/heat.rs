@@ -5,20 +5,31 @@
 //! theta = K psi + thermal_force T(t) + sum restrained_force_i c_i(t)                (D-250)
 //! ```
 //!
+//! Prestressed sections take what each state does to their stiffness too, (D-252).
+//!
 //! Without these keys nothing is heated, whatever the property file says.
 
-use nalgebra::Vector6;
+use nalgebra::{Matrix4, Vector6};
 use shared_geom::document::Table;
 use shared_geom::error::{Explain, nearest_name};
 use shared_geom::section::{ImposedState, SectionProperties};
 use shared_geom::units::Dimension;
 
 use super::drives::{self, Catalog};
+use super::number::short_number;
 use super::properties::Properties;
 use crate::elements::laws::Driven;
+use crate::model::Drive;
 
 /// The keys, as cards have them.
 const KEYS: [&str; 2] = ["temperature", "imposed"];
+
+/// Cards that are named.
+const MOST_CARDS: usize = 3;
+/// Digits of temperatures and factors.
+const DIGITS: usize = 6;
+/// What an even rise of temperature is called.
+const TEMPERATURE: &str = "temperature";
 
 /// What heat and imposed strains do to a section.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -27,8 +38,25 @@ pub(super) struct Heat {
     thermal_force: Option<Vector6<f64>>,
     /// Named states.
     imposed: Vec<ImposedState>,
+    /// Change of the stiffness per kelvin \[N/K, N m/K, N m^2/K\]; `None` where it is not
+    /// known.
+    stiffness_per_kelvin: Option<Matrix4<f64>>,
     /// What acts, of the card that was read last.
-    acting: Vec<Driven<6>>,
+    acting: Vec<Acting>,
+}
+
+/// A state of heat or imposed strain that acts.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Acting {
+    /// The card that says it, in words.
+    pub card: String,
+    /// What it is called: "temperature", or the name of the state.
+    pub name: String,
+    /// Force of the section that is held \[N, N m\], times its drive.
+    pub force: Driven<6>,
+    /// Change of the stiffness for the drive one, over the components of a table of
+    /// prestress \[N, N m, N m^2\]; `None` where it is not known.
+    pub stiffness: Option<Matrix4<f64>>,
 }
 
 /// A problem of heat.
@@ -94,14 +122,75 @@ impl Heat {
         Self {
             thermal_force: properties.thermal_force,
             imposed: properties.imposed.clone(),
+            stiffness_per_kelvin: properties
+                .prestress
+                .and_then(|prestress| prestress.per_kelvin),
             acting: Vec::new(),
         }
     }
 
+    /// States whose effect on the stiffness the property file does not have.
+    pub fn without_stiffness(&self) -> Vec<&str> {
+        let kelvin = self.thermal_force.is_some() && self.stiffness_per_kelvin.is_none();
+        let kelvin = kelvin.then_some(TEMPERATURE);
+        let states = self.imposed.iter();
+        let states = states.filter(|state| state.stiffness_change.is_none());
+        let states = states.map(|state| state.name.as_str());
+        kelvin.into_iter().chain(states).collect()
+    }
+
     /// What acts: forces that are held, times drives.
-    pub fn acting(&self) -> &[Driven<6>] {
+    pub fn acting(&self) -> &[Acting] {
         &self.acting
     }
+}
+
+/// What acts on beams, a line for all cards on which the same acts: the values at the time
+/// zero.
+pub(super) fn told<'a>(beams: impl Iterator<Item = &'a [Acting]>) -> Vec<String> {
+    let mut known: Vec<(Vec<&str>, &[Acting])> = Vec::new();
+    for acting in beams {
+        let Some(first) = acting.first() else {
+            continue;
+        };
+        match known.iter_mut().find(|known| same(known.1, acting)) {
+            Some((cards, _)) if cards.contains(&first.card.as_str()) => {}
+            Some((cards, _)) => cards.push(&first.card),
+            None => known.push((vec![&first.card], acting)),
+        }
+    }
+    known.iter().map(line).collect()
+}
+
+/// Whether the same acts, whatever the cards are called.
+fn same(a: &[Acting], b: &[Acting]) -> bool {
+    let pairs = || a.iter().zip(b);
+    a.len() == b.len() && pairs().all(|(a, b)| a.name == b.name && a.force == b.force)
+}
+
+fn line((cards, acting): &(Vec<&str>, &[Acting])) -> String {
+    let state = |state: &Acting| {
+        let now = short_number(state.force.drive.at(0.0).value, DIGITS);
+        let when = match state.force.drive {
+            Drive::Constant(_) => "",
+            _ => " at the time zero",
+        };
+        match state.name.as_str() {
+            TEMPERATURE => format!("temperature {now} K{when}"),
+            name => format!("\"{name}\" times {now}{when}"),
+        }
+    };
+    let states: Vec<_> = acting.iter().map(state).collect();
+    let more = match cards.len().saturating_sub(MOST_CARDS) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let cards = cards.iter().take(MOST_CARDS).copied().collect::<Vec<_>>();
+    format!(
+        "heat and imposed strains of {}{more}: {}",
+        cards.join("; "),
+        states.join(", ")
+    )
 }
 
 /// Whether a card says anything about heat.
@@ -135,12 +224,17 @@ pub(super) fn read(
     })
 }
 
-fn acting(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Option<Vec<Driven<6>>> {
+fn acting(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Option<Vec<Acting>> {
     let mut found = Vec::new();
     if table.has("temperature") {
         let drive = drives::read(table, "temperature", Dimension::TEMPERATURE, drives);
         match heat.thermal_force {
-            Some(vector) => found.push(drive.map(|drive| Driven { vector, drive })),
+            Some(vector) => found.push(drive.map(|drive| Acting {
+                card: user.to_owned(),
+                name: TEMPERATURE.to_owned(),
+                force: Driven { vector, drive },
+                stiffness: heat.stiffness_per_kelvin,
+            })),
             None => {
                 let user = user.to_owned();
                 table.note("temperature", &HeatProblem::NoThermalForce { user });
@@ -159,7 +253,7 @@ fn acting(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Optio
 }
 
 /// The states of `imposed = { NAME = DRIVE }`; those that are wrong are `None`.
-fn states(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Vec<Option<Driven<6>>> {
+fn states(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Vec<Option<Acting>> {
     let names = table.keys();
     let state = |name: &String| {
         let drive = drives::read(table, name, Dimension::NUMBER, drives);
@@ -177,9 +271,14 @@ fn states(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Vec<O
             table.note(name, &problem);
             return None;
         };
-        Some(Driven {
-            vector: state.restrained_force,
-            drive: drive?,
+        Some(Acting {
+            card: user.to_owned(),
+            name: name.clone(),
+            force: Driven {
+                vector: state.restrained_force,
+                drive: drive?,
+            },
+            stiffness: state.stiffness_change,
         })
     };
     names.iter().map(state).collect()

@@ -35,9 +35,20 @@ pub(super) struct Properties {
     pub heat: Heat,
     /// Effect of prestress on the stiffness; `None` where it is not asked for.
     pub prestress: Option<CubicTable>,
+    /// Why critical loads know nothing of torsional buckling, in words; `None` where they
+    /// do, and for numbers in place.
+    pub torsional_buckling: Option<&'static str>,
     /// What the section was solved for; `None` for a straight beam.
     pub curved: Option<Curved>,
 }
+
+/// Remark on properties whose table of prestress is not used.
+const UNUSED_TABLE: &str = "torsional and torsional-flexural buckling are left out, as the \
+    table of prestress of the property file is not used: add prestress = true";
+/// Remark on property files without a table of prestress.
+const NO_TABLE: &str = "torsional and torsional-flexural buckling are left out, as the property \
+    file has no table of prestress: analyze the section with prestress = \"biot\", and add \
+    prestress = true here";
 
 /// The properties of an input by name; those that are wrong are `None`.
 #[derive(Debug, Clone, Default)]
@@ -72,13 +83,27 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
             .as_ref()
             .and_then(|found| remark(&found.stiffness, &found.mass));
         let curved = properties.as_ref().and_then(|found| found.curved.as_ref());
-        let remarks = [remark, curved.and_then(Curved::conversion)];
+        let heated = properties.as_ref().and_then(unknown_heat);
+        let remarks = [remark, curved.and_then(Curved::conversion), heated];
         let remarks = remarks.into_iter().flatten();
         let remarks = remarks.map(|remark| format!("properties \"{name}\": {remark}"));
         catalog.remarks.extend(remarks);
         catalog.named.push((name, properties));
     }
     catalog
+}
+
+/// What looks like a mistake where a table of prestress is used under heat.
+fn unknown_heat(properties: &Properties) -> Option<String> {
+    let names = properties.heat.without_stiffness();
+    (properties.prestress.is_some() && !names.is_empty()).then(|| {
+        format!(
+            "the property file does not say what {} does to the stiffness: under it \
+             \"prestress\" does not know of the stresses within the free section; analyze the \
+             section again",
+            names.join(", ")
+        )
+    })
 }
 
 /// Whether plain numbers of stiffness and mass are in SI units.
@@ -89,6 +114,16 @@ fn is_si(table: &Table<'_>) -> bool {
 }
 
 impl Catalog {
+    /// What a reader of critical loads must know.
+    pub fn of_buckling(&self) -> Vec<String> {
+        let named = self.named.iter();
+        let remark = |(name, found): &(String, Option<Properties>)| {
+            let why = found.as_ref()?.torsional_buckling?;
+            Some(format!("properties \"{name}\": {why}"))
+        };
+        named.filter_map(remark).collect()
+    }
+
     /// The properties `name`, as named under `properties` of `table`, which is `user`
     /// in words; `None` when they are wrong, and when they are unknown, which is noted.
     pub fn find(&self, name: &str, table: &Table<'_>, user: &str) -> Option<Properties> {
@@ -180,6 +215,11 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
     };
     let usable = usable(name, table, "file", &properties)?;
     Some(Properties {
+        torsional_buckling: match (&prestress, &properties.prestress) {
+            (Some(_), _) => None,
+            (None, Some(_)) => Some(UNUSED_TABLE),
+            (None, None) => Some(NO_TABLE),
+        },
         prestress,
         curved: Curved::of(name, &found),
         ..usable
@@ -253,5 +293,6 @@ pub(super) fn usable(
         law: None,
         heat: Heat::of(properties),
         prestress: None,
+        torsional_buckling: None,
     })
 }

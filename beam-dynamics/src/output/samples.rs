@@ -18,6 +18,8 @@ mod statics;
 
 pub use fields::{read_back, values};
 pub use shapes::{shaped, tip_motion};
+#[cfg(test)]
+pub use statics::torsion;
 pub use statics::{bent, column};
 
 /// Names of the files that were written.

@@ -11,13 +11,21 @@ pub struct BucklingMode {
     /// Factor of the proportional loads at which the model gives way; negative where
     /// the loads must be turned round [-].
     pub factor: f64,
-    /// Displacement of each node, model's axes; the largest is one, or where no node
-    /// moves, the largest rotation [-].
+    /// Displacement of each node, model's axes; the largest is one, or all are zero and
+    /// the largest rotation is one [-].
     pub displacements: Vec<Vector3<f64>>,
     /// Rotation of each node, model's axes, in the scale of the displacements [rad/m].
     pub rotations: Vec<Vector3<f64>>,
     /// Error of factor and shape in the equations, relative [-].
     pub residual: f64,
+}
+
+impl BucklingMode {
+    /// Whether nodes turn without being displaced, as in torsion.
+    pub fn is_rotation(&self) -> bool {
+        let is_zero = |vector: &Vector3<f64>| *vector == Vector3::zeros();
+        self.displacements.iter().all(is_zero)
+    }
 }
 
 /// Critical loads of a model about an equilibrium.

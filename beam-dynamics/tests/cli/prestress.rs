@@ -18,6 +18,7 @@ fn prestressed() -> Folder {
         prestress: Some(Prestress {
             strain_measure: StrainMeasure::Biot,
             third: CubicTable::ZERO,
+            per_kelvin: None,
         }),
         ..strip()
     };

@@ -1,7 +1,9 @@
 //! The effect of the internal forces on the stiffness, in a report.
 
 use nalgebra::{Matrix4, Matrix6, Vector6};
-use shared_geom::section::{PRESTRESS_COMPONENTS, Prestress, SectionProperties, least_eigenvalue};
+use shared_geom::section::{
+    PRESTRESS_COMPONENTS, Prestress, SectionProperties, least_eigenvalue, prestress_part,
+};
 use shared_geom::wrench::COMPONENTS;
 
 use super::text::{matrix, number, table};
@@ -13,8 +15,9 @@ use crate::recovery::LoadCase;
 const ZERO: f64 = 1e-10;
 
 /// The table of a section and what follows from it: the change of the stiffness with an
-/// axial force, and the stiffness under each load. Empty without a table.
-pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> String {
+/// axial force, by heat and imposed states, and the stiffness under each load, given with
+/// whether it has forces along the beam. Empty without a table.
+pub fn prestress_report(properties: &SectionProperties, loads: &[(&LoadCase, bool)]) -> String {
     let Some(prestress) = &properties.prestress else {
         return String::new();
     };
@@ -41,8 +44,20 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[LoadCase]) -> S
         );
         text += &by_moments(prestress, &compliance, properties);
     }
-    for load in loads {
-        text += &format!("\n{}", under_load(properties, load));
+    let per_kelvin = prestress.per_kelvin.iter();
+    let per_kelvin = per_kelvin.map(|change| ("per kelvin".to_owned(), change));
+    let states = properties.imposed.iter().filter_map(|state| {
+        let change = state.stiffness_change.as_ref()?;
+        Some((format!("by the imposed state \"{}\"", state.name), change))
+    });
+    for (words, change) in per_kelvin.chain(states) {
+        text += &format!(
+            "\nPrestress, change of the stiffness {words}, without internal force [N, N m, N m^2]\n{}",
+            change_of_free(change, properties)
+        );
+    }
+    for (load, is_along) in loads {
+        text += &format!("\n{}", under_load(properties, load, *is_along));
     }
     text
 }
@@ -104,6 +119,19 @@ fn entries(properties: &SectionProperties, prestress: &Prestress) -> String {
 /// A 4x4 matrix under the names of its components; round-off beside `sqrt(Kii Kjj)/K11`
 /// is shown as zero.
 fn of_four(a: &Matrix4<f64>, properties: &SectionProperties) -> String {
+    four(a, properties, 1.0 / properties.stiffness[(0, 0)])
+}
+
+/// The same of a change by an imposed state; round-off beside its largest entry, in terms
+/// of `sqrt(Kii Kjj)`, is shown as zero.
+fn change_of_free(change: &Matrix4<f64>, properties: &SectionProperties) -> String {
+    let root = properties.stiffness.diagonal().map(f64::sqrt);
+    let root = prestress_part(&root);
+    let largest = change.component_div(&(root * root.transpose())).amax();
+    four(change, properties, largest)
+}
+
+fn four(a: &Matrix4<f64>, properties: &SectionProperties, unit: f64) -> String {
     let names = PRESTRESS_COMPONENTS.map(|component| COMPONENTS[component]);
     let root = properties.stiffness.diagonal().map(f64::sqrt);
     let heading = std::iter::once("").chain(names).map(str::to_owned);
@@ -112,7 +140,7 @@ fn of_four(a: &Matrix4<f64>, properties: &SectionProperties) -> String {
         let mut row = vec![name.to_owned()];
         for j in 0..4 {
             let [first, second] = [i, j].map(|index| root[PRESTRESS_COMPONENTS[index]]);
-            let scale = first * second / (root[0] * root[0]);
+            let scale = first * second * unit;
             let is_zero = a[(i, j)].abs() <= ZERO * scale;
             row.push(number(if is_zero { 0.0 } else { a[(i, j)] }));
         }
@@ -121,10 +149,26 @@ fn of_four(a: &Matrix4<f64>, properties: &SectionProperties) -> String {
     table(&rows, "lr")
 }
 
-/// The stiffness under a load, and whether it still is one.
-fn under_load(properties: &SectionProperties, load: &LoadCase) -> String {
+/// The stiffness under a load and what is imposed with it, and whether it still is one.
+fn under_load(properties: &SectionProperties, load: &LoadCase, is_along: bool) -> String {
     let Some(stiffness) = properties.stiffness_at(&load.force) else {
         return String::new();
+    };
+    let by_imposed = properties.change_by_imposed(&load.imposed);
+    let stiffness = stiffness + by_imposed.unwrap_or_else(Matrix6::zeros);
+    let names = load.imposed.iter().map(|name| format!("\"{name}\""));
+    let names = names.collect::<Vec<_>>().join(", ");
+    let of_imposed = match by_imposed {
+        _ if names.is_empty() => String::new(),
+        Some(_) => format!("  (with what {names} does to the section)\n"),
+        None => format!("  (without the stresses of {names}, which are not known here)\n"),
+    };
+    let of_forces_along = match is_along {
+        true => {
+            "  (the load along the beam counts by its internal force alone: the stresses that it \
+             makes within the section beside that are left out)\n"
+        }
+        false => "",
     };
     let least = least_eigenvalue(&stiffness);
     let remark = match least > 0.0 {
@@ -135,7 +179,8 @@ fn under_load(properties: &SectionProperties, load: &LoadCase) -> String {
         }
     };
     format!(
-        "Stiffness under load \"{}\", to first order [N, N m, N m^2]\n{}{remark}",
+        "Stiffness under load \"{}\", to first order [N, N m, N m^2]\n{}{of_imposed}\
+         {of_forces_along}{remark}",
         load.name,
         matrix(&stiffness)
     )

@@ -3,8 +3,10 @@
 use nalgebra::Vector2;
 use shared_geom::section::{
     Centers, ImposedState, InitialCurvature, PrincipalAxes, Provenance, SectionProperties,
+    StrainMeasure,
 };
 
+use crate::properties::{FreeState, NoPrestress, prestress, prestress_of_imposed};
 use crate::section::Section;
 use crate::solution::{ImposedSolution, ImposedSolutions, SectionSolution};
 
@@ -39,6 +41,47 @@ pub fn properties(
         thermal_force: imposed.per_kelvin.as_ref().map(|one| one.restrained_force),
         imposed: imposed.states.iter().map(imposed_state).collect(),
         ..properties_of(&source, solution)
+    }
+}
+
+/// Adds to `properties` of `section` how internal forces and imposed states change the
+/// stiffness.
+///
+/// # Errors
+/// [`NoPrestress`].
+pub fn add_prestress(
+    properties: &mut SectionProperties,
+    section: &Section,
+    solution: &SectionSolution,
+    imposed: &ImposedSolutions,
+    measure: StrainMeasure,
+) -> Result<(), NoPrestress> {
+    let (warping, strain) = (&solution.warping, &solution.strain);
+    let mut found = prestress(section, warping, strain, measure)?;
+    let free = |solved| free_state(solved);
+    let states: Vec<_> = imposed
+        .per_kelvin
+        .iter()
+        .chain(&imposed.states)
+        .map(free)
+        .collect();
+    let changes = prestress_of_imposed(section, warping, strain, measure, &states)?;
+    let mut changes = changes.into_iter();
+    if imposed.per_kelvin.is_some() {
+        found.per_kelvin = changes.next();
+    }
+    for (state, change) in properties.imposed.iter_mut().zip(changes) {
+        state.stiffness_change = Some(change);
+    }
+    properties.prestress = Some(found);
+    Ok(())
+}
+
+fn free_state(solved: &ImposedSolution) -> FreeState<'_> {
+    FreeState {
+        imposed: &solved.state,
+        warping: &solved.warping,
+        strain: &solved.free_strain,
     }
 }
 
@@ -86,5 +129,6 @@ fn imposed_state(solved: &ImposedSolution) -> ImposedState {
         name: solved.state.name.clone(),
         restrained_force: solved.restrained_force,
         free_strain: solved.free_strain,
+        stiffness_change: None,
     }
 }

@@ -25,6 +25,15 @@
 //! All of it is done about the area centroid, where no digits are lost, and the table
 //! is moved to the reference point.
 //!
+//! A state of imposed strain eps_p, without internal force, has a stress sigma_0 in
+//! balance with itself and a gradient H_0. It is one more state beside the four, with the
+//! index 0 of the same sum:
+//!
+//! ```text
+//! sigma_0 = D ( eps_0 - eps_p )
+//! T_0jk = S_0jk + S_0kj + S_j0k + S_jk0 + S_k0j + S_kj0                    (S-150)
+//! ```
+//!
 //! What comes of it in axes along the tangent of the reference line is (S-87); closed
 //! forms of isotropic sections are (S-88), and (S-89) the gain of a strip.
 //!
@@ -35,13 +44,17 @@
 
 use std::fmt;
 
-use nalgebra::{DMatrix, Matrix4, Matrix6, Matrix6x4, SMatrix, Vector2, Vector3, Vector4, Vector6};
-use shared_geom::section::{CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure};
+use nalgebra::{
+    DMatrix, DVector, Matrix4, Matrix6, Matrix6x4, SMatrix, Vector2, Vector3, Vector4, Vector6,
+};
+use shared_geom::section::{
+    CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure, strains_of_moved,
+};
 use shared_geom::wrench;
 
 use crate::element::{CellPoint, PointGradient, cell_points};
-use crate::material::section_stiffness;
-use crate::section::Section;
+use crate::material::{section_stiffness, section_strain};
+use crate::section::{ImposedStrain, Section};
 
 /// Why a section has no table of prestress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,7 +97,44 @@ pub fn prestress(
     Ok(Prestress {
         strain_measure,
         third: third.shifted(-Vector2::from(fields.center)),
+        per_kelvin: None,
     })
+}
+
+/// An imposed strain, and what the section does under it without internal force.
+#[derive(Debug, Clone, Copy)]
+pub struct FreeState<'a> {
+    /// What is imposed.
+    pub imposed: &'a ImposedStrain,
+    /// Warping, rows ux, uy, uz of each node of the mesh \[m\].
+    pub warping: &'a DVector<f64>,
+    /// psi_T: generalized strain about the reference point \[-, 1/m\].
+    pub strain: &'a Vector6<f64>,
+}
+
+/// What each of `states` does to the stiffness of `section` without internal force,
+/// `T_0jk` of (S-150) over axial, torsion, bending y and bending z, about the reference
+/// point \[N, N m, N m^2\]; arguments as of [`prestress`].
+///
+/// # Errors
+/// [`NoPrestress`] for a curved beam.
+pub fn prestress_of_imposed(
+    section: &Section,
+    warping: &DMatrix<f64>,
+    strain: &Matrix6<f64>,
+    strain_measure: StrainMeasure,
+    states: &[FreeState<'_>],
+) -> Result<Vec<Matrix4<f64>>, NoPrestress> {
+    if !section.initial_curvature.is_straight() {
+        return Err(NoPrestress::Curved);
+    }
+    let fields = Fields::new(section, warping, strain).ok_or(NoPrestress::Singular)?;
+    let v = strains_of_moved(-Vector2::from(fields.center));
+    let of_state = |state: &FreeState<'_>| {
+        let change = v.transpose() * fields.change_by(state, strain_measure) * v;
+        0.5 * (change + change.transpose())
+    };
+    Ok(states.iter().map(of_state).collect())
 }
 
 /// The four uniform states of a section, about its area centroid.
@@ -121,26 +171,25 @@ impl<'a> Fields<'a> {
             strain: about_center * force,
             warping: nodes.map(of_node).collect(),
         };
-        fields.remove_mean();
+        let mean = fields.mean(&fields.warping);
+        for at_node in &mut fields.warping {
+            *at_node -= mean;
+        }
         Some(fields)
     }
 
-    /// `int w dA = 0`.
-    fn remove_mean(&mut self) {
-        let (mut area, mut sum) = (0.0, SMatrix::<f64, 3, 4>::zeros());
-        let mesh = &self.section.mesh;
-        for cell in &mesh.cells {
+    /// Mean of a field over the area; without it `int w dA = 0`.
+    fn mean<const N: usize>(&self, field: &[SMatrix<f64, 3, N>]) -> SMatrix<f64, 3, N> {
+        let (mut area, mut sum) = (0.0, SMatrix::zeros());
+        for cell in &self.section.mesh.cells {
             for point in self.points(cell) {
                 area += point.area;
                 for (&node, n) in cell.nodes().iter().zip(&point.n) {
-                    sum += n * point.area * self.warping[node as usize];
+                    sum += n * point.area * field[node as usize];
                 }
             }
         }
-        let mean = sum / area;
-        for at_node in &mut self.warping {
-            *at_node -= mean;
-        }
+        sum / area
     }
 
     /// The integration points of a cell, from the centroid.
@@ -153,29 +202,92 @@ impl<'a> Fields<'a> {
     /// T about the centroid.
     fn table(&self, measure: StrainMeasure) -> CubicTable {
         let mut table = CubicTable::ZERO;
+        self.each_point(|point, _, law, states| {
+            table = table.plus(&at_point(states, law, measure).times(point.area));
+        });
+        table
+    }
+
+    /// T_0 of an imposed state about the centroid.
+    fn change_by(&self, free: &FreeState<'_>, measure: StrainMeasure) -> Matrix4<f64> {
+        let [y, z] = self.center;
+        let to_center = wrench::shift_matrix(&-Vector3::new(0.0, y, z)).transpose();
+        let strain = to_center * free.strain;
+        let at_node = |node: usize| free.warping.fixed_rows::<3>(3 * node).into_owned();
+        let mut warping: Vec<_> = (0..self.warping.len()).map(at_node).collect();
+        let mean = self.mean(&warping);
+        for at_node in &mut warping {
+            *at_node -= mean;
+        }
+        let mut sum = Matrix4::zeros();
+        self.each_point(|point, index, law, states| {
+            let nodes = self.section.mesh.cells[index].nodes();
+            let of_cell = warping_of_cell(nodes, |node| warping[node]);
+            let own = PointGradient::at(point, &strain, &of_cell);
+            let made_of = &self.section.cells[index];
+            let place = [point.y + y, point.z + z];
+            let imposed = free.imposed.cells.get(index);
+            let imposed = imposed.map_or_else(Vector6::zeros, |imposed| imposed.at(place));
+            let imposed = section_strain(&imposed, made_of.fiber_angle, made_of.plane_angle);
+            let stress = law * (own.strain() - imposed);
+            sum += point.area * change_at_point(states, (&own, &stress), law, measure);
+        });
+        sum
+    }
+
+    /// Calls `user` at every integration point, with the number of its cell, its law in
+    /// section axes and the four states there.
+    fn each_point(
+        &self,
+        mut user: impl FnMut(&CellPoint, usize, &Matrix6<f64>, &[PointGradient; 4]),
+    ) {
         let mut law = (None, Matrix6::zeros());
-        for (cell, made_of) in self.section.mesh.cells.iter().zip(&self.section.cells) {
+        let section = self.section;
+        for (index, (cell, made_of)) in section.mesh.cells.iter().zip(&section.cells).enumerate() {
             if law.0 != Some(made_of) {
-                let stiffness = self.section.materials[made_of.material].law.stiffness();
+                let stiffness = section.materials[made_of.material].law.stiffness();
                 let (fiber, plane) = (made_of.fiber_angle, made_of.plane_angle);
                 law = (Some(made_of), section_stiffness(&stiffness, fiber, plane));
             }
-            let mut warping = [[Vector3::zeros(); 9]; 4];
-            for (i, &node) in cell.nodes().iter().enumerate() {
-                for (k, of_state) in warping.iter_mut().enumerate() {
-                    of_state[i] = self.warping[node as usize].column(k).into_owned();
-                }
-            }
+            let warping: [_; 4] = std::array::from_fn(|k| {
+                warping_of_cell(cell.nodes(), |node| {
+                    self.warping[node].column(k).into_owned()
+                })
+            });
             for point in self.points(cell) {
                 let states: [_; 4] = std::array::from_fn(|k| {
                     let strain: Vector6<f64> = self.strain.column(k).into_owned();
                     PointGradient::at(&point, &strain, &warping[k])
                 });
-                table = table.plus(&at_point(&states, &law.1, measure).times(point.area));
+                user(&point, index, &law.1, &states);
             }
         }
-        table
     }
+}
+
+/// The warping at the nodes of a cell \[m\].
+fn warping_of_cell(nodes: &[u32], at: impl Fn(usize) -> Vector3<f64>) -> [Vector3<f64>; 9] {
+    let mut warping = [Vector3::zeros(); 9];
+    for (of_node, &node) in warping.iter_mut().zip(nodes) {
+        *of_node = at(node as usize);
+    }
+    warping
+}
+
+/// `T_0jk` at a point, from gradient and stress of the state 0.
+fn change_at_point(
+    states: &[PointGradient; 4],
+    (own, own_stress): (&PointGradient, &Vector6<f64>),
+    law: &Matrix6<f64>,
+    measure: StrainMeasure,
+) -> Matrix4<f64> {
+    let stress = states.map(|state| law * state.strain());
+    let with_own = states.map(|state| state.second_order(own, measure));
+    Matrix4::from_fn(|j, k| {
+        let both = states[j].second_order(&states[k], measure);
+        let turned = stress[j].dot(&with_own[k]) + stress[k].dot(&with_own[j]);
+        2.0 * (own_stress.dot(&both) + turned)
+    })
 }
 
 /// The sum over the permutations of `sigma_i . eps2(H_j, H_k)` at a point.

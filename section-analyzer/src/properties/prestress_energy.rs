@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! F = [(1 + nu) e1 + kappa x (t + w),  e2 + w,y ,  e3 + w,z]
-//! U = min int 1/2 E' D E dA ,   E = 1/2 (F'F - I)
+//! U = min int 1/2 (E - c eps_p)' D (E - c eps_p) dA ,   E = 1/2 (F'F - I)
 //! int w dA = 0 ,   int (y w_z - z w_y) dA = 0
 //! ```
 //!
@@ -13,14 +13,16 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3, Vector4, Vector6};
 
 use crate::element::{CellPoint, cell_points};
-use crate::material::section_stiffness;
-use crate::section::Section;
+use crate::material::{section_stiffness, section_strain};
+use crate::section::{ImposedStrain, Section};
 
 /// Variation of F by one unknown: its columns.
 type Columns = [Vector3<f64>; 3];
 
 pub(super) struct LargeStrain {
     points: Vec<(CellPoint, Vec<u32>, Matrix6<f64>)>,
+    /// c eps_p at the points, order yz yy zz xx xy xz.
+    imposed: Vec<Vector6<f64>>,
     nodes: usize,
     /// Four rows of constraints on the warping.
     constraints: DMatrix<f64>,
@@ -50,9 +52,35 @@ impl LargeStrain {
             }
         }
         Self {
+            imposed: vec![Vector6::zeros(); points.len()],
             points,
             nodes,
             constraints,
+        }
+    }
+
+    /// The same under an imposed strain times a factor.
+    pub fn under(&self, section: &Section, imposed: &ImposedStrain, factor: f64) -> Self {
+        let mut all = Vec::new();
+        for ((cell, made_of), free) in section
+            .mesh
+            .cells
+            .iter()
+            .zip(&section.cells)
+            .zip(&imposed.cells)
+        {
+            let places: Vec<_> = section.mesh.places(cell).collect();
+            for point in cell_points(cell.kind, &places) {
+                let strain = free.at([point.y, point.z]);
+                let turned = section_strain(&strain, made_of.fiber_angle, made_of.plane_angle);
+                all.push(factor * turned);
+            }
+        }
+        Self {
+            points: self.points.clone(),
+            imposed: all,
+            nodes: self.nodes,
+            constraints: self.constraints.clone(),
         }
     }
 
@@ -67,9 +95,9 @@ impl LargeStrain {
             }
         }
         let mut force = Vector4::zeros();
-        for (point, nodes, law) in &self.points {
+        for ((point, nodes, law), free) in self.points.iter().zip(&self.imposed) {
             let (f, place) = gradient(p, point, nodes, &warping);
-            let stress = law * green(&f);
+            let stress = law * (green(&f) - free);
             for a in 0..4 {
                 let by = match a {
                     0 => Vector3::x(),
@@ -88,9 +116,9 @@ impl LargeStrain {
         let mut matrix = DMatrix::zeros(unknowns + 4, unknowns + 4);
         let mut right = DVector::zeros(unknowns + 4);
         let curvature = Vector3::new(p[1], p[2], p[3]);
-        for (point, nodes, law) in &self.points {
+        for ((point, nodes, law), free) in self.points.iter().zip(&self.imposed) {
             let (f, _) = gradient(p, point, nodes, warping);
-            let stress = law * green(&f);
+            let stress = law * (green(&f) - free);
             let mut columns: Vec<(usize, Columns, Vector6<f64>)> = Vec::new();
             for (i, &node) in nodes.iter().enumerate() {
                 for axis in 0..3 {

@@ -1,7 +1,10 @@
 use super::*;
-use crate::analysis::analyze;
-use crate::section::samples::coupled_rectangle;
+use crate::analysis::{Analysis, analyze};
+use crate::section::FreeStrain;
+use crate::section::samples::{Random, coupled_rectangle};
+use crate::solution::ImposedSolution;
 use shared_geom::mesh::CellKind;
+use shared_geom::section::prestress_part;
 
 #[path = "prestress_energy.rs"]
 mod energy;
@@ -191,4 +194,161 @@ fn the_table_begins_the_energy_of_large_strain() {
     }
     assert!(without > 1e-2, "the axes do not matter here: {without:e}");
     assert!(error < 1e-4, "{error:e}");
+}
+
+/// Strains without any pattern, linear in each cell.
+fn random_strain(section: &Section) -> ImposedStrain {
+    let mut random = Random(11);
+    let mut any = || Vector6::from_fn(|_, _| random.next());
+    let mut cell = |_| FreeStrain {
+        at_origin: any(),
+        by_y: any(),
+        by_z: any(),
+    };
+    ImposedStrain {
+        name: "any".into(),
+        cells: section.cells.iter().map(&mut cell).collect(),
+    }
+}
+
+fn free_state(solved: &ImposedSolution) -> FreeState<'_> {
+    FreeState {
+        imposed: &solved.state,
+        warping: &solved.warping,
+        strain: &solved.free_strain,
+    }
+}
+
+/// What (S-87) makes of the change by an imposed state: of the quadratic change of the
+/// strains that part which has the state once,
+///
+/// ```text
+/// T_0jk' = T_0jk - 2 ( K_j . second(k, 0) + K_k . second(j, 0) )
+/// ```
+fn change_along_tangent(
+    fields: &Fields<'_>,
+    compliance: &Matrix6<f64>,
+    solved: &ImposedSolution,
+) -> Matrix4<f64> {
+    let pick = |i: usize, j: usize| compliance[(PRESTRESS_COMPONENTS[i], PRESTRESS_COMPONENTS[j])];
+    let stiffness = inverse(&Matrix4::from_fn(pick)).expect("sound");
+    let own_turn = fields.turn_of(&solved.warping);
+    // turn r, curvature and shears of a state
+    let parts = |strain: &Vector6<f64>, turn: f64| {
+        let r = Vector3::new(turn, -strain[2], strain[1]);
+        (
+            r,
+            strain.fixed_rows::<3>(3).into_owned(),
+            Vector2::new(strain[1], strain[2]),
+        )
+    };
+    let own = parts(&solved.free_strain, own_turn);
+    let mean_turn = fields.mean_turn();
+    let with_own: [Vector4<f64>; 4] = std::array::from_fn(|k| {
+        let strain: Vector6<f64> = fields.strain.column(k).into_owned();
+        let of = parts(&strain, mean_turn[k]);
+        let change = -0.5 * (of.0.cross(&own.1) + own.0.cross(&of.1));
+        Vector4::new(0.5 * of.2.dot(&own.2), change.x, change.y, change.z)
+    });
+    Matrix4::from_fn(|j, k| {
+        let of = |a: usize, b: usize| stiffness.column(a).dot(&with_own[b]);
+        -2.0 * (of(j, k) + of(k, j))
+    })
+}
+
+impl Fields<'_> {
+    /// Mean turn about x of a warping, rows of each node, about the centroid.
+    fn turn_of(&self, warping: &DVector<f64>) -> f64 {
+        let (mut moment, mut sum) = (0.0, 0.0);
+        for cell in &self.section.mesh.cells {
+            for point in self.points(cell) {
+                moment += point.area * (point.y.powi(2) + point.z.powi(2));
+                for (&node, n) in cell.nodes().iter().zip(&point.n) {
+                    let at = |axis: usize| warping[3 * node as usize + axis];
+                    sum += n * point.area * (point.y * at(2) - point.z * at(1));
+                }
+            }
+        }
+        sum / moment
+    }
+}
+
+/// The change by a state of strains without any pattern, on a section of no symmetry,
+/// against differences of the forces in large strain: of the stiffness about the free
+/// strain, by the factor of the state. Steps of 1e-3 leave their square times fifth
+/// derivatives, some 1e-5 of the largest entry, and round-off of the forces over the
+/// product of the steps, 1e-9.
+#[test]
+fn the_change_by_imposed_strains_begins_the_energy_of_large_strain() {
+    let mut section = coupled_rectangle(CellKind::Quadrilateral9);
+    let center = centroid(&section);
+    for node in &mut section.mesh.nodes {
+        *node = [node[0] - center[0], node[1] - center[1]];
+    }
+    let analysis = Analysis::new(&section).expect("sound");
+    let solution = analysis.solution();
+    let state = random_strain(&section);
+    let solved = &analysis.imposed(&[state]).expect("sound")[0];
+    let fields = Fields::new(&section, &solution.warping, &solution.strain).expect("sound");
+    let own = fields.change_by(&free_state(solved), StrainMeasure::Green);
+    let expected = own + change_along_tangent(&fields, &solution.compliance, solved);
+
+    let large = LargeStrain::new(&section);
+    let (h, c) = (1e-3, 1e-3);
+    let psi = prestress_part(&solved.free_strain);
+    let stiffness = |factor: f64| {
+        let held = large.under(&section, &solved.state, factor);
+        let columns: [_; 4] = std::array::from_fn(|k| {
+            let step = h * Vector4::ith(k, 1.0);
+            let base = factor * psi;
+            (held.force(&(base + step)) - held.force(&(base - step))) / (2.0 * h)
+        });
+        Matrix4::from_columns(&columns)
+    };
+    let found = (stiffness(c) - stiffness(-c)) / (2.0 * c);
+    let root = prestress_part(&solution.stiffness.diagonal().map(f64::sqrt));
+    let scale = root * root.transpose();
+    let largest = expected.component_div(&scale).amax();
+    let off = |a: &Matrix4<f64>| (a - found).component_div(&scale).amax() / largest;
+    println!(
+        "{:e}, in the axes of the section {:e}",
+        off(&expected),
+        off(&own)
+    );
+    assert!(off(&own) > 1e-2, "the axes do not matter here");
+    assert!(off(&expected) < 1e-4, "{expected} {found}");
+}
+
+/// The change moves with the mesh and turns with its axes, as the stiffness does.
+#[test]
+fn the_change_by_imposed_strains_moves_with_the_mesh() {
+    let section = coupled_rectangle(CellKind::Quadrilateral9);
+    let state = random_strain(&section);
+    let of = |section: &Section, state: &ImposedStrain| {
+        let analysis = Analysis::new(section).expect("sound");
+        let solution = analysis.solution();
+        let solved = &analysis
+            .imposed(std::slice::from_ref(state))
+            .expect("sound")[0];
+        let (warping, strain) = (&solution.warping, &solution.strain);
+        let states = [free_state(solved)];
+        prestress_of_imposed(section, warping, strain, StrainMeasure::Biot, &states)
+            .expect("straight")[0]
+    };
+    let by = [1.7, -0.9];
+    let mut moved = section.clone();
+    for node in &mut moved.mesh.nodes {
+        *node = [node[0] + by[0], node[1] + by[1]];
+    }
+    let mut moved_state = state.clone();
+    for free in &mut moved_state.cells {
+        free.at_origin -= by[0] * free.by_y + by[1] * free.by_z;
+    }
+    let v = strains_of_moved(-Vector2::from(by));
+    let expected = v.transpose() * of(&section, &state) * v;
+    let found = of(&moved, &moved_state);
+    assert!(
+        (found - expected).amax() < 1e-11 * expected.amax(),
+        "{found} {expected}"
+    );
 }

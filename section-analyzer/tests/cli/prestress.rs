@@ -109,3 +109,40 @@ fn the_table_is_moved_and_compared() {
     let words = "the prestress of A is by the strain of biot, that of B by green";
     assert!(run.code == 1 && run.out.contains(words), "{}", run.out);
 }
+
+/// A load with an initial strain has the stiffness of its stresses; one along the beam
+/// says what is left out.
+#[test]
+fn what_a_load_imposes_is_in_its_stiffness() {
+    let place = prestressed("biot");
+    let text = place.read("a.section.toml");
+    let more = "\n[initial_strain.cure]\n[[initial_strain.cure.region]]\ngroup = \"skin\"\n\
+        strain = [1e-3, 0, 0, 0, 0, 0]\n\
+        [load.cured]\naxial = \"4 kN\"\ninitial_strain = \"cure\"\n\
+        [load.pressed]\naxial = \"4 kN\"\n\
+        [[load.pressed.traction]]\ncurve = \"edge\"\npressure = \"1 kPa\"\n";
+    place.write("a.section.toml", &format!("{text}{more}"));
+    let run = place.run(&["analyze", "a.section.toml"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    println!("{}", &run.out[run.out.find("Prestress").unwrap()..]);
+    let under = |name: &str| {
+        let head = format!("Stiffness under load \"{name}\", to first order [N, N m, N m^2]\n");
+        let rest = &run.out[run.out.find(&head).unwrap() + head.len()..];
+        rest.split("\n\n").next().unwrap().to_owned()
+    };
+    let [pull, cured, pressed] = ["pull", "cured", "pressed"].map(under);
+    assert!(
+        cured.contains("  (with what \"cure\" does to the section)"),
+        "{cured}"
+    );
+    assert_ne!(pull.lines().nth(1), cured.lines().nth(1));
+    assert!(pressed.contains("  (the load along the beam counts by its internal force alone"));
+    assert!(pressed.starts_with(pull.trim_end()), "{pull} {pressed}");
+    let title = "Prestress, change of the stiffness by the imposed state \"cure\", without internal \
+        force [N, N m, N m^2]\n";
+    assert!(run.out.contains(title), "{}", run.out);
+    let file = place.path("results/a.properties.json");
+    let properties = section::read(&file).unwrap();
+    let change = properties.change_by_imposed(&["cure".to_owned()]).unwrap();
+    assert!(change[(3, 3)] != 0.0 && properties.imposed[0].stiffness_change.is_some());
+}

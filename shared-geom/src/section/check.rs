@@ -6,6 +6,8 @@ use super::{Change, Damping, SectionProperties, Step};
 use crate::error::Explain;
 use crate::wrench::COMPONENTS;
 
+mod imposed;
+
 /// Largest asymmetry accepted, relative to sqrt(Aii Ajj): files written with seven
 /// digits pass, a sign error or an exchanged row does not.
 const SYMMETRY: f64 = 1e-6;
@@ -60,6 +62,16 @@ pub enum PropertyProblem {
         name: String,
         /// Relative difference [-].
         error: f64,
+    },
+    /// A field that does not hold the numbers that it should.
+    #[error("{field} is {found}, expected {expected}")]
+    Shape {
+        /// The field, in words.
+        field: String,
+        /// What it holds.
+        found: String,
+        /// What it should hold.
+        expected: String,
     },
     /// A list or matrix of another size.
     #[error("{field} is {found}, expected {expected}")]
@@ -174,7 +186,7 @@ impl SectionProperties {
         stiffness(&self.stiffness, &mut found);
         mass(&self.mass, &mut found);
         scalars(self, &mut found);
-        imposed(self, &mut found);
+        imposed::check(self, &mut found);
         slope(self, &mut found);
         piezo(self, &mut found);
         damping(self, &mut found);
@@ -297,50 +309,14 @@ fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     }
     if let Some(prestress) = &section.prestress {
         finite("prestress", prestress.third.is_finite());
+        if let Some(change) = &prestress.per_kelvin {
+            imposed::change_of_stiffness("stiffness_per_kelvin", section, change, found);
+        }
         let mut initial = section.initial_curvature.iter();
         if initial.any(|initial| !initial.is_straight()) {
             found.push(("prestress", PropertyProblem::CurvedPrestress));
         }
     }
-}
-
-/// Names of their own, finite numbers, and forces that are those of the strains.
-fn imposed(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
-    let field = "imposed";
-    let root = section.stiffness.diagonal().map(f64::sqrt);
-    for (i, state) in section.imposed.iter().enumerate() {
-        let name = || state.name.clone();
-        if section.imposed[..i]
-            .iter()
-            .any(|one| one.name == state.name)
-        {
-            found.push((field, PropertyProblem::ImposedTwice { name: name() }));
-        }
-        let (force, strain) = (&state.restrained_force, &state.free_strain);
-        if !force.iter().chain(strain).all(|value| value.is_finite()) {
-            found.push((field, PropertyProblem::NotFinite { field }));
-            continue;
-        }
-        // beside the largest force of the strain, in terms of the stiffness
-        let scale = largest(
-            strain.component_mul(&root).amax(),
-            force.component_div(&root).amax(),
-        );
-        let difference = force + section.stiffness * strain;
-        let worst = difference.component_div(&root).amax();
-        if worst > SYMMETRY * scale {
-            let error = worst / scale;
-            let problem = PropertyProblem::ImposedForce {
-                name: name(),
-                error,
-            };
-            found.push((field, problem));
-        }
-    }
-}
-
-fn largest(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }
 
 /// A reference line that leads into the section, or along it.

@@ -20,7 +20,7 @@ use std::fmt;
 
 use nalgebra::{Matrix6, Vector2, Vector3};
 
-use super::{Damping, InitialCurvature, SectionProperties, rotation_about_x};
+use super::{Damping, InitialCurvature, Prestress, SectionProperties, rotation_about_x};
 use crate::error::Explain;
 use crate::figure::tick_label;
 
@@ -118,8 +118,13 @@ impl SectionProperties {
         }
         for state in &mut result.imposed {
             state.free_strain /= c;
+            state.stiffness_change = state.stiffness_change.map(|change| c * change);
         }
-        result.prestress = self.with_third(|third| third.times(c * c));
+        result.prestress = self.prestress.map(|prestress| Prestress {
+            third: prestress.third.times(c * c),
+            per_kelvin: prestress.per_kelvin.map(|change| c * change),
+            ..prestress
+        });
         for stiffness in &mut result.principal_axes.bending_stiffness {
             *stiffness *= c;
         }

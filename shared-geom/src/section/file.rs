@@ -13,6 +13,7 @@ use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
 
 mod prestress;
+mod shapes;
 
 use prestress::FilePrestress;
 
@@ -100,6 +101,8 @@ struct FileImposed {
     name: String,
     restrained_force: [f64; 6],
     free_strain: [f64; 6],
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    stiffness_change: Option<[[f64; 4]; 4]>,
 }
 
 #[expect(
@@ -176,7 +179,8 @@ pub fn parse(text: &str, file: &str) -> Result<SectionProperties, Diagnostics> {
     };
     let head: Head = serde_json::from_str(text).map_err(malformed)?;
     check_head(&head, text, file)?;
-    let content: File = serde_json::from_str(text).map_err(malformed)?;
+    let content = serde_json::from_str::<File>(text);
+    let content = content.map_err(|error| shapes::malformed(&error, text, file))?;
     let mut problems = Diagnostics::new();
     let section = content.section(text, file, &mut problems);
     for (field, problem) in section.field_problems() {
@@ -287,6 +291,7 @@ impl File {
             name: state.name.clone(),
             restrained_force: Vector6::from(state.restrained_force),
             free_strain: Vector6::from(state.free_strain),
+            stiffness_change: state.stiffness_change.as_ref().map(prestress::matrix4),
         };
         self.imposed.iter().map(state).collect()
     }
@@ -390,6 +395,7 @@ impl From<&ImposedState> for FileImposed {
             name: state.name.clone(),
             restrained_force: state.restrained_force.into(),
             free_strain: state.free_strain.into(),
+            stiffness_change: state.stiffness_change.as_ref().map(prestress::rows4),
         }
     }
 }

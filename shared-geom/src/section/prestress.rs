@@ -15,8 +15,16 @@
 //! ```text
 //! T'_abc = T_ijk V_ia V_jb V_kc                                            (S-86)
 //! ```
+//!
+//! Heat and other imposed strains add a matrix for each of their states, which moves as
+//! the stiffness does, and leave to T the strain that is not free:
+//!
+//! ```text
+//! q = p - sum c_i psi_i       force_j = K_jk q_k + 1/2 T_jkl q_k q_l + sum c_i T_ijk q_k  (S-150)
+//! K(F, c) = K + T . (C F) + sum c_i T_i                                    (S-151)
+//! ```
 
-use nalgebra::{Matrix4, Matrix6, Vector2, Vector4, Vector6};
+use nalgebra::{DMatrix, Matrix4, Matrix6, Vector2, Vector3, Vector4, Vector6};
 
 use super::SectionProperties;
 
@@ -56,6 +64,10 @@ pub struct Prestress {
     pub strain_measure: StrainMeasure,
     /// Third derivatives of the energy.
     pub third: CubicTable,
+    /// Change of the stiffness of the section without internal force, when it is heated
+    /// evenly by one kelvin, over the components of the table, 4x4 symmetric
+    /// [N/K, N m/K, N m^2/K]; `None` where it was not computed.
+    pub per_kelvin: Option<Matrix4<f64>>,
 }
 
 /// A table `T_ijk` that is symmetric in its three indices, over axial, torsion, bending
@@ -136,28 +148,83 @@ impl CubicTable {
     /// four strains, and k' = k.
     #[must_use]
     pub fn shifted(&self, by: Vector2<f64>) -> Self {
-        let mut v = Matrix4::identity();
-        v[(0, 2)] = -by.y;
-        v[(0, 3)] = by.x;
-        self.transformed(&v)
+        self.transformed(&strains_of_moved(by))
     }
 
     /// The table in axes turned by `angle` about +x [rad].
     #[must_use]
     pub fn rotated(&self, angle: f64) -> Self {
-        let (s, c) = angle.sin_cos();
-        let mut v = Matrix4::identity();
-        v[(2, 2)] = c;
-        v[(2, 3)] = -s;
-        v[(3, 2)] = s;
-        v[(3, 3)] = c;
-        self.transformed(&v)
+        self.transformed(&strains_of_turned(angle))
+    }
+
+    /// The table in axes that follow the tangent of the reference line, as literature often
+    /// has it, of a section of the 6x6 `compliance`: with the shears (nu2, nu3) of the
+    /// linear solution and the turn `r = (0, -nu3, nu2)`,
+    ///
+    /// ```text
+    /// p' - p = [ 1/2 (nu2^2 + nu3^2) ; - r x kappa ] ,   U3' = U3 - (K4 p) . (p' - p)   (S-87)
+    /// ```
+    ///
+    /// without the mean turn of the warping about x, which is not in a property file.
+    /// `None` for a compliance that has no inverse.
+    pub fn along_tangent(&self, compliance: &Matrix6<f64>) -> Option<Self> {
+        let [four, shears] = [&PRESTRESS_COMPONENTS[..], &[1, 2]].map(|rows| {
+            DMatrix::from_fn(rows.len(), 4, |i, j| {
+                compliance[(rows[i], PRESTRESS_COMPONENTS[j])]
+            })
+        });
+        let stiffness = four.try_inverse()?;
+        let shears = shears * &stiffness;
+        // the change of the strains, bilinear in two states
+        let second = |j: usize, k: usize| {
+            let turn = |state: usize| Vector3::new(0.0, -shears[(1, state)], shears[(0, state)]);
+            let curvature = |state: usize| match state {
+                0 => Vector3::zeros(),
+                _ => Vector3::ith(state - 1, 1.0),
+            };
+            let both = turn(j).cross(&curvature(k)) + turn(k).cross(&curvature(j));
+            let stretch = 0.5 * shears.column(j).dot(&shears.column(k));
+            Vector4::new(stretch, -0.5 * both.x, -0.5 * both.y, -0.5 * both.z)
+        };
+        let s = |i: usize, j: usize, k: usize| -stiffness.column(i).dot(&second(j, k));
+        let change = Self::from_fn(|[i, j, k]| 2.0 * (s(i, j, k) + s(j, i, k) + s(k, i, j)));
+        Some(self.plus(&change))
     }
 
     /// Whether all entries are finite.
     pub fn is_finite(&self) -> bool {
         self.0.iter().all(|value| value.is_finite())
     }
+}
+
+/// V of `p = V p'`, with p' about the reference point moved by `by` = (y, z) [m].
+pub fn strains_of_moved(by: Vector2<f64>) -> Matrix4<f64> {
+    let mut v = Matrix4::identity();
+    v[(0, 2)] = -by.y;
+    v[(0, 3)] = by.x;
+    v
+}
+
+/// V of `p = V p'`, with p' in axes turned by `angle` about +x [rad].
+pub(super) fn strains_of_turned(angle: f64) -> Matrix4<f64> {
+    let (s, c) = angle.sin_cos();
+    let mut v = Matrix4::identity();
+    v[(2, 2)] = c;
+    v[(2, 3)] = -s;
+    v[(3, 2)] = s;
+    v[(3, 3)] = c;
+    v
+}
+
+/// A 4x4 matrix over the components of a table among the six; none of the shears.
+pub fn among_six(four: &Matrix4<f64>) -> Matrix6<f64> {
+    let mut all = Matrix6::zeros();
+    for (i, row) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
+        for (j, column) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
+            all[(row, column)] = four[(i, j)];
+        }
+    }
+    all
 }
 
 /// The four strains or forces of a table among six.
@@ -177,14 +244,7 @@ impl Prestress {
     /// The change of the 6x6 stiffness at a generalized strain; none of the shears
     /// [N, N m, N m^2].
     pub fn at_strain(&self, strain: &Vector6<f64>) -> Matrix6<f64> {
-        let change = self.third.along(&prestress_part(strain));
-        let mut all = Matrix6::zeros();
-        for (i, row) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
-            for (j, column) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
-                all[(row, column)] = change[(i, j)];
-            }
-        }
-        all
+        among_six(&self.third.along(&prestress_part(strain)))
     }
 }
 
@@ -200,6 +260,17 @@ impl SectionProperties {
         let prestress = self.prestress.as_ref()?;
         let strain = self.stiffness.cholesky()?.solve(force);
         Some(self.stiffness + prestress.at_strain(&strain))
+    }
+
+    /// The change of the 6x6 stiffness by the imposed states of these names at the factor
+    /// one, to first order: the sum of T_i of (S-151) [N, N m, N m^2]; `None` where the
+    /// properties do not have that of one of them.
+    pub fn change_by_imposed(&self, names: &[String]) -> Option<Matrix6<f64>> {
+        let of_state = |name: &String| {
+            let state = self.imposed.iter().find(|state| state.name == *name)?;
+            Some(among_six(&state.stiffness_change?))
+        };
+        names.iter().map(of_state).sum()
     }
 }
 

@@ -96,6 +96,7 @@ fn with_imposed() -> SectionProperties {
         name: "hot".to_owned(),
         restrained_force: -(section.stiffness * free_strain),
         free_strain,
+        stiffness_change: None,
     }];
     section
 }
@@ -372,6 +373,7 @@ fn with_prestress() -> SectionProperties {
         prestress: Some(Prestress {
             strain_measure: StrainMeasure::Biot,
             third: CubicTable::from_fn(third),
+            per_kelvin: None,
         }),
         initial_curvature: None,
         ..section()
@@ -463,4 +465,96 @@ fn stiffness_under_load_moves_with_the_section() {
     let into = wrench::rotation_matrix(&q).transpose();
     let turned = section.rotate(0.7).stiffness_at(&(into * force)).unwrap();
     assert!((turned - wrench::rotate(&tangent, &q)).amax() < 1e-9 * tangent.amax());
+}
+
+/// Every field of another shape is told by its name and line, the rows of a table too.
+#[test]
+fn wrong_numbers_are_told_by_their_fields() {
+    let mut section = with_prestress();
+    section.imposed = with_imposed().imposed;
+    let text = write(&section);
+    let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
+    file["thermal_force"] = serde_json::json!([1.0, 2.0]);
+    file["stiffness"][2] = serde_json::json!([1, 2, "x", 4, 5, 6]);
+    file["imposed"][0]["free_strain"] = serde_json::json!(3);
+    file["prestress"]["third_derivatives"] = serde_json::json!([[1, 4, 4, 2.0], [1, 4, "x"], 7]);
+    let text = serde_json::to_string_pretty(&file).unwrap();
+    let shown = parse(&text, "a.json").unwrap_err().to_string();
+    let line = |field: &str| {
+        let key = format!("\"{field}\":");
+        1 + text.lines().position(|line| line.contains(&key)).unwrap()
+    };
+    for (field, message) in [
+        (
+            "thermal_force",
+            "\"thermal_force\" is an array of 2, expected 6 numbers",
+        ),
+        (
+            "stiffness",
+            "row 3 of \"stiffness\" is an array with the text \"x\", expected 6 numbers",
+        ),
+        (
+            "imposed",
+            "\"free_strain\" of the imposed state \"hot\" is 3, expected 6 numbers",
+        ),
+        (
+            "third_derivatives",
+            "row 2 of \"prestress.third_derivatives\" is an array with the text \"x\", expected \
+             three whole numbers and a number, as in [1, 4, 4, 1462.1]",
+        ),
+        (
+            "third_derivatives",
+            "row 3 of \"prestress.third_derivatives\" is 7, expected three",
+        ),
+    ] {
+        assert!(shown.contains(message), "{message}\n{shown}");
+        let place = format!("a.json:{}: ", line(field));
+        assert!(shown.contains(&place), "{place}\n{shown}");
+    }
+    assert_eq!(shown.matches("error: ").count(), 5, "{shown}");
+}
+
+/// The stiffness under an imposed state moves with the section, and is kept in its file.
+#[test]
+fn changes_by_imposed_states_are_kept_and_move() {
+    let mut section = with_prestress();
+    section.imposed = with_imposed().imposed;
+    let change = Matrix4::from_fn(|i, j| 1e3 * (1 + i * j + i + j) as f64);
+    section.imposed[0].stiffness_change = Some(change);
+    let prestress = section.prestress.as_mut().unwrap();
+    prestress.per_kelvin = Some(0.1 * change);
+    let text = write(&section);
+    assert!(text.contains("\n  \"version\": 3,\n"), "{text}");
+    assert_eq!(parse(&text, "a.json").unwrap(), section);
+
+    let names = ["hot".to_owned()];
+    let before = section.change_by_imposed(&names).unwrap();
+    let d = Vector3::new(0.0, 0.3, -0.7);
+    let moved = section.shift(Vector2::new(d.y, d.z));
+    let expected = wrench::shift(&before, &d);
+    let found = moved.change_by_imposed(&names).unwrap();
+    assert!((found - expected).amax() < 1e-12 * expected.amax());
+    let turned = section.rotate(0.7);
+    let expected = wrench::rotate(&before, &rotation_about_x(0.7));
+    let found = turned.change_by_imposed(&names).unwrap();
+    assert!((found - expected).amax() < 1e-12 * expected.amax());
+    let kelvin = turned.prestress.unwrap().per_kelvin.unwrap();
+    let of_state = turned.imposed[0].stiffness_change.unwrap();
+    assert!((10.0 * kelvin - of_state).amax() < 1e-12 * of_state.amax());
+
+    let mut skew = section.clone();
+    skew.imposed[0].stiffness_change.as_mut().unwrap()[(0, 3)] += 100.0;
+    let told = skew.problems();
+    assert!(
+        matches!(
+            told[..],
+            [PropertyProblem::Asymmetric {
+                row: 1,
+                column: 4,
+                ..
+            }]
+        ),
+        "{told:?}"
+    );
+    assert_eq!(section.change_by_imposed(&["cold".to_owned()]), None);
 }

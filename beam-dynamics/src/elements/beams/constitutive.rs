@@ -252,13 +252,15 @@ impl Element for LawBeam {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         for point in &self.points {
             let state = point.at(&nodal, at);
+            let strain = point.reference.strain(&state.strain.point);
             out.sections.push(SectionState {
                 beam: self.label.clone(),
                 xi: point.xi,
                 position: state.strain.point.p,
                 axes: state.strain.point.r,
-                strain: point.reference.strain(&state.strain.point),
+                strain,
                 internal_force: state.response.force,
+                change_of_stiffness: point.law.change_by_prestress(&strain, at.loading.time),
             });
         }
     }

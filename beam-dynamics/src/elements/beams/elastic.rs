@@ -239,6 +239,7 @@ impl Element for ElasticBeam {
                 axes: point.r,
                 strain,
                 internal_force: evaluation.stiffness * strain,
+                change_of_stiffness: None,
             });
         }
     }

@@ -4,7 +4,7 @@
 //! linear          f = K e                     energy  1/2 e . K e
 //! viscous         f = D e'                            none
 //! viscoelastic    f = K e + D e'                      1/2 e . K e       (Kelvin, Voigt)
-//! quadratic       f_i = 1/2 T_ijk e_j e_k             1/6 T_ijk e_i e_j e_k
+//! quadratic       f_i = 1/2 T_ijk e_j e_k             1/6 T_ijk e_i e_j e_k    see [`Quadratic`]
 //! ```
 //!
 //! and for each component by itself
@@ -21,7 +21,7 @@
 use nalgebra::{SMatrix, SVector};
 use shared_geom::section::{CubicTable, PRESTRESS_COMPONENTS};
 
-use super::{Bilinear, Cubic, Curve, ExpressionLaw, Response};
+use super::{Bilinear, Cubic, Curve, ExpressionLaw, Imposed, Quadratic, Response};
 
 /// A function of strain and rate of strain.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,11 +44,7 @@ pub enum LawKind<const N: usize> {
         viscosity: SMatrix<f64, N, N>,
     },
     /// The quadratic force of a cubic energy.
-    Quadratic {
-        /// `T_ijk`, symmetric in all its indices: the derivative of the stiffness by the
-        /// strain k is the matrix number k [unit of force / unit of strain^2].
-        third: Box<[SMatrix<f64, N, N>; N]>,
-    },
+    Quadratic(Quadratic<N>),
     /// A polynomial of each component.
     Cubic([Cubic; N]),
     /// Two slopes of each component.
@@ -85,11 +81,7 @@ impl<const N: usize> LawKind<N> {
                 out.by_strain += stiffness;
                 out.by_rate += viscosity;
             }
-            Self::Quadratic { third } => {
-                let change = change_of_stiffness(third, strain);
-                out.force += 0.5 * (change * strain);
-                out.by_strain += change;
-            }
+            Self::Quadratic(law) => law.add(strain, time, out),
             Self::Cubic(of) => add_each(strain, out, |i, e| of[i].at(e)),
             Self::Bilinear(of) => add_each(strain, out, |i, e| of[i].at(e)),
             Self::Table(of) => add_each(strain, out, |i, e| match &of[i] {
@@ -100,17 +92,15 @@ impl<const N: usize> LawKind<N> {
         }
     }
 
-    /// Elastic energy; zero for what has none.
-    pub(super) fn energy(&self, strain: &SVector<f64, N>) -> f64 {
+    /// Elastic energy at a time; zero for what has none.
+    pub(super) fn energy(&self, strain: &SVector<f64, N>, time: f64) -> f64 {
         let sum = |of: &dyn Fn(usize, f64) -> f64| (0..N).map(|i| of(i, strain[i])).sum();
         match self {
             Self::Linear { stiffness } | Self::Viscoelastic { stiffness, .. } => {
                 0.5 * strain.dot(&(stiffness * strain))
             }
             Self::Viscous { .. } | Self::Expression(_) => 0.0,
-            Self::Quadratic { third } => {
-                strain.dot(&(change_of_stiffness(third, strain) * strain)) / 6.0
-            }
+            Self::Quadratic(law) => law.energy(strain, time),
             Self::Cubic(of) => sum(&|i, e| of[i].energy(e)),
             Self::Bilinear(of) => sum(&|i, e| of[i].energy(e)),
             Self::Table(of) => sum(&|i, e| of[i].as_ref().map_or(0.0, |curve| curve.integral(e))),
@@ -120,8 +110,8 @@ impl<const N: usize> LawKind<N> {
     /// Growth of the stiffness with a growth of the strain: that of the quadratic force. Of
     /// the other functions none is known, since their stiffness may jump.
     pub(super) fn add_growth(&self, growth: &SVector<f64, N>, out: &mut SMatrix<f64, N, N>) {
-        if let Self::Quadratic { third } = self {
-            *out += change_of_stiffness(third, growth);
+        if let Self::Quadratic(law) = self {
+            *out += law.by_strain(growth);
         }
     }
 
@@ -136,13 +126,13 @@ impl<const N: usize> LawKind<N> {
 }
 
 impl LawKind<6> {
-    /// The quadratic force of a prestressed section: its table over axial, torsion, bending
-    /// y and bending z, no part of the shears.
+    /// The quadratic force of a prestressed section under imposed states: its table over
+    /// axial, torsion, bending y and bending z, no part of the shears.
     ///
     /// ```text
     /// f_i = 1/2 T_ijk e_j e_k                                              (D-240)
     /// ```
-    pub fn quadratic(table: &CubicTable) -> Self {
+    pub fn quadratic(table: &CubicTable, imposed: Vec<Imposed<6>>) -> Self {
         let place = |component: usize| {
             let mut known = PRESTRESS_COMPONENTS.into_iter();
             known.position(|index| index == component)
@@ -152,18 +142,9 @@ impl LawKind<6> {
             _ => 0.0,
         };
         let third = std::array::from_fn(|k| SMatrix::from_fn(|i, j| entry(i, j, k)));
-        Self::Quadratic {
-            third: Box::new(third),
-        }
+        let third = Box::new(third);
+        Self::Quadratic(Quadratic { third, imposed })
     }
-}
-
-/// `T_ijk e_k`.
-fn change_of_stiffness<const N: usize>(
-    third: &[SMatrix<f64, N, N>; N],
-    strain: &SVector<f64, N>,
-) -> SMatrix<f64, N, N> {
-    third.iter().zip(strain).map(|(by, e)| by * *e).sum()
 }
 
 /// Adds force and slope of each component by itself.

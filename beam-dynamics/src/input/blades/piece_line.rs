@@ -131,6 +131,7 @@ mod tests {
             law: None,
             heat: crate::input::heat::Heat::default(),
             prestress: None,
+            torsional_buckling: None,
             curved: None,
         };
         PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))

@@ -34,6 +34,23 @@ pub(super) fn displaced(
     moved.map(|(place, moved)| place + scale * moved).collect()
 }
 
+/// The nodes moved along the second axis by their rotation about the first, the largest
+/// move a tenth of the size of the model: how a figure shows torsion.
+pub(super) fn turned(
+    structure: &Structure,
+    base: &[Vector3<f64>],
+    mode: &BucklingMode,
+    [about, across]: [usize; 2],
+) -> Vec<Vector3<f64>> {
+    let scale = DISPLACED * structure.size();
+    let moved = |(place, turn): (&Vector3<f64>, &Vector3<f64>)| {
+        let mut place = *place;
+        place[across] += scale * turn[about];
+        place
+    };
+    base.iter().zip(&mode.rotations).map(moved).collect()
+}
+
 /// The model in the shape, with the shape itself as arrays: displacements of which the
 /// largest is one, rotations in the same scale.
 pub(super) fn shape_grid(

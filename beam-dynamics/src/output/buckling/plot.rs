@@ -7,7 +7,7 @@ use plotters::backend::DrawingBackend;
 use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, Label, WIDTH};
 use shared_geom::files::{OutputProblem, write_figure};
 
-use super::fields::{base, displaced};
+use super::fields::{base, displaced, turned};
 use crate::input::short_number;
 use crate::output::panel::{GRAY, SMALL, draw_legend, draw_title};
 use crate::output::structure::Structure;
@@ -51,7 +51,11 @@ impl BucklingPlot {
         let structure = Structure::new(&result.nodes, &result.beams, &[]);
         let base = base(result);
         let shown = |(index, mode): (usize, &BucklingMode)| {
-            let moved = displaced(&structure, &base, mode);
+            let (about, view) = view(&structure, mode);
+            let moved = match about {
+                Some(axis) => turned(&structure, &base, mode, [axis, across(view, axis)]),
+                None => displaced(&structure, &base, mode),
+            };
             let mut strokes = Vec::new();
             for (positions, color) in [(&base, GRAY), (&moved, CATEGORIES[5])] {
                 let lines = structure.curves(positions).into_iter();
@@ -62,8 +66,8 @@ impl BucklingPlot {
                 }));
             }
             Shown {
-                title: format!("{}: factor {}", index + 1, short_number(mode.factor, 5)),
-                view: view(&structure, mode),
+                title: title(index, mode, about),
+                view,
                 extent: Extent::around(&strokes, &[]),
                 strokes,
             }
@@ -112,11 +116,44 @@ impl BucklingPlot {
     }
 }
 
-/// The direction in which a shape moves most, and the longest other one of the model.
-fn view(structure: &Structure, mode: &BucklingMode) -> View {
-    let moved = mode.displacements.iter();
-    let moved = moved.fold(Vector3::zeros(), |most: Vector3<f64>, v| most.sup(&v.abs()));
-    let toward = moved.imax();
+/// Number and factor, and what is drawn of a shape that turns nodes about an axis alone.
+fn title(index: usize, mode: &BucklingMode, about: Option<usize>) -> String {
+    let turns = about.and_then(|axis| ["x", "y", "z"].get(axis));
+    let turns = turns.map_or_else(String::new, |axis| format!(", rotation about {axis}"));
+    let factor = short_number(mode.factor, 5);
+    format!("{}: factor {factor}{turns}", index + 1)
+}
+
+/// The axis of a view across which a rotation about another axis is drawn.
+fn across([first, second]: View, about: usize) -> usize {
+    match second == about {
+        true => first,
+        false => second,
+    }
+}
+
+/// The plane of a shape, and the axis about which it turns if it displaces nothing: the
+/// direction in which it moves most, or one across that axis, and the longest other one
+/// of the model.
+fn view(structure: &Structure, mode: &BucklingMode) -> (Option<usize>, View) {
+    let most = |vectors: &[Vector3<f64>]| {
+        let most = vectors.iter();
+        let most = most.fold(Vector3::zeros(), |most: Vector3<f64>, v| most.sup(&v.abs()));
+        most.imax()
+    };
+    if mode.is_rotation() {
+        let about = most(&mode.rotations);
+        let across = match about {
+            2 => 1,
+            _ => 2,
+        };
+        return (Some(about), in_plane(structure, across));
+    }
+    (None, in_plane(structure, most(&mode.displacements)))
+}
+
+/// A direction, and the longest other one of the model.
+fn in_plane(structure: &Structure, toward: usize) -> View {
     let length = |axis: &usize| structure.length(*axis);
     let others = (0..3).filter(|axis| *axis != toward);
     let along = others.max_by(|a, b| length(a).total_cmp(&length(b)));
@@ -171,6 +208,14 @@ mod tests {
         ] {
             assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
         }
+        let mut torsion = samples::column();
+        torsion.modes = vec![samples::torsion(&torsion.modes[0])];
+        let plot = BucklingPlot::new(&torsion).unwrap();
+        assert_eq!(plot.modes[0].view, [0, 2]);
+        assert_eq!(plot.modes[0].title, "1: factor 2.4674, rotation about x");
+        // the rotation of the tip is drawn across the bar
+        let tip = plot.modes[0].strokes.last().unwrap().points.last().unwrap();
+        assert!(tip.z > 0.1, "{tip}");
         let mut none = samples::column();
         none.modes.clear();
         assert_eq!(BucklingPlot::new(&none), None);

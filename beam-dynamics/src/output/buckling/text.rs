@@ -16,7 +16,8 @@ Convention
   factor      of the proportional loads at which the model gives way; negative where they
               must be turned round; constant loads and rotation act in full
   moves most  node of the largest displacement of the shape, which counts as one, and its
-              direction in the axes of the model
+              direction in the axes of the model; (turns): no node is displaced, as in
+              torsion, and the largest rotation counts as one, about the axes of the model
   residual    error of factor and shape in the equations, relative
 ";
 
@@ -55,7 +56,10 @@ fn rows(result: &BucklingResult) -> Vec<Vec<String>> {
         let (node, moved) = moves_most(mode);
         let label = result.nodes.get(node).map_or("", |node| &node.label);
         let mut row = vec![(index + 1).to_string(), short_number(mode.factor, DIGITS)];
-        row.push(label.to_owned());
+        row.push(match mode.is_rotation() {
+            true => format!("{label} (turns)"),
+            false => label.to_owned(),
+        });
         // Adding zero takes away the sign of a negative zero.
         let rounded = moved.map(|value| (1e3 * value).round() / 1e3 + 0.0);
         row.extend(rounded.map(|value| format!("{value:.3}")));
@@ -65,9 +69,14 @@ fn rows(result: &BucklingResult) -> Vec<Vec<String>> {
     rows
 }
 
-/// Number of the node that moves most, the first of equal ones, and its displacement.
+/// Number of the node that moves most, the first of equal ones, and its displacement;
+/// where none is displaced, of that which turns most, and its rotation.
 fn moves_most(mode: &BucklingMode) -> (usize, [f64; 3]) {
-    let moved = mode.displacements.iter().enumerate().rev();
+    let vectors = match mode.is_rotation() {
+        true => &mode.rotations,
+        false => &mode.displacements,
+    };
+    let moved = vectors.iter().enumerate().rev();
     let most = moved.max_by(|a, b| a.1.norm().total_cmp(&b.1.norm()));
     most.map_or((0, [0.0; 3]), |(node, moved)| (node, (*moved).into()))
 }
@@ -118,6 +127,15 @@ Remarks
         assert!(BUCKLING_CONVENTION.lines().all(|line| line.len() <= 96));
         result.modes.clear();
         assert!(buckling_text(&result).contains("none was found"));
+    }
+
+    /// Torsion is told by the rotation, not by displacements that are not there.
+    #[test]
+    fn a_shape_without_displacement_is_told_by_its_rotation() {
+        let mut result = samples::column();
+        result.modes = vec![samples::torsion(&result.modes[0])];
+        let text = buckling_text(&result);
+        assert!(text.contains("n8 (turns)    1.000  0.000  0.000"), "{text}");
     }
 
     #[test]

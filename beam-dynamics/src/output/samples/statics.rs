@@ -56,6 +56,7 @@ fn step(factor: f64) -> StaticStep {
                 axes: attitude(s),
                 strain: 1e-6 * factor * force,
                 internal_force: factor * force,
+                change_of_stiffness: None,
             });
         }
     }
@@ -89,6 +90,18 @@ pub fn bent(factors: &[f64]) -> StaticResult {
         }],
         steps: factors.iter().map(|factor| step(*factor)).collect(),
         remarks: vec!["made up".to_owned()],
+    }
+}
+
+/// A critical load of the same factor in which sections turn about x and nothing moves: in
+/// the place of the displacements stands their size as rotation.
+#[cfg(test)]
+pub fn torsion(of: &BucklingMode) -> BucklingMode {
+    let turn = |moved: &Vector3<f64>| Vector3::x() * moved.norm();
+    BucklingMode {
+        rotations: of.displacements.iter().map(turn).collect(),
+        displacements: vec![Vector3::zeros(); of.displacements.len()],
+        ..*of
     }
 }
 

@@ -16,10 +16,11 @@ use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
-    AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, areas_csv, constants_csv, end_effects,
-    failure_report, imposed_report, prestress_report, properties, report, warping_vtu,
+    AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, add_prestress, areas_csv,
+    constants_csv, end_effects, failure_report, imposed_report, prestress_report, properties,
+    report, warping_vtu,
 };
-use crate::properties::{RestrainedWarping, prestress};
+use crate::properties::RestrainedWarping;
 use crate::solution::SectionSolution;
 
 /// How the analysis of a section ended.
@@ -183,7 +184,7 @@ fn solved(
     } = input;
     let solution = &found.solution;
     let mut properties = properties(section, solution, &found.imposed, &summary.input_hash);
-    let prestress_part = prestressed(input, solution, &mut properties);
+    let prestress_part = prestressed(input, found, &mut properties);
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
     let on_request = [
         imposed_report(&properties),
@@ -230,19 +231,17 @@ fn solved(
 
 /// Adds the effect of prestress to the properties, where it is asked for; gives its part
 /// of the report.
-fn prestressed(
-    input: &Input,
-    solution: &SectionSolution,
-    properties: &mut SectionProperties,
-) -> String {
+fn prestressed(input: &Input, solved: &Solved, properties: &mut SectionProperties) -> String {
     let Some(measure) = input.prestress else {
         return String::new();
     };
-    match prestress(&input.section, &solution.warping, &solution.strain, measure) {
-        Ok(found) => properties.prestress = Some(found),
-        Err(reason) => return format!("Prestress\n  none: {reason}\n"),
+    let (solution, imposed) = (&solved.solution, &solved.imposed);
+    if let Err(reason) = add_prestress(properties, &input.section, solution, imposed, measure) {
+        return format!("Prestress\n  none: {reason}\n");
     }
-    prestress_report(properties, &input.loads)
+    let along = input.distributed.iter().map(|load| !load.is_empty());
+    let loads: Vec<_> = input.loads.iter().zip(along).collect();
+    prestress_report(properties, &loads)
 }
 
 /// Writes the tables of the section: a new one is one more line.

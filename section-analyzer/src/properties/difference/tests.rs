@@ -294,6 +294,7 @@ fn tables_of_prestress_are_compared_beside_the_stiffness() {
         Some(Prestress {
             strain_measure: StrainMeasure::Biot,
             third: CubicTable::from_fn(|at| if at == [0, 1, 1] { value } else { 0.0 }),
+            per_kelvin: None,
         })
     };
     let mut b = a.clone();

@@ -1,8 +1,10 @@
 //! The cubic table in the property file: rows `[i, j, k, value]`.
 //!
 //! The indices are those of the six components, from one: 1 axial, 4 torsion, 5 bending
-//! y, 6 bending z.
+//! y, 6 bending z. Changes of the stiffness by heat and imposed states are 4x4 matrices
+//! over the same four components.
 
+use nalgebra::Matrix4;
 use serde::{Deserialize, Serialize};
 
 use crate::section::prestress::{CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure};
@@ -13,6 +15,16 @@ use crate::section::prestress::{CubicTable, PRESTRESS_COMPONENTS, Prestress, Str
 pub(super) struct FilePrestress {
     strain_measure: FileMeasure,
     third_derivatives: Vec<(usize, usize, usize, f64)>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    stiffness_per_kelvin: Option<[[f64; 4]; 4]>,
+}
+
+pub(super) fn rows4(matrix: &Matrix4<f64>) -> [[f64; 4]; 4] {
+    std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)]))
+}
+
+pub(super) fn matrix4(rows: &[[f64; 4]; 4]) -> Matrix4<f64> {
+    Matrix4::from_fn(|i, j| rows[i][j])
 }
 
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
@@ -35,6 +47,7 @@ impl From<&Prestress> for FilePrestress {
                 StrainMeasure::Green => FileMeasure::Green,
             },
             third_derivatives: rows.collect(),
+            stiffness_per_kelvin: prestress.per_kelvin.as_ref().map(rows4),
         }
     }
 }
@@ -76,6 +89,7 @@ impl FilePrestress {
                 FileMeasure::Green => StrainMeasure::Green,
             },
             third: CubicTable::from_fn(value),
+            per_kelvin: self.stiffness_per_kelvin.as_ref().map(matrix4),
         }
     }
 }

@@ -1,0 +1,44 @@
+//! Where a table of prestress, which is of first order in the strain, is asked too much.
+//!
+//! ```text
+//! (T q + sum c_i T_i) v = part K v                                         (D-253)
+//! ```
+
+use crate::elements::SectionState;
+
+/// Change of the stiffness, as part of it, beyond which it is told: what is left out is
+/// of the order of its square.
+const SIZABLE: f64 = 0.1;
+
+/// A remark where the strain of `sections` changes a stiffness by a sizable part, or
+/// takes it away, at `place` in words, as in "at the last step".
+pub(super) fn first_order(sections: &[SectionState], place: &str) -> Option<String> {
+    let changes = || {
+        sections.iter().filter_map(|section: &SectionState| {
+            section
+                .change_of_stiffness
+                .map(|change| (change, &section.beam))
+        })
+    };
+    let least = changes().min_by(|a, b| a.0[0].total_cmp(&b.0[0]))?;
+    if least.0[0] <= -1.0 {
+        return Some(format!(
+            "{place} the strain of beam \"{}\" takes stiffness away from its sections: K + T e \
+             is not positive definite, and the equilibrium unstable or beyond what a table of \
+             prestress can tell",
+            least.1
+        ));
+    }
+    let size = |change: [f64; 2]| change[1].max(-change[0]);
+    let most = changes().max_by(|a, b| size(a.0).total_cmp(&size(b.0)))?;
+    let part = size(most.0);
+    (part > SIZABLE).then(|| {
+        format!(
+            "{place} prestress changes the stiffness of beam \"{}\" by up to {:.0} %: the table is of \
+             first order in the strain, and errors of the order of the square of this are to be \
+             expected, most of all in large twist",
+            most.1,
+            100.0 * part
+        )
+    })
+}
