@@ -21,7 +21,7 @@ use shared_geom::units::Dimension;
 
 use crate::material::MaterialLimits;
 use crate::mesh::quality::MeshQuality;
-use crate::mesh::{DoubledNodes, Laminated, MeshReport, SectionMesh};
+use crate::mesh::{DoubledNodes, Lamina, Laminated, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
 use crate::section::{DistributedLoad, ImposedStrain, Section};
@@ -42,6 +42,7 @@ pub mod outside;
 mod problem;
 mod regions;
 pub mod schema;
+mod source;
 mod strengths;
 mod summary;
 mod tables;
@@ -50,6 +51,7 @@ pub use distributed::DistributedProblem;
 pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, checked_load, is_load_name};
 pub use problem::InputProblem;
+pub use source::{NodeProblem, Source};
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
@@ -80,6 +82,8 @@ pub struct Input {
     pub prestress: Option<StrainMeasure>,
     /// What went into it.
     pub summary: InputSummary,
+    /// What its nodes and plane angles are made from.
+    pub source: Source,
 }
 
 /// The ending of the name of a section file.
@@ -183,6 +187,7 @@ impl WrittenSection {
             region_of_cell: &meshed.region_of_cell,
         };
         let cells = assignment.cells(files, of_region.as_deref());
+        let follows = assignment.follows();
         let distributed = self.distributed(document, &meshed.mesh, section_mesh);
         let tags: Vec<_> = meshed.mesh.cells.iter().map(|cell| cell.tag).collect();
         let rises = self.states.rises(document, files, &tags);
@@ -190,7 +195,7 @@ impl WrittenSection {
         let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
         let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
         let (section_mesh, mut report) = meshed.checked?;
-        let (mut cells, laminated) = (cells?, meshed.laminated?);
+        let (mut cells, (laminated, along)) = (cells?, meshed.laminated?);
         let of_plies = &of_region[self.regions.len()..];
         cells.extend(laminae::cells(&self.laminae, &laminated, of_plies)?);
         report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
@@ -222,6 +227,12 @@ impl WrittenSection {
             end_effects: self.end_effects,
             prestress: self.prestress,
             summary,
+            source: Source {
+                mesh: meshed.bare.unwrap_or(meshed.mesh),
+                meters_per_unit: document.factor(Dimension::LENGTH),
+                laminae: along,
+                follows,
+            },
         })
     }
 
@@ -231,6 +242,7 @@ impl WrittenSection {
         let mut mesh = read_mesh(document, files, mesh_key)?;
         let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
         let unit = document.factor(Dimension::LENGTH);
+        let bare = (!self.laminae.is_empty()).then(|| mesh.clone());
         let laminated = laminae::add(document, &mut mesh, &self.laminae, unit);
         let place = Place::file(files.path(mesh_key).display().to_string());
         // without its laminates the section may well be in parts
@@ -243,6 +255,7 @@ impl WrittenSection {
             document.note(mesh_key.line, &problem);
         }
         Some(Meshed {
+            bare,
             mesh,
             region_of_cell,
             laminated,
@@ -253,12 +266,14 @@ impl WrittenSection {
 
 /// The mesh of a section with its laminates.
 struct Meshed {
+    /// The mesh without its laminates, if there are any.
+    bare: Option<Mesh>,
     mesh: Mesh,
     /// Region of each cell that is not part of a laminate, where it has one.
     region_of_cell: Vec<Option<usize>>,
-    /// The cells of the laminates, behind the others; `None` when something is wrong
-    /// with them.
-    laminated: Option<Laminated>,
+    /// The cells of the laminates, behind the others, and the laminates; `None` when
+    /// something is wrong with them.
+    laminated: Option<(Laminated, Vec<Lamina>)>,
     /// The mesh in meters, when it is sound.
     checked: Option<(SectionMesh, MeshReport)>,
 }

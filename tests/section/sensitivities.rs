@@ -7,7 +7,7 @@ use section_analyzer::material::{Constant, ElasticLaw, EngineeringConstants, Mat
 use section_analyzer::mesh::generate::Rectangle;
 use section_analyzer::section::Section;
 use section_analyzer::sensitivity::{
-    Axis, Cells, Derivative, NodeVelocity, Parameter, SensitivityProblem,
+    Axis, Cells, Derivative, Motion, NodeVelocity, Parameter, SensitivityProblem,
 };
 use section_analyzer::solution::SectionSolution;
 use shared_geom::mesh::{CellKind, Mesh};
@@ -202,7 +202,7 @@ fn moved_nodes() -> [Moved; 2] {
         },
         Moved {
             name: "motion of all nodes",
-            parameter: Parameter::Motion((0..45).map(swing).collect()),
+            parameter: Parameter::Motion(Motion::of_nodes((0..45).map(swing).collect())),
             unit: 1.0,
             step: 0.001,
             by: Box::new(|section, by| {
@@ -332,7 +332,10 @@ fn scales() {
         material: 0,
         constant: Constant::Young,
     };
-    let found = derivatives(&section, &[young, Parameter::Motion(grow.collect())]);
+    let found = derivatives(
+        &section,
+        &[young, Parameter::Motion(Motion::of_nodes(grow.collect()))],
+    );
     let worst = error(
         &(7.0 * found[0].stiffness),
         &solution.stiffness,
@@ -365,7 +368,10 @@ fn stretch_along_y() {
     let k = solved(&section).stiffness;
     let nodes = section.mesh.nodes.iter().enumerate();
     let stretch = nodes.map(|(node, &[y, _])| NodeVelocity { node, y, z: 0.0 });
-    let found = one(&section, Parameter::Motion(stretch.collect()));
+    let found = one(
+        &section,
+        Parameter::Motion(Motion::of_nodes(stretch.collect())),
+    );
     for (i, power) in [(0, 1.0), (4, 1.0), (5, 3.0)] {
         let slope = found.stiffness[(i, i)] / k[(i, i)];
         let error = relative_error(slope, power);
@@ -519,11 +525,11 @@ fn parameters_that_are_not_there() {
             "node number 99: no cell of the section has it",
         ),
         (
-            Parameter::Motion(vec![NodeVelocity {
+            Parameter::Motion(Motion::of_nodes(vec![NodeVelocity {
                 node: 1,
                 y: f64::NAN,
                 z: 0.0,
-            }]),
+            }])),
             "the motion of node number 1 is not finite",
         ),
     ] {

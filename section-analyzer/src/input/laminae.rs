@@ -151,13 +151,14 @@ pub(super) fn regions(laminae: &[WrittenLamina]) -> Vec<WrittenRegion> {
 }
 
 /// Adds the cells of the laminates to the mesh, whose unit of length is
-/// `meters_per_unit`; `None` when anything was noted.
+/// `meters_per_unit`: the cells, and the laminates as the mesh has them; `None` when
+/// anything was noted.
 pub(super) fn add(
     document: &Document,
     mesh: &mut Mesh,
     laminae: &[WrittenLamina],
     meters_per_unit: f64,
-) -> Option<Laminated> {
+) -> Option<(Laminated, Vec<Lamina>)> {
     let is_free = names_are_free(document, mesh, laminae);
     // Every laminate is looked at before the first wrong one ends the search.
     let found: Vec<_> = laminae
@@ -191,7 +192,7 @@ pub(super) fn add(
         }
     }
     match add_laminae(mesh, &found) {
-        Ok(laminated) => Some(laminated),
+        Ok(laminated) => Some((laminated, found)),
         Err(problems) => {
             for (lamina, problem) in problems {
                 let line = laminae[lamina].curve.as_ref().map_or(0, |curve| curve.line);

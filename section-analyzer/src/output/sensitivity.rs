@@ -78,6 +78,7 @@ fn value(section: &Section, parameter: &Parameter) -> Option<f64> {
                 Axis::Z => *z,
             })
         }
+        Parameter::MeshNode(node) => Some(node.value),
         Parameter::Motion(_) => None,
     }
 }
@@ -101,7 +102,7 @@ fn unit(parameter: &Parameter) -> &'static str {
     match parameter {
         Parameter::Constant { constant, .. } => constant.unit(),
         Parameter::FiberAngle(_) | Parameter::PlaneAngle(_) => "rad",
-        Parameter::Node { .. } => "m",
+        Parameter::Node { .. } | Parameter::MeshNode(_) => "m",
         Parameter::Motion(_) => "-",
     }
 }
@@ -159,7 +160,7 @@ fn step(section: &Section, parameter: &Parameter, size: f64) -> f64 {
     match parameter {
         Parameter::Constant { .. } => 0.01 * value(section, parameter).unwrap_or_default(),
         Parameter::FiberAngle(_) | Parameter::PlaneAngle(_) => 1f64.to_radians(),
-        Parameter::Node { .. } => 0.01 * size,
+        Parameter::Node { .. } | Parameter::MeshNode(_) => 0.01 * size,
         Parameter::Motion(_) => 1.0,
     }
 }
