@@ -13,7 +13,7 @@ mod outside;
 mod si;
 
 pub use imposed::analyze_imposed;
-pub use outside::analyze_matrices;
+pub use outside::{OutsideAnalysis, OutsideWarning, analyze_matrices};
 
 use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length};
 use crate::failure::Failure;

@@ -50,6 +50,7 @@ mod tables;
 pub use distributed::DistributedProblem;
 pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, checked_load, is_load_name};
+pub use outside::MatrixProblem;
 pub use problem::InputProblem;
 pub use source::{NodeProblem, Source};
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
@@ -94,7 +95,25 @@ const ENDING: &str = ".section.toml";
 /// # Errors
 /// Everything that is wrong with any of them, with file and line.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
+    let problem = MatrixProblem::Kind {
+        found: outside::ENDING,
+        expected: ENDING,
+        command: "matrices",
+    };
+    require_kind(path, problem)?;
     parse(&read_text(path)?, path)
+}
+
+/// The name of `path` does not end as the other kind of file does, which `problem` finds.
+fn require_kind(path: &Path, problem: MatrixProblem) -> Result<(), Diagnostics> {
+    let MatrixProblem::Kind { found, .. } = problem else {
+        return Ok(());
+    };
+    let name = path.display().to_string();
+    match name.ends_with(found) {
+        true => Err(Diagnostics::one(Place::file(name), &problem)),
+        false => Ok(()),
+    }
 }
 
 /// Reads and checks the text of a section file, as if it stood at `path`: the mesh
