@@ -543,7 +543,7 @@ fn wrong_matrices_are_told_as_such() {
             .to_string()
     };
     type Blocks = [DMatrix<f64>; 3];
-    let cases: [(fn(&mut Blocks), &str); 4] = [
+    let cases: [(fn(&mut Blocks), &str); 3] = [
         (
             |blocks| blocks[0] *= 0.0,
             "M, the stiffness against the rate",
@@ -555,10 +555,6 @@ fn wrong_matrices_are_told_as_such() {
         (
             |blocks| blocks.iter_mut().for_each(|b| *b *= -1.0),
             "M, the stiffness",
-        ),
-        (
-            |blocks| blocks.iter_mut().for_each(|b| *b *= 1e300),
-            "not finite",
         ),
     ];
     for (change, words) in cases {
