@@ -19,7 +19,7 @@ use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
-use crate::material::MaterialLimits;
+use crate::material::{Material, MaterialLimits};
 use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, Lamina, Laminated, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
@@ -210,18 +210,13 @@ impl WrittenSection {
         let distributed = self.distributed(document, &meshed.mesh, section_mesh);
         let tags: Vec<_> = meshed.mesh.cells.iter().map(|cell| cell.tag).collect();
         let rises = self.states.rises(document, files, &tags);
-        let materials = self.materials.iter();
-        let materials: Option<Vec<_>> = materials.map(|known| known.material.clone()).collect();
-        let (materials, of_region, distributed) = (materials?, of_region?, distributed?);
+        let (materials, of_region, distributed) = (self.materials()?, of_region?, distributed?);
         let (section_mesh, mut report) = meshed.checked?;
         let (mut cells, (laminated, along)) = (cells?, meshed.laminated?);
         let of_plies = &of_region[self.regions.len()..];
         cells.extend(laminae::cells(&self.laminae, &laminated, of_plies)?);
         report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
-        let of_cells = meshed.region_of_cell.into_iter();
-        let mut region_of_cell = of_cells.collect::<Option<Vec<_>>>()?;
-        let of_laminae = laminae::region_of_cells(&self.laminae, &laminated).into_iter();
-        region_of_cell.extend(of_laminae.map(|region| self.regions.len() + region));
+        let region_of_cell = self.region_of_cell(meshed.region_of_cell, &laminated)?;
         let section = Section {
             name: self.name.clone(),
             mesh: section_mesh,
@@ -253,6 +248,24 @@ impl WrittenSection {
                 follows,
             },
         })
+    }
+
+    /// The materials; `None` when one is wrong.
+    fn materials(&self) -> Option<Vec<Material>> {
+        let materials = self.materials.iter();
+        materials.map(|known| known.material.clone()).collect()
+    }
+
+    /// The region of each cell, those of the laminates behind the others.
+    fn region_of_cell(
+        &self,
+        of_mesh: Vec<Option<usize>>,
+        laminated: &Laminated,
+    ) -> Option<Vec<usize>> {
+        let mut regions = of_mesh.into_iter().collect::<Option<Vec<_>>>()?;
+        let of_laminae = laminae::region_of_cells(&self.laminae, laminated).into_iter();
+        regions.extend(of_laminae.map(|region| self.regions.len() + region));
+        Some(regions)
     }
 
     /// Reads the mesh, gives its cells their regions, adds the laminates and checks it.
