@@ -205,11 +205,12 @@ impl WrittenSection {
             regions: &self.regions,
             region_of_cell: &meshed.region_of_cell,
         };
-        let cells = assignment.cells(files, of_region.as_deref());
-        let follows = assignment.follows();
+        let (cells, follows) = (
+            assignment.cells(files, of_region.as_deref()),
+            assignment.follows(),
+        );
         let distributed = self.distributed(document, &meshed.mesh, section_mesh);
-        let tags: Vec<_> = meshed.mesh.cells.iter().map(|cell| cell.tag).collect();
-        let rises = self.states.rises(document, files, &tags);
+        let rises = self.states.rises(document, files, &meshed.tags());
         let (materials, of_region, distributed) = (self.materials()?, of_region?, distributed?);
         let (section_mesh, mut report) = meshed.checked?;
         let (mut cells, (laminated, along)) = (cells?, meshed.laminated?);
@@ -228,8 +229,8 @@ impl WrittenSection {
         let of_regions = (strains?, &region_of_cell[..]);
         let imposed = self.states.states(document, &section, rises?, of_regions);
         let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
-        summary.warnings.extend(odd);
-        summary.warnings.extend(InputWarning::of_mesh(&report));
+        let warnings = odd.into_iter().chain(InputWarning::of_mesh(&report));
+        summary.warnings.extend(warnings);
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();
         Some(Input {
@@ -293,6 +294,13 @@ impl WrittenSection {
             laminated,
             checked,
         })
+    }
+}
+
+impl Meshed {
+    /// Tags of all cells.
+    fn tags(&self) -> Vec<u64> {
+        self.mesh.cells.iter().map(|cell| cell.tag).collect()
     }
 }
 
