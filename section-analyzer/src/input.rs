@@ -242,12 +242,7 @@ impl WrittenSection {
             end_effects: self.end_effects,
             prestress: self.prestress,
             summary,
-            source: Source {
-                mesh: meshed.bare.unwrap_or(meshed.mesh),
-                meters_per_unit: document.factor(Dimension::LENGTH),
-                laminae: along,
-                follows,
-            },
+            source: Source::new(document, meshed.bare.unwrap_or(meshed.mesh), along, follows),
         })
     }
 

@@ -3,8 +3,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use shared_geom::document::Document;
 use shared_geom::error::Explain;
 use shared_geom::mesh::Mesh;
+use shared_geom::units::Dimension;
 use thiserror::Error;
 
 use super::follow::{Parabola, direction};
@@ -27,14 +29,14 @@ const SMOOTH: f64 = 2e-2;
 #[derive(Debug, Clone, Default)]
 pub struct Source {
     /// The mesh of the file, without laminates.
-    pub(super) mesh: Mesh,
+    mesh: Mesh,
     /// Its unit of length \[m\].
-    pub(super) meters_per_unit: f64,
+    meters_per_unit: f64,
     /// The laminates along its lines.
-    pub(super) laminae: Vec<Lamina>,
+    laminae: Vec<Lamina>,
     /// For each of its cells the curve that the plane angle follows: label of a physical
     /// curve.
-    pub(super) follows: Vec<Option<String>>,
+    follows: Vec<Option<String>>,
 }
 
 /// Why a node of the mesh file is no parameter.
@@ -116,6 +118,22 @@ struct Shape {
 }
 
 impl Source {
+    /// A mesh in the unit of length of `document`, the laminates along its lines, and for
+    /// each of its cells the curve that it follows.
+    pub(super) fn new(
+        document: &Document,
+        mesh: Mesh,
+        laminae: Vec<Lamina>,
+        follows: Vec<Option<String>>,
+    ) -> Self {
+        Self {
+            mesh,
+            meters_per_unit: document.factor(Dimension::LENGTH),
+            laminae,
+            follows,
+        }
+    }
+
     /// The coordinate along `axis` of the node `tag`, with all that moves with it.
     ///
     /// ```text
