@@ -542,8 +542,8 @@ fn wrong_matrices_are_told_as_such() {
             .expect_err("wrong")
             .to_string()
     };
-    type Blocks = [DMatrix<f64>; 3];
-    let cases: [(fn(&mut Blocks), &str); 3] = [
+    type Change = fn(&mut [DMatrix<f64>; 3]);
+    let cases: [(Change, &str); 3] = [
         (
             |blocks| blocks[0] *= 0.0,
             "M, the stiffness against the rate",
