@@ -12,7 +12,7 @@ mod imposed;
 mod outside;
 mod si;
 
-pub use outside::analyze_matrices;
+pub use outside::{OutsideAnalysis, OutsideWarning, analyze_matrices};
 
 use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length};
 use crate::failure::Failure;

@@ -107,6 +107,43 @@ pub enum Failure {
         /// The limit \[-\].
         limit: f64,
     },
+    /// A given matrix is zero, or beyond all numbers.
+    #[error("{what} is zero or not finite, expected that of a section")]
+    NoSize {
+        /// Which: a matrix, or the places of the nodes.
+        what: &'static str,
+    },
+    /// A given matrix gives energy below zero to a motion of its nodes.
+    #[error(
+        "{matrix} is not positive: it takes no energy to move node {node} (y = {y:.4e} m, z = {z:.4e} m) with those around it, or less than none"
+    )]
+    NotPositive {
+        /// M or E, with what it is.
+        matrix: &'static str,
+        /// Number of the node in its table.
+        node: u64,
+        /// Its place \[m\].
+        y: f64,
+        /// Its place \[m\].
+        z: f64,
+    },
+    /// Given matrices that leave a generalized strain without energy.
+    #[error("the matrices give no energy to one of the generalized strains, or less than none")]
+    NoStiffness,
+    /// The digits of given matrices are not enough for the section.
+    #[error(
+        "the result would have an error of about {error:.1e}, expected less than {limit:.0e}: the matrices break the identities of rigid motions by {identity:.1e}, and the section magnifies that by its condition number, {condition:.1e}"
+    )]
+    Digits {
+        /// Estimate of the relative error of the result \[-\].
+        error: f64,
+        /// The limit \[-\].
+        limit: f64,
+        /// Error of the identities \[-\].
+        identity: f64,
+        /// Condition number \[-\].
+        condition: f64,
+    },
     /// The solution fails one of its own checks.
     #[error(
         "{check} is off by {error:.1e}, expected less than {limit:.0e}; the weakest place is node {node} (y = {y:.4e} m, z = {z:.4e} m)"
@@ -168,6 +205,22 @@ pub enum Failure {
     },
 }
 
+/// Error of identities below which it is of rounding: a wrong order of nodes or unknowns,
+/// axes or units break them by a hundredth and more.
+const ROUNDING: f64 = 1e-3;
+
+const DIGITS: &str = "the files have too few digits, or the slice is too thin for them: write the matrices with 15 digits or more, or make the slice about as thick as its elements are wide";
+
+/// Whether identities are broken by rounding: a little, and those of E among them, which
+/// lose the most digits. What is given twice may differ by as much for other reasons.
+fn are_digits(broken: &[(&str, f64)]) -> bool {
+    let of_e = ["E H = R T", "R' H = A T"];
+    let of_given = ["M H = L", "C' H = R", "L' H = A"];
+    broken.iter().all(|(_, error)| *error < ROUNDING)
+        && broken.iter().any(|(name, _)| of_e.contains(name))
+        && !broken.iter().any(|(name, _)| of_given.contains(name))
+}
+
 /// Identities with their errors.
 fn told(broken: &[(&str, f64)]) -> String {
     let each = broken
@@ -192,8 +245,20 @@ impl Explain for Failure {
             Self::Loose { .. } => {
                 "look for parts joined at a single node, seams whose nodes are doubled, walls or cells thousands of times longer than thick, and moduli many orders of magnitude apart"
             }
+            Self::Matrices { broken, .. } if are_digits(broken) => DIGITS,
             Self::Matrices { .. } => {
                 "H are the rigid motions of the nodes: look at the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), the unit of length of the node table, and whether the rows of C belong to u'"
+            }
+            Self::Digits { .. } => DIGITS,
+            Self::NoSize { .. } => "look at the files and at the units",
+            Self::NotPositive { matrix, .. } if matrix.starts_with('M') => {
+                "of a slice, look at \"through\" (elements with one point through the slice are \"middle\"), at the thickness and its unit; of blocks, whether m and e are exchanged; and at the signs"
+            }
+            Self::NotPositive { .. } => {
+                "look at the signs, for nodes without elements, and for parts joined at a single node"
+            }
+            Self::NoStiffness => {
+                "look whether m, c and e belong to the same section, at their units and at \"through\""
             }
             Self::Identity { .. } => {
                 "look for mid-side nodes that do not belong to their cell and for cells of extreme aspect ratio"

@@ -21,7 +21,7 @@ use shared_geom::units::Dimension;
 
 use crate::material::{Material, MaterialLimits};
 use crate::mesh::quality::MeshQuality;
-use crate::mesh::{DoubledNodes, MeshReport, SectionMesh};
+use crate::mesh::{DoubledNodes, Laminated, MeshReport, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
 use crate::section::{DistributedLoad, ImposedStrain, Section};
@@ -42,6 +42,7 @@ pub mod outside;
 mod problem;
 mod regions;
 pub mod schema;
+mod source;
 mod strengths;
 mod summary;
 mod tables;
@@ -49,7 +50,9 @@ mod tables;
 pub use distributed::DistributedProblem;
 pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, LoadProblem, checked_load, is_load_name};
+pub use outside::MatrixProblem;
 pub use problem::InputProblem;
+pub use source::{NodeProblem, Source};
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
@@ -82,6 +85,8 @@ pub struct Input {
     pub prestress: Option<StrainMeasure>,
     /// What went into it.
     pub summary: InputSummary,
+    /// What its nodes and plane angles are made from.
+    pub source: Source,
 }
 
 /// The ending of the name of a section file.
@@ -92,7 +97,25 @@ const ENDING: &str = ".section.toml";
 /// # Errors
 /// Everything that is wrong with any of them, with file and line.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
+    let problem = MatrixProblem::Kind {
+        found: outside::ENDING,
+        expected: ENDING,
+        command: "matrices",
+    };
+    require_kind(path, problem)?;
     parse(&read_text(path)?, path)
+}
+
+/// The name of `path` does not end as the other kind of file does, which `problem` finds.
+fn require_kind(path: &Path, problem: MatrixProblem) -> Result<(), Diagnostics> {
+    let MatrixProblem::Kind { found, .. } = problem else {
+        return Ok(());
+    };
+    let name = path.display().to_string();
+    match name.ends_with(found) {
+        true => Err(Diagnostics::one(Place::file(name), &problem)),
+        false => Ok(()),
+    }
 }
 
 /// Reads and checks the text of a section file, as if it stood at `path`: the mesh
@@ -185,19 +208,20 @@ impl WrittenSection {
             regions: &self.regions,
             region_of_cell: &meshed.region_of_cell,
         };
-        let cells = assignment.cells(files, of_region.as_deref());
+        let (cells, follows) = (
+            assignment.cells(files, of_region.as_deref()),
+            assignment.follows(),
+        );
         let loads = self.loads(document, &meshed);
         let rises = states.rises(document, files, &meshed.rows());
         let (materials, of_region, (loads, distributed)) = (self.laws()?, of_region?, loads?);
         let (section_mesh, mut report) = meshed.checked?;
-        let (mut cells, laminated) = (cells?, meshed.added.cells?.laminated);
+        let (mut cells, made) = (cells?, meshed.added.cells?);
+        let laminated = made.laminated;
         let of_plies = &of_region[self.regions.len()..];
         cells.extend(laminae::cells(laminae, &laminated, of_plies)?);
         report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
-        let of_cells = meshed.region_of_cell.into_iter();
-        let mut region_of_cell = of_cells.collect::<Option<Vec<_>>>()?;
-        let of_laminae = laminae::region_of_cells(laminae, &laminated).into_iter();
-        region_of_cell.extend(of_laminae.map(|region| self.regions.len() + region));
+        let region_of_cell = self.region_of_cell(meshed.region_of_cell, &laminated)?;
         let section = Section {
             name: self.name.clone(),
             mesh: section_mesh,
@@ -209,8 +233,8 @@ impl WrittenSection {
         let of_regions = (strains?, &region_of_cell[..]);
         let imposed = states.states(document, &section, rises?, of_regions);
         let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
-        summary.warnings.extend(odd);
-        summary.warnings.extend(InputWarning::of_mesh(&report));
+        let warnings = odd.into_iter().chain(InputWarning::of_mesh(&report));
+        summary.warnings.extend(warnings);
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();
         Some(Input {
@@ -223,7 +247,25 @@ impl WrittenSection {
             end_effects: self.end_effects,
             prestress: self.prestress,
             summary,
+            source: Source::new(
+                document,
+                meshed.bare.unwrap_or(meshed.mesh),
+                made.found,
+                follows,
+            ),
         })
+    }
+
+    /// The region of each cell, those of the laminates behind the others.
+    fn region_of_cell(
+        &self,
+        of_mesh: Vec<Option<usize>>,
+        laminated: &Laminated,
+    ) -> Option<Vec<usize>> {
+        let mut regions = of_mesh.into_iter().collect::<Option<Vec<_>>>()?;
+        let of_laminae = laminae::region_of_cells(&self.laminae, laminated).into_iter();
+        regions.extend(of_laminae.map(|region| self.regions.len() + region));
+        Some(regions)
     }
 
     /// Reads the mesh, gives its cells their regions, adds the laminates and checks it.
@@ -232,6 +274,7 @@ impl WrittenSection {
         let mut mesh = read_mesh(document, files, mesh_key)?;
         let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
         let unit = document.factor(Dimension::LENGTH);
+        let bare = (!self.laminae.is_empty()).then(|| mesh.clone());
         let added = laminae::add(document, &mut mesh, &self.laminae, unit);
         let place = Place::file(files.path(mesh_key).display().to_string());
         let how = (unit, self.doubled_nodes, &place);
@@ -241,6 +284,7 @@ impl WrittenSection {
             document.note(mesh_key.line, &problem);
         }
         Some(Meshed {
+            bare,
             mesh,
             region_of_cell,
             added,
@@ -251,6 +295,8 @@ impl WrittenSection {
 
 /// The mesh of a section with its laminates.
 struct Meshed {
+    /// The mesh without its laminates, if there are any.
+    bare: Option<Mesh>,
     mesh: Mesh,
     /// Region of each cell that is not part of a laminate, where it has one.
     region_of_cell: Vec<Option<usize>>,

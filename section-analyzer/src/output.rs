@@ -59,5 +59,5 @@ pub use sensitivity::{sensitivity_json, sensitivity_table};
 pub use stress_plots::{failure_indices_of_cells, stress_plots};
 pub use stress_report::stress_report;
 pub use stress_tables::{stress_cells_csv, stress_nodes_csv, stress_points_csv};
-pub use vtu::{stress_vtu, warping_vtu};
+pub use vtu::{outside_warping_vtu, stress_vtu, warping_vtu};
 pub use warping_plot::WarpingPlot;

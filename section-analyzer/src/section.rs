@@ -44,4 +44,4 @@ mod outside;
 pub(crate) mod samples;
 
 pub use distributed::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
-pub use outside::{Blocks, OutsideSection, Reduced, Through};
+pub use outside::{Blocks, OutsideSection, Reduced, Slice, Through};

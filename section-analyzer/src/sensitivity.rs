@@ -40,7 +40,9 @@ mod parameter;
 pub use contraction::all_at_once;
 pub use derivative::Derivative;
 pub use direct::direct;
-pub use parameter::{Axis, Cells, NodeVelocity, Parameter, SensitivityProblem};
+pub use parameter::{
+    Axis, CellTurn, Cells, MeshNode, Motion, NodeVelocity, Parameter, SensitivityProblem,
+};
 
 use crate::assembly::Domain;
 use crate::section::Section;

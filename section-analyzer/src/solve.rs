@@ -28,7 +28,9 @@ pub use decay::DecayRates;
 pub use decouple::Decoupled;
 pub use distributed::DistributedSolution;
 pub use dual::{DualState, DualStates};
-pub use factor::{Entry, Factor, FactorError, Pivot, elimination_order, in_elimination_order};
+pub use factor::{
+    Entry, Factor, FactorError, Pivot, elimination_order, in_elimination_order, require_positive,
+};
 pub use particular::{Load, ParticularSolution};
 pub use pins::Pins;
 pub use system::CentralSystem;

@@ -20,7 +20,7 @@ pub(crate) mod json;
 mod prestress;
 
 pub(crate) use check::matrix_problems;
-pub use check::{PropertyProblem, least_eigenvalue};
+pub use check::{PropertyProblem, least_eigenvalue, mass_problems};
 pub use curvature::{Agreement, CurvatureMismatch};
 pub use engineering::Engineering;
 pub use file::{VERSION, parse, read, write};

@@ -9,7 +9,9 @@ use std::fmt::Write;
 use std::path::Path;
 
 use nalgebra::{DMatrix, Matrix6};
-use section_analyzer::analysis::{analyze, analyze_matrices};
+use section_analyzer::analysis::{
+    Analysis, OutsideAnalysis, OutsideWarning, analyze, analyze_matrices,
+};
 use section_analyzer::element::{Line, NO_COLUMNS, cell_points, strain_at};
 use section_analyzer::failure::Failure;
 use section_analyzer::input::outside;
@@ -17,10 +19,11 @@ use section_analyzer::material::{EngineeringConstants, section_stiffness};
 use section_analyzer::mesh::generate::Rectangle;
 use section_analyzer::section::Section;
 use section_analyzer::solution::SectionSolution;
+use shared_geom::error::Explain;
 use shared_geom::mesh::CellKind;
 
 use crate::record;
-use crate::sections::{orthotropic, scaled_error, solved, uniform};
+use crate::sections::{isotropic, orthotropic, scaled_error, solved, uniform};
 
 /// The source as the validation page names it.
 const SELF: &str = "The same section by its cells";
@@ -175,15 +178,21 @@ fn slice(section: &Section, thickness: f64, points: usize) -> [DMatrix<f64>; 2] 
     [stiffness, mass]
 }
 
-/// The text of a Matrix Market file, in units of `unit`.
+/// The text of a Matrix Market file, in units of `unit`, with all digits.
 fn market(matrix: &DMatrix<f64>, unit: f64) -> String {
+    market_of(matrix, unit, 17)
+}
+
+/// As [`market`], with some digits.
+fn market_of(matrix: &DMatrix<f64>, unit: f64, digits: usize) -> String {
     let mut text = String::from("%%MatrixMarket matrix coordinate real general\n");
     let mut entries = String::new();
     let mut count = 0;
     for j in 0..matrix.ncols() {
         for i in 0..matrix.nrows() {
             if matrix[(i, j)] != 0.0 {
-                writeln!(entries, "{} {} {:e}", i + 1, j + 1, matrix[(i, j)] / unit).expect("text");
+                let value = matrix[(i, j)] / unit;
+                writeln!(entries, "{} {} {value:.*e}", i + 1, j + 1, digits - 1).expect("text");
                 count += 1;
             }
         }
@@ -306,6 +315,8 @@ fn the_command_writes_a_property_file() {
     let text = "units = \"SI\"\nname = \"bar\"\nnodes = \"nodes.csv\"\n\
                 [slice]\nstiffness = \"k.mtx\"\nthickness = 0.05\n";
     write(path, "bar.matrices.toml", text);
+    let text = format!("end_effects = 2\n{text}");
+    write(path, "bar.matrices.toml", &text);
     let file = path.join("bar.matrices.toml").into_os_string();
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let arguments = ["section-analyzer".into(), "matrices".into(), file];
@@ -317,6 +328,9 @@ fn the_command_writes_a_property_file() {
         "Stiffness",
         "Checks of this run",
         "bar.warping.csv",
+        "bar.warping.vtu",
+        "End effects fall to 1/e",
+        "warning: no mass is given",
     ] {
         assert!(text.contains(words), "{words}: {text}");
     }
@@ -346,39 +360,42 @@ fn the_command_writes_a_property_file() {
 fn matrices_that_do_not_belong_together_are_refused() {
     let section = bar(CellKind::Quadrilateral4);
     let [m, c, e] = blocks(&section);
-    let l = {
-        let mut h = DMatrix::zeros(m.nrows(), 6);
-        for (node, [y, z]) in section.mesh.nodes.iter().enumerate() {
-            let at_node = section_analyzer::element::rigid_displacement(1.0, *y, *z);
-            h.fixed_view_mut::<3, 6>(3 * node, 0).copy_from(&at_node);
-        }
-        &m * h
-    };
-    let broken = |m: &DMatrix<f64>, c: &DMatrix<f64>, e: &DMatrix<f64>, l: &DMatrix<f64>| {
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path();
-        write_nodes(path, &section, 1.0);
-        for (name, matrix) in [("m.mtx", m), ("c.mtx", c), ("e.mtx", e), ("l.mtx", l)] {
-            write(path, name, &market(matrix, 1.0));
-        }
-        let text = "units = \"SI\"\nnodes = \"nodes.csv\"\n[matrices]\nm = \"m.mtx\"\nc = \"c.mtx\"\ne = \"e.mtx\"\nl = \"l.mtx\"\n";
-        match solved_from(path, text) {
-            Ok(_) => Vec::new(),
-            Err(Failure::Matrices { broken, .. }) => broken,
-            Err(other) => panic!("{other}"),
-        }
-    };
+    let mut h = DMatrix::zeros(m.nrows(), 6);
+    for (node, [y, z]) in section.mesh.nodes.iter().enumerate() {
+        let at_node = section_analyzer::element::rigid_displacement(1.0, *y, *z);
+        h.fixed_view_mut::<3, 6>(3 * node, 0).copy_from(&at_node);
+    }
+    let l = &m * &h;
+    let (r, a) = (c.transpose() * &h, l.transpose() * &h);
+    let broken =
+        |m: &DMatrix<f64>, c: &DMatrix<f64>, e: &DMatrix<f64>, [l, r, a]: [&DMatrix<f64>; 3]| {
+            let folder = tempfile::tempdir().expect("a folder");
+            let path = folder.path();
+            write_nodes(path, &section, 1.0);
+            let files = [("m", m), ("c", c), ("e", e), ("l", l), ("r", r), ("a", a)];
+            let mut text = String::from("units = \"SI\"\nnodes = \"nodes.csv\"\n[matrices]\n");
+            for (name, matrix) in files {
+                write(path, &format!("{name}.mtx"), &market(matrix, 1.0));
+                writeln!(text, "{name} = \"{name}.mtx\"").expect("text");
+            }
+            match solved_from(path, &text) {
+                Ok(_) => Vec::new(),
+                Err(Failure::Matrices { broken, .. }) => broken,
+                Err(other) => panic!("{other}"),
+            }
+        };
     let names = |found: Vec<(&'static str, f64)>| -> Vec<&str> {
         found.into_iter().map(|(name, _)| name).collect()
     };
-    assert_eq!(broken(&m, &c, &e, &l), []);
+    let own = [&l, &r, &a];
+    assert_eq!(broken(&m, &c, &e, own), []);
     // C with its rows and columns exchanged
     assert_eq!(
-        names(broken(&m, &c.transpose(), &e, &l))[..2],
+        names(broken(&m, &c.transpose(), &e, own))[..2],
         ["C H = L T", "E H = R T"]
     );
     // a scaled M is told by its size: a thousandth more
-    let found = broken(&(1.001 * &m), &c, &e, &l);
+    let found = broken(&(1.001 * &m), &c, &e, own);
     let of = |name: &str| {
         found
             .iter()
@@ -389,8 +406,178 @@ fn matrices_that_do_not_belong_together_are_refused() {
     assert!((of("M H = L") - 1e-3).abs() < 1e-5, "{found:?}");
     let mut skew = e.clone();
     skew[(0, 4)] += 1e-3 * e.amax();
-    assert_eq!(names(broken(&m, &c, &skew, &l))[0], "E = E'");
-    let mut wrong = l.clone();
-    wrong[(5, 2)] += 1e-3 * l.amax();
-    assert_eq!(names(broken(&m, &c, &e, &wrong)), ["M H = L"]);
+    assert_eq!(names(broken(&m, &c, &skew, own))[0], "E = E'");
+    let off = |matrix: &DMatrix<f64>| {
+        let mut wrong = matrix.clone();
+        wrong[(5, 2)] += 1e-3 * matrix.amax();
+        wrong
+    };
+    assert_eq!(names(broken(&m, &c, &e, [&off(&l), &r, &a])), ["M H = L"]);
+    assert_eq!(names(broken(&m, &c, &e, [&l, &off(&r), &a])), ["C' H = R"]);
+    assert_eq!(names(broken(&m, &c, &e, [&l, &r, &off(&a)])), ["L' H = A"]);
+}
+
+/// A flat strip, 40 by 1, of cells ten times as wide as high.
+fn strip() -> Section {
+    let mesh = Rectangle {
+        width: 40.0,
+        height: 1.0,
+        cells_y: 20,
+        cells_z: 2,
+        kind: CellKind::Quadrilateral4,
+        name: "strip".into(),
+    };
+    uniform(
+        &mesh.generate().expect("sound measures"),
+        isotropic(70.0, 0.3),
+        0.0,
+    )
+}
+
+fn analyzed(
+    path: &Path,
+    section: &Section,
+    [thickness, points]: [f64; 2],
+    (through, digits): (&str, usize),
+) -> Result<OutsideAnalysis, Failure> {
+    let [stiffness, _] = slice(section, thickness, points as usize);
+    write_nodes(path, section, 1.0);
+    write(path, "k.mtx", &market_of(&stiffness, 1.0, digits));
+    let text = format!(
+        "units = \"SI\"\nnodes = \"nodes.csv\"\n[slice]\nstiffness = \"k.mtx\"\n\
+         thickness = {thickness}\nthrough = \"{through}\"\n"
+    );
+    write(path, "bar.matrices.toml", &text);
+    let input = outside::read(&path.join("bar.matrices.toml"));
+    let input = input.unwrap_or_else(|problems| panic!("{problems}"));
+    OutsideAnalysis::new(&input.section)
+}
+
+/// Files of few digits: what passes without a word is good to a thousandth, what is told is
+/// good to a tenth, and all else is refused. Rounding is random and the condition a bound
+/// from below: the error may be some times the estimate of a warning, 30 at most.
+#[test]
+fn digits_of_files_are_watched() {
+    let section = strip();
+    let expected = solved(&section).stiffness;
+    let mut outcomes = [0; 3];
+    for thickness in [5.0, 1.0, 0.2] {
+        for digits in 6..=12 {
+            let folder = tempfile::tempdir().expect("a folder");
+            let kind = ("linear", digits);
+            let case = format!("{digits} digits, slice {thickness} thick");
+            match analyzed(folder.path(), &section, [thickness, 2.0], kind) {
+                Ok(analysis) => {
+                    let off = scaled_error(&analysis.solution().stiffness, &expected);
+                    let told = analysis
+                        .warnings()
+                        .iter()
+                        .find_map(|warning| match warning {
+                            OutsideWarning::Digits { error, .. } => Some(*error),
+                            _ => None,
+                        });
+                    println!("{case}: error {off:.1e}, told {told:?}");
+                    match told {
+                        Some(told) => {
+                            assert!(off < 0.1 && off < 30.0 * told, "{case}: {off:e}, {told:e}");
+                            outcomes[1] += 1;
+                        }
+                        None => {
+                            assert!(off < 1e-3, "{case}: {off:e}");
+                            outcomes[2] += 1;
+                        }
+                    }
+                }
+                Err(failure) => {
+                    println!("{case}: {failure}");
+                    assert!(
+                        failure.help().expect("help").contains("15 digits"),
+                        "{failure}"
+                    );
+                    outcomes[0] += 1;
+                }
+            }
+        }
+    }
+    assert!(outcomes.iter().all(|&count| count > 2), "{outcomes:?}");
+}
+
+/// Slices that are as thick as their cells are wide, read the wrong way.
+#[test]
+fn through_the_slice_is_watched() {
+    let section = bar(CellKind::Quadrilateral4);
+    let folder = tempfile::tempdir().expect("a folder");
+    let read =
+        |slice: [f64; 2], through: &str| analyzed(folder.path(), &section, slice, (through, 17));
+    let thick = 0.25;
+    let failure = read([thick, 1.0], "linear").expect_err("M below zero");
+    assert!(matches!(failure, Failure::NotPositive { .. }), "{failure}");
+    assert!(failure.help().expect("help").contains("\"through\""));
+    let is_told = |slice: [f64; 2], through: &str| {
+        let analysis = read(slice, through).unwrap_or_else(|failure| panic!("{failure}"));
+        let mut warnings = analysis.warnings().iter();
+        warnings.any(|warning| matches!(warning, OutsideWarning::Through { .. }))
+    };
+    assert!(is_told([thick, 2.0], "middle"));
+    assert!(!is_told([thick, 1.0], "middle"));
+    assert!(!is_told([thick, 2.0], "linear"));
+    assert!(!is_told([0.02, 1.0], "middle"));
+}
+
+/// Matrices of wrong size or sign end as wrong input, in words of matrices.
+#[test]
+fn wrong_matrices_are_told_as_such() {
+    let section = bar(CellKind::Quadrilateral4);
+    let failed = |change: fn(&mut [DMatrix<f64>; 3])| {
+        let mut blocks = blocks(&section);
+        change(&mut blocks);
+        let folder = tempfile::tempdir().expect("a folder");
+        write_nodes(folder.path(), &section, 1.0);
+        for (name, block) in ["m.mtx", "c.mtx", "e.mtx"].into_iter().zip(&blocks) {
+            write(folder.path(), name, &market(block, 1.0));
+        }
+        let text = "units = \"SI\"\nnodes = \"nodes.csv\"\n[matrices]\nm = \"m.mtx\"\n\
+                    c = \"c.mtx\"\ne = \"e.mtx\"\n";
+        solved_from(folder.path(), text)
+            .expect_err("wrong")
+            .to_string()
+    };
+    type Change = fn(&mut [DMatrix<f64>; 3]);
+    let cases: [(Change, &str); 3] = [
+        (
+            |blocks| blocks[0] *= 0.0,
+            "M, the stiffness against the rate",
+        ),
+        (
+            |blocks| blocks.iter_mut().for_each(|b| *b *= 0.0),
+            "E, the stiffness against",
+        ),
+        (
+            |blocks| blocks.iter_mut().for_each(|b| *b *= -1.0),
+            "M, the stiffness",
+        ),
+    ];
+    for (change, words) in cases {
+        let told = failed(change);
+        assert!(told.contains(words), "{words}: {told}");
+    }
+}
+
+/// End effects are those of the cells.
+#[test]
+fn end_effects_of_given_matrices() {
+    let section = bar(CellKind::Quadrilateral4);
+    let folder = tempfile::tempdir().expect("a folder");
+    let slice = [0.05, 2.0];
+    let analysis = analyzed(folder.path(), &section, slice, ("linear", 17)).expect("sound");
+    let found = analysis.end_effects(3).expect("end effects");
+    let cells = Analysis::new(&section).expect("sound");
+    let expected = cells.end_effects(3).expect("end effects");
+    assert_eq!(found.modes.len(), expected.modes.len());
+    for (found, expected) in found.modes.iter().zip(&expected.modes) {
+        // the search ends at 1e-9
+        let error = (found.rate - expected.rate).abs() / expected.rate;
+        assert!(error < 1e-7, "{error:e}");
+        record::largest(SELF, "end effects", "rates", error, 1e-7);
+    }
 }

@@ -7,7 +7,7 @@ use section_analyzer::material::{Constant, ElasticLaw, EngineeringConstants, Mat
 use section_analyzer::mesh::generate::Rectangle;
 use section_analyzer::section::Section;
 use section_analyzer::sensitivity::{
-    Axis, Cells, Derivative, NodeVelocity, Parameter, SensitivityProblem,
+    Axis, Cells, Derivative, Motion, NodeVelocity, Parameter, SensitivityProblem,
 };
 use section_analyzer::solution::SectionSolution;
 use shared_geom::mesh::{CellKind, Mesh};
@@ -202,7 +202,7 @@ fn moved_nodes() -> [Moved; 2] {
         },
         Moved {
             name: "motion of all nodes",
-            parameter: Parameter::Motion((0..45).map(swing).collect()),
+            parameter: Parameter::Motion(Motion::of_nodes((0..45).map(swing).collect())),
             unit: 1.0,
             step: 0.001,
             by: Box::new(|section, by| {
@@ -232,10 +232,12 @@ fn error(a: &Matrix6<f64>, b: &Matrix6<f64>, of: &Matrix6<f64>, unit: f64) -> f6
 
 /// All 36 entries of K, F and M and the three centers, straight and curved.
 ///
-/// Errors are per natural amount of the parameter, relative to `sqrt(Kii Kjj)`. Those of
-/// the differences are step^4/30 of the fifth derivative, for constants 1e-8/30 times a few
+/// Errors are relative to the largest entry of the derivative itself, entries scaled by
+/// `sqrt(Kii Kjj)`; the centers to the largest of their six coordinates. Those of the
+/// differences are step^4/30 of the fifth derivative, for constants 1e-8/30 times a few
 /// units; the ratio 18 of the moduli makes angles sharper (fifth derivatives of 1e4), nodes
-/// move in cells of 0.25: smaller steps. Round-off is 1e-12 over the step: 1e-6 leaves room.
+/// move in cells of 0.25: smaller steps. Round-off is 1e-12 over the step and over the
+/// derivative, 1e-3 and more: 1e-6 leaves room.
 #[test]
 fn derivatives_are_those_of_differences() {
     let curved = InitialCurvature {
@@ -272,40 +274,41 @@ fn compare(
         let [far, near, next, last] = around.each_ref().map(of);
         (8.0 * (next - near) - (last - far)) / (12.0 * step)
     };
-    let k = &solution.stiffness;
+    let changes = |derivative: &Matrix6<f64>, of: &Matrix6<f64>| {
+        error(derivative, &Matrix6::zeros(), of, unit)
+    };
+    // moduli and angles change no mass, densities no stiffness
+    let relative = |found: &Matrix6<f64>, expected: Matrix6<f64>, of: &Matrix6<f64>| {
+        let (size, off) = (changes(&expected, of), changes(&(found - expected), of));
+        if size < 1e-9 { off } else { off / size }
+    };
+    let SectionSolution {
+        stiffness: k,
+        compliance: f,
+        mass: m,
+        ..
+    } = solution;
     let differences = [
-        (
-            "dK",
-            error(&found.stiffness, &matrix(|s| s.stiffness), k, unit),
-        ),
+        ("dK", relative(&found.stiffness, matrix(|s| s.stiffness), k)),
         (
             "dF",
-            error(
-                &found.compliance,
-                &matrix(|s| s.compliance),
-                &solution.compliance,
-                unit,
-            ),
+            relative(&found.compliance, matrix(|s| s.compliance), f),
         ),
-        (
-            "dM",
-            error(&found.mass, &matrix(|s| s.mass), &solution.mass, unit),
-        ),
+        ("dM", relative(&found.mass, matrix(|s| s.mass), m)),
     ];
-    // a thousand times the tolerance: the comparison means something
-    let changes = error(&found.stiffness, &Matrix6::zeros(), k, unit);
-    let is_large = changes > 1e-3 || moved.name == "density";
-    assert!(is_large, "{beam}, {}: {changes:e}", moved.name);
+    let is_large = changes(&found.stiffness, k) > 1e-3 || moved.name == "density";
+    assert!(is_large, "{beam}, {}", moved.name);
     let places = [
         found.tension,
         found.shear,
         found.mass_center.expect("a mass"),
     ];
     let [far, near, next, last] = around.each_ref().map(centers);
-    let off = places.iter().flatten().enumerate().map(|(i, place)| {
-        let expected = (8.0 * (next[i] - near[i]) - (last[i] - far[i])) / (12.0 * step);
-        (place - expected).abs() * unit
-    });
+    let expected: [f64; 6] =
+        std::array::from_fn(|i| (8.0 * (next[i] - near[i]) - (last[i] - far[i])) / (12.0 * step));
+    let size = expected.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    let off = places.iter().flatten().zip(expected);
+    let off = off.map(|(place, expected)| (place - expected).abs() / size);
     let off = ("centers", off.fold(0.0, f64::max));
     for (quantity, error) in differences.into_iter().chain([off]) {
         assert!(error < 1e-6, "{beam}, {}: {quantity} {error:e}", moved.name);
@@ -332,7 +335,10 @@ fn scales() {
         material: 0,
         constant: Constant::Young,
     };
-    let found = derivatives(&section, &[young, Parameter::Motion(grow.collect())]);
+    let found = derivatives(
+        &section,
+        &[young, Parameter::Motion(Motion::of_nodes(grow.collect()))],
+    );
     let worst = error(
         &(7.0 * found[0].stiffness),
         &solution.stiffness,
@@ -365,7 +371,10 @@ fn stretch_along_y() {
     let k = solved(&section).stiffness;
     let nodes = section.mesh.nodes.iter().enumerate();
     let stretch = nodes.map(|(node, &[y, _])| NodeVelocity { node, y, z: 0.0 });
-    let found = one(&section, Parameter::Motion(stretch.collect()));
+    let found = one(
+        &section,
+        Parameter::Motion(Motion::of_nodes(stretch.collect())),
+    );
     for (i, power) in [(0, 1.0), (4, 1.0), (5, 3.0)] {
         let slope = found.stiffness[(i, i)] / k[(i, i)];
         let error = relative_error(slope, power);
@@ -519,11 +528,11 @@ fn parameters_that_are_not_there() {
             "node number 99: no cell of the section has it",
         ),
         (
-            Parameter::Motion(vec![NodeVelocity {
+            Parameter::Motion(Motion::of_nodes(vec![NodeVelocity {
                 node: 1,
                 y: f64::NAN,
                 z: 0.0,
-            }]),
+            }])),
             "the motion of node number 1 is not finite",
         ),
     ] {

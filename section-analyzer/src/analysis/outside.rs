@@ -1,22 +1,80 @@
 //! The analysis of a section that is given by its matrices.
 
-use super::central::{Limits, Named, require_connected, solve_central};
+use thiserror::Error;
+
+use super::central::{Central, Limits, Named, Naming, require_connected, solve_central};
+use super::decay::end_effects;
 use super::si::{Frame, in_si};
-use crate::assembly::{OUTSIDE_IDENTITIES, OutsideDomain, Pattern, Scaling, largest};
+use crate::assembly::{Model, OUTSIDE_IDENTITIES, OutsideDomain, Pattern, Scaling, largest};
 use crate::element::Line;
 use crate::failure::Failure;
-use crate::section::{Blocks, OutsideSection};
-use crate::solution::SectionSolution;
-use crate::solve::elimination_order;
+use crate::section::{Blocks, OutsideSection, Slice, Through};
+use crate::solution::{EndEffects, SectionSolution};
+use crate::solve::{CentralSystems, FactorError, elimination_order, require_positive};
+use shared_geom::error::Explain;
 use sprs::{CsMat, TriMat};
 
-/// Files of other programs have seven digits or more: an identity that they break by
-/// more than 1e-6 of its terms is broken, and the solution of sound ones passes its own
-/// checks to ten times that.
+/// Matrices that break an identity by more than 1e-6 of its terms are wrong or rounded to
+/// less than seven digits. How far sound digits reach depends on the section: see
+/// [`DIGITS`]. The checks of the solution compare it with itself, to ten times that.
 const LIMITS: Limits = Limits {
     identity: 1e-6,
     check: 1e-5,
 };
+
+/// Estimates of the error by rounding of the files above which it is worth a word, and
+/// above which there is no result. The estimate is the error of the identities times the
+/// condition number. Strips of 40 by 1 from slices 5, 1 and 0.2 thick, in files of 6 to 12
+/// digits, have errors of up to four times it, most of them less than it.
+const DIGITS: (f64, f64) = (1e-3, 1e-1);
+
+/// M counts as positive semidefinite down to this, relative to its diagonal: rounding to
+/// seven digits. A slice with one point through it that is read as linear gives -0.1 and
+/// less.
+const SEMIDEFINITE: f64 = 1e-6;
+
+/// The names of M and E in messages.
+const M: &str = "M, the stiffness against the rate of the warping,";
+const E: &str = "E, the stiffness against the warping,";
+
+/// What is odd about given matrices.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum OutsideWarning {
+    /// Few digits.
+    #[error(
+        "the digits of the matrices leave a relative error of about {error:.0e} (identities of rigid motions {identity:.1e}, times the condition number {condition:.1e})"
+    )]
+    Digits {
+        /// Estimate of the relative error of the result \[-\].
+        error: f64,
+        /// Error of the identities \[-\].
+        identity: f64,
+        /// Condition number \[-\].
+        condition: f64,
+    },
+    /// A slice that looks like one of elements that are linear through it.
+    #[error(
+        "the slice is read as through = \"middle\", but looks like one of elements that are linear through its thickness of {thickness:e} m"
+    )]
+    Through {
+        /// Thickness of the slice \[m\].
+        thickness: f64,
+    },
+    /// No mass is given.
+    #[error("no mass is given: that of the property file is zero")]
+    NoMass,
+}
+
+impl Explain for OutsideWarning {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::Digits { .. } => "write the matrices with 15 digits or more",
+            Self::Through { .. } => "8-node bricks with 2 x 2 x 2 points are \"linear\"",
+            Self::NoMass => "give \"mass\": the beam program needs it for modes and motion in time",
+        };
+        Some(help.to_owned())
+    }
+}
 
 /// Finds stiffness, centers and central solutions of a section given by its matrices.
 ///
@@ -24,28 +82,83 @@ const LIMITS: Limits = Limits {
 /// [`Failure`] when the matrices do not belong together, or the section has no unique,
 /// accurate solution.
 pub fn analyze_matrices(section: &OutsideSection) -> Result<SectionSolution, Failure> {
-    let count = section.nodes.len();
-    let pattern = pattern(count, &section.blocks);
-    let unknowns = 3 * count;
-    let order = elimination_order(&pattern).ok_or(Failure::OutOfMemory { unknowns })?;
-    let named = |node: usize| Named {
-        tag: section.tags[order[node] as usize],
-        place: section.nodes[order[node] as usize],
-    };
-    let domain = in_order(section, &order)?;
-    let pattern = self::pattern(count, &renumbered(&section.blocks, &order));
-    require_belonging(&domain, section, &order)?;
-    require_connected(&pattern, &named)?;
-    let matrices = domain.system(&pattern, 0.0)?;
-    let (central, systems) = solve_central(&domain, &pattern, matrices, &named, LIMITS)?;
-    drop(systems);
-    let frame = Frame {
-        scaling: domain.scaling(),
-        nodes: &order,
-        count,
-        mass: &section.mass,
-    };
-    in_si(&frame, &central)
+    Ok(OutsideAnalysis::new(section)?.solution)
+}
+
+/// The analysis of a section that is given by its matrices, ready for further questions.
+#[derive(Debug)]
+pub struct OutsideAnalysis {
+    domain: OutsideDomain,
+    central: Central,
+    systems: CentralSystems,
+    solution: SectionSolution,
+    warnings: Vec<OutsideWarning>,
+}
+
+impl OutsideAnalysis {
+    /// Analyzes `section`.
+    ///
+    /// # Errors
+    /// As [`analyze_matrices`].
+    pub fn new(section: &OutsideSection) -> Result<Self, Failure> {
+        let count = section.nodes.len();
+        let pattern = pattern(count, &section.blocks);
+        let unknowns = 3 * count;
+        let order = elimination_order(&pattern).ok_or(Failure::OutOfMemory { unknowns })?;
+        let named = |node: usize| Named {
+            tag: section.tags[order[node] as usize],
+            place: section.nodes[order[node] as usize],
+        };
+        let blocks = renumbered(&section.blocks, &order);
+        let pattern = self::pattern(count, &blocks);
+        let domain = in_order(section, &order, &blocks)?;
+        require_belonging(&domain, section, &order)?;
+        require_connected(&pattern, &named)?;
+        require_positive_face(&domain, &pattern, &named)?;
+        let mut warnings = Vec::new();
+        warnings.extend(looks_linear(section, &domain, &pattern)?);
+        let matrices = domain.system(&pattern, 0.0)?;
+        let (central, systems) = solve_central(&domain, &pattern, matrices, &named, LIMITS)
+            .map_err(of_given_matrices)?;
+        warnings.extend(digits(&central)?);
+        if section.mass.iter().all(|&entry| entry == 0.0) {
+            warnings.push(OutsideWarning::NoMass);
+        }
+        let frame = Frame {
+            scaling: domain.scaling(),
+            nodes: &order,
+            count,
+            mass: &section.mass,
+        };
+        let solution = in_si(&frame, &central).map_err(of_given_matrices)?;
+        Ok(Self {
+            domain,
+            central,
+            systems,
+            solution,
+            warnings,
+        })
+    }
+
+    /// Properties and central solutions of the section.
+    pub fn solution(&self) -> &SectionSolution {
+        &self.solution
+    }
+
+    /// What is odd about the matrices.
+    pub fn warnings(&self) -> &[OutsideWarning] {
+        &self.warnings
+    }
+
+    /// The `wanted` slowest decaying solutions, as [`super::Analysis::end_effects`].
+    ///
+    /// # Errors
+    /// [`Failure::OutOfMemory`].
+    pub fn end_effects(&self, wanted: usize) -> Result<EndEffects, Failure> {
+        let solved = (&self.systems, &self.central.decoupled.face);
+        let length = self.domain.scaling().length;
+        end_effects(&self.domain, solved, length, wanted)
+    }
 }
 
 /// All identities of the matrices hold; every one that does not is told.
@@ -70,6 +183,95 @@ fn require_belonging(
     }
 }
 
+/// M gives no motion an energy below zero.
+fn require_positive_face(
+    domain: &OutsideDomain,
+    pattern: &Pattern,
+    naming: Naming<'_>,
+) -> Result<(), Failure> {
+    let m = domain.face_matrix(pattern, SEMIDEFINITE, 0.0)?;
+    require_positive(&m, pattern).map_err(|error| match error {
+        FactorError::NotPositive(pivot) => {
+            let Named { tag, place: [y, z] } = naming(pivot.node);
+            Failure::NotPositive {
+                matrix: M,
+                node: tag,
+                y,
+                z,
+            }
+        }
+        _ => Failure::OutOfMemory {
+            unknowns: domain.unknowns(),
+        },
+    })
+}
+
+/// Whether a slice read as `middle` looks like a linear one. The M of such is `M0 + a E`,
+/// a = h^2/12: then `M - a E` is positive, and `M - 2 a E` is not where the slice is as
+/// thick as its cells. Of thinner ones it cannot be told, and hardly matters.
+fn looks_linear(
+    section: &OutsideSection,
+    domain: &OutsideDomain,
+    pattern: &Pattern,
+) -> Result<Option<OutsideWarning>, Failure> {
+    let Some(Slice { thickness, through }) = section.slice else {
+        return Ok(None);
+    };
+    if through != Through::Middle {
+        return Ok(None);
+    }
+    let part = (thickness / domain.scaling().length).powi(2) / 12.0;
+    let is_positive = |part: f64| -> Result<bool, Failure> {
+        let m = domain.face_matrix(pattern, SEMIDEFINITE, part)?;
+        Ok(require_positive(&m, pattern).is_ok())
+    };
+    let looks = is_positive(part)? && !is_positive(2.0 * part)?;
+    Ok(looks.then_some(OutsideWarning::Through { thickness }))
+}
+
+/// What is left of the digits of the matrices.
+fn digits(central: &Central) -> Result<Option<OutsideWarning>, Failure> {
+    let checks = &central.checks;
+    let identity = checks.identities.into_iter().fold(0.0, largest);
+    let condition = checks.condition;
+    let error = identity * condition;
+    if error.is_nan() || error > DIGITS.1 {
+        return Err(Failure::Digits {
+            error,
+            limit: DIGITS.1,
+            identity,
+            condition,
+        });
+    }
+    Ok((error > DIGITS.0).then_some(OutsideWarning::Digits {
+        error,
+        identity,
+        condition,
+    }))
+}
+
+/// A failure in the words of matrices in place of those of cells.
+fn of_given_matrices(failure: Failure) -> Failure {
+    match failure {
+        Failure::Identity {
+            identity,
+            error,
+            limit,
+        } => Failure::Matrices {
+            broken: vec![(identity, error)],
+            limit,
+        },
+        Failure::Loose { node, y, z, .. } => Failure::NotPositive {
+            matrix: E,
+            node,
+            y,
+            z,
+        },
+        Failure::NoScale { .. } | Failure::ComplianceNotPositive => Failure::NoStiffness,
+        other => other,
+    }
+}
+
 /// Which nodes meet in any of the matrices.
 fn pattern(count: usize, blocks: &Blocks) -> Pattern {
     let Blocks { m, c, e } = blocks;
@@ -78,19 +280,32 @@ fn pattern(count: usize, blocks: &Blocks) -> Pattern {
     Pattern::of_pairs(count, pairs)
 }
 
-/// The section in the units of the solver, its nodes in the order of elimination.
-fn in_order(section: &OutsideSection, order: &[u32]) -> Result<OutsideDomain, Failure> {
+/// The section in the units of the solver, its nodes in the order of elimination, which
+/// `blocks` have.
+fn in_order(
+    section: &OutsideSection,
+    order: &[u32],
+    blocks: &Blocks,
+) -> Result<OutsideDomain, Failure> {
     let nodes = &section.nodes;
     let mean = |axis: usize| nodes.iter().map(|p| p[axis]).sum::<f64>() / nodes.len() as f64;
     let origin = [mean(0), mean(1)];
     let from_origin = |p: &[f64; 2]| [p[0] - origin[0], p[1] - origin[1]];
     let distances = nodes.iter().map(from_origin).map(|[y, z]| y.hypot(z));
     let length = distances.fold(0.0, largest);
-    let diagonal = section.blocks.e.diag();
-    let modulus = diagonal.iter().map(|(_, v)| v.abs()).fold(0.0, largest);
-    for (value, what) in [(length, "size"), (modulus, "stiffness")] {
+    let size = |matrix: &CsMat<f64>| {
+        let diagonal = matrix.diag();
+        diagonal.iter().map(|(_, v)| v.abs()).fold(0.0, largest)
+    };
+    let modulus = size(&blocks.e);
+    let sizes = [
+        (length, "the extent of the nodes"),
+        (modulus, E),
+        (size(&blocks.m), M),
+    ];
+    for (value, what) in sizes {
         if !(value.is_normal() && value > 0.0) {
-            return Err(Failure::NoScale { what });
+            return Err(Failure::NoSize { what });
         }
     }
     let scaling = Scaling {
@@ -103,8 +318,7 @@ fn in_order(section: &OutsideSection, order: &[u32]) -> Result<OutsideDomain, Fa
         [y / length, z / length]
     });
     let line = Line::through(&section.initial_curvature, origin, length);
-    let blocks = renumbered(&section.blocks, order);
-    Ok(OutsideDomain::new(places.collect(), line, scaling, &blocks))
+    Ok(OutsideDomain::new(places.collect(), line, scaling, blocks))
 }
 
 /// The matrices with their nodes in another order.

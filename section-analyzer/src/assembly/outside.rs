@@ -17,14 +17,14 @@ use super::domain::{Scaling, largest};
 use super::matrices::{Scalar, SectionMatrices};
 use super::model::Model;
 use super::pattern::Pattern;
-use super::rigid::resultant;
+use super::rigid::{add_rigid_motions, resultant};
 use super::stress::{Rate, SectionForces, State};
-use crate::element::{Line, rigid_displacement};
+use crate::element::Line;
 use crate::failure::Failure;
 use crate::section::{Blocks, Reduced};
 use nalgebra::{Complex, DMatrix, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
-use sprs::CsMat;
+use sprs::{CsMat, CsMatI};
 
 /// A section of given matrices in the units of the solver.
 #[derive(Debug, Clone)]
@@ -82,13 +82,38 @@ impl OutsideDomain {
     /// H: a column a rigid motion, n x 6.
     fn rigid_motions(&self) -> DMatrix<f64> {
         let mut motions = DMatrix::zeros(self.unknowns(), 6);
-        for (node, &[y, z]) in self.nodes.iter().enumerate() {
-            let at_node = rigid_displacement(1.0, y, z);
-            motions
-                .fixed_view_mut::<3, 6>(3 * node, 0)
-                .copy_from(&at_node);
-        }
+        add_rigid_motions(self, &Matrix6::identity(), &mut motions);
         motions
+    }
+
+    /// `M + tolerance diag(M) - less E` in the structure of `pattern`: whether M is
+    /// positive semidefinite to `tolerance`, without the part `less` of E.
+    ///
+    /// # Errors
+    /// [`Failure::OutOfMemory`] for more entries than 32 bits count.
+    pub fn face_matrix(
+        &self,
+        pattern: &Pattern,
+        tolerance: f64,
+        less: f64,
+    ) -> Result<CsMatI<f64, u32>, Failure> {
+        let unknowns = self.unknowns();
+        let structure = pattern.structure();
+        let (starts, rows) = structure.ok_or(Failure::OutOfMemory { unknowns })?;
+        let mut entries = vec![0.0; rows.len()];
+        for (matrix, factor) in [(&self.m, 1.0), (&self.e, -less)] {
+            for (&value, (i, j)) in matrix {
+                // the mean of both triangles
+                let part = if i == j { 1.0 } else { 0.5 };
+                entries[pattern.entry(i.max(j), i.min(j))] += part * factor * value;
+            }
+        }
+        for (&value, (i, j)) in &self.m {
+            if i == j {
+                entries[pattern.entry(i, i)] += tolerance * value;
+            }
+        }
+        Ok(CsMatI::new_csc((unknowns, unknowns), starts, rows, entries))
     }
 
     /// Error of each of the [`OUTSIDE_IDENTITIES`], relative to the largest sum of
@@ -194,7 +219,7 @@ impl OutsideDomain {
         }
         let (l, r) = (self.l.map(T::from_real), self.r.map(T::from_real));
         Ok(SectionMatrices {
-            e: sprs::CsMatI::new_csc((unknowns, unknowns), starts, rows, e),
+            e: CsMatI::new_csc((unknowns, unknowns), starts, rows, e),
             r: r - l * lambda,
             a: self.a,
         })

@@ -2,18 +2,21 @@
 
 use std::path::{Path, PathBuf};
 
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, Explain, Place};
 use shared_geom::files::OutputProblem;
 use shared_geom::section;
 
+use super::solved::open_end_effects;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
-use crate::analysis::analyze_matrices;
+use crate::analysis::OutsideAnalysis;
 use crate::failure::Failure;
 use crate::input::outside::{self, OutsideInput};
 use crate::output::{
-    OutputFiles, ResultWriter, checks, outside_properties, outside_warping_csv, property_report,
+    OutputFiles, ResultWriter, checks, end_effects, outside_properties, outside_warping_csv,
+    outside_warping_vtu, property_report,
 };
-use crate::solution::SectionSolution;
+use crate::section::OutsideSection;
+use crate::solution::{EndEffects, SectionSolution};
 
 /// Reads a matrices file, solves, and writes what there is.
 pub(super) fn analyze_file(
@@ -28,31 +31,78 @@ pub(super) fn analyze_file(
         .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
     // results of an earlier run do not outlive this one
     files.remove_results();
-    let solution = match analyze_matrices(&input.section) {
-        Ok(solution) => solution,
-        Err(failure) => {
-            let code = match failure {
-                Failure::Matrices { .. } => WRONG_INPUT,
-                _ => NOT_REACHED,
-            };
-            let place = Place::file(file.display().to_string());
-            let problems = Diagnostics::one(place, &failure).to_string();
-            return Err(terminal.tell_text(&problems, code));
-        }
-    };
+    let solved = solve(&input.section).map_err(|failure| {
+        let code = match failure {
+            Failure::OutOfMemory { .. } => NOT_REACHED,
+            // all else is due to the matrices
+            _ => WRONG_INPUT,
+        };
+        terminal.tell_text(&told(file, &failure), code)
+    })?;
     let mut results = ResultWriter::new(files);
-    let report = report(file, &input, &solution);
+    let report = report(file, &input, &solved);
     write!(terminal.out, "{report}")?;
-    let written = write_results(&input, &solution, &report, &mut results);
+    let written = write_results(&input, solved.analysis.solution(), &report, &mut results);
     let told = written.map_err(|problem| terminal.tell(&problem, NOT_REACHED));
     list("Written", &results.abandon(), terminal)?;
-    told
+    told?;
+    match solved.open_problem(file) {
+        Some(problem) => Err(terminal.tell_text(&problem, NOT_REACHED)),
+        None => Ok(()),
+    }
 }
 
-fn report(file: &Path, input: &OutsideInput, solution: &SectionSolution) -> String {
+/// The solution, and what the file asks for beside it.
+struct Solved {
+    analysis: OutsideAnalysis,
+    end_effects: Option<EndEffects>,
+}
+
+fn solve(section: &OutsideSection) -> Result<Solved, Failure> {
+    let analysis = OutsideAnalysis::new(section)?;
+    let found = section
+        .end_effects
+        .map(|wanted| analysis.end_effects(wanted));
+    let end_effects = found.transpose()?;
+    Ok(Solved {
+        analysis,
+        end_effects,
+    })
+}
+
+impl Solved {
+    /// What did not converge, in words.
+    fn open_problem(&self, file: &Path) -> Option<String> {
+        let failure = open_end_effects(self.end_effects.as_ref()?)?;
+        Some(told(file, &failure))
+    }
+}
+
+fn told(file: &Path, failure: &Failure) -> String {
+    let place = Place::file(file.display().to_string());
+    Diagnostics::one(place, failure).to_string()
+}
+
+fn report(file: &Path, input: &OutsideInput, solved: &Solved) -> String {
+    let solution = solved.analysis.solution();
     let properties = outside_properties(&input.section, solution, &input.input_hash);
     let text = property_report(&file.display().to_string(), &properties);
-    format!("{text}\n{}", checks(&solution.checks))
+    let warnings = solved.analysis.warnings().iter().map(|warning| {
+        let help = warning.help().unwrap_or_default();
+        format!("  warning: {warning}; {help}\n")
+    });
+    let warnings: String = warnings.collect();
+    let ends = solved.end_effects.as_ref().map(end_effects);
+    let heading = if warnings.is_empty() {
+        ""
+    } else {
+        "\nWarnings\n"
+    };
+    let ends = ends.map_or_else(String::new, |ends| format!("\n{ends}"));
+    format!(
+        "{text}{heading}{warnings}{ends}\n{}",
+        checks(&solution.checks)
+    )
 }
 
 fn write_results(
@@ -66,5 +116,7 @@ fn write_results(
     results.text(files.properties(), &section::write(&properties))?;
     results.text(files.report(), report)?;
     let warping = outside_warping_csv(&input.section, solution);
-    results.text(files.warping_table(), &warping)
+    results.text(files.warping_table(), &warping)?;
+    let field = outside_warping_vtu(&input.section, solution);
+    results.add(files.warping_field(), |file| field.write(file))
 }

@@ -47,14 +47,19 @@ impl Solved {
 
     /// What did not converge, in words; `file` is the section file.
     pub fn open_problem(&self, file: &Path) -> Option<String> {
-        let found = self.end_effects.as_ref().filter(|f| !f.is_converged)?;
-        let failure = Failure::EndEffects {
-            change: found.change,
-            vectors: found.vectors,
-        };
+        let failure = open_end_effects(self.end_effects.as_ref()?)?;
         let place = Place::file(file.display().to_string());
         Some(Diagnostics::one(place, &failure).to_string())
     }
+}
+
+/// End effects that did not converge.
+pub(super) fn open_end_effects(found: &EndEffects) -> Option<Failure> {
+    let failure = Failure::EndEffects {
+        change: found.change,
+        vectors: found.vectors,
+    };
+    (!found.is_converged).then_some(failure)
 }
 
 /// Solves the section of `input`, with its imposed states and distributed loads; its end

@@ -12,8 +12,9 @@ use super::groups;
 use super::materials::WrittenMaterial;
 use super::problem::InputProblem;
 use super::regions::{WrittenAngle, WrittenRegion};
+use super::source::parabolas;
 use super::tables::Tables;
-use crate::mesh::{CurveLine, SectionMesh};
+use crate::mesh::SectionMesh;
 use crate::section::CellMaterial;
 
 /// What the cells are assigned from.
@@ -76,6 +77,19 @@ impl Assignment<'_> {
         cells.collect()
     }
 
+    /// For each cell of the mesh the label of the curve that its plane angle follows.
+    pub fn follows(&self) -> Vec<Option<String>> {
+        let of_region = self.regions.iter().map(|region| match &region.plane_angle {
+            Some(WrittenAngle::Follow { curve, .. }) => groups::label_of_curve(self.mesh, curve),
+            _ => None,
+        });
+        let of_region: Vec<_> = of_region.collect();
+        let regions = self.region_of_cell.iter();
+        regions
+            .map(|region| of_region.get((*region)?)?.clone())
+            .collect()
+    }
+
     fn angle(
         &self,
         files: &Files<'_>,
@@ -97,10 +111,7 @@ impl Assignment<'_> {
             WrittenAngle::Follow { curve, reverse } => {
                 let group = groups::curve(self.document, self.mesh, curve)?;
                 let label = self.mesh.groups[group].label();
-                let curves = &self.section_mesh?.curves;
-                let lines = &curves.iter().find(|curve| curve.label == label)?.lines;
-                let line = |line: &CurveLine| Parabola::new(line.first, line.second, line.middle);
-                let curve = lines.iter().map(line).collect();
+                let curve = parabolas(self.section_mesh?, &label)?;
                 let turn = if *reverse { PI } else { 0.0 };
                 Some(Angle::Follow { curve, turn })
             }

@@ -14,12 +14,7 @@ const CURVE: u8 = 1;
 /// The physical group that `written` names: by its name, else by its number.
 /// One that does not exist is noted, with the nearest name.
 fn find(document: &Document, mesh: &Mesh, dimension: u8, written: &Written) -> Option<usize> {
-    let by_number = |group: &PhysicalGroup| {
-        group.dimension == dimension && group.tag.to_string() == written.text
-    };
-    let found = mesh
-        .group(dimension, &written.text)
-        .or_else(|| mesh.groups.iter().position(by_number));
+    let found = named(mesh, dimension, written);
     if found.is_none() {
         let of_dimension = mesh
             .groups
@@ -36,6 +31,19 @@ fn find(document: &Document, mesh: &Mesh, dimension: u8, written: &Written) -> O
         document.note(written.line, &problem);
     }
     found
+}
+
+fn named(mesh: &Mesh, dimension: u8, written: &Written) -> Option<usize> {
+    let by_number = |group: &PhysicalGroup| {
+        group.dimension == dimension && group.tag.to_string() == written.text
+    };
+    let by_name = mesh.group(dimension, &written.text);
+    by_name.or_else(|| mesh.groups.iter().position(by_number))
+}
+
+/// The label of the curve that `written` names, if there is one.
+pub(super) fn label_of_curve(mesh: &Mesh, written: &Written) -> Option<String> {
+    named(mesh, CURVE, written).map(|group| mesh.groups[group].label())
 }
 
 fn word(dimension: u8) -> &'static str {

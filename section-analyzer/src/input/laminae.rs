@@ -204,7 +204,7 @@ pub(super) fn add(
 /// What laminates were made of and what they became.
 #[derive(Debug)]
 pub(super) struct Made {
-    found: Vec<Lamina>,
+    pub found: Vec<Lamina>,
     pub laminated: Laminated,
 }
 

@@ -150,9 +150,8 @@ fn orthotropic(table: &Table<'_>) -> Option<ElasticLaw> {
 }
 
 fn full(table: &Table<'_>) -> Option<ElasticLaw> {
-    let rows = table.rows("stiffness", 6, 6)?;
-    let unit = table.document().factor(Dimension::STRESS);
-    Some(ElasticLaw::Full(Matrix6::from_fn(|i, j| unit * rows[i][j])))
+    let rows = table.rows_of("stiffness", [6, 6], Dimension::STRESS)?;
+    Some(ElasticLaw::Full(Matrix6::from_fn(|i, j| rows[i][j])))
 }
 
 /// The key under which the offending constant stands; that of the table where the

@@ -9,13 +9,14 @@ use nalgebra::{DMatrix, Matrix6, Vector6};
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::Diagnostics;
 use shared_geom::files::name_without;
+use shared_geom::section;
 use shared_geom::units::Dimension;
 use sprs::CsMat;
 
 use super::curvature;
 use super::files::Files;
 use super::regions::Written;
-use crate::section::{Blocks, OutsideSection, Reduced, Through};
+use crate::section::{Blocks, OutsideSection, Reduced, Slice, Through};
 
 mod matrix_market;
 mod nodes;
@@ -26,7 +27,7 @@ pub use problem::MatrixProblem;
 use nodes::NodeTable;
 
 /// The ending of the name of a matrices file.
-const ENDING: &str = ".matrices.toml";
+pub(super) const ENDING: &str = ".matrices.toml";
 
 /// A section given by its matrices, and the fingerprint of all that was read.
 #[derive(Debug, Clone)]
@@ -42,6 +43,12 @@ pub struct OutsideInput {
 /// # Errors
 /// Everything that is wrong with any of them, with file and line.
 pub fn read(path: &Path) -> Result<OutsideInput, Diagnostics> {
+    let problem = MatrixProblem::Kind {
+        found: super::ENDING,
+        expected: ENDING,
+        command: "analyze",
+    };
+    super::require_kind(path, problem)?;
     parse(&read_text(path)?, path)
 }
 
@@ -82,14 +89,18 @@ impl Reading<'_> {
         let nodes = self.nodes(root);
         let count = nodes.as_ref().map(|nodes| nodes.tags.len());
         let initial_curvature = curvature::read(root).map(|written| written.initial);
+        let end_effects = super::end_effects(root);
         let given_mass = mass(root);
-        let matrices = root.is_table("matrices").then(|| root.table("matrices"));
-        let slice = root.is_table("slice").then(|| root.table("slice"));
-        let found = match (matrices.flatten(), slice.flatten()) {
-            (Some(table), None) => self.matrices(&table, count),
-            (None, Some(table)) => self.slice(&table, count),
+        let matrices = root.has("matrices").then(|| root.table("matrices"));
+        let slice = root.has("slice").then(|| root.table("slice"));
+        if slice.is_some() && root.has("initial_curvature") {
+            root.note("initial_curvature", &MatrixProblem::CurvedSlice);
+        }
+        let found = match (matrices, slice) {
+            (Some(table), None) => self.matrices(&table?, count),
+            (None, Some(table)) => self.slice(&table?, nodes.as_ref(), root.has("mass")),
             (Some(_), Some(_)) => {
-                root.note("slice", &form("[matrices] and [slice] are given"));
+                root.note("slice", &form("both [matrices] and [slice] are given"));
                 None
             }
             (None, None) => {
@@ -97,17 +108,17 @@ impl Reading<'_> {
                 None
             }
         };
-        let (blocks, reduced, slice_mass) = found?;
-        let nodes = nodes?;
-        let of_slice = slice_mass.map(|mass| mass_of(&mass, &nodes.places));
+        let (found, nodes) = (found?, nodes?);
         Some(OutsideSection {
             name,
             tags: nodes.tags,
             nodes: nodes.places,
-            blocks,
-            reduced,
-            mass: given_mass?.or(of_slice).unwrap_or_else(Matrix6::zeros),
+            blocks: found.blocks,
+            slice: found.slice,
+            reduced: found.reduced,
+            mass: given_mass?.or(found.mass).unwrap_or_else(Matrix6::zeros),
             initial_curvature: initial_curvature?,
+            end_effects,
         })
     }
 
@@ -155,19 +166,25 @@ impl Reading<'_> {
             c: c?,
             e: e?,
         };
-        Some((blocks, reduced, None))
+        Some(Given {
+            blocks,
+            slice: None,
+            reduced,
+            mass: None,
+        })
     }
 
-    /// `[slice]`: the stiffness of a slice, and its mass.
-    fn slice(&mut self, table: &Table<'_>, nodes: Option<usize>) -> Option<Given> {
-        let square = nodes.map(|nodes| [6 * nodes, 6 * nodes]);
-        let stiffness = self.matrix(
-            table,
-            "stiffness",
-            true,
-            Dimension::SPRING_STIFFNESS,
-            square,
-        );
+    /// `[slice]`: the stiffness of a slice, and its mass, unless the mass of the section
+    /// `is_given`.
+    fn slice(
+        &mut self,
+        table: &Table<'_>,
+        nodes: Option<&NodeTable>,
+        is_given: bool,
+    ) -> Option<Given> {
+        let square = nodes.map(|nodes| [6 * nodes.tags.len(), 6 * nodes.tags.len()]);
+        let unit = Dimension::SPRING_STIFFNESS;
+        let stiffness = self.matrix(table, "stiffness", true, unit, square);
         let mass = self.matrix(table, "mass", false, Dimension::MASS, square);
         let thickness = table.require_positive("thickness", Dimension::LENGTH);
         let through = match table.word("through", &["linear", "middle"]) {
@@ -175,10 +192,29 @@ impl Reading<'_> {
             _ => Through::Linear,
         };
         table.finish();
+        if is_given && table.has("mass") {
+            table.note("mass", &form("\"mass\" is given above too"));
+        }
+        for (key, matrix) in [("stiffness", &stiffness), ("mass", &mass)] {
+            if let Some(problem) = matrix.as_ref().and_then(asymmetry) {
+                table.note(key, &problem);
+            }
+        }
         let (stiffness, thickness) = (stiffness?, thickness?);
-        let blocks = Blocks::of_slice(&stiffness, thickness, through);
-        let per_length = mass.map(|mass| folded(&mass, thickness));
-        Some((blocks, Reduced::default(), per_length))
+        let slice = Slice { thickness, through };
+        let mass = mass.zip(nodes).map(|(mass, nodes)| {
+            let mass = mass_of(&folded(&mass, thickness), &nodes.places);
+            for problem in section::mass_problems(&mass) {
+                table.note("mass", &problem);
+            }
+            mass
+        });
+        Some(Given {
+            blocks: Blocks::of_slice(&stiffness, slice),
+            slice: Some(slice),
+            reduced: Reduced::default(),
+            mass,
+        })
     }
 
     /// The matrix that `key` names, in SI, of `size`.
@@ -218,8 +254,40 @@ impl Reading<'_> {
     }
 }
 
-/// Blocks, L R A as given, and a mass matrix over the nodes per length.
-type Given = (Blocks, Reduced, Option<CsMat<f64>>);
+/// What the matrices of a file give.
+struct Given {
+    blocks: Blocks,
+    slice: Option<Slice>,
+    reduced: Reduced,
+    /// Mass per length about the reference point.
+    mass: Option<Matrix6<f64>>,
+}
+
+/// Largest asymmetry of the matrices of a slice, relative to their largest entry: files
+/// of seven digits pass.
+const SYMMETRY: f64 = 1e-6;
+
+/// The pair of entries that differ most, where a matrix is not symmetric.
+fn asymmetry(matrix: &CsMat<f64>) -> Option<MatrixProblem> {
+    let mut worst = (0.0, (0, 0));
+    let mut largest: f64 = 0.0;
+    for (&value, (i, j)) in matrix {
+        largest = largest.max(value.abs());
+        let other = matrix.get(j, i).copied().unwrap_or(0.0);
+        let off = (value - other).abs();
+        if off > worst.0 {
+            worst = (off, (i.min(j), i.max(j)));
+        }
+    }
+    let (off, (row, column)) = worst;
+    let entry = |i, j| matrix.get(i, j).copied().unwrap_or(0.0);
+    (off > SYMMETRY * largest).then(|| MatrixProblem::Asymmetric {
+        row: row + 1,
+        column: column + 1,
+        upper: entry(row, column),
+        lower: entry(column, row),
+    })
+}
 
 fn form(found: &'static str) -> MatrixProblem {
     MatrixProblem::Form { found }
@@ -235,9 +303,12 @@ fn mass(root: &Table<'_>) -> Option<Option<Matrix6<f64>>> {
     let per_length = document.factor(Dimension::MASS_PER_LENGTH);
     let length = document.factor(Dimension::LENGTH);
     let unit = Vector6::new(1.0, 1.0, 1.0, length, length, length);
-    Some(Some(Matrix6::from_fn(|i, j| {
-        per_length * unit[i] * unit[j] * rows[i][j]
-    })))
+    let mass = Matrix6::from_fn(|i, j| per_length * unit[i] * unit[j] * rows[i][j]);
+    let problems = section::mass_problems(&mass);
+    for problem in &problems {
+        root.note("mass", problem);
+    }
+    problems.is_empty().then_some(Some(mass))
 }
 
 fn dense(matrix: &CsMat<f64>) -> DMatrix<f64> {

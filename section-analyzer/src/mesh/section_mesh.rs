@@ -133,6 +133,29 @@ impl SectionMesh {
         self.node_tags.get(node).copied().unwrap_or(node as u64 + 1)
     }
 
+    /// The same cells with nodes and curves where `mesh` has them, whose unit of length is
+    /// `meters_per_unit`; `None` where its nodes and cells are others. Nothing is checked.
+    pub fn with_places_of(&self, mesh: &Mesh, meters_per_unit: f64) -> Option<Self> {
+        check_references(mesh).ok()?;
+        let plane = PlaneMesh::new(mesh);
+        let sorted = |nodes: &[u32]| {
+            let mut nodes = nodes.to_vec();
+            nodes.sort_unstable();
+            nodes
+        };
+        let mut cells = self.cells.iter().zip(&plane.cells);
+        let is_same = self.node_tags == plane.node_tags
+            && self.cells.len() == plane.cells.len()
+            && cells.all(|(own, other)| sorted(own.nodes()) == sorted(other.nodes()));
+        is_same.then(|| Self {
+            nodes: places(&plane, meters_per_unit),
+            node_tags: self.node_tags.clone(),
+            cells: self.cells.clone(),
+            groups: self.groups.clone(),
+            curves: curves(mesh, meters_per_unit),
+        })
+    }
+
     /// The section mesh of `mesh`, whose unit of length is `meters_per_unit`, with
     /// what is worth reporting; `place` is where the mesh comes from, for messages.
     /// Nodes doubled along the border of two surfaces are an error.
@@ -200,17 +223,18 @@ impl SectionMesh {
         };
         let section = Self {
             cells: plane.cells.iter().zip(&group_of_cell).map(cell).collect(),
-            nodes: plane
-                .nodes
-                .iter()
-                .map(|p| p.map(|x| meters_per_unit * x))
-                .collect(),
+            nodes: places(&plane, meters_per_unit),
             node_tags: plane.node_tags,
             groups,
             curves: curves(mesh, meters_per_unit),
         };
         Ok((section, report))
     }
+}
+
+fn places(plane: &PlaneMesh, meters_per_unit: f64) -> Vec<[f64; 2]> {
+    let nodes = plane.nodes.iter();
+    nodes.map(|p| p.map(|x| meters_per_unit * x)).collect()
 }
 
 fn outcome(problems: Vec<MeshProblem>) -> Result<(), Vec<MeshProblem>> {

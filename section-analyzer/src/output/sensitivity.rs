@@ -1,11 +1,12 @@
 //! Derivatives of the properties of a section, as a file and in the report.
 
-use nalgebra::Matrix6;
+use nalgebra::{Matrix6, Vector3};
 use serde_json::{Value, json};
 use shared_geom::figure::tick_label;
-use shared_geom::wrench::COMPONENTS;
+use shared_geom::wrench::{self, COMPONENTS};
 
 use super::text::table;
+use crate::material::Constant;
 use crate::section::Section;
 use crate::sensitivity::{Axis, Cells, Derivative, Parameter};
 use crate::solution::SectionSolution;
@@ -78,6 +79,7 @@ fn value(section: &Section, parameter: &Parameter) -> Option<f64> {
                 Axis::Z => *z,
             })
         }
+        Parameter::MeshNode(node) => Some(node.value),
         Parameter::Motion(_) => None,
     }
 }
@@ -101,65 +103,151 @@ fn unit(parameter: &Parameter) -> &'static str {
     match parameter {
         Parameter::Constant { constant, .. } => constant.unit(),
         Parameter::FiberAngle(_) | Parameter::PlaneAngle(_) => "rad",
-        Parameter::Node { .. } => "m",
+        Parameter::Node { .. } | Parameter::MeshNode(_) => "m",
         Parameter::Motion(_) => "-",
     }
 }
 
-/// The part of the report: changes of the diagonal of the stiffness and of the mass in
-/// per cent, and of the centers.
+/// The part of the report: changes of the stiffnesses about their centers and of the mass
+/// in per cent, and of the centers; of many parameters those that change most.
 pub fn sensitivity_table(
     section: &Section,
     solution: &SectionSolution,
     parameters: &[Parameter],
     derivatives: &[Derivative],
 ) -> String {
-    let mut changes = vec![heading(COMPONENTS.into_iter().chain(["mass"]))];
-    let mut centers = vec![heading(
-        [
-            "tension y",
-            "tension z",
-            "shear y",
-            "shear z",
-            "mass y",
-            "mass z",
-        ]
-        .into_iter(),
-    )];
-    let (k, m) = (&solution.stiffness, &solution.mass);
     let size = size(section);
-    for (parameter, derivative) in parameters.iter().zip(derivatives) {
-        let step = step(section, parameter, size);
-        let per_cent = |change: f64, of: f64| match of == 0.0 {
-            true => 0.0,
-            false => 100.0 * step * change / of,
-        };
-        let diagonal = (0..6).map(|i| per_cent(derivative.stiffness[(i, i)], k[(i, i)]));
-        let mass = per_cent(derivative.mass[(0, 0)], m[(0, 0)]);
-        let name = parameter.name(section);
-        changes.push(row(&name, diagonal.chain([mass])));
-        let of_mass = derivative.mass_center.unwrap_or_default();
-        let places = [derivative.tension, derivative.shear, of_mass];
-        let places = places.into_iter().flatten();
-        centers.push(row(&name, places.map(|place| 100.0 * step * place / size)));
-    }
+    let rows: Vec<Row> = parameters
+        .iter()
+        .zip(derivatives)
+        .map(|(parameter, derivative)| {
+            let step = step(section, parameter, size);
+            let of_centers = per_size(derivative, 100.0 * step / size);
+            Row {
+                name: parameter.name(section),
+                changes: per_cent(solution, derivative, 100.0 * step),
+                centers: of_centers,
+            }
+        })
+        .collect();
+    let (rows, left_out) = largest(rows);
+    let changes = table_of(
+        &STIFFNESSES,
+        rows.iter().map(|row| (&row.name, &row.changes[..])),
+    );
+    let centers = table_of(
+        &CENTERS,
+        rows.iter().map(|row| (&row.name, &row.centers[..])),
+    );
+    let left_out = match left_out {
+        0 => String::new(),
+        count => format!(
+            "  The {MOST} parameters that change most; {count} more are in the file of derivatives\n"
+        ),
+    };
     format!(
-        "Sensitivities: change by 1 % of a constant, by 1 deg of an angle, or of a node by\n\
-         1 % of the size of the section, {} m (first order; all else as it is)\n  \
-         Diagonal of the stiffness, and mass [%]\n{}\n  \
-         Centers [% of that size]\n{}",
+        "Sensitivities: change by 1 % of a constant (of 1 for a Poisson's ratio of zero, of the\n\
+         largest entry for an entry of a full stiffness that is zero), by 1 deg of an angle, or of\n\
+         a node by 1 % of the size of the section, {} m (first order; all else as it is)\n{left_out}  \
+         Stiffnesses about their centers (as 1/C), and mass [%]\n{changes}\n  \
+         Centers [% of that size]\n{centers}",
         tick_label(size, 0.0),
-        table(&changes, "lr"),
-        table(&centers, "lr")
     )
+}
+
+/// Parameters of the table at most.
+const MOST: usize = 60;
+
+const STIFFNESSES: [&str; 7] = ["EA", "GAy", "GAz", "GJ", "EIy", "EIz", "mass"];
+
+const CENTERS: [&str; 6] = [
+    "tension y",
+    "tension z",
+    "shear y",
+    "shear z",
+    "mass y",
+    "mass z",
+];
+
+/// A parameter in the table; `None` for what the section does not have.
+struct Row {
+    name: String,
+    changes: [Option<f64>; 7],
+    centers: [Option<f64>; 6],
+}
+
+/// Changes of EA, GAy, GAz, GJ, EIy, EIz and of the mass, relative to each, times `step`.
+///
+/// ```text
+/// d ln S_i = -dC_ii / C_ii        C about the tension center for EA, EI, the shear center for GA, GJ
+/// ```
+/// as the motion of the centers does not change these entries, to first order.
+fn per_cent(solution: &SectionSolution, derivative: &Derivative, step: f64) -> [Option<f64>; 7] {
+    let about = |matrix: &Matrix6<f64>, [y, z]: [f64; 2]| {
+        let back = wrench::shift_matrix(&-Vector3::new(0.0, y, z));
+        back.transpose() * matrix * back
+    };
+    std::array::from_fn(|i| {
+        let (change, of) = match i {
+            6 => (derivative.mass[(0, 0)], solution.mass[(0, 0)]),
+            _ => {
+                let centers = &solution.centers;
+                let center = match i {
+                    1..=3 => centers.shear,
+                    _ => centers.tension,
+                };
+                let at = |matrix| about(matrix, center)[(i, i)];
+                (-at(&derivative.compliance), at(&solution.compliance))
+            }
+        };
+        (of != 0.0).then(|| step * change / of)
+    })
+}
+
+/// Changes of the centers, times `step`.
+fn per_size(derivative: &Derivative, step: f64) -> [Option<f64>; 6] {
+    let of_mass = derivative.mass_center.map(|place| place.map(Some));
+    let places = [
+        derivative.tension.map(Some),
+        derivative.shear.map(Some),
+        of_mass.unwrap_or_default(),
+    ];
+    std::array::from_fn(|i| places[i / 2][i % 2].map(|place| step * place))
+}
+
+/// The [`MOST`] rows that change most, in their order, and the number of the others.
+fn largest(rows: Vec<Row>) -> (Vec<Row>, usize) {
+    let left_out = rows.len().saturating_sub(MOST);
+    if left_out == 0 {
+        return (rows, 0);
+    }
+    let size = |row: &Row| {
+        let all = row.changes.iter().chain(&row.centers).flatten();
+        all.fold(0.0_f64, |size, change| size.max(change.abs()))
+    };
+    let mut sizes: Vec<f64> = rows.iter().map(size).collect();
+    sizes.sort_by(|a, b| b.total_cmp(a));
+    let least = sizes[MOST - 1];
+    let mut shown: Vec<Row> = rows.into_iter().filter(|row| size(row) >= least).collect();
+    shown.truncate(MOST);
+    (shown, left_out)
 }
 
 /// Amount of a parameter that the table is about.
 fn step(section: &Section, parameter: &Parameter, size: f64) -> f64 {
     match parameter {
-        Parameter::Constant { .. } => 0.01 * value(section, parameter).unwrap_or_default(),
+        Parameter::Constant { material, constant } => {
+            let value = value(section, parameter).unwrap_or_default();
+            match (constant, value == 0.0) {
+                (Constant::Stiffness(..), true) => {
+                    0.01 * section.materials[*material].law.stiffness().amax()
+                }
+                (_, true) => 0.01,
+                _ => 0.01 * value,
+            }
+        }
         Parameter::FiberAngle(_) | Parameter::PlaneAngle(_) => 1f64.to_radians(),
-        Parameter::Node { .. } => 0.01 * size,
+        Parameter::Node { .. } | Parameter::MeshNode(_) => 0.01 * size,
         Parameter::Motion(_) => 1.0,
     }
 }
@@ -180,15 +268,19 @@ fn size(section: &Section) -> f64 {
     (high[0] - low[0]).max(high[1] - low[1])
 }
 
-fn heading<'a>(columns: impl Iterator<Item = &'a str>) -> Vec<String> {
-    let columns = std::iter::once("parameter").chain(columns);
-    columns.map(str::to_owned).collect()
-}
-
-fn row(name: &str, values: impl Iterator<Item = f64>) -> Vec<String> {
-    std::iter::once(name.to_owned())
-        .chain(values.map(shown))
-        .collect()
+fn table_of<'a>(
+    columns: &[&str],
+    rows: impl Iterator<Item = (&'a String, &'a [Option<f64>])>,
+) -> String {
+    let heading = std::iter::once("parameter").chain(columns.iter().copied());
+    let mut lines = vec![heading.map(str::to_owned).collect::<Vec<_>>()];
+    for (name, values) in rows {
+        let values = values
+            .iter()
+            .map(|value| value.map_or_else(|| "-".to_owned(), shown));
+        lines.push(std::iter::once(name.clone()).chain(values).collect());
+    }
+    table(&lines, "lr")
 }
 
 /// A change in per cent, with four digits behind the point or, if small, three in all.

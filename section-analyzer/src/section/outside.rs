@@ -19,6 +19,8 @@ pub struct OutsideSection {
     pub nodes: Vec<[f64; 2]>,
     /// M, C, E.
     pub blocks: Blocks,
+    /// The slice that they come from.
+    pub slice: Option<Slice>,
     /// L, R, A, where they are given too.
     pub reduced: Reduced,
     /// Mass per length about the reference point, order of
@@ -26,6 +28,17 @@ pub struct OutsideSection {
     pub mass: Matrix6<f64>,
     /// The line of the beam for which the matrices were made.
     pub initial_curvature: InitialCurvature,
+    /// Number of end effects to find.
+    pub end_effects: Option<usize>,
+}
+
+/// A slice of the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slice {
+    /// Its thickness h \[m\].
+    pub thickness: f64,
+    /// How displacements vary through it.
+    pub through: Through,
 }
 
 /// M, C, E of a section over ux, uy, uz of its nodes, node by node, n x n.
@@ -73,7 +86,8 @@ impl Blocks {
     /// ```
     ///
     /// the last term where displacements are linear through the slice.
-    pub fn of_slice(stiffness: &CsMat<f64>, thickness: f64, through: Through) -> Self {
+    pub fn of_slice(stiffness: &CsMat<f64>, slice: Slice) -> Self {
+        let Slice { thickness, through } = slice;
         let n = stiffness.rows() / 2;
         let faces = |i: usize| if i < n { (i, -1.0) } else { (i - n, 1.0) };
         let sum = |weight: &dyn Fn(f64, f64) -> f64| {

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use super::parameter::{Cells, Parameter, SensitivityProblem};
+use super::parameter::{Cells, Motion, Parameter, SensitivityProblem};
 use crate::assembly::{Domain, DomainCell};
 use crate::material::{Constant, fiber_angle_rate, plane_angle_rate, section_stiffness};
 use crate::section::{CellMaterial, Section};
@@ -16,6 +16,8 @@ pub(super) struct Change {
     pub cells: Vec<u32>,
     /// dD of the laws of these cells.
     laws: HashMap<u32, Matrix6<f64>>,
+    /// dD of cells of the mesh that change each by itself.
+    of_cells: HashMap<u32, Matrix6<f64>>,
     /// Rate of the density of these cells \[kg/m^3 per unit of the parameter\].
     pub density: f64,
     /// Velocities of the nodes that move.
@@ -33,13 +35,11 @@ impl Change {
         parameters: &[Parameter],
     ) -> Result<Vec<Self>, SensitivityProblem> {
         let mut places = Places::of(section, domain);
-        if parameters
-            .iter()
-            .any(|parameter| !parameter.motion().is_empty())
-        {
+        let motions: Vec<_> = parameters.iter().map(Parameter::motion).collect();
+        if motions.iter().any(Option::is_some) {
             places.look_around(domain);
         }
-        let changes = parameters.iter().map(|parameter| {
+        let changes = parameters.iter().zip(motions).map(|(parameter, motion)| {
             parameter.check(section)?;
             let at = (section, domain, &places);
             match parameter {
@@ -55,7 +55,9 @@ impl Change {
                     let cells = places.of_cells(cells);
                     Ok(Self::of_laws(at, &cells, |law, _| plane_angle_rate(law)))
                 }
-                Parameter::Node { .. } | Parameter::Motion(_) => Self::of_motion(at, parameter),
+                Parameter::Node { .. } | Parameter::MeshNode(_) | Parameter::Motion(_) => {
+                    Self::of_motion(at, &motion.unwrap_or_default())
+                }
             }
         });
         changes.collect()
@@ -63,7 +65,8 @@ impl Change {
 
     /// dD of a cell of the domain.
     pub fn law(&self, cell: &DomainCell) -> Option<&Matrix6<f64>> {
-        self.laws.get(&cell.law)
+        let of_law = self.laws.get(&cell.law);
+        of_law.or_else(|| self.of_cells.get(&cell.mesh_cell))
     }
 
     /// Velocities of the nodes of a cell of the domain, where any node moves.
@@ -85,6 +88,7 @@ impl Change {
             return Self {
                 cells: cells.clone(),
                 laws: HashMap::new(),
+                of_cells: HashMap::new(),
                 density: 1.0,
                 nodes: HashMap::new(),
             };
@@ -114,6 +118,7 @@ impl Change {
         Self {
             cells: cells.to_vec(),
             laws,
+            of_cells: HashMap::new(),
             density: 0.0,
             nodes: HashMap::new(),
         }
@@ -121,22 +126,31 @@ impl Change {
 
     fn of_motion(
         (_, domain, places): (&Section, &Domain, &Places),
-        parameter: &Parameter,
+        motion: &Motion,
     ) -> Result<Self, SensitivityProblem> {
         let mut nodes: HashMap<u32, [f64; 2]> = HashMap::new();
         let mut cells = Vec::new();
-        for at in parameter.motion() {
+        for at in &motion.nodes {
             let node = places.of_node(at.node)?;
             let velocity = nodes.entry(node).or_default();
             velocity[0] += at.y / domain.scaling.length;
             velocity[1] += at.z / domain.scaling.length;
             cells.extend(places.around(node));
         }
+        let mut of_cells: HashMap<u32, Matrix6<f64>> = HashMap::new();
+        for turn in &motion.turns {
+            let index = places.of_mesh_cell[turn.cell];
+            let cell = &domain.cells[index as usize];
+            let rate = turn.rate * plane_angle_rate(&domain.laws[cell.law as usize]);
+            *of_cells.entry(cell.mesh_cell).or_default() += rate;
+            cells.push(index);
+        }
         cells.sort_unstable();
         cells.dedup();
         Ok(Self {
             cells,
             laws: HashMap::new(),
+            of_cells,
             density: 0.0,
             nodes,
         })

@@ -27,8 +27,51 @@ pub enum Parameter {
         /// Which coordinate.
         axis: Axis,
     },
-    /// A motion of nodes, as a change of shape: all others stand still.
-    Motion(Vec<NodeVelocity>),
+    /// A coordinate of a node of the mesh file, with all that is made from it; a unit is
+    /// a meter.
+    MeshNode(MeshNode),
+    /// A change of shape.
+    Motion(Motion),
+}
+
+/// A coordinate of a node of the mesh file, and what its motion takes along.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshNode {
+    /// Tag of the node in the mesh file.
+    pub tag: u64,
+    /// Which coordinate.
+    pub axis: Axis,
+    /// Its value \[m\].
+    pub value: f64,
+    /// The node, where cells have it, the nodes that laminates make from it, and the plane
+    /// angles that follow it.
+    pub motion: Motion,
+}
+
+/// A change of shape.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Motion {
+    /// The nodes that move: all others stand still.
+    pub nodes: Vec<NodeVelocity>,
+    /// The cells whose plane angles change: those of all others stay.
+    pub turns: Vec<CellTurn>,
+}
+
+impl Motion {
+    /// Nodes move, and all angles stay.
+    pub fn of_nodes(nodes: Vec<NodeVelocity>) -> Self {
+        let turns = Vec::new();
+        Self { nodes, turns }
+    }
+}
+
+/// How the plane angle of a cell changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CellTurn {
+    /// Index of the cell in the mesh.
+    pub cell: usize,
+    /// Change per unit of the parameter \[rad per unit of the parameter\].
+    pub rate: f64,
 }
 
 /// Some cells of a section.
@@ -109,6 +152,12 @@ pub enum SensitivityProblem {
         /// Index of the node.
         node: usize,
     },
+    /// A change of an angle that is not a number.
+    #[error("the change of the plane angle of cell number {cell} is not finite")]
+    TurnNotFinite {
+        /// Index of the cell.
+        cell: usize,
+    },
     /// No memory.
     #[error("out of memory with {unknowns} unknowns")]
     OutOfMemory {
@@ -166,14 +215,11 @@ impl Parameter {
             Self::FiberAngle(cells) => format!("fiber angle of {}", of_cells(cells)),
             Self::PlaneAngle(cells) => format!("plane angle of {}", of_cells(cells)),
             Self::Node { node, axis } => {
-                let axis = match axis {
-                    Axis::Y => "y",
-                    Axis::Z => "z",
-                };
-                let tag = section.mesh.node_tags.get(*node);
-                format!("{axis} of node {}", tag.copied().unwrap_or(*node as u64))
+                let tag = section.mesh.node_tags.get(*node).copied();
+                name_of_node(tag.unwrap_or(*node as u64), *axis)
             }
-            Self::Motion(nodes) => format!("motion of {} nodes", nodes.len()),
+            Self::MeshNode(MeshNode { tag, axis, .. }) => name_of_node(*tag, *axis),
+            Self::Motion(motion) => format!("motion of {} nodes", motion.nodes.len()),
         }
     }
 
@@ -182,31 +228,47 @@ impl Parameter {
         match self {
             Self::Constant { material, constant } => check_constant(section, *material, *constant),
             Self::FiberAngle(cells) | Self::PlaneAngle(cells) => check_cells(section, cells),
-            Self::Node { .. } | Self::Motion(_) => {
-                let bad = self.motion().into_iter().find(|at| {
-                    let is_finite = at.y.is_finite() && at.z.is_finite();
-                    !is_finite
-                });
-                bad.map_or(Ok(()), |at| {
-                    Err(SensitivityProblem::NotFinite { node: at.node })
-                })
+            Self::Node { .. } | Self::MeshNode(_) | Self::Motion(_) => {
+                self.motion().map_or(Ok(()), |motion| motion.check(section))
             }
         }
     }
 
-    /// How the nodes move.
-    pub(super) fn motion(&self) -> Vec<NodeVelocity> {
+    /// The change of shape, where the parameter is one.
+    pub(super) fn motion(&self) -> Option<Motion> {
         match self {
             Self::Node { node, axis } => {
                 let [y, z] = match axis {
                     Axis::Y => [1.0, 0.0],
                     Axis::Z => [0.0, 1.0],
                 };
-                vec![NodeVelocity { node: *node, y, z }]
+                Some(Motion::of_nodes(vec![NodeVelocity { node: *node, y, z }]))
             }
-            Self::Motion(nodes) => nodes.clone(),
-            _ => Vec::new(),
+            Self::MeshNode(MeshNode { motion, .. }) | Self::Motion(motion) => Some(motion.clone()),
+            _ => None,
         }
+    }
+}
+
+fn name_of_node(tag: u64, axis: Axis) -> String {
+    let axis = match axis {
+        Axis::Y => "y",
+        Axis::Z => "z",
+    };
+    format!("{axis} of node {tag}")
+}
+
+impl Motion {
+    fn check(&self, section: &Section) -> Result<(), SensitivityProblem> {
+        let is_finite = |at: &&NodeVelocity| at.y.is_finite() && at.z.is_finite();
+        if let Some(at) = self.nodes.iter().find(|at| !is_finite(at)) {
+            return Err(SensitivityProblem::NotFinite { node: at.node });
+        }
+        if let Some(turn) = self.turns.iter().find(|turn| !turn.rate.is_finite()) {
+            return Err(SensitivityProblem::TurnNotFinite { cell: turn.cell });
+        }
+        let cells = self.turns.iter().map(|turn| turn.cell).collect();
+        check_cells(section, &Cells::List(cells))
     }
 }
 

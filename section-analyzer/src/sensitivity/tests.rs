@@ -43,6 +43,10 @@ fn parameters(section: &Section) -> Vec<Parameter> {
         y: place[0] * place[1],
         z: 0.3 - place[0],
     };
+    let turn = |cell: usize| CellTurn {
+        cell,
+        rate: 0.7 - 0.4 * cell as f64,
+    };
     vec![
         constant(0, Constant::Engineering("e1")),
         constant(0, Constant::Engineering("nu23")),
@@ -54,7 +58,10 @@ fn parameters(section: &Section) -> Vec<Parameter> {
             node,
             axis: Axis::Z,
         },
-        Parameter::Motion(section.mesh.nodes.iter().enumerate().map(swing).collect()),
+        Parameter::Motion(Motion {
+            nodes: section.mesh.nodes.iter().enumerate().map(swing).collect(),
+            turns: (0..section.cells.len()).map(turn).collect(),
+        }),
     ]
 }
 

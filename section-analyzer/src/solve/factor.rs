@@ -74,34 +74,7 @@ impl<T: Entry> Factor<T> {
     pub fn new(mut e: CsMatI<T, u32>, pattern: &Pattern, pins: Pins) -> Result<Self, FactorError> {
         pin(&mut e, pattern, &pins);
         let norm = one_norm(&e);
-        let symbolic = analyze(pattern).ok_or(FactorError::OutOfMemory)?;
-        let mut values = vec![T::from_real(0.0); symbolic.len_val()];
-        let starts = e.indptr();
-        let structure = SymbolicSparseColMatRef::new_checked(
-            e.rows(),
-            e.cols(),
-            starts.raw_storage(),
-            None,
-            e.indices(),
-        );
-        let parameters = Spec::default();
-        let request =
-            factorize_supernodal_numeric_llt_scratch::<u32, T>(&symbolic, SEQUENTIAL, parameters);
-        let mut memory = MemBuffer::try_new(request).map_err(|_| FactorError::OutOfMemory)?;
-        let outcome = factorize_supernodal_numeric_llt(
-            &mut values,
-            SparseColMatRef::new(structure, e.data()),
-            LltRegularization::default(),
-            &symbolic,
-            SEQUENTIAL,
-            MemStack::new(&mut memory),
-            parameters,
-        );
-        if let Err(LltError::NonPositivePivot { index }) = outcome.map(|_| ()) {
-            let node = index.min(symbolic.nrows().saturating_sub(1)) / 3;
-            return Err(FactorError::NotPositive(Pivot { node, ratio: 0.0 }));
-        }
-
+        let (symbolic, values) = factored(&e, pattern)?;
         let smallest_pivot = smallest_pivot(&symbolic, &values, &e);
         if smallest_pivot.ratio > 0.0 {
             Ok(Self {
@@ -158,6 +131,50 @@ impl<T: Entry> Factor<T> {
     pub fn smallest_pivot(&self) -> Pivot {
         self.smallest_pivot
     }
+}
+
+/// Whether the symmetric matrix with lower triangle `e`, of the structure of `pattern`,
+/// is positive definite.
+///
+/// # Errors
+/// [`FactorError::NotPositive`] at the first node where it is not, or
+/// [`FactorError::OutOfMemory`].
+pub fn require_positive(e: &CsMatI<f64, u32>, pattern: &Pattern) -> Result<(), FactorError> {
+    factored(e, pattern).map(|_| ())
+}
+
+type Factored<T> = (SymbolicSupernodalCholesky<u32>, Vec<T>);
+
+/// Structure and values of the factor of `e`.
+fn factored<T: Entry>(e: &CsMatI<T, u32>, pattern: &Pattern) -> Result<Factored<T>, FactorError> {
+    let symbolic = analyze(pattern).ok_or(FactorError::OutOfMemory)?;
+    let mut values = vec![T::from_real(0.0); symbolic.len_val()];
+    let starts = e.indptr();
+    let structure = SymbolicSparseColMatRef::new_checked(
+        e.rows(),
+        e.cols(),
+        starts.raw_storage(),
+        None,
+        e.indices(),
+    );
+    let parameters = Spec::default();
+    let request =
+        factorize_supernodal_numeric_llt_scratch::<u32, T>(&symbolic, SEQUENTIAL, parameters);
+    let mut memory = MemBuffer::try_new(request).map_err(|_| FactorError::OutOfMemory)?;
+    let outcome = factorize_supernodal_numeric_llt(
+        &mut values,
+        SparseColMatRef::new(structure, e.data()),
+        LltRegularization::default(),
+        &symbolic,
+        SEQUENTIAL,
+        MemStack::new(&mut memory),
+        parameters,
+    );
+    if let Err(LltError::NonPositivePivot { index }) = outcome.map(|_| ()) {
+        let node = index.min(symbolic.nrows().saturating_sub(1)) / 3;
+        return Err(FactorError::NotPositive(Pivot { node, ratio: 0.0 }));
+    }
+    Ok((symbolic, values))
 }
 
 /// Zeros in the rows and columns of pins, off the diagonal.

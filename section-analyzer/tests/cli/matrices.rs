@@ -67,7 +67,7 @@ fn wrong_files_are_all_told() {
     let told = refused(&place, "units = \"SI\"\nnodes = \"nodes.csv\"\n");
     assert!(told.contains("neither [matrices] nor [slice]"), "{told}");
     let both = format!("{BLOCKS}[slice]\nstiffness = \"unit.mtx\"\nthickness = 1\n");
-    assert!(refused(&place, &both).contains("[matrices] and [slice] are given"));
+    assert!(refused(&place, &both).contains("both [matrices] and [slice] are given"));
     let told = refused(&place, &format!("{BLOCKS}k = \"unit.mtx\"\n"));
     assert!(told.contains("\"k\""), "{told}");
 }
@@ -82,5 +82,91 @@ fn broken_identities_are_told() {
         "rows of C belong to u'",
     ] {
         assert!(told.contains(words), "{words}: {told}");
+    }
+}
+
+const SLICE: &str = "\
+units = \"SI\"
+nodes = \"nodes.csv\"
+[slice]
+stiffness = \"k.mtx\"
+thickness = 0.1
+";
+
+/// A matrix of 24 x 24 with a unit diagonal and one more entry.
+fn slice(place: &Workplace, file: &str, symmetry: &str, more: &str) {
+    let diagonal: String = (1..=24).map(|i| format!("{i} {i} 1.0\n")).collect();
+    let head = format!("%%MatrixMarket matrix coordinate real {symmetry}\n24 24");
+    place.write(file, &format!("{head} 25\n{diagonal}{more}\n"));
+}
+
+/// What a slice cannot be: unsymmetric, of a curved beam, with two masses, or with a mass
+/// that is none. Each is told at its line.
+#[test]
+fn wrong_slices_are_told_with_their_lines() {
+    let place = place();
+    slice(&place, "k.mtx", "general", "7 3 0.5");
+    let told = refused(&place, SLICE);
+    for words in [
+        "a.matrices.toml:4: the matrix has 0e0 at row 3, column 7 and 5e-1 at row 7, column 3",
+        "a file with one triangle needs \"symmetric\"",
+    ] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    slice(&place, "k.mtx", "symmetric", "7 3 0.5");
+    let told = refused(
+        &place,
+        &format!("{SLICE}[initial_curvature]\ncurvature = [0.1, 0, 0]\n"),
+    );
+    assert!(
+        told.contains("a slice gives the section of a straight beam"),
+        "{told}"
+    );
+
+    let rows = |first: f64| {
+        let row = |i: usize| {
+            let mut row = [0.0; 6];
+            row[i] = [first, 3.0, 3.0, 5.0, 2.0, 3.0][i];
+            format!("{row:?}")
+        };
+        let rows: Vec<_> = (0..6).map(row).collect();
+        format!("mass = [{}]\n", rows.join(", "))
+    };
+    let told = refused(&place, &format!("{}{SLICE}", rows(-3.0)));
+    assert!(told.contains("a.matrices.toml:1: mass"), "{told}");
+    assert!(told.contains("expected three equal masses"), "{told}");
+    place.write("m.mtx", &place.read("k.mtx"));
+    let both = format!("{}{SLICE}mass = \"m.mtx\"\n", rows(3.0));
+    assert!(refused(&place, &both).contains("\"mass\" is given above too"));
+    slice(&place, "m.mtx", "general", "7 3 0.5");
+    let told = refused(&place, &format!("{SLICE}mass = \"m.mtx\"\n"));
+    assert!(
+        told.contains("a.matrices.toml:6: the matrix has 0e0 at row 3"),
+        "{told}"
+    );
+
+    let told = refused(
+        &place,
+        "units = \"SI\"\nnodes = \"nodes.csv\"\nslice = \"k.mtx\"\n",
+    );
+    assert!(told.contains("slice"), "{told}");
+    assert!(!told.contains("neither"), "{told}");
+}
+
+/// Each command names the other for a file of the other kind.
+#[test]
+fn files_of_the_other_kind() {
+    let place = Workplace::with(&[], &[]);
+    place.write("b.matrices.toml", SLICE);
+    for (command, file, other) in [
+        ("matrices", "a.section.toml", "analyze"),
+        ("analyze", "b.matrices.toml", "matrices"),
+        ("check", "b.matrices.toml", "matrices"),
+    ] {
+        let run = place.run(&[command, file]);
+        assert_eq!(run.code, 2, "{}", run.err);
+        let words = format!("use \"section-analyzer {other}\"");
+        assert!(run.err.contains(&words), "{}", run.err);
+        assert_eq!(run.err.lines().count(), 2, "{}", run.err);
     }
 }

@@ -126,6 +126,48 @@ fn nodes_are_parameters_where_asked_for() {
     assert!((mass / (7850.0 * 1e-3) - 1.0).abs() < 1e-10, "{mass}");
 }
 
+/// A constant of zero has a row of its own; torsion and bending do not depend on where the
+/// origin is; a section without mass has no mass center.
+#[test]
+fn the_table_is_about_the_centers() {
+    let zero = (
+        "poisson = 0.3\ndensity = \"7850 kg/m^3\"",
+        "poisson = 0\ndensity = 0",
+    );
+    let row = |place: &Workplace, name: &str, part: usize| -> Vec<String> {
+        let run = place.run(&["analyze", "a.section.toml", "--sensitivity"]);
+        assert_eq!((run.code, run.err.as_str()), (0, ""));
+        let report = place.read("results/a.report.txt");
+        let lines: Vec<_> = report.lines().filter(|line| line.contains(name)).collect();
+        let words = lines[part].split_whitespace().skip(3);
+        words.map(str::to_owned).collect()
+    };
+    let near = Workplace::with(&[zero], &[]);
+    let poisson = row(&near, "poisson of steel", 0);
+    assert!(
+        poisson[3].parse::<f64>().unwrap().abs() > 1e-3,
+        "{poisson:?}"
+    );
+    assert_eq!(row(&near, "poisson of steel", 1)[4..], ["-", "-"]);
+    assert_eq!(row(&near, "poisson of steel", 0)[6], "-");
+
+    // the same section 1 m away
+    let nodes = [
+        ("1 0 0 0\n2 1 0 0", "1 1000 0 0\n2 1001 0 0"),
+        ("3 2 0 0", "3 1002 0 0"),
+        ("4 0 1 0\n5 1 1 0", "4 1000 1 0\n5 1001 1 0"),
+        ("6 2 1 0", "6 1002 1 0"),
+    ];
+    let far = Workplace::with(&[zero], &nodes);
+    for (near, far) in poisson.iter().zip(row(&far, "poisson of steel", 0)).take(6) {
+        let [near, far] = [near, &far].map(|text| text.parse::<f64>().unwrap());
+        assert!(
+            (near - far).abs() < 2e-3 * near.abs() + 1e-6,
+            "{near} {far}"
+        );
+    }
+}
+
 /// The file belongs to the run that was asked for it.
 #[test]
 fn a_run_without_the_option_removes_the_file() {
@@ -172,4 +214,13 @@ error: a.section.toml: --sensitivity-nodes 77: the mesh \"two.msh\" has no node 
     let run = place.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
     assert_eq!(run.code, 2);
     assert!(run.err.contains("'one'"), "{}", run.err);
+    for wrong in ["-1", "1.5"] {
+        let rest = ["--sensitivity", "--sensitivity-nodes", wrong];
+        let run = place.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
+        assert_eq!(run.code, 2);
+        assert!(run.err.contains("with commas between them"), "{}", run.err);
+    }
+    let rest = ["--sensitivity", "--sensitivity-nodes", "1, 3"];
+    let run = place.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
 }

@@ -6,6 +6,7 @@
 
 mod follow;
 mod laminae;
+mod moved_nodes;
 #[path = "../../../shared-geom/tests/robust/mutation.rs"]
 mod mutation;
 mod robust;

@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use section_analyzer::input;
+use section_analyzer::input::{self, outside};
 
 use crate::mutation::{Random, mutated};
 
@@ -60,4 +60,43 @@ fn changed_section_files_are_read_or_refused() {
     println!("{good} read, {bad} refused");
     // neither all nor none: most changes break a file, some do not
     assert!(good > 10 && bad > good);
+}
+
+/// The files of a section given by its matrices: matrices file, node table, matrix.
+const GIVEN: [&str; 3] = ["a.matrices.toml", "nodes.csv", "k.mtx"];
+
+/// Each of the three files of `support`, changed a thousand times while the others stay.
+#[test]
+fn changed_files_of_matrices_are_read_or_refused() {
+    let support = Path::new(FUZZ).join("support");
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name);
+    let sound = GIVEN.map(|name| std::fs::read(support.join(name)).unwrap());
+    let write = |index: usize, bytes: &[u8]| std::fs::write(place(GIVEN[index]), bytes).unwrap();
+    (0..3).for_each(|index| write(index, &sound[index]));
+    let read = || match outside::read(&place(GIVEN[0])) {
+        Ok(input) => {
+            assert_eq!(input.section.tags.len(), input.section.nodes.len());
+            true
+        }
+        Err(problems) => {
+            assert!(!problems.to_string().is_empty());
+            false
+        }
+    };
+    assert!(read());
+    for (index, text) in sound.iter().enumerate() {
+        let mut random = Random::new(index as u64);
+        let (mut good, mut bad) = (0, 0);
+        for _ in 0..MUTATIONS / 2 {
+            write(index, &mutated(text, &mut random));
+            match read() {
+                true => good += 1,
+                false => bad += 1,
+            }
+        }
+        println!("{}: {good} read, {bad} refused", GIVEN[index]);
+        assert!(good > 10 && bad > 10);
+        write(index, text);
+    }
 }

@@ -336,6 +336,12 @@ impl<'a> Table<'a> {
 
     /// Rows of plain numbers under `key`, each of `columns`; no unit is applied.
     pub fn rows(&self, key: &str, rows: usize, columns: usize) -> Option<Vec<Vec<f64>>> {
+        self.rows_of(key, [rows, columns], Dimension::NUMBER)
+    }
+
+    /// As [`Table::rows`], of quantities in SI.
+    pub fn rows_of(&self, key: &str, size: [usize; 2], unit: Dimension) -> Option<Vec<Vec<f64>>> {
+        let [rows, columns] = size;
         let expected = format!("{rows} rows of {columns} numbers");
         let value = self.ask(key)?;
         let Kind::Array(items) = &value.kind else {
@@ -348,7 +354,7 @@ impl<'a> Table<'a> {
             if numbers.len() != columns {
                 return self.wrong_value(key, item, &format!("a row of {columns} numbers"));
             }
-            let number = |n| self.in_si(key, n, Dimension::NUMBER);
+            let number = |n| self.in_si(key, n, unit);
             numbers.iter().map(number).collect()
         };
         let read: Vec<_> = items.iter().map(row).collect();

@@ -206,6 +206,13 @@ pub(crate) fn matrix_problems(
     found.into_iter().map(|p| p.1).collect()
 }
 
+/// Everything that is wrong with a mass per length, as [`SectionProperties::problems`].
+pub fn mass_problems(matrix: &Matrix6<f64>) -> Vec<PropertyProblem> {
+    let mut found = Vec::new();
+    mass(matrix, &mut found);
+    found.into_iter().map(|p| p.1).collect()
+}
+
 /// Smallest eigenvalue of the symmetric part scaled to a unit diagonal [-]; not a number
 /// for a matrix that holds one.
 pub fn least_eigenvalue(matrix: &Matrix6<f64>) -> f64 {

@@ -1,6 +1,6 @@
 //! Derivatives of the properties of one section: which are asked for, and their file.
 
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, Explain, Place};
 use shared_geom::files::OutputProblem;
 use thiserror::Error;
 
@@ -8,34 +8,23 @@ use super::Run;
 use crate::analysis::Analysis;
 use crate::cli::solved::{Solved, solve};
 use crate::failure::Failure;
-use crate::input::Input;
+use crate::input::{Input, NodeProblem};
 use crate::output::{ResultWriter, sensitivity_json, sensitivity_table};
 use crate::section::Section;
 use crate::sensitivity::{Axis, Derivative, Parameter, SensitivityProblem};
 use crate::solution::SectionSolution;
-use shared_geom::error::Explain;
 
-/// A node that derivatives are asked for, and that is not there.
+/// A node that derivatives are asked for, and that has none.
 #[derive(Debug, Error)]
-enum NodeProblem {
-    #[error("--sensitivity-nodes {node}: the mesh \"{mesh}\" has no node {node}")]
-    Missing {
-        node: u64,
-        mesh: String,
-        nearest: Option<u64>,
-    },
-    #[error("--sensitivity-nodes {node}: no cell of the mesh \"{mesh}\" has node {node}")]
-    Free { node: u64, mesh: String },
+#[error("--sensitivity-nodes {node}: {problem}")]
+struct WrongNode {
+    node: u64,
+    problem: NodeProblem,
 }
 
-impl Explain for NodeProblem {
+impl Explain for WrongNode {
     fn help(&self) -> Option<String> {
-        match self {
-            Self::Missing { nearest, .. } => {
-                nearest.map(|node| format!("the nearest number in the file is {node}"))
-            }
-            Self::Free { .. } => Some("give a node at a corner or a side of a cell".to_owned()),
-        }
+        self.problem.help()
     }
 }
 
@@ -73,38 +62,20 @@ pub(super) fn parameters(input: &Input, run: &Run) -> Result<Option<Vec<Paramete
     };
     let mut parameters = Parameter::of_section(&input.section);
     let mut problems = Diagnostics::new();
-    for &tag in nodes {
-        match index_of(input, tag) {
-            Ok(node) => {
-                parameters.extend([Axis::Y, Axis::Z].map(|axis| Parameter::Node { node, axis }))
+    let mesh = &input.summary.mesh_file;
+    for &node in nodes {
+        let of_axis = |axis| input.source.coordinate(&input.section, mesh, node, axis);
+        match of_axis(Axis::Y).and_then(|y| Ok([y, of_axis(Axis::Z)?])) {
+            Ok(both) => parameters.extend(both.map(Parameter::MeshNode)),
+            Err(problem) => {
+                let place = Place::file(input.summary.file.clone());
+                problems.push(place, &WrongNode { node, problem });
             }
-            Err(problem) => problems.push(Place::file(input.summary.file.clone()), &problem),
         }
     }
     match problems.is_empty() {
         true => Ok(Some(parameters)),
         false => Err(problems.to_string()),
-    }
-}
-
-fn index_of(input: &Input, tag: u64) -> Result<usize, NodeProblem> {
-    let mesh = &input.section.mesh;
-    let name = || input.summary.mesh_file.clone();
-    let Some(node) = mesh.node_tags.iter().position(|&known| known == tag) else {
-        let tags = mesh.node_tags.iter().copied();
-        return Err(NodeProblem::Missing {
-            node: tag,
-            mesh: name(),
-            nearest: tags.min_by_key(|known| known.abs_diff(tag)),
-        });
-    };
-    let mut cells = mesh.cells.iter();
-    match cells.any(|cell| cell.nodes().contains(&(node as u32))) {
-        true => Ok(node),
-        false => Err(NodeProblem::Free {
-            node: tag,
-            mesh: name(),
-        }),
     }
 }
 

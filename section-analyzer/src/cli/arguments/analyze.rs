@@ -46,6 +46,13 @@ fn count(text: &str) -> Result<NonZeroUsize, &'static str> {
         .map_err(|_| "expected a whole number, 1 or more")
 }
 
+/// A number of a node.
+fn node(text: &str) -> Result<u64, &'static str> {
+    text.trim()
+        .parse()
+        .map_err(|_| "expected node numbers of the mesh file with commas between them, as 12,40")
+}
+
 /// What to analyze, and how.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct AnalyzeArguments {
@@ -71,6 +78,8 @@ pub(in crate::cli) struct AnalyzeArguments {
         long,
         value_name = "NODES",
         value_delimiter = ',',
+        allow_hyphen_values = true,
+        value_parser = node,
         requires = "sensitivity"
     )]
     pub sensitivity_nodes: Vec<u64>,

@@ -10,6 +10,7 @@ into the folder DIR go
   NAME.properties.json   stiffness, mass, centers: input of the beam program
   NAME.report.txt        the report
   NAME.warping.csv       the warping of the nodes under each unit internal force
+  NAME.warping.vtu       the same as fields on points, for ParaView
 where FILE is NAME.matrices.toml.";
 
 pub(super) const MATRICES_EXAMPLE: &str = "\

@@ -8,7 +8,7 @@
 //! row column value            one line an entry, counted from one
 //! ```
 //!
-//! An array lists all values column by column; of a symmetric one the lower triangle.
+//! Exponents may be those of Fortran, `1.0D+05`. An array lists all values column by column; of a symmetric one the lower triangle.
 //! The reader of the crate sprs knows no lines, no arrays and no end of a file that
 //! stops after its heading.
 //!
@@ -63,6 +63,7 @@ pub(super) fn parse(text: &str, file: &str) -> Result<CsMat<f64>, Diagnostics> {
         rows,
         columns,
         symmetry,
+        triangle: None,
         matrix: TriMat::new((rows, columns)),
     };
     let mut place = reader.first();
@@ -79,6 +80,10 @@ pub(super) fn parse(text: &str, file: &str) -> Result<CsMat<f64>, Diagnostics> {
             }
         }
         (count, last) = (count + 1, line);
+    }
+    if wrong > SHOWN {
+        let count = wrong - SHOWN;
+        problems.push(Place::line(file, last), &MatrixProblem::More { count });
     }
     let expected = if is_array { reader.values() } else { entries };
     if count != expected {
@@ -128,6 +133,8 @@ struct Reader {
     rows: usize,
     columns: usize,
     symmetry: Symmetry,
+    /// Whether the entries of a symmetric matrix are below the diagonal, once one is known.
+    triangle: Option<bool>,
     matrix: TriMat<f64>,
 }
 
@@ -168,6 +175,13 @@ impl Reader {
                 columns: self.columns,
             });
         }
+        let is_below = row > column;
+        if self.symmetry != Symmetry::General
+            && row != column
+            && *self.triangle.get_or_insert(is_below) != is_below
+        {
+            return Err(MatrixProblem::BothTriangles { row, column });
+        }
         self.add([row - 1, column - 1], value);
         Ok(())
     }
@@ -207,9 +221,12 @@ impl Reader {
     }
 }
 
-/// A finite number.
+/// A finite number; its exponent may have the D of Fortran.
 fn number(word: &str) -> Option<f64> {
-    let value: f64 = word.parse().ok()?;
+    let value: f64 = match word.parse() {
+        Ok(value) => value,
+        Err(_) => word.replace(['d', 'D'], "e").parse().ok()?,
+    };
     value.is_finite().then_some(value)
 }
 
@@ -246,6 +263,50 @@ mod tests {
         let text = "%%MatrixMarket matrix array real skew-symmetric\n3 3\n1\n2\n3\n";
         let skew = [[0.0, -1.0, -2.0], [1.0, 0.0, -3.0], [2.0, 3.0, 0.0]];
         assert_eq!(dense(text), skew);
+    }
+
+    #[test]
+    fn exponents_of_fortran_are_read() {
+        let text = "%%MatrixMarket matrix array real general\n2 1\n1.5D+02\n-2d-1\n";
+        assert_eq!(dense(text), [[150.0], [-0.2]]);
+    }
+
+    fn refused(text: &str) -> String {
+        parse(text, "m.mtx").expect_err(text).to_string()
+    }
+
+    #[test]
+    fn files_that_count_from_zero() {
+        let entries: String = (0..20).map(|i| format!("{i} 0 1.0\n")).collect();
+        let head = "%%MatrixMarket matrix coordinate real general\n20 20 20\n";
+        let told = refused(&format!("{head}{entries}"));
+        assert_eq!(told.matches("an entry at row").count(), SHOWN, "{told}");
+        assert!(told.contains("rows and columns count from one"), "{told}");
+        assert!(
+            told.contains("m.mtx:22: and 10 more lines are wrong"),
+            "{told}"
+        );
+    }
+
+    #[test]
+    fn symmetric_files_list_one_triangle() {
+        let head = "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n";
+        let told = refused(&format!("{head}1 1 1.0\n2 1 2.0\n1 2 2.0\n"));
+        assert!(
+            told.contains("m.mtx:5: an entry at row 1, column 2"),
+            "{told}"
+        );
+        let upper = dense(&format!("{head}1 1 1.0\n1 2 2.0\n2 2 1.0\n"));
+        assert_eq!(upper, [[1.0, 2.0], [2.0, 1.0]]);
+    }
+
+    #[test]
+    fn sizes_have_a_range() {
+        for sizes in ["0 0 0", "99999999999 99999999999 1"] {
+            let head = "%%MatrixMarket matrix coordinate real general\n";
+            let told = refused(&format!("{head}{sizes}\n"));
+            assert!(told.contains("from 1 to 100000000"), "{told}");
+        }
     }
 
     #[test]

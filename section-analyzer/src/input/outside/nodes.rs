@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use shared_geom::error::{Diagnostics, Place};
 
 use super::problem::MatrixProblem;
+use crate::solve::Pins;
 
 /// Nodes in their order, which is that of the unknowns.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -56,6 +57,9 @@ impl NodeTable {
         if found < 3 && problems.is_empty() {
             problems.push(Place::file(file), &MatrixProblem::FewNodes { found });
         }
+        if found >= 3 && problems.is_empty() && Pins::choose(&table.places).is_err() {
+            problems.push(Place::file(file), &MatrixProblem::OneLine);
+        }
         problems.into_result(table)
     }
 }
@@ -95,6 +99,11 @@ mod tests {
         for text in ["", "a,b\n"] {
             let problems = NodeTable::parse(text, "n.csv", 1.0).expect_err(text);
             assert!(problems.to_string().contains("node,y,z"));
+        }
+        for rows in ["1,0,0\n2,1,1\n3,2,2\n", "1,1,1\n2,1,1\n3,1,1\n"] {
+            let problems = NodeTable::parse(&format!("node,y,z\n{rows}"), "n.csv", 1.0);
+            let told = problems.expect_err(rows).to_string();
+            assert!(told.contains("lie on one line"), "{told}");
         }
         let problems = NodeTable::parse("node,y,z\n1,0,0\n", "n.csv", 1.0);
         assert!(problems.expect_err("one").to_string().contains("three"));

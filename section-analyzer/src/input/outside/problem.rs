@@ -14,7 +14,7 @@ pub enum MatrixProblem {
         found: String,
     },
     /// The line of sizes.
-    #[error("the sizes are \"{found}\", expected {} whole numbers: {}", if *.expected == 2 { "two" } else { "three" }, if *.expected == 2 { "rows and columns" } else { "rows, columns and entries" })]
+    #[error("the sizes are \"{found}\", expected {} whole numbers from 1 to 100000000: {}", if *.expected == 2 { "two" } else { "three" }, if *.expected == 2 { "rows and columns" } else { "rows, columns and entries" })]
     Sizes {
         /// The line.
         found: String,
@@ -91,8 +91,54 @@ pub enum MatrixProblem {
         /// Nodes found.
         found: usize,
     },
-    /// Neither or both kinds of input.
-    #[error("{found}, expected one of [matrices] and [slice]")]
+    /// All nodes on one line.
+    #[error("all nodes of the table lie on one line, expected three or more that do not")]
+    OneLine,
+    /// More wrong lines than are told.
+    #[error("and {count} more lines are wrong")]
+    More {
+        /// How many.
+        count: usize,
+    },
+    /// A symmetric file with both triangles.
+    #[error(
+        "an entry at row {row}, column {column} is on the other side of the diagonal than those before: a file that is symmetric in its first line lists one triangle"
+    )]
+    BothTriangles {
+        /// Row, from one.
+        row: usize,
+        /// Column, from one.
+        column: usize,
+    },
+    /// A matrix of a slice that is not symmetric.
+    #[error(
+        "the matrix has {upper:e} at row {row}, column {column} and {lower:e} at row {column}, column {row}, expected a symmetric matrix"
+    )]
+    Asymmetric {
+        /// Row, from one.
+        row: usize,
+        /// Column, from one.
+        column: usize,
+        /// The entry, in SI \[N/m, kg\].
+        upper: f64,
+        /// Its mirror image, in SI \[N/m, kg\].
+        lower: f64,
+    },
+    /// A section file in place of a matrices file, or the other way round.
+    #[error("this is a {found} file, expected a {expected} file")]
+    Kind {
+        /// What its name ends on.
+        found: &'static str,
+        /// What the command reads.
+        expected: &'static str,
+        /// The command that reads it.
+        command: &'static str,
+    },
+    /// A slice of a curved beam.
+    #[error("[initial_curvature] beside [slice]: a slice gives the section of a straight beam")]
+    CurvedSlice,
+    /// Neither or both of what is given in one of two ways.
+    #[error("{found}, expected one of them")]
     Form {
         /// What was found.
         found: &'static str,
@@ -102,9 +148,23 @@ pub enum MatrixProblem {
 impl Explain for MatrixProblem {
     fn help(&self) -> Option<String> {
         let text = match self {
+            Self::Kind { command, .. } => {
+                return Some(format!("use \"section-analyzer {command}\""));
+            }
             Self::Size { .. } => {
                 "three unknowns a node, ux, uy, uz, in the order of the node table; of a slice those of the face at x = 0 first, then those of the other"
             }
+            Self::Index { row, column, .. } if *row == 0 || *column == 0 => {
+                "rows and columns count from one"
+            }
+            Self::BothTriangles { .. } => {
+                "write \"general\" in the first line, or leave the entries of one side away"
+            }
+            Self::Asymmetric { lower, upper, .. } if *lower == 0.0 || *upper == 0.0 => {
+                "a file with one triangle needs \"symmetric\" in its first line"
+            }
+            Self::CurvedSlice => "give the blocks of the curved beam as [matrices]",
+            Self::Form { found } if found.contains("mass") => return None,
             Self::Form { .. } => {
                 "[matrices] names the blocks m, c, e; [slice] the stiffness matrix of a slice of the beam"
             }

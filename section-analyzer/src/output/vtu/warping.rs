@@ -1,11 +1,11 @@
 //! The warping of a section as a field file.
 
 use nalgebra::{DMatrix, DMatrixView};
-use shared_geom::vtk::FieldFile;
+use shared_geom::vtk::{Cell, FieldFile};
 use shared_geom::wrench::COMPONENTS;
 
 use super::grid::section_grid;
-use crate::section::Section;
+use crate::section::{OutsideSection, Section};
 use crate::solution::SectionSolution;
 
 /// The warping under each unit internal force and each unit generalized strain, as
@@ -19,15 +19,26 @@ pub fn warping_vtu(section: &Section, solution: &SectionSolution) -> FieldFile {
     let mut file = section_grid(section, mesh.nodes.iter().copied(), |cell| {
         mesh.cells[cell].nodes().to_vec()
     });
-    file.point_numbers(
-        "tag",
-        mesh.node_tags.iter().map(|tag| *tag as i64).collect(),
-    );
+    add_warping(&mut file, &mesh.node_tags, solution);
+    file
+}
+
+/// As [`warping_vtu`], at the nodes of a section without cells: points.
+pub fn outside_warping_vtu(section: &OutsideSection, solution: &SectionSolution) -> FieldFile {
+    let mut file = FieldFile::new(section.nodes.iter().map(|&[y, z]| [0.0, y, z]));
+    for node in 0..section.nodes.len() as u64 {
+        file.add_cell(Cell::Vertex, [node]);
+    }
+    add_warping(&mut file, &section.tags, solution);
+    file
+}
+
+fn add_warping(file: &mut FieldFile, tags: &[u64], solution: &SectionSolution) {
+    file.point_numbers("tag", tags.iter().map(|tag| *tag as i64).collect());
     let per_strain: DMatrix<f64> =
         &solution.warping * DMatrix::from_column_slice(6, 6, solution.stiffness.as_slice());
-    add_columns(&mut file, "warping", solution.warping.as_view());
-    add_columns(&mut file, "warping_per_strain", per_strain.as_view());
-    file
+    add_columns(file, "warping", solution.warping.as_view());
+    add_columns(file, "warping_per_strain", per_strain.as_view());
 }
 
 /// Adds the columns of `warping` (3n x 6), each as an array of vectors.
