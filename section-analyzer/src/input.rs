@@ -14,17 +14,16 @@ use std::path::Path;
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::{Diagnostics, Place};
 use shared_geom::files::name_without;
-use shared_geom::gmsh;
-use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::mesh::CellKind;
 use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
 use crate::material::{Material, MaterialLimits};
 use crate::mesh::quality::MeshQuality;
-use crate::mesh::{DoubledNodes, Laminated, MeshReport, SectionMesh};
+use crate::mesh::{DoubledNodes, Laminated, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
 use crate::recovery::LoadCase;
-use crate::section::{DistributedLoad, ImposedStrain, Section};
+use crate::section::{CellMaterial, DistributedLoad, ImposedStrain, Section};
 
 mod assign;
 mod cell_table;
@@ -38,6 +37,7 @@ mod imposed;
 mod laminae;
 mod loads;
 mod materials;
+mod meshed;
 pub mod outside;
 mod problem;
 mod regions;
@@ -59,9 +59,10 @@ use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
 use distributed::{Places, WrittenDistribution};
 use files::Files;
-use imposed::{Rows, WrittenStates};
-use laminae::{Added, WrittenLamina};
+use imposed::WrittenStates;
+use laminae::WrittenLamina;
 use materials::WrittenMaterial;
+use meshed::Meshed;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
 /// A section ready for analysis, and what it was made from.
@@ -199,19 +200,7 @@ impl WrittenSection {
         let mut odd = Vec::new();
         let beam = self.curvature.as_ref().zip(section_mesh);
         let beam = beam.and_then(|(line, mesh)| curvature::checked(line, mesh, document, &mut odd));
-        let centroids = section_mesh.map_or_else(Vec::new, centroids);
-        let assignment = Assignment {
-            document,
-            mesh: &meshed.mesh,
-            section_mesh,
-            centroids: &centroids,
-            regions: &self.regions,
-            region_of_cell: &meshed.region_of_cell,
-        };
-        let (cells, follows) = (
-            assignment.cells(files, of_region.as_deref()),
-            assignment.follows(),
-        );
+        let (cells, follows) = self.assigned(document, files, &meshed, of_region.as_deref());
         let loads = self.loads(document, &meshed);
         let rises = states.rises(document, files, &meshed.rows());
         let (materials, of_region, (loads, distributed)) = (self.laws()?, of_region?, loads?);
@@ -256,6 +245,29 @@ impl WrittenSection {
         })
     }
 
+    /// What the cells of the mesh file are made of, and the curves that their plane angles
+    /// follow.
+    fn assigned(
+        &self,
+        document: &Document,
+        files: &mut Files<'_>,
+        meshed: &Meshed,
+        of_region: Option<&[usize]>,
+    ) -> (Option<Vec<CellMaterial>>, Vec<Option<String>>) {
+        let section_mesh = meshed.checked.as_ref().map(|(mesh, _)| mesh);
+        let centroids = section_mesh.map_or_else(Vec::new, centroids);
+        let assignment = Assignment {
+            document,
+            mesh: &meshed.mesh,
+            section_mesh,
+            centroids: &centroids,
+            regions: &self.regions,
+            region_of_cell: &meshed.region_of_cell,
+        };
+        let cells = assignment.cells(files, of_region);
+        (cells, assignment.follows())
+    }
+
     /// The region of each cell, those of the laminates behind the others.
     fn region_of_cell(
         &self,
@@ -268,54 +280,6 @@ impl WrittenSection {
         Some(regions)
     }
 
-    /// Reads the mesh, gives its cells their regions, adds the laminates and checks it.
-    fn meshed(&self, document: &Document, files: &mut Files<'_>) -> Option<Meshed> {
-        let mesh_key = self.mesh.as_ref()?;
-        let mut mesh = read_mesh(document, files, mesh_key)?;
-        let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
-        let unit = document.factor(Dimension::LENGTH);
-        let bare = (!self.laminae.is_empty()).then(|| mesh.clone());
-        let added = laminae::add(document, &mut mesh, &self.laminae, unit);
-        let place = Place::file(files.path(mesh_key).display().to_string());
-        let how = (unit, self.doubled_nodes, &place);
-        let checked = added.checked(document, &mesh, &self.laminae, how);
-        let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
-        if let Some(Err(problem)) = section_mesh.map(extent::check) {
-            document.note(mesh_key.line, &problem);
-        }
-        Some(Meshed {
-            bare,
-            mesh,
-            region_of_cell,
-            added,
-            checked,
-        })
-    }
-}
-
-/// The mesh of a section with its laminates.
-struct Meshed {
-    /// The mesh without its laminates, if there are any.
-    bare: Option<Mesh>,
-    mesh: Mesh,
-    /// Region of each cell that is not part of a laminate, where it has one.
-    region_of_cell: Vec<Option<usize>>,
-    /// The laminates, whose cells are behind the others.
-    added: Added,
-    /// The mesh in meters, when it is sound.
-    checked: Option<(SectionMesh, MeshReport)>,
-}
-
-impl Meshed {
-    /// What rows of tables may name.
-    fn rows(&self) -> Option<Rows> {
-        let tags = self.mesh.cells.iter().map(|cell| cell.tag).collect();
-        let lines = laminae::lines_of_cells(self.added.laminated()?);
-        Some(Rows { tags, lines })
-    }
-}
-
-impl WrittenSection {
     /// Notes prestress that is asked for where it is not known.
     fn note_prestress(&self, document: &Document, section: &Section) {
         if self.prestress.is_some() && !section.initial_curvature.is_straight() {
@@ -469,13 +433,6 @@ fn end_effects(root: &Table<'_>) -> Option<usize> {
         root.wrong("end_effects", &expected);
     }
     Some(count)
-}
-
-/// The mesh that `key` names.
-fn read_mesh(document: &Document, files: &mut Files<'_>, key: &Written) -> Option<Mesh> {
-    let path = files.path(key);
-    let bytes = files.read("mesh", &path, key)?;
-    document.keep(gmsh::read(bytes, &path.display().to_string()))
 }
 
 fn text_of(written: &Option<Written>) -> String {

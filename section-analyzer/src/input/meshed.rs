@@ -1,0 +1,69 @@
+//! The mesh of a section with its regions and laminates.
+
+use shared_geom::document::Document;
+use shared_geom::error::Place;
+use shared_geom::gmsh;
+use shared_geom::mesh::Mesh;
+use shared_geom::units::Dimension;
+
+use super::files::Files;
+use super::imposed::Rows;
+use super::laminae::{self, Added};
+use super::regions::Written;
+use super::{WrittenSection, extent, groups};
+use crate::mesh::{MeshReport, SectionMesh};
+
+/// The mesh of a section with its laminates.
+pub(super) struct Meshed {
+    /// The mesh without its laminates, if there are any.
+    pub bare: Option<Mesh>,
+    pub mesh: Mesh,
+    /// Region of each cell that is not part of a laminate, where it has one.
+    pub region_of_cell: Vec<Option<usize>>,
+    /// The laminates, whose cells are behind the others.
+    pub added: Added,
+    /// The mesh in meters, when it is sound.
+    pub checked: Option<(SectionMesh, MeshReport)>,
+}
+
+impl Meshed {
+    /// What rows of tables may name.
+    pub fn rows(&self) -> Option<Rows> {
+        let tags = self.mesh.cells.iter().map(|cell| cell.tag).collect();
+        let lines = laminae::lines_of_cells(self.added.laminated()?);
+        Some(Rows { tags, lines })
+    }
+}
+
+impl WrittenSection {
+    /// Reads the mesh, gives its cells their regions, adds the laminates and checks it.
+    pub fn meshed(&self, document: &Document, files: &mut Files<'_>) -> Option<Meshed> {
+        let mesh_key = self.mesh.as_ref()?;
+        let mut mesh = read_mesh(document, files, mesh_key)?;
+        let region_of_cell = groups::region_of_cells(document, &mut mesh, mesh_key, &self.regions);
+        let unit = document.factor(Dimension::LENGTH);
+        let bare = (!self.laminae.is_empty()).then(|| mesh.clone());
+        let added = laminae::add(document, &mut mesh, &self.laminae, unit);
+        let place = Place::file(files.path(mesh_key).display().to_string());
+        let how = (unit, self.doubled_nodes, &place);
+        let checked = added.checked(document, &mesh, &self.laminae, how);
+        let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
+        if let Some(Err(problem)) = section_mesh.map(extent::check) {
+            document.note(mesh_key.line, &problem);
+        }
+        Some(Meshed {
+            bare,
+            mesh,
+            region_of_cell,
+            added,
+            checked,
+        })
+    }
+}
+
+/// The mesh that `key` names.
+fn read_mesh(document: &Document, files: &mut Files<'_>, key: &Written) -> Option<Mesh> {
+    let path = files.path(key);
+    let bytes = files.read("mesh", &path, key)?;
+    document.keep(gmsh::read(bytes, &path.display().to_string()))
+}
