@@ -239,7 +239,7 @@ impl WrittenSection {
             source: Source::new(
                 document,
                 meshed.bare.unwrap_or(meshed.mesh),
-                made.found,
+                (made.found, laminae::names_of(laminae)),
                 follows,
             ),
         })
@@ -263,6 +263,7 @@ impl WrittenSection {
             centroids: &centroids,
             regions: &self.regions,
             region_of_cell: &meshed.region_of_cell,
+            faces: &meshed.added.faces,
         };
         let cells = assignment.cells(files, of_region);
         (cells, assignment.follows())

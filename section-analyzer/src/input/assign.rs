@@ -9,6 +9,7 @@ use shared_geom::mesh::Mesh;
 use super::files::Files;
 use super::follow::{Parabola, direction};
 use super::groups;
+use super::laminae::Faces;
 use super::materials::WrittenMaterial;
 use super::problem::InputProblem;
 use super::regions::{WrittenAngle, WrittenRegion};
@@ -29,6 +30,8 @@ pub(super) struct Assignment<'a> {
     pub regions: &'a [WrittenRegion],
     /// Region of each cell of the mesh, where it has one.
     pub region_of_cell: &'a [Option<usize>],
+    /// The faces of laminates.
+    pub faces: &'a Faces,
 }
 
 /// An angle of a region, ready to be asked for each cell.
@@ -108,6 +111,7 @@ impl Assignment<'_> {
                 tables.expect(&path, &group.text, &tags);
                 Some(Angle::Table(path))
             }
+            WrittenAngle::Follow { curve, .. } if self.faces.is_open(&curve.text) => None,
             WrittenAngle::Follow { curve, reverse } => {
                 let group = groups::curve(self.document, self.mesh, curve)?;
                 let label = self.mesh.groups[group].label();

@@ -99,14 +99,14 @@ impl CellTable {
     }
 
     /// Compares the rows with the cells that take their value from the table;
-    /// `None` when each has exactly one.
-    pub fn misfit(&self, cells: &BTreeSet<u64>) -> Option<Misfit> {
+    /// `None` when each has exactly one. Rows of `others` may stand there too.
+    pub fn misfit(&self, cells: &BTreeSet<u64>, others: &[u64]) -> Option<Misfit> {
         let has = |cell: &&u64| self.values.contains_key(*cell);
         let missing: Vec<_> = cells.iter().filter(|cell| !has(cell)).copied().collect();
         let unknown: Vec<_> = self
             .values
             .keys()
-            .filter(|cell| !cells.contains(cell))
+            .filter(|cell| !cells.contains(cell) && !others.contains(cell))
             .copied()
             .collect();
         let fits = missing.is_empty() && unknown.is_empty();
@@ -248,7 +248,10 @@ mod tests {
             missing: vec![2, 3],
             unknown: vec![9],
         };
-        assert_eq!(table.misfit(&BTreeSet::from([1, 2, 3])), Some(expected));
-        assert_eq!(table.misfit(&BTreeSet::from([1, 9])), None);
+        assert_eq!(
+            table.misfit(&BTreeSet::from([1, 2, 3]), &[]),
+            Some(expected)
+        );
+        assert_eq!(table.misfit(&BTreeSet::from([1]), &[7, 9]), None);
     }
 }

@@ -384,7 +384,7 @@ fn rises(
     let rows = rows?;
     let keys = rows.keys(&table);
     let expected: BTreeSet<_> = keys.iter().copied().collect();
-    if let Some(misfit) = table.misfit(&expected) {
+    if let Some(misfit) = table.misfit(&expected, &rows.lines) {
         let problem = InputProblem::TableCells {
             column: RISE.heading,
             table: written.text.clone(),

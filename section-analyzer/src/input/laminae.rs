@@ -190,7 +190,7 @@ pub(super) fn add(
     });
     match made {
         Some((laminated, found)) if names.are_told_apart(document) => {
-            let faces = Faces::add(mesh, laminae, &found, &laminated);
+            let faces = Faces::add(mesh, &names_of(laminae), &found, &laminated);
             let cells = Some(Made { found, laminated });
             Added { cells, faces }
         }
@@ -199,6 +199,12 @@ pub(super) fn add(
             faces: Faces::unknown(laminae),
         },
     }
+}
+
+/// What laminates are called.
+pub(super) fn names_of(laminae: &[WrittenLamina]) -> Vec<Option<String>> {
+    let names = laminae.iter().map(WrittenLamina::called);
+    names.map(|name| name.map(str::to_owned)).collect()
 }
 
 /// What laminates were made of and what they became.

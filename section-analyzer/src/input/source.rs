@@ -10,6 +10,7 @@ use shared_geom::units::Dimension;
 use thiserror::Error;
 
 use super::follow::{Parabola, direction};
+use super::laminae::Faces;
 use crate::mesh::{CurveLine, Lamina, SectionMesh, add_laminae};
 use crate::properties::AreaMoments;
 use crate::section::Section;
@@ -34,6 +35,8 @@ pub struct Source {
     meters_per_unit: f64,
     /// The laminates along its lines.
     laminae: Vec<Lamina>,
+    /// What they are called.
+    names: Vec<Option<String>>,
     /// For each of its cells the curve that the plane angle follows: label of a physical
     /// curve.
     follows: Vec<Option<String>>,
@@ -123,13 +126,14 @@ impl Source {
     pub(super) fn new(
         document: &Document,
         mesh: Mesh,
-        laminae: Vec<Lamina>,
+        (laminae, names): (Vec<Lamina>, Vec<Option<String>>),
         follows: Vec<Option<String>>,
     ) -> Self {
         Self {
             mesh,
             meters_per_unit: document.factor(Dimension::LENGTH),
             laminae,
+            names,
             follows,
         }
     }
@@ -301,6 +305,7 @@ impl Source {
         position.x += by[0];
         position.y += by[1];
         let laminated = add_laminae(&mut mesh, &self.laminae).ok()?;
+        Faces::add(&mut mesh, &self.names, &self.laminae, &laminated);
         let mesh = section.mesh.with_places_of(&mesh, self.meters_per_unit)?;
         let mut angles = Vec::with_capacity(turning.len() + laminated.cells.len());
         let mut known: Option<(&str, Vec<Parabola>)> = None;

@@ -78,7 +78,7 @@ impl Tables {
             let Some(table) = &table_use.table else {
                 continue;
             };
-            if let Some(misfit) = table.misfit(&table_use.cells) {
+            if let Some(misfit) = table.misfit(&table_use.cells, &[]) {
                 let problem = InputProblem::TableCells {
                     column: ANGLE.heading,
                     table: table_use.written.text.clone(),

@@ -402,6 +402,17 @@ fn wrong_laminae_hide_no_other_error() {
         let errors = told.lines().filter(|line| line.starts_with("error"));
         assert_eq!(errors.count(), 3, "{told}");
     }
+    // the face of a lamina that cannot be made may be followed
+    let follows = SOUND
+        .replacen("thickness = 2", "thickness = 0", 1)
+        .replacen(
+            "material = \"foam\"",
+            "material = \"foam\"\nplane_angle = { follow = \"lower/outer\" }",
+            1,
+        );
+    let told = read(folder.path(), &core(), &follows).unwrap_err();
+    let errors = told.lines().filter(|line| line.starts_with("error"));
+    assert_eq!(errors.count(), 1, "{told}");
 }
 
 /// The rows of a table of rises: the tags of the cells of the mesh, and for plies that of
@@ -442,6 +453,14 @@ fn a_line_stands_for_its_plies_in_tables_of_rises() {
         plies += 1;
     }
     assert_eq!(plies, 30);
+    // the row of a ply cell goes before that of its line, which may stand there too
+    let cells = input.section.mesh.cells.iter().skip(mesh.cells.len());
+    let own: String = cells.map(|cell| format!("{},7\n", cell.tag)).collect();
+    std::fs::write(folder.path().join("rises.csv"), format!("{rows}{own}")).unwrap();
+    let input = read(folder.path(), &mesh, &text).unwrap();
+    for strain in &input.imposed[0].cells[mesh.cells.len()..] {
+        assert!((strain.at_origin[0] / 7e-5 - 1.0).abs() < 1e-12);
+    }
     // one line is left out, one is none of the walls
     let rows = format!("{without_lines}1,5\n");
     std::fs::write(folder.path().join("rises.csv"), rows).unwrap();

@@ -170,6 +170,9 @@ fn of_tube(mesh: &Mesh) -> Vec<u64> {
 fn nodes_of_a_tube_with_plies_that_follow_it() {
     let mesh = tube(CellKind::Quadrilateral4);
     moves(&mesh, TUBE, &of_tube(&mesh), 30.0);
+    // the face of the plies, which the mesh does not have
+    let text = TUBE.replacen("follow = \"outer\"", "follow = \"outer/outer\"", 1);
+    moves(&mesh, &text, &of_tube(&mesh)[..1], 30.0);
 }
 
 #[test]

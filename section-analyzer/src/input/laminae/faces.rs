@@ -45,15 +45,15 @@ impl Faces {
         }
     }
 
-    /// Adds those of `laminated` to the mesh.
+    /// Adds those of `laminated` to the mesh; `names` are those of the laminates.
     pub fn add(
         mesh: &mut Mesh,
-        laminae: &[WrittenLamina],
+        names: &[Option<String>],
         found: &[Lamina],
         laminated: &Laminated,
     ) -> Self {
         let mut faces = Self::default();
-        for (index, (lamina, found)) in laminae.iter().zip(found).enumerate() {
+        for (index, (called, found)) in names.iter().zip(found).enumerate() {
             let of_lamina = laminated.faces.iter().filter(|face| face.lamina == index);
             let of_lamina: Vec<_> = of_lamina.collect();
             let has = |side| of_lamina.iter().any(|face| face.side == side);
@@ -62,7 +62,7 @@ impl Faces {
             for side in [LaminaSide::Left, LaminaSide::Right] {
                 let own = of_lamina.iter().filter(|face| face.side == side);
                 let word = if is_centered { side.name() } else { "outer" };
-                let name = lamina.called().map(|name| format!("{name}/{word}"));
+                let name = called.as_ref().map(|name| format!("{name}/{word}"));
                 if let Some(name) = name
                     && add_curve(mesh, &name, own.copied())
                 {
