@@ -34,6 +34,7 @@ fn section() -> Option<Section> {
         },
         density: 7850.0,
         expansion: None,
+        electric: None,
     };
     let cell = CellMaterial {
         material: 0,
@@ -46,6 +47,7 @@ fn section() -> Option<Section> {
         mesh,
         materials: vec![steel],
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     })
 }
 

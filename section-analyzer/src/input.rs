@@ -217,6 +217,7 @@ impl WrittenSection {
             materials,
             cells,
             initial_curvature: beam?,
+            electrodes: Vec::new(),
         };
         self.note_prestress(document, &section);
         let of_regions = (strains?, &region_of_cell[..]);

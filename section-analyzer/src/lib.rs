@@ -44,6 +44,7 @@
 //!     law: ElasticLaw::Isotropic { young: 210e9, poisson: 0.3 },
 //!     density: 7850.0,
 //!     expansion: None,
+//!     electric: None,
 //! };
 //! let cell = CellMaterial { material: 0, fiber_angle: 0.0, plane_angle: 0.0 };
 //! let section = Section {
@@ -52,6 +53,7 @@
 //!     mesh,
 //!     materials: vec![steel],
 //!     initial_curvature: InitialCurvature::STRAIGHT,
+//!     electrodes: Vec::new(),
 //! };
 //!
 //! let solution = analyze(&section).expect("a sound section");

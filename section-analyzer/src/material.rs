@@ -1,15 +1,17 @@
-//! Materials: elastic laws, what makes them admissible, their stiffness in section
+//! Materials: elastic and electric laws, what makes them admissible, their stiffness in section
 //! axes and its derivatives, and their strengths.
 
 mod admissibility;
 mod derivative;
 mod elastic;
+mod electric;
 mod orientation;
 mod strength;
 
 pub use admissibility::MaterialProblem;
 pub use derivative::{Constant, fiber_angle_rate, plane_angle_rate};
 pub use elastic::{ElasticLaw, EngineeringConstants, Material};
+pub use electric::{ElectricLaw, VACUUM_PERMITTIVITY};
 pub(crate) use orientation::MATERIAL_ORDER;
 pub use orientation::{material_axes, section_stiffness, section_strain};
 pub use strength::{

@@ -39,7 +39,7 @@
 //! # .expect("sound measures");
 //! # let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("bar")).expect("sound mesh");
 //! # let law = ElasticLaw::Isotropic { young: 210e9, poisson: 0.3 };
-//! # let steel = Material { name: "steel".into(), law, density: 7850.0, expansion: None };
+//! # let steel = Material { name: "steel".into(), law, density: 7850.0, expansion: None, electric: None };
 //! # let cell = CellMaterial { material: 0, fiber_angle: 0.0, plane_angle: 0.0 };
 //! # let section = Section {
 //! #     name: "bar".into(),
@@ -47,6 +47,7 @@
 //! #     mesh,
 //! #     materials: vec![steel],
 //! #     initial_curvature: InitialCurvature::STRAIGHT,
+//! #     electrodes: Vec::new(),
 //! # };
 //! // a bar, 200 mm wide and 100 mm high, bent about y by 1 kN m
 //! let solution = analyze(&section).expect("a sound section");

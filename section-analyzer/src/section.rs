@@ -3,8 +3,10 @@
 
 use shared_geom::section::InitialCurvature;
 
+mod electrode;
 mod imposed;
 
+pub use electrode::{Circuit, Electrode, ElectrodeShape, FingeredCell};
 pub use imposed::{FreeStrain, ImposedStrain, TemperatureField};
 
 use crate::material::Material;
@@ -23,6 +25,8 @@ pub struct Section {
     pub cells: Vec<CellMaterial>,
     /// Curvature and twist of the undeformed beam, and the slope of its reference line.
     pub initial_curvature: InitialCurvature,
+    /// Electrodes, of different names; without any, electric laws are not felt.
+    pub electrodes: Vec<Electrode>,
 }
 
 /// Material and orientation of one cell, constant over it.

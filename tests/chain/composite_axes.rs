@@ -74,8 +74,10 @@ fn strip() -> SectionProperties {
             law: ElasticLaw::Orthotropic(ply),
             density: 1.0,
             expansion: None,
+            electric: None,
         }],
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     };
     let solution = analyze(&section).unwrap();
     let none = ImposedSolutions::default();

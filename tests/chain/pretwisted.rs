@@ -63,6 +63,7 @@ fn solved(rate: f64) -> SectionProperties {
         },
         density: 2700.0,
         expansion: None,
+        electric: None,
     };
     let mut initial = InitialCurvature::STRAIGHT;
     initial.curvature.x = rate;
@@ -72,6 +73,7 @@ fn solved(rate: f64) -> SectionProperties {
         mesh,
         materials: vec![aluminum],
         initial_curvature: initial,
+        electrodes: Vec::new(),
     };
     let solution = analyze(&section).unwrap_or_else(|failure| panic!("{failure}"));
     properties(&section, &solution, &ImposedSolutions::default(), "")

@@ -124,6 +124,7 @@ fn solved([k2, k3]: [f64; 2]) -> SectionProperties {
         },
         density: 7850.0,
         expansion: None,
+        electric: None,
     };
     let section = Section {
         name: "bar".into(),
@@ -134,6 +135,7 @@ fn solved([k2, k3]: [f64; 2]) -> SectionProperties {
             curvature: Vector3::new(0.0, k2, k3),
             ..InitialCurvature::STRAIGHT
         },
+        electrodes: Vec::new(),
     };
     let solution = analyze(&section).unwrap_or_else(|failure| panic!("{failure}"));
     properties(&section, &solution, &ImposedSolutions::default(), "")

@@ -83,6 +83,7 @@ fn section(case: &Value, mesh: &Mesh, tag: impl Fn(usize) -> usize) -> Section {
         materials: materials.iter().map(material).collect(),
         mesh,
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     }
 }
 

@@ -59,6 +59,7 @@ fn bar() -> Section {
         materials: vec![orthotropic(PLY), isotropic(1.4, 0.3)],
         mesh,
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     }
 }
 
@@ -207,6 +208,7 @@ fn order_does_not_matter() {
             .collect(),
         materials: section.materials.clone(),
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     };
     let (plain, found) = (solved(&section), solved(&shuffled));
     let error = scaled_error(&found.stiffness, &plain.stiffness);

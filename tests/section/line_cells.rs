@@ -209,6 +209,7 @@ pub fn solid_box(thickness: f64, plies: &[Ply], material: &Material) -> Section 
         materials: vec![material.clone()],
         mesh,
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     }
 }
 

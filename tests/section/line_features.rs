@@ -101,6 +101,7 @@ fn boxes() -> [Section; 2] {
     };
     [lines, solid].map(|section| Section {
         initial_curvature: line,
+        electrodes: Vec::new(),
         ..section
     })
 }

@@ -133,6 +133,7 @@ pub fn laminated(
         materials: materials.to_vec(),
         cells,
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     };
     (section, found.cells)
 }

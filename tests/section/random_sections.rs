@@ -147,6 +147,7 @@ impl Recipe {
             materials: self.materials.clone(),
             mesh,
             initial_curvature: InitialCurvature::STRAIGHT,
+            electrodes: Vec::new(),
         }
     }
 }
@@ -218,6 +219,7 @@ fn materials() -> impl Strategy<Value = Vec<Material>> {
         law,
         density,
         expansion: None,
+        electric: None,
     });
     vec(material, 1..4)
 }

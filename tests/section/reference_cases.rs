@@ -88,6 +88,7 @@ pub fn material(value: &Value) -> Material {
         law,
         density: constant("rho"),
         expansion: None,
+        electric: None,
     }
 }
 
@@ -132,6 +133,7 @@ pub fn section(name: &str, case: &Value, mesh: &Mesh) -> Section {
         materials: materials.iter().map(material).collect(),
         mesh: section_mesh,
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     }
 }
 

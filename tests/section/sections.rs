@@ -19,6 +19,7 @@ pub fn material(law: ElasticLaw) -> Material {
         law,
         density: 1.0,
         expansion: None,
+        electric: None,
     }
 }
 
@@ -54,6 +55,7 @@ pub fn uniform(mesh: &Mesh, material: Material, fiber_angle: f64) -> Section {
         mesh,
         materials: vec![material],
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     }
 }
 

@@ -60,6 +60,7 @@ fn read_one(name: &str, table: &Table<'_>, law: Option<ElasticLaw>) -> Option<Ma
         law: law?,
         density: density?,
         expansion: expansion?,
+        electric: None,
     };
     for problem in material.check() {
         let key = key_of(&problem, &material.law);

@@ -151,6 +151,7 @@ impl ElasticLaw {
             Self::Isotropic { young, poisson } => check_isotropic(*young, *poisson),
             Self::Orthotropic(constants) => check_orthotropic(constants),
             Self::Full(stiffness) => check_full(stiffness),
+            Self::Absent => Vec::new(),
         }
     }
 }
@@ -375,6 +376,7 @@ mod tests {
             law: ElasticLaw::Orthotropic(GLASS),
             density: 0.0,
             expansion: None,
+            electric: None,
         };
         assert_eq!(material.check(), vec![]);
         material.density = -1.0;

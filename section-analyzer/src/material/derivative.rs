@@ -76,6 +76,7 @@ impl Material {
             ElasticLaw::Full(_) => (0..6)
                 .flat_map(|i| (i..6).map(move |j| Constant::Stiffness(i, j)))
                 .collect(),
+            ElasticLaw::Absent => Vec::new(),
         };
         constants.push(Constant::Density);
         constants
@@ -211,6 +212,7 @@ mod tests {
             law,
             density: 1.0,
             expansion: None,
+            electric: None,
         };
         for constant in material.constants() {
             let value = material.value(constant).expect("its own constant");
@@ -306,6 +308,7 @@ mod tests {
             law,
             density: 2.0,
             expansion: None,
+            electric: None,
         };
         assert_eq!(material.value(Constant::Poisson), None);
         assert_eq!(material.value(Constant::Density), Some(2.0));

@@ -7,6 +7,7 @@
 //! - Jones, *Mechanics of Composite Materials*, 2nd ed. 1999, chapter 2: the
 //!   orthotropic stiffness in terms of the engineering constants.
 
+use super::electric::ElectricLaw;
 use nalgebra::Matrix6;
 
 /// A material: its name, elastic law, density and expansion.
@@ -21,6 +22,9 @@ pub struct Material {
     /// Coefficients of thermal expansion along the material axes 1, 2, 3; `None` for a
     /// material that does not expand \[1/K\].
     pub expansion: Option<[f64; 3]>,
+    /// What electric fields do; `None` for a material that is not part of the electric
+    /// problem.
+    pub electric: Option<ElectricLaw>,
 }
 
 /// A linear elastic law.
@@ -42,6 +46,8 @@ pub enum ElasticLaw {
     /// Stiffness in material axes, order 11 22 33 23 13 12 with engineering
     /// shear strains \[Pa\].
     Full(Matrix6<f64>),
+    /// No stiffness: a material that is felt by its electric field and weight only.
+    Absent,
 }
 
 /// Engineering constants of an orthotropic material.
@@ -131,6 +137,7 @@ impl ElasticLaw {
             Self::Isotropic { young, poisson } => isotropic_stiffness(*young, *poisson),
             Self::Orthotropic(constants) => constants.stiffness(),
             Self::Full(stiffness) => *stiffness,
+            Self::Absent => Matrix6::zeros(),
         }
     }
 }

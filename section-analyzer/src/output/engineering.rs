@@ -167,8 +167,10 @@ mod tests {
                 law,
                 density: 7850.0,
                 expansion: None,
+                electric: None,
             }],
             initial_curvature: InitialCurvature::STRAIGHT,
+            electrodes: Vec::new(),
         }
     }
 }

@@ -174,6 +174,7 @@ mod tests {
             mesh,
             materials: Vec::new(),
             initial_curvature: InitialCurvature::STRAIGHT,
+            electrodes: Vec::new(),
         }
     }
 

@@ -190,6 +190,7 @@ fn law(law: &ElasticLaw) -> (&'static str, String) {
                 format!("C11 to C66 {}", in_gpa(&diagonal)),
             )
         }
+        ElasticLaw::Absent => ("no stiffness", String::new()),
     }
 }
 

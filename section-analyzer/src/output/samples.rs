@@ -44,9 +44,11 @@ pub(super) fn section(mesh: &Mesh, name: &str, halves: bool) -> Section {
             },
             density: 2700.0,
             expansion: None,
+            electric: None,
         }],
         mesh,
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     }
 }
 

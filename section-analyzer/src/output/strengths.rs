@@ -87,6 +87,7 @@ mod tests {
             },
             density: 1.0,
             expansion: None,
+            electric: None,
         };
         let ply = DirectionalLimits {
             tension: [1500e6, 50e6, 40e6],

@@ -25,6 +25,7 @@ fn section(mesh: &Mesh, is_second: impl Fn([f64; 2]) -> bool) -> Section {
         },
         density,
         expansion: None,
+        electric: None,
     };
     mesh.groups = vec!["first".into(), "second".into()];
     let middles: Vec<_> = mesh.cells.iter().map(|cell| mesh.middle(cell)).collect();
@@ -42,6 +43,7 @@ fn section(mesh: &Mesh, is_second: impl Fn([f64; 2]) -> bool) -> Section {
         materials: vec![material(2.0), material(5.0)],
         mesh,
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     }
 }
 

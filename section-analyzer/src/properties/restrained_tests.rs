@@ -27,6 +27,7 @@ fn an_anisotropic_material_is_named_and_an_unused_one_is_not() {
         law: ElasticLaw::Orthotropic(PLY),
         density: 1.0,
         expansion: None,
+        electric: None,
     });
     assert!(restrained(&section).is_ok());
     section.cells[3].material = 1;
@@ -80,6 +81,7 @@ fn two_moduli_have_a_stiffness_but_no_constant() {
         },
         density: 1.0,
         expansion: None,
+        electric: None,
     });
     for cell in section.cells.iter_mut().skip(9) {
         cell.material = 1;
@@ -114,6 +116,7 @@ fn torsion_of_isotropic_materials_shears_only() {
         },
         density: 1.0,
         expansion: None,
+        electric: None,
     });
     for cell in section.cells.iter_mut().skip(9) {
         cell.material = 1;

@@ -99,6 +99,7 @@ fn of_cells(mesh: SectionMesh, law: ElasticLaw) -> Section {
         law,
         density: 2.0,
         expansion: None,
+        electric: None,
     };
     let cell = |index: usize| CellMaterial {
         material: 0,
@@ -111,5 +112,6 @@ fn of_cells(mesh: SectionMesh, law: ElasticLaw) -> Section {
         materials: vec![material],
         mesh,
         initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
     }
 }
