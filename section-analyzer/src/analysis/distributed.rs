@@ -101,8 +101,8 @@ impl Analysis<'_> {
             .component_mul(&scaling.force())
             / scaling.length;
         DistributedState {
-            warping: scaling.length * self.on_mesh(&solved.x, case),
-            rate: self.on_mesh(&solved.rate, case),
+            warping: scaling.length * self.solved.on_mesh(&solved.x, case),
+            rate: self.solved.on_mesh(&solved.rate, case),
             strain: wrench::shift_matrix(&t).transpose() * strain,
             force_per_length: wrench::shift_matrix(&-t) * force,
             pressure: 0.0,

@@ -9,7 +9,7 @@
 //! solutions (S-94), and must be the same:
 //!
 //! ```text
-//! psi_T = X' f0 + Y' fp + T X' (C x + L psi_T)
+//! psi_T = X' f0 + Y' fp + T X' (C x + L psi_T)     on dielectrics less T Ph_V' x_V
 //! ```
 
 use super::Analysis;
@@ -17,7 +17,7 @@ use crate::assembly::{ImposedForces, Rate, State, imposed_forces, largest, secti
 use crate::failure::Failure;
 use crate::section::{ImposedStrain, TemperatureField};
 use crate::solution::{ImposedSolution, ImposedSolutions};
-use crate::solve::{Load, ParticularSolution};
+use crate::solve::{Load, ParticularSolution, electric_work};
 use nalgebra::{Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
@@ -90,9 +90,10 @@ impl Analysis<'_> {
             let product = central.x.tr_mul(columns);
             product.fixed_view::<6, 6>(0, 0).into_owned()
         };
+        let on_face = product(&face) - electric_work(domain, &central.face, &solved.x);
         let work = product(&forces.within)
             + central.y.transpose() * forces.resultant
-            + tt.transpose() * product(&face);
+            + tt.transpose() * on_face;
         Vector6::from_fn(|case, _| {
             let difference = (solved.y - work).column(case).amax();
             match forces.largest[case] {
@@ -119,7 +120,7 @@ impl Analysis<'_> {
         let free_strain: Vector6<f64> = v.transpose() * strain;
         ImposedSolution {
             state: state.clone(),
-            warping: scaling.length * self.on_mesh(&solved.x, case),
+            warping: scaling.length * self.solved.on_mesh(&solved.x, case),
             free_strain,
             restrained_force: -(self.solution.stiffness * free_strain),
             error: largest(error, 0.0),
@@ -282,7 +283,7 @@ mod tests {
             for triple in [[0, last / 2, last], [3, 11, last - 4], [last, 7, 1]] {
                 let pins = Pins::at(&domain.nodes, triple);
                 let matrices = SectionMatrices::assemble(domain, &pattern).expect("sound");
-                let systems = CentralSystems::new(domain, &pattern, matrices, pins);
+                let systems = CentralSystems::new(domain, &pattern, matrices, pins.clone());
                 let systems = systems.expect("sound");
                 let found = CentralSolution::solve(domain, &systems).expect("memory");
                 let face = Decoupled::new(domain, found).face;
