@@ -10,8 +10,11 @@
 //! must be the same:
 //!
 //! ```text
-//! Y_v = q_F' + T (X' P - Ph_V' X_v)       q_F' = X' f0 + Y' fp                    (S-168)
+//! Y_v = X' f0 + Y' fp + T (X' P - Ph_V' x_V)        P = C x + L Y_v               (S-168)
 //! ```
+//!
+//! where f0 and fp are what the voltages ask for, and x is without the potential of the
+//! conductors.
 //!
 //! # References
 //! - [Masarati], section 9.1: piezoelectric beam sections.
@@ -88,6 +91,7 @@ impl Voltages {
     ) {
         let central = &central.decoupled;
         let ParticularSolution { mut x, y, .. } = solved;
+        let charges_work = electric_work(domain, &central.face, &x);
         x += &forces.potential;
         let state = State {
             rate: Rate::Zero,
@@ -113,14 +117,12 @@ impl Voltages {
             let product = central.x.tr_mul(columns);
             product.fixed_view::<6, 6>(0, 0).into_owned()
         };
-        let on_face =
-            product(&(&measured.face - &forces.face)) - electric_work(domain, &central.face, &x);
-        // the work of a field along the beam on the rate of the central solutions
-        let of_field = product(&forces.face);
+        // without the potential of the conductors, as their forces are
+        let of_unknowns = &measured.face - &forces.face;
+        let on_face = product(&of_unknowns) - charges_work;
         let tt = domain.line.equilibrium().transpose();
-        let work = product(&forces.within)
-            + central.y.transpose() * forces.resultant
-            + tt * (on_face + of_field);
+        let work =
+            product(&forces.within) + central.y.transpose() * forces.resultant + tt * on_face;
         for case in 0..range.len() {
             let error = (y - work).column(case).amax();
             self.checks.work = largest(self.checks.work, error);

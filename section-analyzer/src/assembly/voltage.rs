@@ -6,7 +6,7 @@
 //! cells:
 //!
 //! ```text
-//! f0 = int B0' e' E J dA      fp = int Bpsi' e' E J dA      ff = int B1' e' E J dA
+//! f0 = int B0' e' E J dA      fp = int Bpsi' e' E J dA
 //! q  = -sum Q_V of its nodes        conductor                                     (S-164)
 //! q  = int E . (e eps + epsS E V) J dA        interdigitated                      (S-165)
 //! ```
@@ -18,10 +18,8 @@ use super::domain::{Domain, DomainCell};
 use super::electric::{DomainElectrode, Fingered};
 use super::imposed::ImposedForces;
 use super::stress::{Rate, SectionForces, State, take_columns};
-use crate::element::{
-    CellPoint, FACE_STRAINS, NO_COLUMNS, NO_FIELD, NodalColumns, rule_points, strain_at,
-};
-use nalgebra::{DMatrix, Matrix6, RowVector6, Vector3};
+use crate::element::{CellPoint, NO_COLUMNS, NO_FIELD, NodalColumns, rule_points, strain_at};
+use nalgebra::{DMatrix, Matrix6, RowVector6};
 
 /// Up to six electrodes at one volt each, with everything else at rest, in the units of the
 /// domain.
@@ -33,8 +31,7 @@ pub struct VoltageForces {
     pub within: DMatrix<f64>,
     /// Internal force that they ask for, a column for each electrode \[-\].
     pub resultant: Matrix6<f64>,
-    /// ff: what the fields of interdigitated electrodes take off the forces on the face,
-    /// n x 6 \[-\].
+    /// Forces on the face of the potential of conductors alone, n x 6 \[-\].
     pub face: DMatrix<f64>,
 }
 
@@ -61,24 +58,16 @@ pub fn voltage_forces(domain: &Domain, electrodes: &[DomainElectrode]) -> Voltag
         resultant: -forces.resultant,
         ..ImposedForces::none(domain)
     };
-    let mut face = DMatrix::zeros(n, 6);
     for (case, electrode) in electrodes.iter().enumerate().take(6) {
         each_fingered(domain, electrode, |cell, fingered, point| {
             asked.add(case, cell, &domain.line, point, &fingered.stress);
-            let stress = Vector3::from(FACE_STRAINS.map(|row| fingered.stress[row]));
-            for (i, &node) in cell.nodes().iter().enumerate() {
-                for axis in 0..3 {
-                    face[(3 * node as usize + axis, case)] +=
-                        point.area * point.n[i] * stress[axis];
-                }
-            }
         });
     }
     VoltageForces {
         potential,
         within: asked.within,
         resultant: asked.resultant,
-        face,
+        face: forces.face,
     }
 }
 
