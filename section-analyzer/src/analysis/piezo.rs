@@ -43,6 +43,8 @@ pub(super) struct Voltages {
     y: Vec<Vector6<f64>>,
     /// Charges at no internal force, electrodes x electrodes.
     charges: DMatrix<f64>,
+    /// Differences of `y` from what (S-168) gives.
+    errors: Vec<Vector6<f64>>,
     checks: PiezoChecks,
 }
 
@@ -61,6 +63,7 @@ impl Voltages {
             x: Vec::new(),
             y: Vec::new(),
             charges: DMatrix::zeros(electrodes.len(), electrodes.len()),
+            errors: Vec::new(),
             checks: PiezoChecks::default(),
         };
         for first in (0..electrodes.len()).step_by(TOGETHER) {
@@ -77,7 +80,7 @@ impl Voltages {
                 .ok_or(Failure::OutOfMemory { unknowns })?;
             found.add((domain, central), &forces, solved, first..last);
         }
-        found.check(domain);
+        found.check(domain, &central.compliance);
         Ok(Some(found))
     }
 
@@ -124,35 +127,36 @@ impl Voltages {
         let work =
             product(&forces.within) + central.y.transpose() * forces.resultant + tt * on_face;
         for case in 0..range.len() {
-            let error = (y - work).column(case).amax();
-            self.checks.work = largest(self.checks.work, error);
+            self.errors.push((y - work).column(case).into_owned());
             self.y.push(y.column(case).into_owned());
         }
         self.x.push(x);
     }
 
-    /// Makes the checks relative, and the capacitance symmetric.
-    fn check(&mut self, domain: &Domain) {
+    /// The checks, and the capacitance made symmetric. A strain counts beside
+    /// `sqrt(C_ii cap_ee)`, that of which the energy is that of one volt.
+    fn check(&mut self, domain: &Domain, compliance: &Matrix6<f64>) {
         let electrodes = &domain.electric.electrodes;
-        let strain = self.y.iter().map(|y| y.amax()).fold(0.0, largest);
-        let charge = self.charges.amax();
         let is_conductor = |&electrode: &usize| electrodes[electrode].fingered.is_empty();
         let conductors: Vec<usize> = (0..electrodes.len()).filter(is_conductor).collect();
+        let charge = self.charges.diagonal().amax();
+        let down = compliance
+            .diagonal()
+            .map(|entry| 1.0 / (entry * charge).sqrt());
+        let beside = |strain: &Vector6<f64>| strain.component_mul(&down).amax();
+
         let common: Vector6<f64> = conductors.iter().map(|&electrode| self.y[electrode]).sum();
-        let over = |error: f64, scale: f64| if error == 0.0 { 0.0 } else { error / scale };
         let mut charges = DVector::zeros(electrodes.len());
         for &electrode in &conductors {
             charges += self.charges.column(electrode);
         }
-        let asymmetry = (&self.charges - self.charges.transpose()).amax();
-        // a field of one strains by about one, in the units of the domain
-        let strain = strain.max(f64::EPSILON);
+        let transposed = self.charges.transpose();
         self.checks = PiezoChecks {
-            work: over(self.checks.work, strain),
-            asymmetry: over(asymmetry, charge),
-            common: largest(over(common.amax(), strain), over(charges.amax(), charge)),
+            work: self.errors.iter().map(beside).fold(0.0, largest),
+            asymmetry: (&self.charges - &transposed).amax() / charge,
+            common: largest(beside(&common), charges.amax() / charge),
         };
-        self.charges = 0.5 * (&self.charges + self.charges.transpose());
+        self.charges = 0.5 * (&self.charges + transposed);
     }
 }
 
@@ -255,3 +259,7 @@ impl Solved<'_> {
         on_mesh
     }
 }
+
+#[cfg(test)]
+#[path = "piezo_tests.rs"]
+mod tests;

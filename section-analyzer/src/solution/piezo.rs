@@ -50,12 +50,12 @@ pub struct ElectrodeSolution {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PiezoChecks {
     /// Difference of the free strains from those of the work on the central solutions
-    /// (S-168), beside the largest free strain or what the fields would strain \[-\].
+    /// (S-168), beside `sqrt(C_ii cap_ee)`: strains of the energy of one volt \[-\].
     pub work: f64,
     /// Asymmetry of the capacitance, beside its largest entry \[-\].
     pub asymmetry: f64,
-    /// Sum of the free strains and charges over all conductors, beside the largest: a common
-    /// voltage does nothing \[-\].
+    /// Sum of the free strains over all conductors, beside the same, and of the charges,
+    /// beside the largest: a common voltage does nothing \[-\].
     pub common: f64,
 }
 

@@ -38,11 +38,15 @@ impl Pins {
             .collect();
         let places: Vec<[f64; 2]> = structural.iter().map(|&node| nodes[node]).collect();
         let chosen = triangle(&places).ok_or(Failure::NodesOnOneLine)?;
-        let mut pins = Self::at(nodes, chosen.map(|node| structural[node]));
-        pins.unknowns.extend(model.held());
-        pins.unknowns.sort_unstable();
-        pins.unknowns.dedup();
-        Ok(pins)
+        Ok(Self::at(nodes, chosen.map(|node| structural[node])).with(model.held()))
+    }
+
+    /// These, and `unknowns` besides.
+    pub fn with(mut self, unknowns: Vec<usize>) -> Self {
+        self.unknowns.extend(unknowns);
+        self.unknowns.sort_unstable();
+        self.unknowns.dedup();
+        self
     }
 
     /// Chooses pins among `nodes`, places (y, z) from their centroid.
