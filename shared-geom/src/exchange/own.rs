@@ -6,7 +6,7 @@ use std::path::Path;
 use nalgebra::{Vector2, Vector3};
 
 use crate::blade::{self, Blade, BladeDamping, Interpolation, Station};
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, Place, quoted};
 use crate::line::{LinePoint, ReferenceLine};
 use crate::section::{self, Damping, InitialCurvature, SectionProperties};
 
@@ -149,7 +149,7 @@ fn line_of(
 /// What a section has and a blade does not, in words.
 fn left_behind(section: &SectionProperties) -> Vec<String> {
     let states = section.imposed.iter();
-    let states: Vec<_> = states.map(|state| format!("\"{}\"", state.name)).collect();
+    let states: Vec<_> = states.map(|state| &state.name).collect();
     let all = [
         (section.piezo.is_some(), "the coupling with electrodes"),
         (
@@ -167,10 +167,13 @@ fn left_behind(section: &SectionProperties) -> Vec<String> {
         .collect();
     match states.len() {
         0 => {}
-        1 => remarks.push(format!("the imposed state {} is not taken over", states[0])),
+        1 => remarks.push(format!(
+            "the imposed state \"{}\" is not taken over",
+            states[0]
+        )),
         _ => remarks.push(format!(
             "the imposed states {} are not taken over",
-            states.join(", ")
+            quoted(&states)
         )),
     }
     remarks

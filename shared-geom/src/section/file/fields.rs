@@ -1,5 +1,7 @@
 //! The fields of a property file, as messages call them.
 
+use crate::error::quoted;
+
 /// A field of a table.
 #[derive(Debug)]
 pub(super) struct Field {
@@ -139,8 +141,8 @@ pub(super) fn expected(shape: Shape) -> String {
         Entries => "a list of rows".to_owned(),
         Table(known) => {
             let names = known.iter().filter(|field| field.is_needed);
-            let names: Vec<_> = names.map(|field| format!("\"{}\"", field.name)).collect();
-            format!("a table with {}", names.join(", "))
+            let names: Vec<_> = names.map(|field| field.name).collect();
+            format!("a table with {}", quoted(&names))
         }
         Either([one, other]) => {
             format!("a table with either \"{}\" or \"{}\"", one.name, other.name)
