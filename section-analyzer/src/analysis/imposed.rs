@@ -132,26 +132,12 @@ impl Analysis<'_> {
 mod tests {
     use super::*;
     use crate::assembly::{Domain, Pattern, SectionMatrices, add_rigid_motions};
-    use crate::section::samples::{Random, coupled_rectangle};
+    use crate::section::samples::{Random, coupled_rectangle, random_strain};
     use crate::section::{FreeStrain, Section};
     use crate::solve::{CentralSolution, CentralSystems, Decoupled, Pins};
     use nalgebra::{DMatrix, DVector};
     use shared_geom::mesh::CellKind;
     use shared_geom::section::InitialCurvature;
-
-    /// Strains without any pattern, linear in each cell.
-    fn random(section: &Section, name: &str, random: &mut Random) -> ImposedStrain {
-        let mut any = || Vector6::from_fn(|_, _| random.next());
-        let mut cell = |_| FreeStrain {
-            at_origin: any(),
-            by_y: any(),
-            by_z: any(),
-        };
-        ImposedStrain {
-            name: name.into(),
-            cells: section.cells.iter().map(&mut cell).collect(),
-        }
-    }
 
     /// A section off its axes, of plies in all directions; straight and curved.
     fn sections() -> [Section; 2] {
@@ -169,7 +155,7 @@ mod tests {
     #[test]
     fn imposed_forces_know_of_rigid_motions() {
         for section in sections() {
-            let state = random(&section, "any", &mut Random(3));
+            let state = random_strain(&section, "any", &mut Random(3));
             let analysis = Analysis::new(&section).expect("sound");
             let domain = analysis.domain();
             let forces = imposed_forces(&section, domain, &[state]);
@@ -233,7 +219,7 @@ mod tests {
             let analysis = Analysis::new(&section).expect("sound");
             let mut seed = Random(17);
             let states: Vec<_> = (0..7)
-                .map(|k| random(&section, &k.to_string(), &mut seed))
+                .map(|k| random_strain(&section, &k.to_string(), &mut seed))
                 .collect();
             let together = analysis.imposed(&states).expect("sound");
             assert_eq!(together.len(), 7);
@@ -268,7 +254,7 @@ mod tests {
             let analysis = Analysis::new(&section).expect("sound");
             let domain = analysis.domain();
             let mut seed = Random(23);
-            let states = [(); 6].map(|()| random(&section, "any", &mut seed));
+            let states = [(); 6].map(|()| random_strain(&section, "any", &mut seed));
             let forces = imposed_forces(&section, domain, &states);
             let load = Load {
                 within: &forces.within,

@@ -6,7 +6,7 @@ use shared_geom::figure::tick_label;
 use shared_geom::mesh::CellKind;
 
 use crate::mesh::quality::{MeshQuality, NamedCell};
-use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh};
+use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh, counted};
 use crate::properties::AreaTable;
 
 /// Seams, gaps and cells that are described at most; the others are counted.
@@ -315,10 +315,6 @@ fn limited(mut warnings: Vec<InputWarning>, what: &'static str) -> Vec<InputWarn
         warnings.push(InputWarning::More { count, what });
     }
     warnings
-}
-
-fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Nodes in which walls touch.

@@ -33,6 +33,6 @@ pub use laminate::{
     of_laminae,
 };
 pub(crate) use plane::{distance, polygon_area};
-pub(crate) use problem::short;
 pub use problem::{Inversion, MeshProblem, Part};
+pub(crate) use problem::{counted, short};
 pub use section_mesh::{Curve, CurveLine, MeshReport, SectionCell, SectionMesh};
