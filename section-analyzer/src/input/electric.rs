@@ -7,9 +7,12 @@ use nalgebra::{Matrix3, Matrix3x6, Vector3};
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
+use super::electrodes::WrittenElectrodes;
+use super::materials::WrittenMaterial;
+use super::summary::InputWarning;
 use crate::material::{
-    Coupling, ElasticLaw, ElectricLaw, MaterialLimits, MeasuredAt, Strength, VACUUM_PERMITTIVITY,
-    data_axes,
+    Coupling, ElasticLaw, ElectricLaw, MaterialLimits, MeasuredAt, StrainLimit, Strength,
+    VACUUM_PERMITTIVITY, data_axes,
 };
 
 mod problem;
@@ -51,7 +54,12 @@ pub(super) fn read(
 ) -> Option<WrittenElectric> {
     if !table.has("electric") {
         if law == Some(&ElasticLaw::Absent) {
-            table.note("stiffness", &Problem::NothingAtAll { material: material.into() });
+            table.note(
+                "stiffness",
+                &Problem::NothingAtAll {
+                    material: material.into(),
+                },
+            );
         }
         return None;
     }
@@ -63,7 +71,10 @@ pub(super) fn read(
         alone: Vec::new(),
     };
     if let Some(table) = table.table("electric") {
-        let data = Data { material, table: &table };
+        let data = Data {
+            material,
+            table: &table,
+        };
         if let Some(axes) = data.axes() {
             written.axes = axes;
         }
@@ -92,7 +103,8 @@ pub(super) fn check_limits(
 ) {
     let is_turned = electric.is_some_and(|electric| electric.axes != Matrix3::identity());
     let has_ply = matches!(limits.strength, Some(Strength::Ply { .. }));
-    for (key, is_there) in [("strength", has_ply), ("strain_limit", limits.strain.is_some())] {
+    let has_strains = matches!(limits.strain, Some(StrainLimit::Ply(_)));
+    for (key, is_there) in [("strength", has_ply), ("strain_limit", has_strains)] {
         if is_turned && is_there {
             let material = material.to_owned();
             table.note(key, &Problem::LimitsTurned { material, key });
@@ -108,6 +120,39 @@ pub(super) fn check_absent(material: &str, table: &Table<'_>) {
             table.note(key, &Problem::NothingToStrain { material, key });
         }
     }
+}
+
+/// What is odd about the electric laws of the materials, of which regions have some.
+pub(super) fn warnings(
+    materials: &[WrittenMaterial],
+    of_region: &[usize],
+    electrodes: &WrittenElectrodes,
+) -> Vec<InputWarning> {
+    let mut warnings = Vec::new();
+    for (index, written) in materials.iter().enumerate() {
+        let Some(electric) = &written.electric else {
+            continue;
+        };
+        let material = written.name.clone();
+        for constants in electric.alone.iter().cloned() {
+            let material = material.clone();
+            warnings.push(InputWarning::AloneConstant {
+                material,
+                constants,
+            });
+        }
+        let smallest = electric.law.permittivity.symmetric_eigenvalues().min();
+        let relative = smallest / VACUUM_PERMITTIVITY;
+        if relative < 1.0 - 1e-6 {
+            let material = material.clone();
+            warnings.push(InputWarning::BelowVacuum { material, relative });
+        }
+        let is_used = of_region.contains(&index) && electric.law.is_piezoelectric();
+        if is_used && electrodes.is_empty() {
+            warnings.push(InputWarning::NoElectrodes { material });
+        }
+    }
+    warnings
 }
 
 /// The table and its material.
@@ -212,7 +257,11 @@ impl Data<'_> {
         let has = ["permittivity", "relative_permittivity"].map(|key| self.table.has(key));
         let (key, dimension, unit) = match has {
             [true, false] => ("permittivity", Dimension::PERMITTIVITY, 1.0),
-            [false, true] => ("relative_permittivity", Dimension::NUMBER, VACUUM_PERMITTIVITY),
+            [false, true] => (
+                "relative_permittivity",
+                Dimension::NUMBER,
+                VACUUM_PERMITTIVITY,
+            ),
             [true, true] => {
                 let problem = |material| Problem::TwoPermittivities { material };
                 self.note("relative_permittivity", problem);
@@ -232,9 +281,8 @@ impl Data<'_> {
             [all] if !self.table.is_list(key) => Some(Matrix3::identity() * all * unit),
             [a, b, c] => Some(Matrix3::from_diagonal(&Vector3::new(a, b, c)) * unit),
             _ => {
-                let expected = format!(
-                    "{dimension}, an array of 3, one for each axis, or 3 rows of 3"
-                );
+                let expected =
+                    format!("{dimension}, an array of 3, one for each axis, or 3 rows of 3");
                 self.table.wrong(key, &expected);
                 None
             }
@@ -258,7 +306,11 @@ impl Data<'_> {
         });
         let poling = poling?.unwrap_or_else(Vector3::z);
         let found = data_axes(&poling, across?.as_ref());
-        let key = if self.table.has("across") { "across" } else { "poling" };
+        let key = if self.table.has("across") {
+            "across"
+        } else {
+            "poling"
+        };
         let note = |problem| self.note(key, |material| Problem::Axes { material, problem });
         found.map_err(note).ok()
     }
@@ -309,7 +361,9 @@ fn direction(table: &Table<'_>, key: &str) -> Option<Vector3<f64>> {
         return table.vector(key, Dimension::NUMBER);
     }
     let number = table.quantity(key, Dimension::NUMBER)?;
-    let axis = [1.0, 2.0, 3.0].iter().position(|axis| *axis == number.abs());
+    let axis = [1.0, 2.0, 3.0]
+        .iter()
+        .position(|axis| *axis == number.abs());
     let Some(axis) = axis else {
         let expected = "1, 2 or 3 for a material axis, with a minus for the other way, or an \
                         array of 3, its components along them";

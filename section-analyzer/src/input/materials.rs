@@ -91,7 +91,10 @@ fn read_one(
     let turned = material.turned(&electric.axes);
     let note = |problem| {
         let material = name.to_owned();
-        table.note("expansion", &ElectricDataProblem::Axes { material, problem });
+        table.note(
+            "expansion",
+            &ElectricDataProblem::Axes { material, problem },
+        );
     };
     turned.map_err(note).ok()
 }

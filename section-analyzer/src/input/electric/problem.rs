@@ -48,9 +48,7 @@ pub enum ElectricDataProblem {
         material: String,
     },
     /// A coupling that couples nothing.
-    #[error(
-        "[material.{material}.electric]: \"{key}\" is zero, expected a constant that is not"
-    )]
+    #[error("[material.{material}.electric]: \"{key}\" is zero, expected a constant that is not")]
     ZeroCoupling {
         /// Name of the material.
         material: String,
