@@ -16,8 +16,8 @@ const DEFINITENESS_TOLERANCE: f64 = 1e-9;
 /// smallest one, a thousandth of that of vacuum.
 const PERMITTIVITIES: [f64; 2] = [1e-15, 1e-4];
 
-/// Largest stress per field \[C/m^2\], a thousand times that of ceramics.
-const LARGEST_COUPLING: f64 = 1e5;
+/// Largest stress per field \[C/m^2\], thirty times that of ceramics.
+const LARGEST_COUPLING: f64 = 1e3;
 
 /// At which state of the material a permittivity was measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,7 +72,7 @@ pub enum ElectricProblem {
     },
     /// A permittivity beyond all dielectrics.
     #[error(
-        "the permittivity has the eigenvalue {value:e} F/m, expected {} to {} F/m",
+        "the permittivity has the eigenvalue {value:e} F/m, expected {:e} to {:e} F/m",
         PERMITTIVITIES[0], PERMITTIVITIES[1]
     )]
     PermittivityOutOfRange {
@@ -114,7 +114,10 @@ impl Explain for ElectricProblem {
             Self::PermittivityOutOfRange { .. } => {
                 "that of vacuum is 8.854e-12 F/m; \"relative_permittivity\" is in units of it"
             }
-            Self::LargeCoupling { .. } => "this is in SI units: check that of the input",
+            Self::LargeCoupling { .. } => {
+                "plain numbers count in the declared force, length and voltage: give the unit with \
+                 the number, as in \"17 C/m^2\" or \"741 pC/N\""
+            }
         };
         Some(text.to_owned())
     }

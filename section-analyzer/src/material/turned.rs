@@ -49,7 +49,7 @@ pub enum AxesProblem {
     NoAcross,
     /// Expansions that are not along the material axes.
     #[error(
-        "turned by \"poling\", the expansion has a shear {shear:e} 1/K in material axes, \
+        "turned by \"poling\", the expansion has a shear {shear:.3e} 1/K in material axes, \
          expected axes along which there is none"
     )]
     ShearedExpansion {
