@@ -210,7 +210,10 @@ fn regions(section: &Section, summary: &InputSummary) -> String {
     let is_isotropic = |name: &str| {
         let mut materials = section.materials.iter();
         let found = materials.find(|material| material.name == name);
-        found.is_some_and(|material| matches!(material.law, ElasticLaw::Isotropic { .. }))
+        found.is_some_and(|material| {
+            let is_electric = material.electric.is_some();
+            matches!(material.law, ElasticLaw::Isotropic { .. }) && !is_electric
+        })
     };
     let heading = [
         "region",
