@@ -51,7 +51,7 @@ mod summary;
 mod tables;
 
 pub use distributed::DistributedProblem;
-pub use electric::ElectricDataProblem;
+pub use electric::{ElectricDataProblem, ElectricWarning};
 pub use electrodes::{ElectrodeProblem, circuit_word};
 pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, LoadProblem, checked_load, is_load_name};
@@ -232,22 +232,15 @@ impl WrittenSection {
         };
         self.note_prestress(document, &section);
         stiffness::check(document, self.line_of_mesh(), &section);
-        let electrodes = electrodes.and_then(|found| {
-            self.electrodes
-                .checked(document, &section, &found, &self.materials)
-        });
+        let electrodes = self.with_electrodes(document, &mut section, electrodes);
         let of_regions = (strains?, &region_of_cell[..]);
         let imposed = states.states(document, &section, rises?, of_regions);
-        let (placed, loose) = electrodes?;
-        let (electrodes, places) = placed.into_iter().map(|p| (p.electrode, p.place)).unzip();
-        section.electrodes = electrodes;
+        let (places, loose) = electrodes?;
         let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
         summary.electrodes = places;
-        let warnings = odd
-            .into_iter()
-            .chain(InputWarning::of_mesh(&report))
-            .chain(loose);
-        summary.warnings.extend(warnings);
+        summary.warnings.extend(odd);
+        summary.warnings.extend(InputWarning::of_mesh(&report));
+        summary.warnings.extend(loose);
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();
         Some(Input {
@@ -267,6 +260,22 @@ impl WrittenSection {
                 follows,
             ),
         })
+    }
+
+    /// Gives the section its electrodes; where they are in words, and what is odd about
+    /// them.
+    fn with_electrodes(
+        &self,
+        document: &Document,
+        section: &mut Section,
+        found: Option<Vec<electrodes::Found>>,
+    ) -> Option<(Vec<String>, Vec<InputWarning>)> {
+        let electrodes = &self.electrodes;
+        let (placed, odd) = electrodes.checked(document, section, &found?, &self.materials)?;
+        let placed = placed.into_iter().map(|one| (one.electrode, one.place));
+        let (electrodes, places) = placed.unzip();
+        section.electrodes = electrodes;
+        Some((places, odd))
     }
 
     /// What the cells of the mesh file are made of, and the curves that their plane angles

@@ -16,8 +16,10 @@ use crate::material::{
 };
 
 mod problem;
+mod warning;
 
 pub use problem::ElectricDataProblem;
+pub use warning::ElectricWarning;
 
 use problem::ElectricDataProblem as Problem;
 
@@ -136,7 +138,7 @@ pub(super) fn warnings(
         let material = written.name.clone();
         for constants in electric.alone.iter().cloned() {
             let material = material.clone();
-            warnings.push(InputWarning::AloneConstant {
+            warnings.push(ElectricWarning::AloneConstant {
                 material,
                 constants,
             });
@@ -145,14 +147,14 @@ pub(super) fn warnings(
         let relative = smallest / VACUUM_PERMITTIVITY;
         if relative < 1.0 - 1e-6 {
             let material = material.clone();
-            warnings.push(InputWarning::BelowVacuum { material, relative });
+            warnings.push(ElectricWarning::BelowVacuum { material, relative });
         }
         let is_used = of_region.contains(&index) && electric.law.is_piezoelectric();
         if is_used && electrodes.is_empty() {
-            warnings.push(InputWarning::NoElectrodes { material });
+            warnings.push(ElectricWarning::NoElectrodes { material });
         }
     }
-    warnings
+    warnings.into_iter().map(InputWarning::Electric).collect()
 }
 
 /// The table and its material.

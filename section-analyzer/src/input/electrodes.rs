@@ -12,6 +12,8 @@ mod problem;
 
 pub use problem::ElectrodeProblem;
 
+pub(super) use on_mesh::Found;
+
 /// Words of the circuits, parallel to [`CIRCUITS`].
 pub(super) const CIRCUIT_WORDS: [&str; 3] = ["driven", "ground", "floating"];
 const CIRCUITS: [Circuit; 3] = [Circuit::Driven, Circuit::Ground, Circuit::Floating];

@@ -7,6 +7,7 @@ use shared_geom::document::Document;
 
 use super::on_mesh::Found;
 use super::{ElectrodeProblem, Placed, WrittenElectrode, WrittenElectrodes, circuit_word};
+use crate::input::electric::ElectricWarning;
 use crate::input::materials::WrittenMaterial;
 use crate::input::summary::InputWarning;
 use crate::material::ElectricLaw;
@@ -318,7 +319,7 @@ impl Checks<'_> {
                     let kept: Vec<u32> = nodes.iter().filter(is_kept).copied().collect();
                     let loose = nodes.iter().find(|node| !is_kept(node));
                     if let Some(&first) = loose.filter(|_| !is_body) {
-                        warnings.push(InputWarning::LooseElectrode {
+                        warnings.push(ElectricWarning::LooseElectrode {
                             electrode: name.clone(),
                             loose: nodes.len() - kept.len(),
                             nodes: nodes.len(),
@@ -346,7 +347,8 @@ impl Checks<'_> {
                 place: written.place_words(),
             });
         }
-        Some((placed, warnings))
+        let warnings = warnings.into_iter().map(InputWarning::Electric);
+        Some((placed, warnings.collect()))
     }
 
     /// The cells of some regions, each with its field per volt.
