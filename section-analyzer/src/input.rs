@@ -238,9 +238,8 @@ impl WrittenSection {
         let (places, loose) = electrodes?;
         let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
         summary.electrodes = places;
-        summary.warnings.extend(odd);
-        summary.warnings.extend(InputWarning::of_mesh(&report));
-        summary.warnings.extend(loose);
+        let of_mesh = InputWarning::of_mesh(&report);
+        summary.warnings.extend([odd, of_mesh, loose].concat());
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();
         Some(Input {
