@@ -69,7 +69,7 @@ fn stages(criterion: &mut Criterion) {
     let Ok(pins) = Pins::choose(&domain.nodes) else {
         return;
     };
-    let Ok(system) = CentralSystems::new(&domain, &pattern, matrices.clone(), pins) else {
+    let Ok(system) = CentralSystems::new(&domain, &pattern, matrices.clone(), pins.clone()) else {
         return;
     };
 
@@ -83,7 +83,9 @@ fn stages(criterion: &mut Criterion) {
     });
     group.bench_function("factorization", |b| {
         b.iter(|| {
-            black_box(CentralSystems::new(&domain, &pattern, matrices.clone(), pins).is_ok())
+            black_box(
+                CentralSystems::new(&domain, &pattern, matrices.clone(), pins.clone()).is_ok(),
+            )
         });
     });
     group.bench_function("central solutions", |b| {

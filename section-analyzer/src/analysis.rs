@@ -10,11 +10,12 @@ mod decay;
 mod distributed;
 mod imposed;
 mod outside;
+mod piezo;
 mod si;
 
 pub use outside::{OutsideAnalysis, OutsideWarning, analyze_matrices};
 
-use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length};
+use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length, structural_parts};
 use crate::failure::Failure;
 use crate::section::Section;
 use crate::sensitivity::{self, Derivative, Parameter, SensitivityProblem};
@@ -22,6 +23,7 @@ use crate::solution::SectionSolution;
 use crate::solve::{CentralSystems, Decoupled, Load, ParticularSolution, in_elimination_order};
 use central::{Central, Named, OF_CELLS, require_connected, require_small, solve_central};
 use nalgebra::{DMatrix, DVector};
+use piezo::Voltages;
 use si::{Frame, in_si};
 
 /// Finds stiffness, mass, centers and central solutions of `section`.
@@ -123,16 +125,6 @@ impl<'a> Analysis<'a> {
         require_small((check, error), OF_CELLS.check, weakest)
     }
 
-    /// A column of a field of the domain at the nodes of the mesh.
-    fn on_mesh(&self, field: &DMatrix<f64>, column: usize) -> DVector<f64> {
-        let mut on_mesh = DVector::zeros(3 * self.section().mesh.nodes.len());
-        for (node, &mesh_node) in self.domain().mesh_nodes.iter().enumerate() {
-            let mut at_node = on_mesh.fixed_rows_mut::<3>(3 * mesh_node as usize);
-            at_node.copy_from(&field.fixed_view::<3, 1>(3 * node, column));
-        }
-        on_mesh
-    }
-
     /// What derivatives are made from.
     pub(crate) fn parts(&self) -> sensitivity::Solved<'_> {
         sensitivity::Solved {
@@ -151,15 +143,23 @@ struct Solved<'a> {
     section: &'a Section,
     domain: Domain,
     central: Central,
+    /// What voltages do; `None` without electrodes.
+    voltages: Option<Voltages>,
+    /// Node that is held least.
+    weakest: usize,
 }
 
 impl<'a> Solved<'a> {
-    /// The method up to the decoupled central solutions, and the systems that found
-    /// them.
+    /// The method up to the decoupled central solutions and those of voltages, and the
+    /// systems that found them.
     fn new(section: &'a Section) -> Result<(Self, CentralSystems), Failure> {
         let domain = Domain::new(section)?;
         let pattern = Pattern::new(&domain);
-        require_connected(&pattern, &|node| named(section, &domain, node))?;
+        let parts = match domain.electric.is_all_structural() {
+            true => pattern.parts(),
+            false => structural_parts(&domain),
+        };
+        require_connected(&parts, &|node| named(section, &domain, node))?;
         let unknowns = domain.unknowns();
         let (domain, pattern) =
             in_elimination_order(domain, &pattern).ok_or(Failure::OutOfMemory { unknowns })?;
@@ -169,10 +169,22 @@ impl<'a> Solved<'a> {
         let (central, systems) = solve_central(&domain, &pattern, matrices, &naming, OF_CELLS)?;
         let solved = Self {
             section,
+            voltages: Voltages::solve(&domain, &systems, &central)?,
+            weakest: systems.smallest_pivot().node,
             domain,
             central,
         };
         Ok((solved, systems))
+    }
+
+    /// A column of a field of the domain at the nodes of the mesh.
+    fn on_mesh(&self, field: &DMatrix<f64>, column: usize) -> DVector<f64> {
+        let mut on_mesh = DVector::zeros(3 * self.section.mesh.nodes.len());
+        for (node, &mesh_node) in self.domain.mesh_nodes.iter().enumerate() {
+            let mut at_node = on_mesh.fixed_rows_mut::<3>(3 * mesh_node as usize);
+            at_node.copy_from(&field.fixed_view::<3, 1>(3 * node, column));
+        }
+        on_mesh
     }
 
     /// The result in SI, about the origin of the mesh.
@@ -183,7 +195,9 @@ impl<'a> Solved<'a> {
             count: self.section.mesh.nodes.len(),
             mass: &mass_per_length(&self.domain),
         };
-        in_si(&frame, &self.central)
+        let mut solution = in_si(&frame, &self.central)?;
+        solution.piezo = self.piezo(&solution)?;
+        Ok(solution)
     }
 }
 

@@ -9,6 +9,7 @@
 
 mod distributed;
 mod domain;
+mod electric;
 mod imposed;
 mod mass;
 mod matrices;
@@ -17,10 +18,12 @@ mod outside;
 mod pattern;
 mod rigid;
 mod stress;
+mod voltage;
 
 pub use distributed::distributed_forces;
 pub(crate) use domain::largest;
 pub use domain::{Domain, DomainCell, Scaling};
+pub use electric::{DomainElectrode, Electric, Fingered, structural_parts};
 pub use imposed::{ImposedForces, imposed_forces};
 pub use mass::{mass_of_moments, mass_per_length};
 pub use matrices::{Scalar, SectionMatrices};
@@ -33,6 +36,7 @@ pub use rigid::{
 };
 pub(crate) use stress::take_columns;
 pub use stress::{Rate, SectionForces, State, section_forces};
+pub use voltage::{VoltageForces, charges, voltage_forces};
 
 #[cfg(test)]
 mod tests;

@@ -4,6 +4,7 @@
 
 mod blocks;
 mod cases;
+mod coupled;
 mod curved_blocks;
 mod forces;
 mod gradient;
@@ -13,11 +14,12 @@ mod point;
 mod side;
 mod strain;
 
-pub use blocks::{CellBlocks, CellIntegrals, LawBlocks, a_of_moments};
+pub use blocks::{CellBlocks, CellIntegrals, LawBlocks};
 pub use cases::{
     CASES, CaseLoop, CellField, CellState, NO_FIELD, NO_ROWS, Product, Row, add_work,
     in_widest_registers, rows_of, strain_along, strain_in_cases, stress_in_cases,
 };
+pub use coupled::{CellCharges, CellPotential, PotentialState, add_coupled};
 pub use curved_blocks::{CurvedCell, TurningLaw};
 pub use forces::CellForces;
 pub use gradient::PointGradient;

@@ -2,6 +2,7 @@
 //! axes and its derivatives, and their strengths.
 
 mod admissibility;
+mod coupled;
 mod derivative;
 mod elastic;
 mod electric;
@@ -13,6 +14,7 @@ mod strength;
 mod turned;
 
 pub use admissibility::MaterialProblem;
+pub use coupled::{CoupledLaw, coupled_law, turned_coupling};
 pub use derivative::{Constant, fiber_angle_rate, plane_angle_rate};
 pub use elastic::{ElasticLaw, EngineeringConstants, Material};
 pub use electric::{ElectricLaw, VACUUM_PERMITTIVITY};

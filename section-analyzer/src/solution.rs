@@ -33,8 +33,10 @@ pub struct SectionSolution {
     pub strain: Matrix6<f64>,
     /// What vouches for the numbers.
     pub checks: Checks,
-    /// Number of warping unknowns.
+    /// Number of unknowns of the section: displacements and potentials.
     pub unknowns: usize,
+    /// What voltages on electrodes do; `None` without electrodes.
+    pub piezo: Option<PiezoSolution>,
 }
 
 /// What an imposed strain does to the section: about the reference point, in section
@@ -95,6 +97,8 @@ pub struct Checks {
 
 mod distributed;
 mod end_effects;
+mod piezo;
 
 pub use distributed::DistributedState;
 pub use end_effects::{DecayingMode, EndEffects};
+pub use piezo::{ElectrodeSolution, InCircuit, PiezoChecks, PiezoSolution};

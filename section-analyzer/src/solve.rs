@@ -25,7 +25,7 @@ mod variation;
 pub use along::{CentralSystems, SystemError};
 pub use central::CentralSolution;
 pub use decay::DecayRates;
-pub use decouple::Decoupled;
+pub use decouple::{Decoupled, electric_work};
 pub use distributed::DistributedSolution;
 pub use dual::{DualState, DualStates};
 pub use factor::{

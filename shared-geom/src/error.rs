@@ -231,6 +231,15 @@ pub fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -
         .map(|(_, name)| name)
 }
 
+/// Names in quotes, joined by commas; "none" for none.
+pub fn quoted<T: fmt::Display>(names: &[T]) -> String {
+    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    match names.is_empty() {
+        true => "none".to_owned(),
+        false => names.join(", "),
+    }
+}
+
 /// Edit distance, where a missing or added ending counts as one slip.
 fn distance(a: &str, b: &str) -> usize {
     let slips = strsim::damerau_levenshtein(a, b);
@@ -319,6 +328,12 @@ mod tests {
             assert_eq!((place.as_str(), *message), (file, key));
         }
         assert_eq!(shown.len(), expected.len());
+    }
+
+    #[test]
+    fn names_are_quoted() {
+        assert_eq!(quoted(&["a", "b c"]), "\"a\", \"b c\"");
+        assert_eq!(quoted::<String>(&[]), "none");
     }
 
     #[test]

@@ -15,6 +15,7 @@ mod line_cells;
 mod line_features;
 mod lines;
 mod outside_matrices;
+mod piezo;
 mod prestress;
 mod quads;
 mod random_sections;

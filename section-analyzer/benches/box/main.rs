@@ -158,8 +158,9 @@ impl Times {
         let (domain, pattern) = prepared(&section).expect("a sound section");
         let matrices = SectionMatrices::assemble(&domain, &pattern).expect("sound cells");
         let pins = Pins::choose(&domain.nodes).expect("a plane section");
-        let factor = Factor::new(matrices.e.clone(), &pattern, pins).expect("a connected section");
-        let system = CentralSystems::new(&domain, &pattern, matrices.clone(), pins)
+        let factor =
+            Factor::new(matrices.e.clone(), &pattern, pins.clone()).expect("a connected section");
+        let system = CentralSystems::new(&domain, &pattern, matrices.clone(), pins.clone())
             .expect("a connected section");
         let analysis = Analysis::new(&section).expect("a sound section");
         let angles = angles(&section);
@@ -178,7 +179,7 @@ impl Times {
             assemble: shortest(|| SectionMatrices::assemble(&domain, &pattern)),
             // the order is a part of it
             bare: shortest(|| elimination_order(&unordered))
-                + shortest(|| Factor::new(matrices.e.clone(), &pattern, pins)),
+                + shortest(|| Factor::new(matrices.e.clone(), &pattern, pins.clone())),
             solve: shortest(|| {
                 let mut right = matrices.r.clone();
                 factor.solve(right.as_mut_slice())

@@ -65,7 +65,7 @@ pub(super) fn solve_central(
     require_identities(&identities, &ASSEMBLED_IDENTITIES, limits.identity)?;
 
     let unknowns = model.unknowns();
-    let pins = Pins::choose(model.nodes())?;
+    let pins = Pins::of_model(model)?;
     let systems = CentralSystems::new(model, pattern, matrices, pins)
         .map_err(|error| system_failure(error, naming, unknowns))?;
     let weakest = systems.smallest_pivot();
@@ -98,7 +98,7 @@ fn check_solution(
     compliance: &Matrix6<f64>,
     resultant: &Matrix6<f64>,
 ) -> Checks {
-    let y = &decoupled.y;
+    let y = &decoupled.of_work;
     let up = compliance.diagonal().map(f64::sqrt);
     let down = up.map(|value| 1.0 / value);
     let off_unit = |forces| scaled_difference(forces, &Matrix6::identity(), &up, &down);
@@ -111,9 +111,8 @@ fn check_solution(
 }
 
 /// One part, joined node by node.
-pub(super) fn require_connected(pattern: &Pattern, naming: Naming<'_>) -> Result<(), Failure> {
-    let parts = pattern.parts();
-    match parts[..] {
+pub(super) fn require_connected(parts: &[usize], naming: Naming<'_>) -> Result<(), Failure> {
+    match *parts {
         [first, second, ..] => Err(Failure::Disconnected {
             parts: parts.len(),
             node: naming(first).tag,

@@ -37,12 +37,7 @@ impl Analysis<'_> {
             let errors = self.distributed_errors(&solved);
             for case in 0..loads.len() {
                 self.require_work("the work of the distributed load", errors[case])?;
-                let (pressure, error) = (self.pressure(loads[case]), errors[case]);
-                found.push(DistributedState {
-                    pressure,
-                    error,
-                    ..self.distributed_in_si(&solved, case)
-                });
+                found.push(self.distributed_in_si(loads[case], &solved, case, errors[case]));
             }
         }
         Ok(found)
@@ -90,7 +85,13 @@ impl Analysis<'_> {
 
     /// From the units of the domain to SI, from its origin to that of the mesh, as the
     /// central solutions.
-    fn distributed_in_si(&self, solved: &DistributedSolution, case: usize) -> DistributedState {
+    fn distributed_in_si(
+        &self,
+        load: &DistributedLoad,
+        solved: &DistributedSolution,
+        case: usize,
+        error: f64,
+    ) -> DistributedState {
         let scaling = &self.domain().scaling;
         let [y, z] = scaling.origin;
         let t = Vector3::new(0.0, y, z);
@@ -101,12 +102,12 @@ impl Analysis<'_> {
             .component_mul(&scaling.force())
             / scaling.length;
         DistributedState {
-            warping: scaling.length * self.on_mesh(&solved.x, case),
-            rate: self.on_mesh(&solved.rate, case),
+            warping: scaling.length * self.solved.on_mesh(&solved.x, case),
+            rate: self.solved.on_mesh(&solved.rate, case),
             strain: wrench::shift_matrix(&t).transpose() * strain,
             force_per_length: wrench::shift_matrix(&-t) * force,
-            pressure: 0.0,
-            error: 0.0,
+            pressure: self.pressure(load),
+            error,
         }
     }
 

@@ -9,7 +9,7 @@
 //! solutions (S-94), and must be the same:
 //!
 //! ```text
-//! psi_T = X' f0 + Y' fp + T X' (C x + L psi_T)
+//! psi_T = X' f0 + Y' fp + T X' (C x + L psi_T)     on dielectrics less T Ph_V' x_V
 //! ```
 
 use super::Analysis;
@@ -17,7 +17,7 @@ use crate::assembly::{ImposedForces, Rate, State, imposed_forces, largest, secti
 use crate::failure::Failure;
 use crate::section::{ImposedStrain, TemperatureField};
 use crate::solution::{ImposedSolution, ImposedSolutions};
-use crate::solve::{Load, ParticularSolution};
+use crate::solve::{Load, ParticularSolution, electric_work};
 use nalgebra::{Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
@@ -90,9 +90,10 @@ impl Analysis<'_> {
             let product = central.x.tr_mul(columns);
             product.fixed_view::<6, 6>(0, 0).into_owned()
         };
+        let on_face = product(&face) - electric_work(domain, &central.face, &solved.x);
         let work = product(&forces.within)
             + central.y.transpose() * forces.resultant
-            + tt.transpose() * product(&face);
+            + tt.transpose() * on_face;
         Vector6::from_fn(|case, _| {
             let difference = (solved.y - work).column(case).amax();
             match forces.largest[case] {
@@ -119,7 +120,7 @@ impl Analysis<'_> {
         let free_strain: Vector6<f64> = v.transpose() * strain;
         ImposedSolution {
             state: state.clone(),
-            warping: scaling.length * self.on_mesh(&solved.x, case),
+            warping: scaling.length * self.solved.on_mesh(&solved.x, case),
             free_strain,
             restrained_force: -(self.solution.stiffness * free_strain),
             error: largest(error, 0.0),
@@ -131,26 +132,12 @@ impl Analysis<'_> {
 mod tests {
     use super::*;
     use crate::assembly::{Domain, Pattern, SectionMatrices, add_rigid_motions};
-    use crate::section::samples::{Random, coupled_rectangle};
+    use crate::section::samples::{Random, coupled_rectangle, random_strain};
     use crate::section::{FreeStrain, Section};
     use crate::solve::{CentralSolution, CentralSystems, Decoupled, Pins};
     use nalgebra::{DMatrix, DVector};
     use shared_geom::mesh::CellKind;
     use shared_geom::section::InitialCurvature;
-
-    /// Strains without any pattern, linear in each cell.
-    fn random(section: &Section, name: &str, random: &mut Random) -> ImposedStrain {
-        let mut any = || Vector6::from_fn(|_, _| random.next());
-        let mut cell = |_| FreeStrain {
-            at_origin: any(),
-            by_y: any(),
-            by_z: any(),
-        };
-        ImposedStrain {
-            name: name.into(),
-            cells: section.cells.iter().map(&mut cell).collect(),
-        }
-    }
 
     /// A section off its axes, of plies in all directions; straight and curved.
     fn sections() -> [Section; 2] {
@@ -168,7 +155,7 @@ mod tests {
     #[test]
     fn imposed_forces_know_of_rigid_motions() {
         for section in sections() {
-            let state = random(&section, "any", &mut Random(3));
+            let state = random_strain(&section, "any", &mut Random(3));
             let analysis = Analysis::new(&section).expect("sound");
             let domain = analysis.domain();
             let forces = imposed_forces(&section, domain, &[state]);
@@ -232,7 +219,7 @@ mod tests {
             let analysis = Analysis::new(&section).expect("sound");
             let mut seed = Random(17);
             let states: Vec<_> = (0..7)
-                .map(|k| random(&section, &k.to_string(), &mut seed))
+                .map(|k| random_strain(&section, &k.to_string(), &mut seed))
                 .collect();
             let together = analysis.imposed(&states).expect("sound");
             assert_eq!(together.len(), 7);
@@ -267,7 +254,7 @@ mod tests {
             let analysis = Analysis::new(&section).expect("sound");
             let domain = analysis.domain();
             let mut seed = Random(23);
-            let states = [(); 6].map(|()| random(&section, "any", &mut seed));
+            let states = [(); 6].map(|()| random_strain(&section, "any", &mut seed));
             let forces = imposed_forces(&section, domain, &states);
             let load = Load {
                 within: &forces.within,
@@ -282,7 +269,7 @@ mod tests {
             for triple in [[0, last / 2, last], [3, 11, last - 4], [last, 7, 1]] {
                 let pins = Pins::at(&domain.nodes, triple);
                 let matrices = SectionMatrices::assemble(domain, &pattern).expect("sound");
-                let systems = CentralSystems::new(domain, &pattern, matrices, pins);
+                let systems = CentralSystems::new(domain, &pattern, matrices, pins.clone());
                 let systems = systems.expect("sound");
                 let found = CentralSolution::solve(domain, &systems).expect("memory");
                 let face = Decoupled::new(domain, found).face;

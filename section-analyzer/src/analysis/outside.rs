@@ -113,7 +113,7 @@ impl OutsideAnalysis {
         let pattern = self::pattern(count, &blocks);
         let domain = in_order(section, &order, &blocks)?;
         require_belonging(&domain, section, &order)?;
-        require_connected(&pattern, &named)?;
+        require_connected(&pattern.parts(), &named)?;
         require_positive_face(&domain, &pattern, &named)?;
         let mut warnings = Vec::new();
         warnings.extend(looks_linear(section, &domain, &pattern)?);
@@ -309,6 +309,7 @@ fn in_order(
         }
     }
     let scaling = Scaling {
+        potential: 1.0,
         origin,
         length,
         modulus,

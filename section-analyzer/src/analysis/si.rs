@@ -68,6 +68,7 @@ pub(super) fn in_si(frame: &Frame<'_>, central: &Central) -> Result<SectionSolut
         strain: about_origin(&decoupled.y),
         checks: *checks,
         unknowns: decoupled.x.nrows(),
+        piezo: None,
     };
     require_sound(&solution)?;
     Ok(solution)

@@ -7,6 +7,7 @@
 //! from the origin and one of 10 m around it are solved with the same digits.
 //! Units of length and modulus are powers of two, so that scaling rounds nothing.
 
+use super::electric::{Electric, electric, potential_unit};
 use crate::element::{Line, rule_points};
 use crate::failure::Failure;
 use crate::material::section_stiffness;
@@ -23,6 +24,8 @@ pub struct Scaling {
     pub length: f64,
     /// Unit of stress \[Pa\].
     pub modulus: f64,
+    /// Unit of electric potential \[V\].
+    pub potential: f64,
 }
 
 impl Scaling {
@@ -52,6 +55,8 @@ pub struct DomainCell {
     pub kind: CellKind,
     /// Index into [`Domain::laws`].
     pub law: u32,
+    /// Index into the laws of [`Electric`]; `None` for a cell without potential.
+    pub coupled: Option<u32>,
     /// Density \[kg/m^3\].
     pub density: f64,
     nodes: [u32; 9],
@@ -79,6 +84,8 @@ pub struct Domain {
     pub scaling: Scaling,
     /// The line of the beam through the origin of the domain, in its unit of length.
     pub line: Line,
+    /// Potentials and electrodes.
+    pub electric: Electric,
 }
 
 impl Domain {
@@ -95,11 +102,14 @@ impl Domain {
         let scaling = Scaling {
             origin: area_centroid(section)?,
             length: 1.0,
+            potential: 1.0,
             modulus: power_of_two(laws.iter().flatten().map(|c| c.abs()).fold(0.0, largest))
                 .ok_or(Failure::NoScale { what: "stiffness" })?,
         };
+        let length = length_unit(section, &mesh_nodes, scaling.origin)?;
         let scaling = Scaling {
-            length: length_unit(section, &mesh_nodes, scaling.origin)?,
+            length,
+            potential: potential_unit(section, length, scaling.modulus),
             ..scaling
         };
 
@@ -117,18 +127,22 @@ impl Domain {
             .zip(&section.cells)
             .zip(law_of_cell)
             .zip(0..);
+        let cells = cells.map(|(((cell, made_of), law), mesh_cell)| DomainCell {
+            tag: cell.tag,
+            mesh_cell,
+            kind: cell.kind,
+            law,
+            coupled: None,
+            density: section.materials[made_of.material].density,
+            nodes: renumbered(cell.nodes(), &node_of_mesh),
+        });
+        let mut cells: Vec<DomainCell> = cells.collect();
+        let numbering = (&mesh_nodes[..], &node_of_mesh[..]);
+        let electric = electric(section, &scaling, numbering, &mut cells);
         let domain = Self {
             nodes: mesh_nodes.iter().map(place).collect(),
-            cells: cells
-                .map(|(((cell, made_of), law), mesh_cell)| DomainCell {
-                    tag: cell.tag,
-                    mesh_cell,
-                    kind: cell.kind,
-                    law,
-                    density: section.materials[made_of.material].density,
-                    nodes: renumbered(cell.nodes(), &node_of_mesh),
-                })
-                .collect(),
+            cells,
+            electric,
             laws: laws.iter().map(|law| law / scaling.modulus).collect(),
             mesh_nodes,
             scaling,
@@ -179,6 +193,7 @@ impl Domain {
         self.nodes = places.collect();
         let mesh_nodes = order.iter().map(|&old| self.mesh_nodes[old as usize]);
         self.mesh_nodes = mesh_nodes.collect();
+        self.electric = self.electric.renumbered(order, &place);
         for cell in &mut self.cells {
             let count = cell.kind.node_count();
             for node in &mut cell.nodes[..count] {
@@ -191,9 +206,16 @@ impl Domain {
         self
     }
 
-    /// Number of warping unknowns: ux, uy, uz of each node, in this order.
+    /// Number of unknowns: ux, uy, uz of each node, in this order, then the potentials.
     pub fn unknowns(&self) -> usize {
-        3 * self.nodes.len()
+        3 * self.nodes.len() + self.electric.potentials()
+    }
+
+    /// The unknown of the potential of `node`; `None` for a node of no dielectric.
+    #[inline(always)]
+    pub fn potential_unknown(&self, node: usize) -> Option<usize> {
+        let potential = self.electric.potential(node)?;
+        Some(3 * self.nodes.len() + potential)
     }
 
     /// Places of the nodes of `cell`; the first `cell.kind.node_count()` count.
@@ -324,7 +346,7 @@ pub(crate) fn largest(a: f64, b: f64) -> f64 {
 
 /// The power of two nearest to `value` on a logarithmic scale; `None` when
 /// `value` is not finite and positive.
-fn power_of_two(value: f64) -> Option<f64> {
+pub(super) fn power_of_two(value: f64) -> Option<f64> {
     let normal = value.is_normal() && value > 0.0;
     normal.then(|| 2f64.powi(value.log2().round() as i32))
 }

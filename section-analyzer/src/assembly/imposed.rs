@@ -10,6 +10,7 @@
 //!
 //! ```text
 //! fp = sum [I, -t x]' sS w                                 w: area of the point
+//! on dielectrics:  f0_V = int grad N . e eps_p J dA, what holds potentials back
 //! f0 = sum [J (N,y sY + N,z sZ) - N k x sS - (a N,y + b N,z) sS] w
 //! ```
 
@@ -39,12 +40,7 @@ pub fn imposed_forces(
     domain: &Domain,
     states: &[ImposedStrain],
 ) -> ImposedForces {
-    let n = domain.unknowns();
-    let mut forces = ImposedForces {
-        within: DMatrix::zeros(n, 6),
-        resultant: Matrix6::zeros(),
-        largest: Vector6::zeros(),
-    };
+    let mut forces = ImposedForces::none(domain);
     for cell in &domain.cells {
         let index = cell.mesh_cell as usize;
         let made_of = &section.cells[index];
@@ -62,6 +58,11 @@ pub fn imposed_forces(
                 forces.largest[case] = largest(forces.largest[case], strain.amax());
                 let stress = domain.laws[cell.law as usize] * strain;
                 forces.add(case, cell, &domain.line, &point, &stress);
+                if let Some(law) = cell.coupled {
+                    let law = &domain.electric.laws[law as usize];
+                    let flux = law.fixed_view::<3, 6>(6, 0) * strain;
+                    forces.add_charges(case, (domain, cell), &point, &flux);
+                }
             }
         }
     }
@@ -87,8 +88,38 @@ fn place_in_mesh(domain: &Domain, point: &CellPoint) -> [f64; 2] {
 }
 
 impl ImposedForces {
+    /// No forces on `domain`.
+    pub fn none(domain: &Domain) -> Self {
+        Self {
+            within: DMatrix::zeros(domain.unknowns(), 6),
+            resultant: Matrix6::zeros(),
+            largest: Vector6::zeros(),
+        }
+    }
+
+    /// Adds what an electric displacement y z x at a point of a dielectric cell puts on its
+    /// potentials, (S-163).
+    fn add_charges(
+        &mut self,
+        case: usize,
+        (domain, cell): (&Domain, &DomainCell),
+        point: &CellPoint,
+        flux: &Vector3<f64>,
+    ) {
+        let metric = domain.line.metric(point.y, point.z);
+        let [a, b] = metric.tilt;
+        let by_y = metric.volume * flux.x - a * flux.z;
+        let by_z = metric.volume * flux.y - b * flux.z;
+        for (i, &node) in cell.nodes().iter().enumerate() {
+            if let Some(unknown) = domain.potential_unknown(node as usize) {
+                self.within[(unknown, case)] +=
+                    point.area * (point.dy[i] * by_y + point.dz[i] * by_z);
+            }
+        }
+    }
+
     /// Adds the forces of `stress`, order yz yy zz xx xy xz, at a point of a cell.
-    fn add(
+    pub(super) fn add(
         &mut self,
         case: usize,
         cell: &DomainCell,

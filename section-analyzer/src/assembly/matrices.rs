@@ -21,10 +21,11 @@
 //! - Masarati 1999, section 5.3.4 and appendix E.2.
 
 use super::domain::{Domain, DomainCell};
+use super::electric::Electric;
 use super::pattern::Pattern;
-use crate::element::{CellBlocks, CellIntegrals, CurvedCell, LawBlocks, TurningLaw, a_of_moments};
+use crate::element::{CellBlocks, CellIntegrals, CurvedCell, LawBlocks, TurningLaw};
 use crate::failure::Failure;
-use nalgebra::{ComplexField, DMatrix, Matrix3, Matrix3x6, Matrix6};
+use nalgebra::{ComplexField, DMatrix, Matrix6, SMatrix};
 use pulp::{Arch, Simd, WithSimd};
 use sprs::CsMatI;
 
@@ -33,7 +34,9 @@ pub trait Scalar: ComplexField<RealField = f64> + Copy {}
 
 impl<T: ComplexField<RealField = f64> + Copy> Scalar for T {}
 
-/// E, R, A in the units of the domain. Unknowns are ux, uy, uz node by node.
+/// E, R, A in the units of the domain. Unknowns are ux, uy, uz node by node, then the
+/// potentials; in E, where each potential follows the displacements of its node, they stand
+/// as `order` says.
 #[derive(Debug, Clone)]
 pub struct SectionMatrices<T> {
     /// `int B0' D B0 J`: the lower triangle in compressed columns, the diagonal
@@ -43,6 +46,8 @@ pub struct SectionMatrices<T> {
     pub r: DMatrix<T>,
     /// `int Bpsi' D Bpsi J` \[-\].
     pub a: Matrix6<f64>,
+    /// For each row of `e` its unknown; empty where they are the same.
+    pub order: Vec<u32>,
 }
 
 impl SectionMatrices<f64> {
@@ -87,6 +92,8 @@ struct Sums<'a, T> {
     rows: Vec<u32>,
     e: Vec<T>,
     r: DMatrix<T>,
+    /// First row of the potentials in R.
+    potentials: usize,
     moments: Vec<[f64; 6]>,
 }
 
@@ -99,6 +106,7 @@ impl<'a, T: Scalar> Sums<'a, T> {
             pattern,
             e: vec![T::zero(); rows.len()],
             r: DMatrix::zeros(unknowns, 6),
+            potentials: 3 * domain.nodes.len(),
             moments: vec![[0.0; 6]; domain.laws.len()],
             starts,
             rows,
@@ -108,12 +116,12 @@ impl<'a, T: Scalar> Sums<'a, T> {
     /// Adds the blocks of a cell: those of the lower triangle of E, those of R, and
     /// what its area adds to A.
     #[inline(always)]
-    fn add(
+    fn add<const C: usize>(
         &mut self,
-        cell: &DomainCell,
+        (electric, cell): (&Electric, &DomainCell),
         area: &[f64; 6],
-        e: impl Fn(usize, usize) -> Matrix3<T>,
-        r: impl Fn(usize) -> Matrix3x6<T>,
+        e: impl Fn(usize, usize) -> SMatrix<T, C, C>,
+        r: impl Fn(usize) -> SMatrix<T, C, 6>,
     ) {
         for (j, &column) in cell.nodes().iter().enumerate() {
             for (i, &row) in cell.nodes().iter().enumerate() {
@@ -121,17 +129,25 @@ impl<'a, T: Scalar> Sums<'a, T> {
                     continue;
                 }
                 let block = e(i, j);
-                for (b, at) in self.pattern.block(row, column).into_iter().enumerate() {
+                let places = self.pattern.block(row, column);
+                for (b, at) in places.into_iter().enumerate().take(C) {
                     let first = if row == column { b } else { 0 };
-                    for a in first..3 {
+                    for a in first..C {
                         self.e[at + a - first] += block[(a, b)];
                     }
                 }
             }
         }
         for (i, &node) in cell.nodes().iter().enumerate() {
+            let of_node = r(i);
             let mut rows = self.r.fixed_view_mut::<3, 6>(3 * node as usize, 0);
-            rows += r(i);
+            rows += of_node.fixed_rows::<3>(0);
+            if C == 4
+                && let Some(potential) = electric.potential(node as usize)
+            {
+                let mut row = self.r.row_mut(self.potentials + potential);
+                row += of_node.row(3);
+            }
         }
         let sums = &mut self.moments[cell.law as usize];
         for (sum, moment) in sums.iter_mut().zip(area) {
@@ -139,14 +155,15 @@ impl<'a, T: Scalar> Sums<'a, T> {
         }
     }
 
-    fn matrices(self, laws: &[LawBlocks]) -> SectionMatrices<T> {
+    fn matrices(self, laws: &[LawBlocks<3>]) -> SectionMatrices<T> {
         let of_laws = self.moments.iter().zip(laws);
-        let a: Matrix6<f64> = of_laws.map(|(area, law)| a_of_moments(area, law)).sum();
+        let a: Matrix6<f64> = of_laws.map(|(area, law)| law.a_of_moments(area)).sum();
         let n = self.r.nrows();
         SectionMatrices {
             e: CsMatI::new_csc((n, n), self.starts, self.rows, self.e),
             r: self.r,
             a: 0.5 * (a + a.transpose()),
+            order: self.pattern.order().map_or_else(Vec::new, <[u32]>::to_vec),
         }
     }
 }
@@ -162,18 +179,31 @@ impl WithSimd for StraightSum<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> Self::Output {
-        let laws: Vec<LawBlocks> = self.domain.laws.iter().map(LawBlocks::new).collect();
-        let mut sums = Sums::none(self.domain, self.pattern)?;
-        for cell in &self.domain.cells {
-            let places = self.domain.places(cell);
+        let Self { domain, pattern } = self;
+        let laws: Vec<_> = domain.laws.iter().map(LawBlocks::new).collect();
+        let coupled: Vec<_> = domain
+            .electric
+            .laws
+            .iter()
+            .map(LawBlocks::coupled)
+            .collect();
+        let mut sums = Sums::none(domain, pattern)?;
+        for cell in &domain.cells {
+            let places = domain.places(cell);
             let integrals = CellIntegrals::new(cell.kind, &places[..cell.kind.node_count()])
                 .map_err(|_| Failure::CellWithoutArea { tag: cell.tag })?;
-            let blocks = CellBlocks {
-                integrals: &integrals,
-                law: &laws[cell.law as usize],
-            };
-            let (e, r) = (|i, j| blocks.e(i, j), |i| blocks.r(i));
-            sums.add(cell, integrals.area(), e, r);
+            let (of, integrals) = ((&domain.electric, cell), &integrals);
+            if let Some(law) = cell.coupled {
+                let law = &coupled[law as usize];
+                let blocks = CellBlocks { integrals, law };
+                let (e, r) = (|i, j| blocks.e(i, j), |i| blocks.r(i));
+                sums.add(of, integrals.area(), e, r);
+            } else {
+                let law = &laws[cell.law as usize];
+                let blocks = CellBlocks { integrals, law };
+                let (e, r) = (|i, j| blocks.e(i, j), |i| blocks.r(i));
+                sums.add(of, integrals.area(), e, r);
+            }
         }
         Ok(sums.matrices(&laws))
     }
@@ -191,21 +221,37 @@ impl<T: Scalar> WithSimd for CurvedSum<'_, T> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> Self::Output {
-        let (line, laws) = (&self.domain.line, &self.domain.laws);
-        let turning = laws
-            .iter()
-            .map(|law| TurningLaw::new(line, self.lambda, law));
-        let turning: Vec<TurningLaw<T>> = turning.collect();
-        let mut sums = Sums::none(self.domain, self.pattern)?;
-        for cell in &self.domain.cells {
-            let places = self.domain.places(cell);
+        let Self {
+            domain,
+            pattern,
+            lambda,
+        } = self;
+        let (line, electric) = (&domain.line, &domain.electric);
+        let turning = domain.laws.iter();
+        let turning: Vec<_> = turning
+            .map(|law| TurningLaw::new(line, lambda, law))
+            .collect();
+        let coupled = electric.laws.iter();
+        let coupled: Vec<_> = coupled
+            .map(|law| TurningLaw::coupled(line, lambda, law))
+            .collect();
+        let mut sums = Sums::none(domain, pattern)?;
+        for cell in &domain.cells {
+            let places = domain.places(cell);
             let integrals = CurvedCell::new(line, cell.kind, &places[..cell.kind.node_count()])
                 .map_err(|_| Failure::CellWithoutArea { tag: cell.tag })?;
-            let law = &turning[cell.law as usize];
-            let (e, r) = (|i, j| integrals.e(law, i, j), |i| integrals.r(law, i));
-            sums.add(cell, integrals.area(), e, r);
+            let of = (electric, cell);
+            if let Some(law) = cell.coupled {
+                let law = &coupled[law as usize];
+                let (e, r) = (|i, j| integrals.e(law, i, j), |i| integrals.r(law, i));
+                sums.add(of, integrals.area(), e, r);
+            } else {
+                let law = &turning[cell.law as usize];
+                let (e, r) = (|i, j| integrals.e(law, i, j), |i| integrals.r(law, i));
+                sums.add(of, integrals.area(), e, r);
+            }
         }
-        let laws: Vec<LawBlocks> = laws.iter().map(LawBlocks::new).collect();
+        let laws: Vec<_> = domain.laws.iter().map(LawBlocks::new).collect();
         Ok(sums.matrices(&laws))
     }
 }

@@ -29,9 +29,24 @@ pub trait Model {
         lambda: Complex<f64>,
     ) -> Result<SectionMatrices<Complex<f64>>, Failure>;
 
-    /// Number of warping unknowns: ux, uy, uz of each node, in this order.
+    /// Number of potentials: they follow the displacements among the unknowns.
+    fn potentials(&self) -> usize {
+        0
+    }
+
+    /// Unknowns that are held at zero besides those that take rigid motions out.
+    fn held(&self) -> Vec<usize> {
+        Vec::new()
+    }
+
+    /// Whether a node has stiffness.
+    fn is_structural(&self, _node: usize) -> bool {
+        true
+    }
+
+    /// Number of unknowns: ux, uy, uz of each node, in this order, then the potentials.
     fn unknowns(&self) -> usize {
-        3 * self.nodes().len()
+        3 * self.nodes().len() + self.potentials()
     }
 }
 
@@ -46,6 +61,26 @@ impl Model for Domain {
 
     fn measure(&self, state: State<'_>, forces: &mut SectionForces) {
         forces.measure(self, state);
+    }
+
+    fn potentials(&self) -> usize {
+        self.electric.potentials()
+    }
+
+    fn held(&self) -> Vec<usize> {
+        let of_nodes = 3 * self.nodes.len();
+        let electrodes = self.electric.electrodes.iter();
+        let on_conductors = electrodes.flat_map(|electrode| electrode.nodes.iter());
+        let potentials = on_conductors.filter_map(|&node| self.electric.potential(node as usize));
+        let without = (0..self.nodes.len()).filter(|&node| !self.electric.is_structural(node));
+        let displacements = without.flat_map(|node| 3 * node..3 * node + 3);
+        displacements
+            .chain(potentials.map(|potential| of_nodes + potential))
+            .collect()
+    }
+
+    fn is_structural(&self, node: usize) -> bool {
+        self.electric.is_structural(node)
     }
 
     fn wave(

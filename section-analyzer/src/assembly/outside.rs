@@ -147,6 +147,7 @@ impl OutsideDomain {
             origin: [y, z],
             length,
             modulus,
+            ..
         } = self.scaling;
         // motions about the reference point to those about the origin: H_O = H_c U(-t)'
         let shift = wrench::shift_matrix(&Vector3::new(0.0, -y, -z)).transpose();
@@ -222,6 +223,7 @@ impl OutsideDomain {
             e: CsMatI::new_csc((unknowns, unknowns), starts, rows, e),
             r: r - l * lambda,
             a: self.a,
+            order: Vec::new(),
         })
     }
 }

@@ -1,13 +1,14 @@
 //! Which nodes meet in a cell, and where the entries of two nodes lie in the
 //! lower triangle of a symmetric matrix in compressed columns.
 //!
-//! Column 3 j + b belongs to component b of node j; its rows are 3 i + a for the
-//! neighbors i > j in rising order, after the rest of the block of j itself:
+//! A node has three unknowns, or four with a potential; those of a node follow each other
+//! in the matrix. The columns of node j have the rows of the neighbors i > j in rising
+//! order, after the rest of the block of j itself:
 //!
 //! ```text
-//! column 3 j       a=0 a=1 a=2 | i1: 0 1 2 | i2: 0 1 2 ...
-//! column 3 j + 1       a=1 a=2 | i1: 0 1 2 | i2: 0 1 2 ...
-//! column 3 j + 2           a=2 | i1: 0 1 2 | i2: 0 1 2 ...
+//! column of ux of j       a=0 a=1 a=2 | i1: 0 1 2 | i2: 0 1 2 3 ...
+//! column of uy of j           a=1 a=2 | i1: 0 1 2 | i2: 0 1 2 3 ...
+//! column of uz of j               a=2 | i1: 0 1 2 | i2: 0 1 2 3 ...
 //! ```
 //!
 //! So the entries of a block need one search among the neighbors of j.
@@ -22,8 +23,21 @@ pub struct Pattern {
     neighbors: Vec<u32>,
     /// For each node the place of itself among its neighbors.
     own: Vec<usize>,
-    /// First entry of column 3 j.
+    /// First entry of the first column of each node.
     columns: Vec<usize>,
+    /// Where nodes have a potential too; `None` where none has.
+    potentials: Option<Potentials>,
+}
+
+/// Nodes with a potential in a [`Pattern`].
+#[derive(Debug, Clone)]
+struct Potentials {
+    /// First row of each node, and the number of rows.
+    first: Vec<u32>,
+    /// For each neighbor of each node, rows of the neighbors before it from the node on.
+    places: Vec<u32>,
+    /// For each row its place among the unknowns of the model.
+    order: Vec<u32>,
 }
 
 impl Pattern {
@@ -49,7 +63,85 @@ impl Pattern {
             neighbors[first..].sort_unstable();
             starts.push(neighbors.len() as u32);
         }
-        Self::from_adjacency(starts, neighbors)
+        let mut pattern = Self::from_adjacency(starts, neighbors);
+        if domain.electric.potentials() > 0 {
+            pattern.add_potentials(domain);
+        }
+        pattern
+    }
+
+    /// Gives the nodes of dielectrics a fourth unknown.
+    fn add_potentials(&mut self, domain: &Domain) {
+        let count = self.node_count();
+        let potential = |node: usize| domain.electric.potential(node);
+        let size = |node: usize| 3 + u32::from(potential(node).is_some());
+        let mut first = vec![0];
+        let mut order = Vec::with_capacity(domain.unknowns());
+        for node in 0..count {
+            first.push(first[node] + size(node));
+            order.extend((0..3).map(|axis| (3 * node + axis) as u32));
+            order.extend(potential(node).map(|number| (3 * count + number) as u32));
+        }
+        let mut places = vec![0; self.neighbors.len()];
+        let mut next = 0;
+        for node in 0..count {
+            let start = self.starts[node] as usize;
+            let mut rows = 0;
+            for at in start + self.own[node]..self.starts[node + 1] as usize {
+                places[at] = rows;
+                rows += size(self.neighbors[at] as usize);
+            }
+            self.columns[node] = next;
+            let own = size(node) as usize;
+            // own columns of all rows, less the triangle above the diagonal
+            next += own * rows as usize - own * (own - 1) / 2;
+        }
+        self.columns[count] = next;
+        self.potentials = Some(Potentials {
+            first,
+            places,
+            order,
+        });
+    }
+
+    /// Number of rows: of unknowns.
+    pub fn rows(&self) -> usize {
+        match &self.potentials {
+            None => 3 * self.node_count(),
+            Some(potentials) => potentials.order.len(),
+        }
+    }
+
+    /// For each row its place among the unknowns of the model; `None` where they are the
+    /// same.
+    pub fn order(&self) -> Option<&[u32]> {
+        self.potentials
+            .as_ref()
+            .map(|potentials| &potentials.order[..])
+    }
+
+    /// The node and the component of a row.
+    pub fn node_of(&self, row: usize) -> (usize, usize) {
+        match &self.potentials {
+            None => (row / 3, row % 3),
+            Some(Potentials { first, .. }) => {
+                let node = first.partition_point(|&first| first as usize <= row) - 1;
+                (node, row - first[node] as usize)
+            }
+        }
+    }
+
+    /// First row of a node.
+    fn first(&self, node: usize) -> u32 {
+        match &self.potentials {
+            None => 3 * node as u32,
+            Some(Potentials { first, .. }) => first[node],
+        }
+    }
+
+    /// Number of unknowns of a node.
+    pub fn size(&self, node: usize) -> usize {
+        (self.first(node + 1) - self.first(node)) as usize
     }
 
     /// The adjacency of `count` nodes that meet as `pairs` say; each pair in either
@@ -97,6 +189,7 @@ impl Pattern {
             neighbors,
             own,
             columns,
+            potentials: None,
         }
     }
 
@@ -120,39 +213,52 @@ impl Pattern {
         self.columns[self.node_count()]
     }
 
-    /// Where the entries of row node `row` start in each column of node `column`:
-    /// three in a row, of which those above the diagonal are left out when the nodes
-    /// are the same. The nodes share a cell, and `row >= column`.
-    pub fn block(&self, row: u32, column: u32) -> [usize; 3] {
+    /// Where the entries of row node `row` start in each column of node `column`: all rows
+    /// of the node in a row, of which those above the diagonal are left out when the nodes
+    /// are the same. The nodes share a cell, and `row >= column`; the last is of a potential.
+    pub fn block(&self, row: u32, column: u32) -> [usize; 4] {
         let node = column as usize;
         let below = &self.neighbors(node)[self.own[node]..];
-        // the own block takes 3, 2 and 1 entries of the columns
-        let others = 3 * (below.len() - 1);
+        let place = below.partition_point(|&other| other < row);
+        let (size, rows, place) = match &self.potentials {
+            None => (3, 3 * below.len(), 3 * place),
+            Some(Potentials { places, .. }) => {
+                let start = self.starts[node] as usize + self.own[node];
+                let last = below.len() - 1;
+                let rows = places[start + last] as usize + self.size(below[last] as usize);
+                (self.size(node), rows, places[start + place] as usize)
+            }
+        };
         let first = self.columns[node];
-        let own = [first, first + 3 + others, first + 5 + 2 * others];
-        if row == column {
-            return own;
+        let mut at = [
+            first,
+            first + rows,
+            first + 2 * rows - 1,
+            first + 3 * rows - 3,
+        ];
+        if row != column {
+            // the rows of the own block above the diagonal are left out
+            for (b, at) in at.iter_mut().enumerate().take(size) {
+                *at += place - b;
+            }
         }
-        let place = 3 * below.partition_point(|&other| other < row);
-        [own[0] + place, own[1] + place - 1, own[2] + place - 2]
+        at
     }
 
-    /// Column starts and row indices of the lower triangle, by unknown; `None` when
+    /// Column starts and row indices of the lower triangle, by row; `None` when
     /// 32 bits do not count them.
     pub fn structure(&self) -> Option<(Vec<u32>, Vec<u32>)> {
         // faer takes signed indices of this width
-        if i32::try_from(self.entry_count()).is_err() {
-            return None;
-        }
-        let mut starts = Vec::with_capacity(3 * self.node_count() + 1);
+        i32::try_from(self.entry_count()).ok()?;
+        let mut starts = Vec::with_capacity(self.rows() + 1);
         let mut rows = Vec::with_capacity(self.entry_count());
         starts.push(0);
         for node in 0..self.node_count() {
-            for b in 0..3 {
-                let own = 3 * node as u32;
-                rows.extend(own + b..own + 3);
+            let (own, end) = (self.first(node), self.first(node + 1));
+            for row in own..end {
+                rows.extend(row..end);
                 for &other in &self.neighbors(node)[self.own[node] + 1..] {
-                    rows.extend([3 * other, 3 * other + 1, 3 * other + 2]);
+                    rows.extend(self.first(other as usize)..self.first(other as usize + 1));
                 }
                 starts.push(rows.len() as u32);
             }
@@ -160,20 +266,20 @@ impl Pattern {
         Some((starts, rows))
     }
 
-    /// Column starts and row indices of the upper triangle, by unknown; `None` when
+    /// Column starts and row indices of the upper triangle, by row; `None` when
     /// 32 bits do not count them.
     pub fn upper_structure(&self) -> Option<(Vec<u32>, Vec<u32>)> {
         i32::try_from(self.entry_count()).ok()?;
-        let mut starts = Vec::with_capacity(3 * self.node_count() + 1);
+        let mut starts = Vec::with_capacity(self.rows() + 1);
         let mut rows = Vec::with_capacity(self.entry_count());
         starts.push(0);
         for node in 0..self.node_count() {
-            for b in 0..3 {
+            let (own, end) = (self.first(node), self.first(node + 1));
+            for row in own..end {
                 for &other in &self.neighbors(node)[..self.own[node]] {
-                    rows.extend([3 * other, 3 * other + 1, 3 * other + 2]);
+                    rows.extend(self.first(other as usize)..self.first(other as usize + 1));
                 }
-                let own = 3 * node as u32;
-                rows.extend(own..=own + b);
+                rows.extend(own..=row);
                 starts.push(rows.len() as u32);
             }
         }

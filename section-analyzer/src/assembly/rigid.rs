@@ -61,11 +61,11 @@ const GENERIC_MOTION: [f64; 6] = [1.0, -0.71, 0.43, 0.89, -0.61, 0.53];
 /// parts, relative to the largest entry of its right-hand side before T; that of E to
 /// the terms of its product.
 pub fn check_assembled_identities(model: &impl Model, matrices: &SectionMatrices<f64>) -> [f64; 2] {
-    let SectionMatrices { e, r, a } = matrices;
+    let SectionMatrices { e, r, a, order } = matrices;
     let motion = Vector6::from(GENERIC_MOTION);
     let turned = model.line().equilibrium().transpose() * motion;
     let displacement = rigid_displacements(model, &motion);
-    let (e_motion, e_scale) = symmetric_product(e, &displacement);
+    let (e_motion, e_scale) = symmetric_product(e, order, &displacement);
     [
         (e_motion - r * turned).amax() / e_scale,
         (r.tr_mul(&displacement) - a * turned).amax() / (a * motion).amax(),
@@ -81,7 +81,7 @@ pub fn check_assembled_identities(model: &impl Model, matrices: &SectionMatrices
 /// An analysis checks the two of [`ASSEMBLED_IDENTITIES`] only; this is what vouches for
 /// the operators that it does not assemble.
 pub fn check_identities(domain: &Domain, matrices: &SectionMatrices<f64>) -> [f64; 6] {
-    let SectionMatrices { e, r, a } = matrices;
+    let SectionMatrices { e, r, a, order } = matrices;
     let t = domain.line.equilibrium().transpose();
     let (identity, still) = (Matrix6::identity(), Matrix6::zeros());
     let mut motions = DMatrix::zeros(domain.unknowns(), 6);
@@ -102,7 +102,7 @@ pub fn check_identities(domain: &Domain, matrices: &SectionMatrices<f64>) -> [f6
 
     let mut of_e = 0.0;
     for (motion, turned) in motions.column_iter().zip(t.column_iter()) {
-        let (e_motion, scale) = symmetric_product(e, &motion.into_owned());
+        let (e_motion, scale) = symmetric_product(e, order, &motion.into_owned());
         of_e = largest(of_e, (e_motion - r * turned).amax() / scale);
     }
     let (of_l, of_r, of_a) = (l.amax(), r.amax(), a.amax());
@@ -128,12 +128,20 @@ fn rigid_displacements(model: &impl Model, motion: &Vector6<f64>) -> DVector<f64
 }
 
 /// Product of a symmetric matrix, given by its lower triangle in compressed
-/// columns, with `x`, and the largest sum of absolute terms in it.
-fn symmetric_product(lower: &CsMatI<f64, u32>, x: &DVector<f64>) -> (DVector<f64>, f64) {
+/// columns, with `x`, and the largest sum of absolute terms in it; `order` are the unknowns
+/// of its rows where these stand otherwise than in `x`.
+fn symmetric_product(
+    lower: &CsMatI<f64, u32>,
+    order: &[u32],
+    x: &DVector<f64>,
+) -> (DVector<f64>, f64) {
+    let unknown = |row: usize| order.get(row).map_or(row, |&unknown| unknown as usize);
     let mut product = DVector::zeros(x.len());
     let mut terms = DVector::<f64>::zeros(x.len());
-    for (j, column) in lower.outer_iterator().enumerate() {
-        for (i, &value) in column.iter() {
+    for (column, entries) in lower.outer_iterator().enumerate() {
+        let j = unknown(column);
+        for (row, &value) in entries.iter() {
+            let i = unknown(row);
             product[i] += value * x[j];
             terms[i] += (value * x[j]).abs();
             if i != j {

@@ -15,8 +15,8 @@
 use super::domain::{Domain, DomainCell};
 use super::model::Model;
 use crate::element::{
-    CASES, CaseLoop, CellField, CellForces, CellState, Product, Row, in_widest_registers, rows_of,
-    rule_points,
+    CASES, CaseLoop, CellCharges, CellField, CellForces, CellPotential, CellState, PotentialState,
+    Product, Row, add_coupled, in_widest_registers, rows_of, rule_points,
 };
 use nalgebra::{DMatrix, Matrix6};
 
@@ -117,6 +117,13 @@ fn sum<P: Product>(domain: &Domain, state: State<'_>, target: &mut SectionForces
     let mut of_cell = CellState::NONE;
     let line = (!domain.line.is_straight()).then_some(&domain.line);
     let along = line.map(|line| rows_of(&line.equilibrium().transpose()));
+    let coupled = domain
+        .electric
+        .laws
+        .iter()
+        .map(|law| law.transpose().into());
+    let coupled: Vec<[[f64; 9]; 9]> = coupled.collect();
+    let mut potentials = PotentialState::NONE;
     let mut forces = CellForces::NONE;
     for cell in &domain.cells {
         gather(cell, state, along.as_ref(), &mut of_cell);
@@ -124,9 +131,17 @@ fn sum<P: Product>(domain: &Domain, state: State<'_>, target: &mut SectionForces
         let geometry = (rule_points(cell.kind), &places[..cell.kind.node_count()]);
         let law = &laws[cell.law as usize];
         forces.clear_nodes();
-        match line {
-            None => forces.add::<P>(geometry, law, &of_cell, &strain),
-            Some(line) => forces.add_along::<P>(line, geometry, law, &of_cell, &strain),
+        if let Some(law) = cell.coupled {
+            gather_potentials(domain, cell, state, along.as_ref(), &mut potentials);
+            let (law, mut charges) = (&coupled[law as usize], CellCharges::NONE);
+            let (targets, states) = ((&mut forces, &mut charges), (&of_cell, &potentials));
+            add_coupled::<P>(targets, &domain.line, geometry, law, states, &strain);
+            scatter_potentials(domain, cell, &charges.within, &mut target.within);
+            scatter_potentials(domain, cell, &charges.face, &mut target.face);
+        } else if let Some(line) = line {
+            forces.add_along::<P>(line, geometry, law, &of_cell, &strain);
+        } else {
+            forces.add::<P>(geometry, law, &of_cell, &strain);
         }
         scatter(cell, &forces.within, &mut target.within);
         scatter(cell, &forces.face, &mut target.face);
@@ -151,6 +166,29 @@ fn gather(cell: &DomainCell, state: State<'_>, along: Option<&[Row; 6]>, of_cell
                 for (rate, warping) in rate.iter_mut().zip(warping) {
                     central_rate(along, warping, rate);
                 }
+            }
+        }
+    }
+}
+
+/// The potentials at the nodes of `cell`; `along` as [`gather`] takes it.
+#[inline(always)]
+fn gather_potentials(
+    domain: &Domain,
+    cell: &DomainCell,
+    state: State<'_>,
+    along: Option<&[Row; 6]>,
+    of_cell: &mut PotentialState,
+) {
+    if let Some(warping) = state.warping {
+        take_potentials(domain, cell, warping, &mut of_cell.potential);
+    }
+    match state.rate {
+        Rate::Zero => {}
+        Rate::Given(rate) => take_potentials(domain, cell, rate, &mut of_cell.rate),
+        Rate::Central => {
+            for (rate, potential) in of_cell.rate.iter_mut().zip(&of_cell.potential) {
+                central_rate(along, potential, rate);
             }
         }
     }
@@ -181,6 +219,42 @@ pub fn take_columns(cell: &DomainCell, field: &DMatrix<f64>, of_cell: &mut CellF
             let first = 3 * node as usize;
             for (target, value) in target.iter_mut().zip(&column[first..first + 3]) {
                 target[k] = *value;
+            }
+        }
+    }
+}
+
+/// The potentials in the columns of `field` (n x k) at the nodes of `cell`.
+#[inline(always)]
+pub fn take_potentials(
+    domain: &Domain,
+    cell: &DomainCell,
+    field: &DMatrix<f64>,
+    of_cell: &mut CellPotential,
+) {
+    let columns = field.as_slice().chunks_exact(field.nrows());
+    for (k, column) in columns.take(CASES).enumerate() {
+        for (target, &node) in of_cell.iter_mut().zip(cell.nodes()) {
+            if let Some(unknown) = domain.potential_unknown(node as usize) {
+                target[k] = column[unknown];
+            }
+        }
+    }
+}
+
+/// Adds the charges of `cell` at its nodes to `field` (n x 6).
+#[inline(always)]
+fn scatter_potentials(
+    domain: &Domain,
+    cell: &DomainCell,
+    of_cell: &CellPotential,
+    field: &mut DMatrix<f64>,
+) {
+    let rows = field.nrows();
+    for (k, column) in field.as_mut_slice().chunks_exact_mut(rows).enumerate() {
+        for (part, &node) in of_cell.iter().zip(cell.nodes()) {
+            if let Some(unknown) = domain.potential_unknown(node as usize) {
+                column[unknown] += part[k];
             }
         }
     }

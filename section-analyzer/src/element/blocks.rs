@@ -23,41 +23,64 @@
 //! - Masarati 1999, section 5.3.4 and appendix E.2.
 
 use super::point::{CellPoint, rule_points};
-use super::strain::{FACE_STRAINS, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS, rigid_displacement};
-use nalgebra::{Matrix3, Matrix3x6, Matrix6};
+use super::strain::{FACE_STRAINS, Fed, rigid_displacement};
+use crate::material::CoupledLaw;
+use nalgebra::{Matrix3, Matrix3x6, Matrix6, SMatrix};
 use shared_geom::mesh::CellKind;
 
-/// The 3x3 parts of a law that the blocks are made of \[Pa\].
+/// The parts of a law that the blocks are made of, for cells whose nodes have C unknowns:
+/// three displacements, and on dielectrics the potential \[Pa\].
 #[derive(Debug, Clone, PartialEq)]
-pub struct LawBlocks {
-    /// `S' D S`
+pub struct LawBlocks<const C: usize> {
+    /// `S' D S` of the displacements.
     ss: Matrix3<f64>,
-    /// `Py' D S`
-    ys: Matrix3<f64>,
-    /// `Pz' D S`
-    zs: Matrix3<f64>,
+    /// `Py' D S`, S of the displacements.
+    ys: SMatrix<f64, C, 3>,
+    /// `Pz' D S`, S of the displacements.
+    zs: SMatrix<f64, C, 3>,
     /// `Py' D Py`
-    yy: Matrix3<f64>,
+    yy: SMatrix<f64, C, C>,
     /// `Py' D Pz`
-    yz: Matrix3<f64>,
+    yz: SMatrix<f64, C, C>,
     /// `Pz' D Pz`
-    zz: Matrix3<f64>,
+    zz: SMatrix<f64, C, C>,
 }
 
-impl LawBlocks {
+impl LawBlocks<3> {
     /// The parts of the law `d`, order yz yy zz xx xy xz \[Pa\].
     pub fn new(d: &Matrix6<f64>) -> Self {
-        let part = |rows: [usize; 3], columns: [usize; 3]| {
-            Matrix3::from_fn(|i, j| d[(rows[i], columns[j])])
+        Self::of_entries(&Fed::DISPLACEMENTS, |i, j| d[(i, j)])
+    }
+}
+
+impl LawBlocks<4> {
+    /// The parts of the coupled law `d`, order of [`CoupledLaw`] \[Pa\].
+    pub fn coupled(d: &CoupledLaw) -> Self {
+        Self::of_entries(&Fed::WITH_POTENTIAL, |i, j| d[(i, j)])
+    }
+}
+
+impl<const C: usize> LawBlocks<C> {
+    fn of_entries(fed: &Fed<C>, entry: impl Fn(usize, usize) -> f64) -> Self {
+        let loads = |rows: &[usize; C]| {
+            SMatrix::<f64, C, 3>::from_fn(|i, j| entry(rows[i], FACE_STRAINS[j]))
+        };
+        let part = |rows: &[usize; C], columns: &[usize; C]| {
+            SMatrix::<f64, C, C>::from_fn(|i, j| entry(rows[i], columns[j]))
         };
         Self {
-            ss: part(FACE_STRAINS, FACE_STRAINS),
-            ys: part(Y_GRADIENT_STRAINS, FACE_STRAINS),
-            zs: part(Z_GRADIENT_STRAINS, FACE_STRAINS),
-            yy: part(Y_GRADIENT_STRAINS, Y_GRADIENT_STRAINS),
-            yz: part(Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS),
-            zz: part(Z_GRADIENT_STRAINS, Z_GRADIENT_STRAINS),
+            ss: Matrix3::from_fn(|i, j| entry(FACE_STRAINS[i], FACE_STRAINS[j])),
+            ys: loads(&fed.along_y),
+            zs: loads(&fed.along_z),
+            yy: part(&fed.along_y, &fed.along_y),
+            yz: part(&fed.along_y, &fed.along_z),
+            zz: part(&fed.along_z, &fed.along_z),
         }
+    }
+
+    /// What `int (1, y, z, y y, y z, z z)` over the cells of this law adds to A.
+    pub fn a_of_moments(&self, area: &[f64; 6]) -> Matrix6<f64> {
+        a_of_moments(area, &self.ss)
     }
 }
 
@@ -140,18 +163,18 @@ impl CellIntegrals {
 
 /// The blocks of one cell: integrals and law together.
 #[derive(Debug, Clone, Copy)]
-pub struct CellBlocks<'a> {
+pub struct CellBlocks<'a, const C: usize> {
     /// Integrals over the cell.
     pub integrals: &'a CellIntegrals,
     /// Parts of its law.
-    pub law: &'a LawBlocks,
+    pub law: &'a LawBlocks<C>,
 }
 
-impl CellBlocks<'_> {
+impl<const C: usize> CellBlocks<'_, C> {
     /// `E_ij = int Ni,y Nj,y Py'DPy + int Ni,z Nj,z Pz'DPz
     ///       + int Ni,y Nj,z Py'DPz + int Ni,z Nj,y Pz'DPy`.
     #[inline(always)]
-    pub fn e(&self, i: usize, j: usize) -> Matrix3<f64> {
+    pub fn e(&self, i: usize, j: usize) -> SMatrix<f64, C, C> {
         let (integrals, law) = (self.integrals, self.law);
         let normal = integrals.yy[i][j] * law.yy + integrals.zz[i][j] * law.zz;
         let mixed = integrals.yz[i][j] * law.yz + integrals.yz[j][i] * law.yz.transpose();
@@ -160,7 +183,7 @@ impl CellBlocks<'_> {
 
     /// `R_i = Py'DS int Ni,y [I, -t x] + Pz'DS int Ni,z [I, -t x]`.
     #[inline(always)]
-    pub fn r(&self, i: usize) -> Matrix3x6<f64> {
+    pub fn r(&self, i: usize) -> SMatrix<f64, C, 6> {
         self.law.ys * rigid(&self.integrals.dy[i]) + self.law.zs * rigid(&self.integrals.dz[i])
     }
 }
@@ -170,7 +193,7 @@ impl CellBlocks<'_> {
 ///
 /// `[I, -t x] = G1 + y Gy + z Gz` with constant parts, so A is a sum over the six
 /// moments.
-pub fn a_of_moments(area: &[f64; 6], law: &LawBlocks) -> Matrix6<f64> {
+fn a_of_moments(area: &[f64; 6], ss: &Matrix3<f64>) -> Matrix6<f64> {
     let parts = [
         rigid_displacement(1.0, 0.0, 0.0),
         rigid_displacement(0.0, 1.0, 0.0),
@@ -181,7 +204,7 @@ pub fn a_of_moments(area: &[f64; 6], law: &LawBlocks) -> Matrix6<f64> {
     let mut a = Matrix6::zeros();
     for (p, left) in parts.iter().enumerate() {
         for (q, right) in parts.iter().enumerate() {
-            a += area[MOMENT[p][q]] * (left.transpose() * law.ss * right);
+            a += area[MOMENT[p][q]] * (left.transpose() * ss * right);
         }
     }
     a

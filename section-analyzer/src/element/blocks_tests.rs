@@ -76,7 +76,7 @@ fn blocks_are_the_integrals_of_the_strain_operators() {
         }
         let expected: Matrix6<f64> = a.fixed_view::<6, 6>(0, 0).into_owned();
         assert_relative_eq!(
-            a_of_moments(integrals.area(), blocks.law),
+            blocks.law.a_of_moments(integrals.area()),
             expected,
             epsilon = 1e-13
         );
@@ -108,7 +108,7 @@ fn blocks_meet_the_rigid_body_identities() {
         let rh: Matrix6<f64> = (0..nodes.len()).map(|i| blocks.r(i).tr_mul(&h[i])).sum();
         assert_relative_eq!(
             rh,
-            a_of_moments(integrals.area(), blocks.law) * t,
+            blocks.law.a_of_moments(integrals.area()) * t,
             epsilon = 1e-12
         );
     }

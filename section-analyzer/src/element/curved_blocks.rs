@@ -23,8 +23,9 @@
 use super::blocks::{Moments, PairIntegrals, rigid};
 use super::line::Line;
 use super::point::{CellPoint, rule_points};
-use super::strain::{FACE_STRAINS, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS};
-use nalgebra::{ComplexField, Matrix3, Matrix3x6, Matrix6};
+use super::strain::{FACE_STRAINS, Fed};
+use crate::material::CoupledLaw;
+use nalgebra::{ComplexField, Matrix6, SMatrix};
 use shared_geom::mesh::CellKind;
 use shared_geom::rotation::skew;
 
@@ -109,11 +110,16 @@ impl CurvedCell {
 
     /// `E_ij`.
     #[inline(always)]
-    pub fn e<T>(&self, law: &TurningLaw<T>, i: usize, j: usize) -> Matrix3<T>
+    pub fn e<T, const C: usize>(
+        &self,
+        law: &TurningLaw<T, C>,
+        i: usize,
+        j: usize,
+    ) -> SMatrix<T, C, C>
     where
         T: ComplexField<RealField = f64> + Copy,
     {
-        let mut block = Matrix3::zeros();
+        let mut block = SMatrix::<T, C, C>::zeros();
         for (of_p, laws) in self.pairs.iter().zip(&law.products) {
             for (pairs, law) in of_p.iter().zip(laws) {
                 let factor = pairs[i][j];
@@ -125,11 +131,11 @@ impl CurvedCell {
 
     /// `R_i`.
     #[inline(always)]
-    pub fn r<T>(&self, law: &TurningLaw<T>, i: usize) -> Matrix3x6<T>
+    pub fn r<T, const C: usize>(&self, law: &TurningLaw<T, C>, i: usize) -> SMatrix<T, C, 6>
     where
         T: ComplexField<RealField = f64> + Copy,
     {
-        let mut rows = Matrix3x6::zeros();
+        let mut rows = SMatrix::<T, C, 6>::zeros();
         for (moments, law) in self.moments.iter().zip(&law.loads) {
             rows += law * rigid(&moments[i]).map(T::from_real);
         }
@@ -137,39 +143,61 @@ impl CurvedCell {
     }
 }
 
-/// The products of a law with the operators of a line and a rate lambda.
+/// The products of a law with the operators of a line and a rate lambda, for cells whose
+/// nodes have C unknowns. The potential does not turn with the section: of k x + lambda it
+/// has lambda alone.
 #[derive(Debug, Clone)]
-pub struct TurningLaw<T> {
+pub struct TurningLaw<T, const C: usize> {
     /// `W_p^H D W_q` \[Pa\].
-    products: [[Matrix3<T>; PARTS]; PARTS],
-    /// `W_p^H D S` \[Pa\].
-    loads: [Matrix3<T>; PARTS],
+    products: [[SMatrix<T, C, C>; PARTS]; PARTS],
+    /// `W_p^H D S`, S of the displacements \[Pa\].
+    loads: [SMatrix<T, C, 3>; PARTS],
 }
 
-impl<T: ComplexField<RealField = f64> + Copy> TurningLaw<T> {
+impl<T: ComplexField<RealField = f64> + Copy> TurningLaw<T, 3> {
     /// The products of the law `d`, order yz yy zz xx xy xz \[Pa\], for solutions that
     /// vary along the `line` as `exp(lambda x)`.
     pub fn new(line: &Line, lambda: T, d: &Matrix6<f64>) -> Self {
-        let rows = [
-            FACE_STRAINS,
-            FACE_STRAINS,
-            Y_GRADIENT_STRAINS,
-            Z_GRADIENT_STRAINS,
-        ];
-        let part =
-            |p: usize, q: usize| Matrix3::from_fn(|i, j| T::from_real(d[(rows[p][i], rows[q][j])]));
-        let turn = skew(&line.curvature).map(T::from_real) + Matrix3::identity() * lambda;
-        let from_left = |p: usize, part: Matrix3<T>| match p {
-            0 => turn.adjoint() * part,
-            _ => part,
-        };
+        Self::of_entries(&Fed::DISPLACEMENTS, (line, lambda), |i, j| d[(i, j)])
+    }
+}
+
+impl<T: ComplexField<RealField = f64> + Copy> TurningLaw<T, 4> {
+    /// As [`TurningLaw::new`], of a coupled law.
+    pub fn coupled(line: &Line, lambda: T, d: &CoupledLaw) -> Self {
+        Self::of_entries(&Fed::WITH_POTENTIAL, (line, lambda), |i, j| d[(i, j)])
+    }
+}
+
+impl<T: ComplexField<RealField = f64> + Copy, const C: usize> TurningLaw<T, C> {
+    fn of_entries(
+        fed: &Fed<C>,
+        (line, lambda): (&Line, T),
+        entry: impl Fn(usize, usize) -> f64,
+    ) -> Self {
+        let rows = [&fed.face, &fed.face, &fed.along_y, &fed.along_z];
+        let of_line = skew(&line.curvature);
+        let turn = SMatrix::<T, C, C>::from_fn(|i, j| {
+            let turn = if i < 3 && j < 3 { of_line[(i, j)] } else { 0.0 };
+            T::from_real(turn) + if i == j { lambda } else { T::zero() }
+        });
         let product = |p: usize, q: usize| {
-            let part = part(p, q);
-            from_left(p, if q == 0 { part * turn } else { part })
+            let mut part =
+                SMatrix::<T, C, C>::from_fn(|i, j| T::from_real(entry(rows[p][i], rows[q][j])));
+            if q == 0 {
+                part *= turn;
+            }
+            if p == 0 { turn.adjoint() * part } else { part }
+        };
+        let load = |p: usize| {
+            let part = SMatrix::<T, C, 3>::from_fn(|i, j| {
+                T::from_real(entry(rows[p][i], FACE_STRAINS[j]))
+            });
+            if p == 0 { turn.adjoint() * part } else { part }
         };
         Self {
             products: std::array::from_fn(|p| std::array::from_fn(|q| product(p, q))),
-            loads: std::array::from_fn(|p| from_left(p, part(p, 0))),
+            loads: std::array::from_fn(load),
         }
     }
 }

@@ -33,7 +33,7 @@ pub struct CellForces {
     /// theta: `[component][case]`.
     resultant: [Row; 6],
     /// W: `[case][case]`.
-    work: [Row; 6],
+    pub(super) work: [Row; 6],
 }
 
 impl CellForces {
@@ -90,7 +90,7 @@ impl CellForces {
     /// with the stresses of the face over J, and what the turn and the tilt of the
     /// material line add within the section.
     #[inline(always)]
-    fn add_turned<P: Product>(
+    pub(super) fn add_turned<P: Product>(
         &mut self,
         point: &CellPoint,
         (line, metric): (&Line, &Metric),
@@ -132,7 +132,12 @@ impl CellForces {
     }
 
     #[inline(always)]
-    fn add_point<P: Product>(&mut self, point: &CellPoint, strain: &[Row; 6], stress: &[Row; 6]) {
+    pub(super) fn add_point<P: Product>(
+        &mut self,
+        point: &CellPoint,
+        strain: &[Row; 6],
+        stress: &[Row; 6],
+    ) {
         let [yz, yy, zz, xx, xy, xz] = stress;
         for node in 0..point.count {
             let (n, dy, dz) = (point.n[node], point.dy[node], point.dz[node]);

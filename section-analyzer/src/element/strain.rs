@@ -46,6 +46,37 @@ pub const Y_GRADIENT_STRAINS: [usize; 3] = [4, 1, 0];
 /// Strain components fed by the derivatives along z of (ux, uy, uz): xz, yz, zz.
 pub const Z_GRADIENT_STRAINS: [usize; 3] = [5, 0, 2];
 
+/// Components of a law that the C unknowns of a node feed, in their order: the
+/// displacements the strains above; on dielectrics the potential V the gradients that
+/// follow the strains in the order of [`crate::material::CoupledLaw`].
+#[derive(Debug, Clone, Copy)]
+pub struct Fed<const C: usize> {
+    /// By themselves or by their rate along the beam.
+    pub face: [usize; C],
+    /// By their derivatives along y.
+    pub along_y: [usize; C],
+    /// By their derivatives along z.
+    pub along_z: [usize; C],
+}
+
+impl Fed<3> {
+    /// Of ux, uy, uz.
+    pub const DISPLACEMENTS: Self = Self {
+        face: FACE_STRAINS,
+        along_y: Y_GRADIENT_STRAINS,
+        along_z: Z_GRADIENT_STRAINS,
+    };
+}
+
+impl Fed<4> {
+    /// Of ux, uy, uz and V.
+    pub const WITH_POTENTIAL: Self = Self {
+        face: [3, 4, 5, 8],
+        along_y: [4, 1, 0, 6],
+        along_z: [5, 0, 2, 7],
+    };
+}
+
 /// `f [I, -t x]` summed over points, given the sums of f, f y and f z.
 ///
 /// With `f = 1` it is the displacement of the point t = (0, y, z) in the six

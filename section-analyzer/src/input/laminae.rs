@@ -9,14 +9,13 @@ use super::groups;
 use super::problem::InputProblem;
 use super::regions::{Written, WrittenAngle, WrittenRegion, constant_angle, name};
 use crate::mesh::{
-    DoubledNodes, Lamina, LaminaProblem, LaminaSide, Laminated, MeshReport, SectionMesh,
-    add_laminae, of_laminae,
+    DoubledNodes, Lamina, LaminaProblem, LaminaSide, Laminated, MeshReport, SectionMesh, of_laminae,
 };
 use crate::section::CellMaterial;
 
 mod faces;
 
-pub(super) use faces::Faces;
+pub(super) use faces::{Faces, add_with_faces};
 
 const SIDES: [LaminaSide; 3] = [LaminaSide::Left, LaminaSide::Right, LaminaSide::Center];
 /// Keys of a laminate of one ply, which exclude a list of plies.
@@ -186,14 +185,14 @@ pub(super) fn add(
     let found: Option<Vec<Lamina>> = found.into_iter().collect();
     let made = found.filter(|_| names.are_free).and_then(|mut found| {
         add_groups(mesh, laminae, &mut found);
-        Some((made(document, mesh, laminae, &found)?, found))
+        let (laminated, faces) = made(document, mesh, laminae, &found)?;
+        Some((Made { found, laminated }, faces))
     });
     match made {
-        Some((laminated, found)) if names.are_told_apart(document) => {
-            let faces = Faces::add(mesh, &names_of(laminae), &found, &laminated);
-            let cells = Some(Made { found, laminated });
-            Added { cells, faces }
-        }
+        Some((made, faces)) if names.are_told_apart(document) => Added {
+            cells: Some(made),
+            faces,
+        },
         _ => Added {
             cells: None,
             faces: Faces::unknown(laminae),
@@ -305,9 +304,9 @@ fn made(
     mesh: &mut Mesh,
     laminae: &[WrittenLamina],
     found: &[Lamina],
-) -> Option<Laminated> {
-    match add_laminae(mesh, found) {
-        Ok(laminated) => Some(laminated),
+) -> Option<(Laminated, Faces)> {
+    match add_with_faces(mesh, &names_of(laminae), found) {
+        Ok(made) => Some(made),
         Err(problems) => {
             note(document, laminae, problems);
             None

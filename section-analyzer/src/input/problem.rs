@@ -5,12 +5,13 @@ use shared_geom::figure::tick_label;
 use shared_geom::wrench::COMPONENTS;
 
 use crate::material::{MaterialProblem, StrengthProblem};
+use crate::mesh::counted;
 use crate::properties::NoPrestress;
 
 mod words;
 
-use words::{counted, known_groups, listed, more, strength_keys};
-pub(super) use words::{nearest_or_all, quoted};
+pub(super) use words::nearest_or_all;
+use words::{known_groups, listed, strength_keys};
 
 /// A problem of a section input, of the tables it names, or of what it says about
 /// its mesh.
@@ -325,7 +326,7 @@ pub enum InputProblem {
         line: usize,
     },
     /// Further rows with problems.
-    #[error("{} with problems of this kind follow", more(*.count))]
+    #[error("{} with problems of this kind follow", counted(*.count, "more row"))]
     TableMore {
         /// Their number.
         count: usize,

@@ -10,8 +10,8 @@ use shared_geom::units::Dimension;
 use thiserror::Error;
 
 use super::follow::{Parabola, direction};
-use super::laminae::Faces;
-use crate::mesh::{CurveLine, Lamina, SectionMesh, add_laminae};
+use super::laminae::add_with_faces;
+use crate::mesh::{CurveLine, Lamina, SectionMesh};
 use crate::properties::AreaMoments;
 use crate::section::Section;
 use crate::sensitivity::{Axis, CellTurn, MeshNode, Motion, NodeVelocity};
@@ -304,8 +304,7 @@ impl Source {
         let position = &mut mesh.nodes[node as usize].position;
         position.x += by[0];
         position.y += by[1];
-        let laminated = add_laminae(&mut mesh, &self.laminae).ok()?;
-        Faces::add(&mut mesh, &self.names, &self.laminae, &laminated);
+        let (laminated, _) = add_with_faces(&mut mesh, &self.names, &self.laminae).ok()?;
         let mesh = section.mesh.with_places_of(&mesh, self.meters_per_unit)?;
         let mut angles = Vec::with_capacity(turning.len() + laminated.cells.len());
         let mut known: Option<(&str, Vec<Parabola>)> = None;

@@ -7,7 +7,7 @@ use shared_geom::mesh::CellKind;
 
 use super::electric::ElectricWarning;
 use crate::mesh::quality::{MeshQuality, NamedCell};
-use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh};
+use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh, counted};
 use crate::properties::AreaTable;
 
 /// Seams, gaps and cells that are described at most; the others are counted.
@@ -321,10 +321,6 @@ fn limited(mut warnings: Vec<InputWarning>, what: &'static str) -> Vec<InputWarn
         warnings.push(InputWarning::More { count, what });
     }
     warnings
-}
-
-fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Nodes in which walls touch.

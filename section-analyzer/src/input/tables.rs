@@ -5,11 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use shared_geom::document::Document;
+use shared_geom::error::quoted;
 use shared_geom::units::Dimension;
 
 use super::cell_table::{ANGLE, CellTable};
 use super::files::Files;
-use super::problem::{InputProblem, quoted};
+use super::problem::InputProblem;
 use super::regions::{Written, WrittenAngle, WrittenRegion};
 
 /// A table and who takes angles from it.

@@ -128,6 +128,11 @@ impl EngineeringConstants {
 }
 
 impl ElasticLaw {
+    /// Whether it takes any stress.
+    pub fn has_stiffness(&self) -> bool {
+        !matches!(self, Self::Absent)
+    }
+
     /// Stiffness in material axes, order 11 22 33 23 13 12 with engineering
     /// shear strains \[Pa\].
     ///

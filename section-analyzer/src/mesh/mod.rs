@@ -35,6 +35,6 @@ pub use laminate::{
 };
 pub(crate) use parts::Sets;
 pub(crate) use plane::{distance, polygon_area};
-pub(crate) use problem::short;
 pub use problem::{Inversion, MeshProblem, Part};
+pub(crate) use problem::{counted, short};
 pub use section_mesh::{Curve, CurveLine, MeshReport, SectionCell, SectionMesh};

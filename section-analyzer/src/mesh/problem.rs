@@ -323,7 +323,8 @@ fn listed(what: &str, names: &[String]) -> String {
     format!("{what}{plural} {}{more}", shown.join(", "))
 }
 
-pub(super) fn counted(count: usize, what: &str) -> String {
+/// `1 cell`, `2 cells`.
+pub(crate) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 

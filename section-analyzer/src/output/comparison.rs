@@ -155,7 +155,7 @@ fn beside(value: f64, entry: &Entry) -> f64 {
 fn optional(table: String) -> String {
     match table.is_empty() {
         true => table,
-        false => format!("Curvature, electrodes, temperature, damping\n{table}"),
+        false => format!("Curvature, electrodes, temperature, prestress, damping\n{table}"),
     }
 }
 

@@ -7,6 +7,7 @@ use shared_geom::wrench::{self, COMPONENTS};
 
 mod entries;
 mod options;
+mod prestress;
 
 use entries::Entries;
 

@@ -1,7 +1,6 @@
 use super::*;
 use crate::analysis::{Analysis, analyze};
-use crate::section::FreeStrain;
-use crate::section::samples::{Random, coupled_rectangle};
+use crate::section::samples::{Random, coupled_rectangle, random_strain};
 use crate::solution::ImposedSolution;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::prestress_part;
@@ -196,21 +195,6 @@ fn the_table_begins_the_energy_of_large_strain() {
     assert!(error < 1e-4, "{error:e}");
 }
 
-/// Strains without any pattern, linear in each cell.
-fn random_strain(section: &Section) -> ImposedStrain {
-    let mut random = Random(11);
-    let mut any = || Vector6::from_fn(|_, _| random.next());
-    let mut cell = |_| FreeStrain {
-        at_origin: any(),
-        by_y: any(),
-        by_z: any(),
-    };
-    ImposedStrain {
-        name: "any".into(),
-        cells: section.cells.iter().map(&mut cell).collect(),
-    }
-}
-
 fn free_state(solved: &ImposedSolution) -> FreeState<'_> {
     FreeState {
         imposed: &solved.state,
@@ -287,7 +271,7 @@ fn the_change_by_imposed_strains_begins_the_energy_of_large_strain() {
     }
     let analysis = Analysis::new(&section).expect("sound");
     let solution = analysis.solution();
-    let state = random_strain(&section);
+    let state = random_strain(&section, "any", &mut Random(11));
     let solved = &analysis.imposed(&[state]).expect("sound")[0];
     let fields = Fields::new(&section, &solution.warping, &solution.strain).expect("sound");
     let own = fields.change_by(&free_state(solved), StrainMeasure::Green);
@@ -323,7 +307,7 @@ fn the_change_by_imposed_strains_begins_the_energy_of_large_strain() {
 #[test]
 fn the_change_by_imposed_strains_moves_with_the_mesh() {
     let section = coupled_rectangle(CellKind::Quadrilateral9);
-    let state = random_strain(&section);
+    let state = random_strain(&section, "any", &mut Random(11));
     let of = |section: &Section, state: &ImposedStrain| {
         let analysis = Analysis::new(section).expect("sound");
         let solution = analysis.solution();

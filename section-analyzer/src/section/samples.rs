@@ -3,7 +3,8 @@
 use crate::material::{ElasticLaw, EngineeringConstants, Material};
 use crate::mesh::generate::Rectangle;
 use crate::mesh::{SectionCell, SectionMesh};
-use crate::section::{CellMaterial, Section};
+use crate::section::{CellMaterial, FreeStrain, ImposedStrain, Section};
+use nalgebra::Vector6;
 use shared_geom::error::Place;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::InitialCurvature;
@@ -91,6 +92,20 @@ pub(crate) fn of_quadrilaterals(nodes: &[[f64; 2]], cells: &[[u32; 4]]) -> Secti
             poisson: 0.3,
         },
     )
+}
+
+/// Strains without any pattern, linear in each cell.
+pub(crate) fn random_strain(section: &Section, name: &str, random: &mut Random) -> ImposedStrain {
+    let mut any = || Vector6::from_fn(|_, _| random.next());
+    let mut cell = |_| FreeStrain {
+        at_origin: any(),
+        by_y: any(),
+        by_z: any(),
+    };
+    ImposedStrain {
+        name: name.into(),
+        cells: section.cells.iter().map(&mut cell).collect(),
+    }
 }
 
 fn of_cells(mesh: SectionMesh, law: ElasticLaw) -> Section {

@@ -81,7 +81,7 @@ impl CentralSystems {
         pins: Pins,
     ) -> Result<Self, SystemError> {
         Ok(Self {
-            steady: CentralSystem::new(pattern, matrices, pins)?,
+            steady: CentralSystem::new(pattern, matrices, pins.clone())?,
             wave: Wave::new(model, pattern, pins)?,
         })
     }

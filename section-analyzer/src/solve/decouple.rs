@@ -11,6 +11,10 @@
 //! Ph' Xd = 0       Yd = compliance, symmetric
 //! ```
 //!
+//! On piezoelectric sections the forces do no work on the warping; the charges on the face
+//! may do some on the potentials, as a common shift of all potentials must not change the
+//! generalized strain. What they do is an end effect, and the compliance is without it.
+//!
 //! # References
 //! - Masarati, *Multibody dynamics of rotorcraft*, section 5.3.6: decoupling of
 //!   warping and rigid section motion.
@@ -30,6 +34,9 @@ pub struct Decoupled {
     pub y: Matrix6<f64>,
     /// Ph: forces on the face per unit internal force, n x 6 \[-\].
     pub face: DMatrix<f64>,
+    /// Generalized strain as it is where charges on the face do no work on the potentials
+    /// either: the compliance, symmetric; without potentials `y` again \[-\].
+    pub of_work: Matrix6<f64>,
     /// `H' Ph`: internal force of the solutions, the unit matrix up to round-off
     /// \[-\].
     pub internal_force: Matrix6<f64>,
@@ -48,15 +55,35 @@ impl Decoupled {
             first_correction,
             ..
         } = central;
-        let z: Matrix6<f64> = (-face.tr_mul(&x)).fixed_view::<6, 6>(0, 0).into();
         let tt = model.line().equilibrium();
+        let less = |z: &Matrix6<f64>| y - (z * tt + tt.transpose() * z);
+        let z = -work(model, &face, &x);
+        let of_work = less(&(z - electric_work(model, &face, &x)));
         add_rigid_motions(model, &z, &mut x);
         Self {
             x,
-            y: y - (z * tt + tt.transpose() * z),
+            y: less(&z),
+            of_work,
             internal_force: resultant(model, &face),
             face,
             first_correction,
         }
     }
+}
+
+/// `P' x`: work of forces on the face on displacements, without that of charges on
+/// potentials (each n x 6).
+pub fn work(model: &impl Model, face: &DMatrix<f64>, x: &DMatrix<f64>) -> Matrix6<f64> {
+    let displacements = 3 * model.nodes().len();
+    let product = face
+        .rows(0, displacements)
+        .tr_mul(&x.rows(0, displacements));
+    product.fixed_view::<6, 6>(0, 0).into_owned()
+}
+
+/// `P_V' x_V`: work of charges on the face on potentials.
+pub fn electric_work(model: &impl Model, face: &DMatrix<f64>, x: &DMatrix<f64>) -> Matrix6<f64> {
+    let (first, count) = (3 * model.nodes().len(), model.potentials());
+    let product = face.rows(first, count).tr_mul(&x.rows(first, count));
+    product.fixed_view::<6, 6>(0, 0).into_owned()
 }

@@ -20,7 +20,7 @@ fn central(p: &Problem, systems: &CentralSystems) -> Decoupled {
 }
 
 fn solution(p: &Problem, pins: Pins, loads: &[DMatrix<f64>]) -> (Decoupled, DistributedSolution) {
-    let systems = systems(p, pins);
+    let systems = systems(p, pins.clone());
     let central = central(p, &systems);
     let found = DistributedSolution::solve(&p.domain, systems.steady(), &central, loads);
     (central, found.expect("memory"))
@@ -63,7 +63,7 @@ fn forces_are_in_balance_along_the_beam() {
     for p in problems() {
         let pins = Pins::choose(&p.domain.nodes).expect("wide");
         let loads = loads(p.domain.unknowns());
-        let (central, here) = solution(&p, pins, &loads);
+        let (central, here) = solution(&p, pins.clone(), &loads);
         let forces = forces_of(&p, &here);
         let scale = forces.within.amax();
         // no internal force at the section
@@ -77,7 +77,7 @@ fn forces_are_in_balance_along_the_beam() {
                 &loads[1] + h * &loads[2],
                 loads[2].clone(),
             ];
-            let (_, there) = solution(&p, pins, &moved);
+            let (_, there) = solution(&p, pins.clone(), &moved);
             let (s0, s1) = (
                 resultant(&p.domain, &loads[0]),
                 resultant(&p.domain, &loads[1]),
@@ -105,7 +105,7 @@ fn by_recursion(
     forces: &[DMatrix<f64>],
     theta: &[Matrix6<f64>],
 ) -> (Field, Field) {
-    let systems = systems(p, pins);
+    let systems = systems(p, pins.clone());
     let zero = (DMatrix::zeros(p.domain.unknowns(), 6), Matrix6::zeros());
     let (mut next, mut second) = (zero.clone(), zero);
     for i in (0..forces.len()).rev() {
@@ -140,7 +140,7 @@ fn generalized_strain_is_the_work_on_the_central_solutions() {
     for p in [problem(), problem_along([0.0; 3], [1.0, 0.3, -0.2])] {
         let pins = Pins::choose(&p.domain.nodes).expect("wide");
         let [f0, f1, _] = loads(p.domain.unknowns());
-        let (central, found) = solution(&p, pins, &[f0.clone(), f1.clone()]);
+        let (central, found) = solution(&p, pins.clone(), &[f0.clone(), f1.clone()]);
 
         // theta_0 = 0, theta_(i+1) = T' theta_i - H' f_i
         let tt = p.domain.line.equilibrium();
@@ -152,7 +152,7 @@ fn generalized_strain_is_the_work_on_the_central_solutions() {
         }
         assert!(theta[4].amax() < 1e-12);
 
-        let (next, second) = by_recursion(&p, pins, &forces, &theta);
+        let (next, second) = by_recursion(&p, pins.clone(), &forces, &theta);
         let state = State {
             rate: Rate::Given(&second.0),
             warping: Some(&next.0),
@@ -186,7 +186,7 @@ fn strain_under_a_constant_load_is_work_on_the_warping() {
     let p = problem();
     let pins = Pins::choose(&p.domain.nodes).expect("wide");
     let load = loads(p.domain.unknowns())[0].clone();
-    let (central, found) = solution(&p, pins, std::slice::from_ref(&load));
+    let (central, found) = solution(&p, pins.clone(), std::slice::from_ref(&load));
     let work = central.x.tr_mul(&load);
     for row in [0, 3, 4, 5] {
         let difference = (work.row(row) - found.y.row(row)).amax();

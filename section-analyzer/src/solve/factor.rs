@@ -2,7 +2,13 @@
 //!
 //! Pinned rows and columns keep their diagonal entry only: the structure stays
 //! that of E, and the solution is zero there when the right-hand side is.
-
+//!
+//! Without potentials E is positive definite, `E = L L^H`. With them it is quasi-definite,
+//! positive for displacements and negative for potentials, so that `E = L D L^H` exists in
+//! any order of the unknowns, with the signs of D known.
+//!
+//! # References
+//! - [Vanderbei1995]: quasi-definite matrices are strongly factorizable.
 //!
 //! The unknowns are eliminated in their order: [`elimination_order`] finds one that
 //! keeps the factor small, and the domain is numbered in it from the start, so that
@@ -11,14 +17,16 @@
 use super::pins::Pins;
 use crate::assembly::{Domain, Pattern, Scalar, largest};
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltRegularization};
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::sparse::linalg::cholesky::simplicial::{
     prefactorize_symbolic_cholesky, prefactorize_symbolic_cholesky_scratch,
 };
 use faer::sparse::linalg::cholesky::supernodal::{
-    SupernodalLltRef, SymbolicSupernodalCholesky, factorize_supernodal_numeric_llt,
-    factorize_supernodal_numeric_llt_scratch, factorize_supernodal_symbolic_cholesky,
-    factorize_supernodal_symbolic_cholesky_scratch,
+    SupernodalLdltRef, SupernodalLltRef, SymbolicSupernodalCholesky,
+    factorize_supernodal_numeric_ldlt, factorize_supernodal_numeric_ldlt_scratch,
+    factorize_supernodal_numeric_llt, factorize_supernodal_numeric_llt_scratch,
+    factorize_supernodal_symbolic_cholesky, factorize_supernodal_symbolic_cholesky_scratch,
 };
 use faer::sparse::linalg::{SymbolicSupernodalParams, amd};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
@@ -54,11 +62,13 @@ pub enum FactorError {
     OutOfMemory,
 }
 
-/// `L L^H = E_ff`, with E_ff the pinned E.
+/// `L L^H = E_ff`, or `L D L^H` with potentials, with E_ff the pinned E.
 #[derive(Debug)]
 pub struct Factor<T> {
     symbolic: SymbolicSupernodalCholesky<u32>,
     values: Vec<T>,
+    /// For each row the unknown, where potentials make them differ.
+    order: Option<Vec<u32>>,
     pins: Pins,
     norm: f64,
     smallest_pivot: Pivot,
@@ -75,11 +85,12 @@ impl<T: Entry> Factor<T> {
         pin(&mut e, pattern, &pins);
         let norm = one_norm(&e);
         let (symbolic, values) = factored(&e, pattern)?;
-        let smallest_pivot = smallest_pivot(&symbolic, &values, &e);
+        let smallest_pivot = smallest_pivot(&symbolic, &values, (&e, pattern));
         if smallest_pivot.ratio > 0.0 {
             Ok(Self {
                 symbolic,
                 values,
+                order: pattern.order().map(<[u32]>::to_vec),
                 pins,
                 norm,
                 smallest_pivot,
@@ -99,12 +110,32 @@ impl<T: Entry> Factor<T> {
             .symbolic
             .solve_in_place_scratch::<T>(columns, SEQUENTIAL);
         let mut memory = MemBuffer::try_new(request).ok()?;
-        SupernodalLltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+        let stack = MemStack::new(&mut memory);
+        let Some(order) = &self.order else {
+            let x = MatMut::from_column_major_slice_mut(x, rows, columns);
+            SupernodalLltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+                Conj::No,
+                x,
+                SEQUENTIAL,
+                stack,
+            );
+            return Some(());
+        };
+        let mut in_order = Vec::with_capacity(x.len());
+        for column in x.chunks_exact(rows) {
+            in_order.extend(order.iter().map(|&unknown| column[unknown as usize]));
+        }
+        SupernodalLdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
             Conj::No,
-            MatMut::from_column_major_slice_mut(x, rows, columns),
+            MatMut::from_column_major_slice_mut(&mut in_order, rows, columns),
             SEQUENTIAL,
-            MemStack::new(&mut memory),
+            stack,
         );
+        for (column, solved) in x.chunks_exact_mut(rows).zip(in_order.chunks_exact(rows)) {
+            for (&unknown, value) in order.iter().zip(solved) {
+                column[unknown as usize] = *value;
+            }
+        }
         Some(())
     }
 
@@ -157,48 +188,79 @@ fn factored<T: Entry>(e: &CsMatI<T, u32>, pattern: &Pattern) -> Result<Factored<
         None,
         e.indices(),
     );
-    let parameters = Spec::default();
-    let request =
-        factorize_supernodal_numeric_llt_scratch::<u32, T>(&symbolic, SEQUENTIAL, parameters);
+    let matrix = SparseColMatRef::new(structure, e.data());
+    let is_definite = pattern.order().is_none();
+    let request = match is_definite {
+        true => factorize_supernodal_numeric_llt_scratch::<u32, T>(
+            &symbolic,
+            SEQUENTIAL,
+            Spec::default(),
+        ),
+        false => factorize_supernodal_numeric_ldlt_scratch::<u32, T>(
+            &symbolic,
+            SEQUENTIAL,
+            Spec::default(),
+        ),
+    };
     let mut memory = MemBuffer::try_new(request).map_err(|_| FactorError::OutOfMemory)?;
-    let outcome = factorize_supernodal_numeric_llt(
-        &mut values,
-        SparseColMatRef::new(structure, e.data()),
-        LltRegularization::default(),
-        &symbolic,
-        SEQUENTIAL,
-        MemStack::new(&mut memory),
-        parameters,
-    );
-    if let Err(LltError::NonPositivePivot { index }) = outcome.map(|_| ()) {
-        let node = index.min(symbolic.nrows().saturating_sub(1)) / 3;
+    let stack = MemStack::new(&mut memory);
+    let (values_mut, blocks) = (&mut values[..], &symbolic);
+    let failed_at = if is_definite {
+        let regular = LltRegularization::default();
+        let parameters = Spec::default();
+        factorize_supernodal_numeric_llt(
+            values_mut, matrix, regular, blocks, SEQUENTIAL, stack, parameters,
+        )
+        .err()
+        .map(|LltError::NonPositivePivot { index }| index)
+    } else {
+        let regular = LdltRegularization::default();
+        let parameters = Spec::default();
+        factorize_supernodal_numeric_ldlt(
+            values_mut, matrix, regular, blocks, SEQUENTIAL, stack, parameters,
+        )
+        .err()
+        .map(|LdltError::ZeroPivot { index }| index)
+    };
+    if let Some(index) = failed_at {
+        let (node, _) = pattern.node_of(index.min(symbolic.nrows().saturating_sub(1)));
         return Err(FactorError::NotPositive(Pivot { node, ratio: 0.0 }));
     }
     Ok((symbolic, values))
 }
 
-/// Zeros in the rows and columns of pins, off the diagonal.
+/// Zeros in the rows and columns of pins, off the diagonal, which is never zero.
 fn pin<T: Scalar>(e: &mut CsMatI<T, u32>, pattern: &Pattern, pins: &Pins) {
+    let rows = pattern.order().map(|order| {
+        let mut rows = vec![0; order.len()];
+        for (row, &unknown) in order.iter().enumerate() {
+            rows[unknown as usize] = row;
+        }
+        rows
+    });
     for &pin in pins.unknowns() {
+        let row = rows.as_ref().map_or(pin, |rows| rows[pin]);
         // the column below the diagonal entry, which comes first
-        let column = e.indptr().outer_inds_sz(pin);
-        e.data_mut()[column]
-            .iter_mut()
-            .skip(1)
-            .for_each(|v| *v = T::zero());
+        let column = e.indptr().outer_inds_sz(row);
+        let (diagonal, below) = e.data_mut()[column].split_at_mut(1);
+        below.iter_mut().for_each(|v| *v = T::zero());
+        if diagonal[0].is_zero() {
+            diagonal[0] = T::one();
+        }
 
         // the row left of the diagonal entry
-        let (node, axis) = (pin / 3, pin % 3);
+        let (node, axis) = pattern.node_of(row);
         for &other in pattern.neighbors(node) {
-            let left = 3 * other as usize..pin.min(3 * other as usize + 3);
-            let starts = match other as usize > node {
-                true => continue,
-                false => pattern.block(node as u32, other),
+            let is_own = other as usize == node;
+            let columns = match is_own {
+                true => axis,
+                false if other as usize > node => continue,
+                false => pattern.size(other as usize),
             };
-            for column in left {
-                let b = column % 3;
-                let skipped = if other as usize == node { b } else { 0 };
-                e.data_mut()[starts[b] + axis - skipped] = T::zero();
+            let starts = pattern.block(node as u32, other);
+            for (b, start) in starts.into_iter().enumerate().take(columns) {
+                let skipped = if is_own { b } else { 0 };
+                e.data_mut()[start + axis - skipped] = T::zero();
             }
         }
     }
@@ -223,7 +285,7 @@ fn one_norm<T: Scalar>(lower: &CsMatI<T, u32>) -> f64 {
 /// Structure of the factor; `None` without memory.
 fn analyze(pattern: &Pattern) -> Option<SymbolicSupernodalCholesky<u32>> {
     let (starts, rows) = pattern.upper_structure()?;
-    let n = 3 * pattern.node_count();
+    let n = pattern.rows();
     let upper = SymbolicSparseColMatRef::new_checked(n, n, &starts, None, &rows);
 
     let request = prefactorize_symbolic_cholesky_scratch::<u32>(n, rows.len())
@@ -269,17 +331,15 @@ pub fn elimination_order(pattern: &Pattern) -> Option<Vec<u32>> {
     Some(forward)
 }
 
-/// The smallest ratio of a squared diagonal entry of the factor to the diagonal
-/// entry of the matrix; a ratio that is not a number counts as smallest.
+/// The smallest ratio of a pivot, a diagonal entry of D or a squared one of L, to the
+/// diagonal entry of the matrix; a ratio that is not a number counts as smallest.
 fn smallest_pivot<T: Scalar>(
     blocks: &SymbolicSupernodalCholesky<u32>,
     factor: &[T],
-    e: &CsMatI<T, u32>,
+    (e, pattern): (&CsMatI<T, u32>, &Pattern),
 ) -> Pivot {
-    let mut smallest = Pivot {
-        node: 0,
-        ratio: f64::INFINITY,
-    };
+    let is_definite = pattern.order().is_none();
+    let mut smallest = (0, f64::INFINITY);
     for s in 0..blocks.n_supernodes() {
         let begin = blocks.supernode_begin()[s] as usize;
         let end = blocks.supernode_end()[s] as usize;
@@ -287,16 +347,21 @@ fn smallest_pivot<T: Scalar>(
         let rows = (blocks.col_ptr_for_val()[s + 1] as usize - first) / (end - begin);
         for column in begin..end {
             let local = column - begin;
-            let pivot = factor[first + local * rows + local].modulus_squared();
+            let entry = factor[first + local * rows + local];
+            let pivot = match is_definite {
+                true => entry.modulus_squared(),
+                false => entry.real(),
+            };
             let diagonal = e.data()[e.indptr().outer_inds_sz(column).start].real();
             let ratio = pivot / diagonal;
-            if ratio.is_nan() || ratio < smallest.ratio {
-                smallest = Pivot {
-                    node: column / 3,
-                    ratio,
-                };
+            if ratio.is_nan() || ratio < smallest.1 {
+                smallest = (column, ratio);
             }
         }
     }
-    smallest
+    let (row, ratio) = smallest;
+    Pivot {
+        node: pattern.node_of(row).0,
+        ratio,
+    }
 }

@@ -18,6 +18,7 @@
 //! # References
 //! - [Masarati], section 5.3.6: decoupling of warping and rigid section motion.
 
+use super::decouple::work;
 use super::system::CentralSystem;
 use crate::assembly::{Model, Rate, SectionForces, State, add_rigid_motions, largest};
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
@@ -107,7 +108,7 @@ impl ParticularSolution {
 
     /// (S-77).
     fn decouple(&mut self, model: &impl Model, face: &DMatrix<f64>) {
-        let r: Matrix6<f64> = (-face.tr_mul(&self.x)).fixed_view::<6, 6>(0, 0).into();
+        let r = -work(model, face, &self.x);
         add_rigid_motions(model, &r, &mut self.x);
         self.y -= model.line().equilibrium().transpose() * r;
     }

@@ -12,19 +12,43 @@
 //! Strains, and with them all results, do not depend on the choice; a wide
 //! triangle keeps the displacements small, and so their round-off.
 
+use crate::assembly::Model;
 use crate::failure::Failure;
 
 /// Least distance of the third node from the line of the first two, relative to
 /// their distance. Below it the nodes are on one line to the digits of a mesh file.
 const LEAST_WIDTH: f64 = 1e-9;
 
-/// Six held unknowns (numbered 3 node + axis), in rising order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Held unknowns, in rising order: six (numbered 3 node + axis) that take the rigid motions
+/// out, and those that the model holds besides.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pins {
-    unknowns: [usize; 6],
+    unknowns: Vec<usize>,
 }
 
 impl Pins {
+    /// Chooses pins among the nodes of `model` that have stiffness, and holds what it holds.
+    ///
+    /// # Errors
+    /// [`Failure::NodesOnOneLine`].
+    pub fn of_model(model: &impl Model) -> Result<Self, Failure> {
+        let nodes = model.nodes();
+        let structural: Vec<usize> = (0..nodes.len())
+            .filter(|&node| model.is_structural(node))
+            .collect();
+        let places: Vec<[f64; 2]> = structural.iter().map(|&node| nodes[node]).collect();
+        let chosen = triangle(&places).ok_or(Failure::NodesOnOneLine)?;
+        Ok(Self::at(nodes, chosen.map(|node| structural[node])).with(model.held()))
+    }
+
+    /// These, and `unknowns` besides.
+    pub fn with(mut self, unknowns: Vec<usize>) -> Self {
+        self.unknowns.extend(unknowns);
+        self.unknowns.sort_unstable();
+        self.unknowns.dedup();
+        self
+    }
+
     /// Chooses pins among `nodes`, places (y, z) from their centroid.
     ///
     /// Node a is the farthest from the centroid, b the farthest from a, c the
@@ -33,40 +57,44 @@ impl Pins {
     /// # Errors
     /// [`Failure::NodesOnOneLine`].
     pub fn choose(nodes: &[[f64; 2]]) -> Result<Self, Failure> {
-        let a = farthest(nodes, |p| p[0].hypot(p[1]));
-        let from_a = |p: &[f64; 2]| [p[0] - nodes[a][0], p[1] - nodes[a][1]];
-        let b = farthest(nodes, |p| {
-            let [y, z] = from_a(p);
-            y.hypot(z)
-        });
-        let ab = from_a(&nodes[b]);
-        let cross = |p: &[f64; 2]| {
-            let [y, z] = from_a(p);
-            (ab[0] * z - ab[1] * y).abs()
-        };
-        let c = farthest(nodes, cross);
-
-        // written so that not a number is refused too
-        let wide = cross(&nodes[c]) > LEAST_WIDTH * (ab[0] * ab[0] + ab[1] * ab[1]);
-        match wide {
-            true => Ok(Self::at(nodes, [a, b, c])),
-            false => Err(Failure::NodesOnOneLine),
-        }
+        triangle(nodes)
+            .map(|triangle| Self::at(nodes, triangle))
+            .ok_or(Failure::NodesOnOneLine)
     }
 
     /// The pins at the nodes a, b, c of `nodes`, which do not lie on one line.
     pub fn at(nodes: &[[f64; 2]], [a, b, c]: [usize; 3]) -> Self {
         let ab = [nodes[b][0] - nodes[a][0], nodes[b][1] - nodes[a][1]];
         let normal = if ab[0].abs() > ab[1].abs() { 2 } else { 1 };
-        let mut unknowns = [3 * a, 3 * a + 1, 3 * a + 2, 3 * b, 3 * b + normal, 3 * c];
+        let mut unknowns = vec![3 * a, 3 * a + 1, 3 * a + 2, 3 * b, 3 * b + normal, 3 * c];
         unknowns.sort_unstable();
         Self { unknowns }
     }
 
     /// The held unknowns, in rising order.
-    pub fn unknowns(&self) -> &[usize; 6] {
+    pub fn unknowns(&self) -> &[usize] {
         &self.unknowns
     }
+}
+
+/// The nodes a, b, c of the widest triangle; `None` where all nodes are on one line.
+fn triangle(nodes: &[[f64; 2]]) -> Option<[usize; 3]> {
+    let a = farthest(nodes, |p| p[0].hypot(p[1]));
+    let corner = nodes.get(a)?;
+    let from_a = |p: &[f64; 2]| [p[0] - corner[0], p[1] - corner[1]];
+    let b = farthest(nodes, |p| {
+        let [y, z] = from_a(p);
+        y.hypot(z)
+    });
+    let ab = from_a(&nodes[b]);
+    let cross = |p: &[f64; 2]| {
+        let [y, z] = from_a(p);
+        (ab[0] * z - ab[1] * y).abs()
+    };
+    let c = farthest(nodes, cross);
+    // written so that not a number is refused too
+    let is_wide = cross(&nodes[c]) > LEAST_WIDTH * (ab[0] * ab[0] + ab[1] * ab[1]);
+    is_wide.then_some([a, b, c])
 }
 
 /// Index of the node with the largest `measure`, the first of equals.

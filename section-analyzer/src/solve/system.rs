@@ -51,7 +51,7 @@ impl<T: Entry> CentralSystem<T> {
         matrices: SectionMatrices<T>,
         pins: Pins,
     ) -> Result<Self, FactorError> {
-        let SectionMatrices { e, r, a } = matrices;
+        let SectionMatrices { e, r, a, .. } = matrices;
         let factor = Factor::new(e, pattern, pins)?;
         // R, and a uniform load that measures the condition in the same pass
         let n = r.nrows();

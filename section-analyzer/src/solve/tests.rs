@@ -40,7 +40,8 @@ fn dense(matrices: &SectionMatrices<f64>) -> DMatrix<f64> {
 fn factor_solves_the_pinned_matrix() {
     let p = problem();
     let pins = Pins::choose(&p.domain.nodes).expect("wide");
-    let factor = Factor::new(p.matrices.e.clone(), &p.pattern, pins).expect("positive definite");
+    let factor =
+        Factor::new(p.matrices.e.clone(), &p.pattern, pins.clone()).expect("positive definite");
     let mut e = dense(&p.matrices);
     for &pin in pins.unknowns() {
         let diagonal = e[(pin, pin)];
@@ -86,7 +87,7 @@ fn elimination_order_keeps_the_factor_small() {
         let pattern = Pattern::new(domain);
         let matrices = SectionMatrices::assemble(domain, &pattern).expect("sound");
         let pins = Pins::choose(&domain.nodes).expect("wide");
-        let factor = Factor::new(matrices.e, &pattern, pins).expect("definite");
+        let factor = Factor::new(matrices.e, &pattern, pins.clone()).expect("definite");
         factor.entries()
     };
     let ordered = p.domain.clone().renumbered(&order);
@@ -114,7 +115,7 @@ fn factor_refuses_a_singular_matrix() {
     assert_eq!(pattern.parts(), [0, 4]);
     let matrices = SectionMatrices::assemble(&domain, &pattern).expect("sound cells");
     let pins = Pins::choose(&domain.nodes).expect("wide");
-    match Factor::new(matrices.e, &pattern, pins) {
+    match Factor::new(matrices.e, &pattern, pins.clone()) {
         Err(FactorError::NotPositive(pivot)) => assert!(pivot.ratio < 1e-14),
         Ok(factor) => assert!(factor.smallest_pivot().ratio < 1e-14),
         Err(error) => panic!("{error:?}"),
@@ -122,7 +123,7 @@ fn factor_refuses_a_singular_matrix() {
 }
 
 fn system(p: &Problem, pins: Pins) -> CentralSystem<f64> {
-    CentralSystem::new(&p.pattern, p.matrices.clone(), pins).expect("definite")
+    CentralSystem::new(&p.pattern, p.matrices.clone(), pins.clone()).expect("definite")
 }
 
 /// A balanced state has the forces that were asked for, in pinned rows too.
@@ -133,7 +134,7 @@ fn balanced_states_are_in_balance() {
     // shears are not in balance without a rate
     let theta = Matrix6::from_diagonal(&[1.0, 0.0, 0.0, 1.0, 1.0, 1.0].into());
     let columns: Matrix6xX<f64> = theta.columns(0, 6).into_owned();
-    let (x, y) = system(&p, pins).balance_of(&columns);
+    let (x, y) = system(&p, pins.clone()).balance_of(&columns);
     let y = y.fixed_columns::<6>(0).into_owned();
     let state = State {
         rate: Rate::Zero,
@@ -172,7 +173,7 @@ fn corrections_find_the_state_of_given_forces() {
     let mut dx = forces.within.columns(0, 2).into_owned();
     let theta = [forces.resultant.column(0), forces.resultant.column(1)];
     let mut dy = Matrix6xX::from_columns(&theta);
-    let system = system(&p, pins);
+    let system = system(&p, pins.clone());
     system.correct(dx.as_mut_slice(), &mut dy).expect("memory");
     // the Schur complement and E of this section have a condition of some 1e4
     assert_relative_eq!(dx, warping, epsilon = 1e-10);
@@ -198,18 +199,18 @@ fn condition_is_bounded_from_below() {
         sums.fold(0.0, f64::max)
     };
     let exact = norm(&e) * norm(&e.clone().try_inverse().expect("regular"));
-    let system = system(&p, pins);
+    let system = system(&p, pins.clone());
     assert_relative_eq!(system.factor().norm(), norm(&e), max_relative = 1e-14);
     let found = system.condition();
     assert!(found <= exact && found > 0.05 * exact, "{found} {exact}");
 }
 
 pub(super) fn systems(p: &Problem, pins: Pins) -> CentralSystems {
-    CentralSystems::new(&p.domain, &p.pattern, p.matrices.clone(), pins).expect("definite")
+    CentralSystems::new(&p.domain, &p.pattern, p.matrices.clone(), pins.clone()).expect("definite")
 }
 
 fn decoupled(p: &Problem, pins: Pins) -> Decoupled {
-    let central = CentralSolution::solve(&p.domain, &systems(p, pins)).expect("memory");
+    let central = CentralSolution::solve(&p.domain, &systems(p, pins.clone())).expect("memory");
     Decoupled::new(&p.domain, central)
 }
 
@@ -293,7 +294,7 @@ fn imposed(p: &Problem) -> (DMatrix<f64>, Matrix6<f64>) {
 fn solutions_do_not_depend_on_the_pins() {
     for p in problems() {
         let of_pins = |pins: Pins| {
-            let systems = systems(&p, pins);
+            let systems = systems(&p, pins.clone());
             let central = CentralSolution::solve(&p.domain, &systems).expect("memory");
             let coupled = central.y;
             let central = Decoupled::new(&p.domain, central);

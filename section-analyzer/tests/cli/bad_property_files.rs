@@ -26,7 +26,7 @@ fn files_that_are_no_property_files_are_refused_by_all_commands() {
     let cases = [
         (
             "{}",
-            "error: b.json:1: not a property file: missing field `format`",
+            "error: b.json:1: not a property file: it has no \"format\", expected \"helicoid",
         ),
         (
             "mesh = \"a.msh\"",

@@ -1,6 +1,6 @@
 //! What can be wrong with an input file as such.
 
-use crate::error::{Explain, nearest_name};
+use crate::error::{Explain, nearest_name, quoted};
 use crate::expression::ExpressionProblem;
 use crate::files::nearest_file;
 use crate::units::UnitProblem;
@@ -148,11 +148,6 @@ pub enum DocumentProblem {
     /// Something was wrong without a note of its own (a defect of the reader).
     #[error("the file is incomplete")]
     Incomplete,
-}
-
-fn quoted(words: &[String]) -> String {
-    let words: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
-    words.join(", ")
 }
 
 impl Explain for DocumentProblem {

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, Matrix6};
 
-use super::{Change, Damping, SectionProperties, Step};
+use super::{Change, Damping, PRESTRESS_COMPONENTS, SectionProperties, Step};
 use crate::error::Explain;
 use crate::wrench::COMPONENTS;
 
@@ -63,15 +63,15 @@ pub enum PropertyProblem {
         /// Relative difference [-].
         error: f64,
     },
-    /// A field that does not hold the numbers that it should.
-    #[error("{field} is {found}, expected {expected}")]
-    Shape {
-        /// The field, in words.
-        field: String,
-        /// What it holds.
-        found: String,
-        /// What it should hold.
-        expected: String,
+    /// Something wrong with one of the imposed states.
+    #[error("imposed state \"{name}\": {problem}")]
+    OfState {
+        /// Place of the state among them, from zero.
+        index: usize,
+        /// Name of the state.
+        name: String,
+        /// What is wrong.
+        problem: Box<PropertyProblem>,
     },
     /// A list or matrix of another size.
     #[error("{field} is {found}, expected {expected}")]
@@ -162,12 +162,24 @@ impl Explain for PropertyProblem {
                  where it is normal to the section"
                     .to_owned(),
             ),
-            Self::Asymmetric { .. } | Self::Polar { .. } | Self::UnequalMass { .. } => {
-                Some(format!("the order is {}", COMPONENTS.join(", ")))
-            }
+            Self::Asymmetric { field, .. } => order(field),
+            Self::Polar { .. } | Self::UnequalMass { .. } => order("mass"),
+            Self::OfState { problem, .. } => problem.help(),
             _ => None,
         }
     }
+}
+
+/// The order of the rows of a matrix, in words.
+fn order(field: &str) -> Option<String> {
+    let names = match field {
+        "stiffness" | "mass" | "damping" => COMPONENTS.to_vec(),
+        "stiffness_change" | "stiffness_per_kelvin" => {
+            PRESTRESS_COMPONENTS.map(|i| COMPONENTS[i]).to_vec()
+        }
+        _ => return None,
+    };
+    Some(format!("the order is {}", names.join(", ")))
 }
 
 /// Name of the field that a problem is about, and the problem.

@@ -10,11 +10,14 @@ use super::{
     PropertyProblem, Provenance, SectionProperties, Step, json,
 };
 use crate::document::read_text;
-use crate::error::{Diagnostics, Place};
+use crate::error::Diagnostics;
 
+mod fields;
+mod places;
 mod prestress;
 mod shapes;
 
+use places::{Places, place_of};
 use prestress::FilePrestress;
 
 /// Latest version of the file format that this program reads.
@@ -172,19 +175,22 @@ pub fn read(path: &Path) -> Result<SectionProperties, Diagnostics> {
 /// Text of another format or a newer version, missing or unknown fields (with the
 /// line), and every [`PropertyProblem`] of the content.
 pub fn parse(text: &str, file: &str) -> Result<SectionProperties, Diagnostics> {
-    let malformed = |error: serde_json::Error| {
-        let place = Place::line(file, error.line().max(1));
-        let reason = error.to_string();
-        Diagnostics::one(place, &PropertyProblem::Malformed { reason })
-    };
+    let malformed = |error: serde_json::Error| shapes::malformed(&error, text, file);
     let head: Head = serde_json::from_str(text).map_err(malformed)?;
     check_head(&head, text, file)?;
-    let content = serde_json::from_str::<File>(text);
-    let content = content.map_err(|error| shapes::malformed(&error, text, file))?;
+    let content: File = serde_json::from_str(text).map_err(malformed)?;
     let mut problems = Diagnostics::new();
     let section = content.section(text, file, &mut problems);
-    for (field, problem) in section.field_problems() {
-        problems.push(place_of(field, text, file), &problem);
+    let found = section.field_problems();
+    if !found.is_empty() {
+        let places = Places::of(text);
+        for (field, problem) in found {
+            let path = match &problem {
+                PropertyProblem::OfState { index, .. } => format!("imposed.{index}.{field}"),
+                _ => field.to_owned(),
+            };
+            problems.push(places.place(&path, file), &problem);
+        }
     }
     problems.into_result(section)
 }
@@ -207,18 +213,6 @@ fn check_head(head: &Head, text: &str, file: &str) -> Result<(), Diagnostics> {
         );
     }
     problems.into_result(())
-}
-
-/// The line of a field: the first on which its name stands as a key.
-fn place_of(field: &str, text: &str, file: &str) -> Place {
-    let key = format!("\"{field}\":");
-    let line = text
-        .lines()
-        .position(|line| line.trim_start().starts_with(&key));
-    match line {
-        Some(line) => Place::line(file, line + 1),
-        None => Place::file(file),
-    }
 }
 
 /// The first version that has all fields of `section`.

@@ -7,9 +7,23 @@
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 
 use super::WrittenLamina;
-use crate::mesh::{Lamina, LaminaFace, LaminaSide, Laminated};
+use crate::mesh::{Lamina, LaminaFace, LaminaProblem, LaminaSide, Laminated, add_laminae};
 
 const CURVE: u8 = 1;
+
+/// Adds the cells of laminates called `names` to the mesh, and their faces.
+///
+/// # Errors
+/// As [`add_laminae`].
+pub(in crate::input) fn add_with_faces(
+    mesh: &mut Mesh,
+    names: &[Option<String>],
+    laminae: &[Lamina],
+) -> Result<(Laminated, Faces), Vec<(usize, LaminaProblem)>> {
+    let laminated = add_laminae(mesh, laminae)?;
+    let faces = Faces::add(mesh, names, laminae, &laminated);
+    Ok((laminated, faces))
+}
 
 /// The names of faces.
 #[derive(Debug, Default)]
@@ -46,7 +60,7 @@ impl Faces {
     }
 
     /// Adds those of `laminated` to the mesh; `names` are those of the laminates.
-    pub fn add(
+    fn add(
         mesh: &mut Mesh,
         names: &[Option<String>],
         found: &[Lamina],

@@ -1,6 +1,6 @@
 //! Words of messages.
 
-use shared_geom::error::nearest_name;
+use shared_geom::error::{nearest_name, quoted};
 
 /// How many names a message lists before it counts the rest.
 const NAMES_SHOWN: usize = 5;
@@ -40,29 +40,6 @@ pub(in crate::input) fn nearest_or_all(found: &str, known: &[String], what: &str
         Some(near) => format!("did you mean \"{near}\"?"),
         None if known.is_empty() => format!("{what}: none"),
         None => format!("{what}: {}", quoted(known)),
-    }
-}
-
-/// Names in quotes, joined by commas; "none" for none.
-pub(in crate::input) fn quoted(names: &[String]) -> String {
-    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
-    match names.is_empty() {
-        true => "none".to_owned(),
-        false => names.join(", "),
-    }
-}
-
-pub(super) fn counted(count: usize, what: &str) -> String {
-    match count {
-        1 => format!("1 {what}"),
-        _ => format!("{count} {what}s"),
-    }
-}
-
-pub(super) fn more(count: usize) -> String {
-    match count {
-        1 => "1 more row".to_owned(),
-        _ => format!("{count} more rows"),
     }
 }
 

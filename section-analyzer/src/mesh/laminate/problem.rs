@@ -2,11 +2,11 @@
 //!
 //! Places are those of the mesh file, in its unit.
 
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, quoted};
 
 use super::super::problem::{counted, place as at, short};
 use super::LaminaSide;
-use super::words::{Wall, both, fold, more, order, places, quoted, twice};
+use super::words::{Wall, both, fold, more, order, places, twice};
 
 /// A problem of a laminate on its lines.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

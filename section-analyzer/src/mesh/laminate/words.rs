@@ -70,11 +70,6 @@ pub(super) fn twice([one, other]: &[String; 2]) -> String {
     }
 }
 
-pub(super) fn quoted(names: &[String]) -> String {
-    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
-    names.join(", ")
-}
-
 pub(super) fn fold(length: f64, radius: Option<f64>) -> String {
     match radius {
         Some(radius) => format!(

@@ -1,13 +1,11 @@
 //! What only some sections have: curvature, electrodes, thermal force, damping.
 
-use nalgebra::{Matrix6, Vector3};
-use shared_geom::section::{
-    Damping, InitialCurvature, PRESTRESS_COMPONENTS, Piezo, Prestress, SectionProperties,
-};
+use nalgebra::{Matrix6, Vector3, Vector6};
+use shared_geom::section::{Damping, InitialCurvature, Piezo, SectionProperties};
 use shared_geom::wrench::COMPONENTS;
 
-use super::Part;
 use super::entries::Entries;
+use super::{Part, prestress};
 
 /// Compares what only some sections have.
 pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries) {
@@ -28,10 +26,7 @@ pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mu
         );
     }
     imposed(a, b, entries);
-    let tables = (a.prestress.as_ref(), b.prestress.as_ref());
-    if let Some((first, second)) = entries.both("a table of prestress", tables.0, tables.1) {
-        prestress(a, first, second, entries);
-    }
+    prestress::compare(a, b, entries);
     let dampings = (damping(a), damping(b));
     if dampings != (None, None) {
         let matrix = |damping: Option<Matrix6<f64>>| damping.unwrap_or_else(Matrix6::zeros);
@@ -123,15 +118,8 @@ fn forces(
     entries: &mut Entries,
 ) {
     let root = section.stiffness.diagonal().map(f64::sqrt);
-    let largest = |forces: &[f64]| {
-        let relative = forces
-            .iter()
-            .zip(&root)
-            .map(|(force, root)| force.abs() / root);
-        relative.fold(0.0, f64::max)
-    };
-    let scale = match largest(a) {
-        0.0 => largest(b),
+    let scale = match largest_force(&root, a) {
+        0.0 => largest_force(&root, b),
         positive => positive,
     };
     for i in 0..6 {
@@ -141,30 +129,13 @@ fn forces(
     }
 }
 
-/// Entries beside what they add to the stiffness at an axial strain of one.
-///
-/// ```text
-/// (b - a)_ijk / sqrt(K_ii K_jj K_kk / K_11)
-/// ```
-fn prestress(section: &SectionProperties, a: &Prestress, b: &Prestress, entries: &mut Entries) {
-    if a.strain_measure != b.strain_measure {
-        let names = [a, b].map(|table| table.strain_measure.name());
-        let words = format!(
-            "the prestress of A is by the strain of {}, that of B by {}",
-            names[0], names[1]
-        );
-        return entries.unlike.push(words);
-    }
-    let root = section.stiffness.diagonal().map(f64::sqrt);
-    for (at, value) in a.third.entries() {
-        let [i, j, k] = at.map(|index| PRESTRESS_COMPONENTS[index]);
-        let name = format!("prestress {}{}{}", i + 1, j + 1, k + 1);
-        let lengths = [i, j, k].iter().filter(|component| **component > 2).count();
-        let unit = ["N", "N m", "N m^2", "N m^3"][lengths];
-        let scale = root[i] * root[j] * root[k] / root[0];
-        let values = [value, b.third.at(at)];
-        entries.add(Part::Prestress, name, values, unit, scale);
-    }
+/// The largest of six forces in terms of the stiffness, `max_j |a_j| / sqrt(K_jj)`.
+pub(super) fn largest_force(root: &Vector6<f64>, forces: &[f64]) -> f64 {
+    let relative = forces
+        .iter()
+        .zip(root)
+        .map(|(force, root)| force.abs() / root);
+    relative.fold(0.0, f64::max)
 }
 
 /// The damping matrix, however it is given.

@@ -4,10 +4,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::*;
 use approx::assert_relative_eq;
-use nalgebra::{DMatrix, Vector6};
+use nalgebra::{DMatrix, Matrix4, Vector6};
 use shared_geom::section::{
-    Centers, CubicTable, Damping, InitialCurvature, Piezo, Prestress, PrincipalAxes, Provenance,
-    Step, StrainMeasure,
+    Centers, CubicTable, Damping, ImposedState, InitialCurvature, Piezo, Prestress, PrincipalAxes,
+    Provenance, Step, StrainMeasure,
 };
 
 /// A bar of 0.2 m x 0.1 m with E = 1 GPa about its center, with a coupling of
@@ -303,4 +303,104 @@ fn tables_of_prestress_are_compared_beside_the_stiffness() {
     assert_relative_eq!(between(&a, &b).largest(), expected, max_relative = 1e-12);
     b.prestress = None;
     assert_eq!(between(&a, &b).unlike, ["only A has a table of prestress"]);
+}
+
+/// A table of zeros with a change per kelvin, and one imposed state with a change.
+fn with_changes(
+    per_kelvin: Option<Matrix4<f64>>,
+    by_state: Option<Matrix4<f64>>,
+) -> SectionProperties {
+    let mut section = section();
+    let free_strain = Vector6::new(-1e-3, 0.0, 0.0, 0.0, 0.0, 0.0);
+    section.imposed = vec![ImposedState {
+        name: "hot".to_owned(),
+        restrained_force: -(section.stiffness * free_strain),
+        free_strain,
+        stiffness_change: by_state,
+    }];
+    section.prestress = Some(Prestress {
+        strain_measure: StrainMeasure::Biot,
+        third: CubicTable::from_fn(|_| 0.0),
+        per_kelvin,
+    });
+    section
+}
+
+/// Changes of the stiffness differ in terms of their largest entry, however small they are
+/// beside the stiffness: one of 1e-5 of it, by a tenth.
+#[test]
+fn changes_of_the_stiffness_are_compared_beside_their_own_size() {
+    let stiffness = section().stiffness;
+    let mut change = Matrix4::zeros();
+    change[(1, 1)] = 1e-2 * stiffness[(3, 3)];
+    change[(1, 2)] = 2e-3 * (stiffness[(3, 3)] * stiffness[(4, 4)]).sqrt();
+    change[(2, 1)] = change[(1, 2)];
+    let mut other = change;
+    other[(1, 2)] *= 1.5;
+    other[(2, 1)] *= 1.5;
+    let a = with_changes(Some(1e-3 * change), Some(change));
+    for (b, name, unit) in [
+        (
+            with_changes(Some(1e-3 * other), Some(change)),
+            "per kelvin, stiffness 45",
+            "N m^2/K",
+        ),
+        (
+            with_changes(Some(1e-3 * change), Some(other)),
+            "imposed hot, stiffness 45",
+            "N m^2",
+        ),
+    ] {
+        let difference = between(&a, &b);
+        let [entry] = difference.beyond(1e-9)[..] else {
+            panic!("{:?}", difference.beyond(1e-9));
+        };
+        assert_eq!((entry.name.as_str(), entry.unit), (name, unit));
+        assert_eq!(entry.part, Part::Prestress);
+        assert_relative_eq!(entry.relative, 0.1, max_relative = 1e-12);
+    }
+}
+
+/// Changes that vanish but for round-off are round-off beside the free strain, here 1e-3.
+#[test]
+fn changes_that_vanish_are_compared_beside_the_strain_of_their_cause() {
+    let stiffness = section().stiffness;
+    let noise = |part: f64| {
+        let mut change = Matrix4::zeros();
+        change[(1, 1)] = part * stiffness[(3, 3)];
+        change
+    };
+    let [a, b] = [1e-17, -2e-17].map(|part| with_changes(None, Some(noise(part))));
+    assert_relative_eq!(between(&a, &b).largest(), 3e-14, max_relative = 1e-9);
+}
+
+/// A change that only one of the two has is told, of either cause and on either side.
+#[test]
+fn changes_of_one_file_only_are_told() {
+    let change = Some(Matrix4::identity());
+    let both = with_changes(change, change);
+    let kelvin = "a change of the stiffness per kelvin";
+    let state = "a change of the stiffness by the imposed state hot";
+    for (b, what) in [
+        (with_changes(None, change), kelvin),
+        (with_changes(change, None), state),
+    ] {
+        assert_eq!(between(&both, &b).unlike, [format!("only A has {what}")]);
+        assert_eq!(between(&b, &both).unlike, [format!("only B has {what}")]);
+        assert!(between(&b, &b).unlike.is_empty());
+    }
+}
+
+/// Second-order strains of another measure change the stiffness otherwise.
+#[test]
+fn prestress_by_other_strains_is_told_and_not_compared() {
+    let a = with_changes(Some(Matrix4::identity()), Some(Matrix4::identity()));
+    let mut b = with_changes(Some(Matrix4::zeros()), Some(Matrix4::zeros()));
+    if let Some(table) = &mut b.prestress {
+        table.strain_measure = StrainMeasure::Green;
+    }
+    let difference = between(&a, &b);
+    let words = ["the prestress of A is by the strain of biot, that of B by green"];
+    assert_eq!(difference.unlike, words);
+    assert_eq!(difference.largest(), 0.0);
 }

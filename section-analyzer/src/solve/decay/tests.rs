@@ -11,7 +11,7 @@ use shared_geom::error::Place;
 use shared_geom::mesh::CellKind;
 
 fn rates(p: &Problem, pins: Pins, wanted: usize) -> DecayRates {
-    let systems = systems(p, pins);
+    let systems = systems(p, pins.clone());
     let central = CentralSolution::solve(&p.domain, &systems).expect("memory");
     let central = Decoupled::new(&p.domain, central);
     DecayRates::find(&p.domain, systems.steady(), &central.face, wanted).expect("memory")
@@ -232,7 +232,7 @@ fn none_of_the_slowest_is_missed() {
         let mut all = distinct(all_rates(&p).iter().skip(12).map(inverse).collect());
         all.sort_by(|a, b| a.re.total_cmp(&b.re));
         for wanted in [1, 3, 10] {
-            let found = rates(&p, pins, wanted);
+            let found = rates(&p, pins.clone(), wanted);
             assert!(found.is_converged, "{number} {wanted}: {found:?}");
             assert_eq!(found.rates.len(), wanted);
             for (rate, expected) in found.rates.iter().zip(&all) {

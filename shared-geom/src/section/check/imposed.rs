@@ -3,7 +3,7 @@
 use nalgebra::{Matrix4, Vector4};
 
 use super::{FieldProblem, PropertyProblem, SYMMETRY};
-use crate::section::{PRESTRESS_COMPONENTS, SectionProperties};
+use crate::section::{ImposedState, PRESTRESS_COMPONENTS, SectionProperties};
 
 /// Names of their own, finite numbers, and forces that are those of the strains.
 pub(super) fn check(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
@@ -19,11 +19,16 @@ pub(super) fn check(section: &SectionProperties, found: &mut Vec<FieldProblem>) 
         }
         let (force, strain) = (&state.restrained_force, &state.free_strain);
         if !force.iter().chain(strain).all(|value| value.is_finite()) {
-            found.push((field, PropertyProblem::NotFinite { field }));
+            let field = "restrained_force or free_strain";
+            let problem = PropertyProblem::NotFinite { field };
+            found.push(("imposed", of_state((i, state), problem)));
             continue;
         }
         if let Some(change) = &state.stiffness_change {
-            change_of_stiffness("stiffness_change", section, change, found);
+            let mut own = Vec::new();
+            change_of_stiffness("stiffness_change", section, change, &mut own);
+            let own = own.into_iter();
+            found.extend(own.map(|(field, problem)| (field, of_state((i, state), problem))));
         }
         // beside the largest force of the strain, in terms of the stiffness
         let scale = largest(
@@ -40,6 +45,14 @@ pub(super) fn check(section: &SectionProperties, found: &mut Vec<FieldProblem>) 
             };
             found.push((field, problem));
         }
+    }
+}
+
+fn of_state((index, state): (usize, &ImposedState), problem: PropertyProblem) -> PropertyProblem {
+    PropertyProblem::OfState {
+        index,
+        name: state.name.clone(),
+        problem: Box::new(problem),
     }
 }
 

@@ -1,136 +1,258 @@
-//! Numbers of a property file that are not what their field expects: all of them, each by
-//! its name, where the reader of JSON stops at the first and names none.
+//! What is wrong with the fields of a property file: all of it, each field by its name,
+//! where the reader of JSON stops at the first and names none.
 
-use serde_json::Value;
+use serde_json::{Map, Value};
 
-use super::{PropertyProblem, place_of};
-use crate::error::{Diagnostics, Place};
+use super::fields::Shape::{
+    Count, Either, Entries, Number, Row, Rows, Square, Table, Tables, Text, Texts, Word,
+};
+use super::fields::{ENTRY, FILE, Field, Shape, expected};
+use super::places::{OUTERMOST, Places};
+use super::{FORMAT, PropertyProblem};
+use crate::error::{Diagnostics, Explain, Place, nearest_name};
 
-/// What a field holds.
-#[derive(Debug, Clone, Copy)]
-enum Shape {
-    /// A number.
-    Number,
-    /// An array of so many numbers.
-    Row(usize),
-    /// A square matrix by rows.
-    Square(usize),
-    /// Rows of three indices and a number.
-    Entries,
+/// What is wrong with a field, called in words.
+#[derive(Debug, thiserror::Error)]
+enum ShapeProblem {
+    #[error("unknown field {field}")]
+    Unknown {
+        field: String,
+        near: Option<&'static str>,
+        known: Vec<&'static str>,
+    },
+    #[error("{field} is missing, expected {expected}")]
+    Missing { field: String, expected: String },
+    #[error("{field} is given a second time, expected it once")]
+    Twice { field: String },
+    #[error("{field} is {found}, expected {expected}")]
+    Wrong {
+        field: String,
+        found: String,
+        expected: String,
+    },
 }
 
-/// Fields at the top of the file, below `centers` and the like by a dot.
-const FIELDS: [(&str, Shape); 17] = [
-    ("reference_point", Shape::Row(2)),
-    ("stiffness", Shape::Square(6)),
-    ("mass", Shape::Square(6)),
-    ("centers.tension", Shape::Row(2)),
-    ("centers.shear", Shape::Row(2)),
-    ("centers.mass", Shape::Row(2)),
-    ("principal_axes.bending_angle", Shape::Number),
-    ("principal_axes.bending_stiffness", Shape::Row(2)),
-    ("principal_axes.inertia_angle", Shape::Number),
-    ("principal_axes.inertia", Shape::Row(2)),
-    ("initial_curvature.curvature", Shape::Row(3)),
-    ("initial_curvature.slope", Shape::Row(3)),
-    ("thermal_force", Shape::Row(6)),
-    ("damping.stiffness_proportional", Shape::Number),
-    ("damping.viscous", Shape::Square(6)),
-    ("prestress.third_derivatives", Shape::Entries),
-    ("prestress.stiffness_per_kelvin", Shape::Square(4)),
-];
-
-/// A row of a table of prestress, in words.
-const ENTRY: &str = "three whole numbers and a number, as in [1, 4, 4, 1462.1]";
-
-/// Fields of each imposed state.
-const OF_STATE: [(&str, Shape); 3] = [
-    ("restrained_force", Shape::Row(6)),
-    ("free_strain", Shape::Row(6)),
-    ("stiffness_change", Shape::Square(4)),
-];
-
-/// Why a text is no property file, from the error of the reader of JSON: every field of
-/// another shape, or that error.
-pub(super) fn malformed(error: &serde_json::Error, text: &str, file: &str) -> Diagnostics {
-    let shapes = misshapen(text);
-    let reason = error.to_string();
-    let is_of_fields = ["missing field", "unknown field"];
-    let is_of_fields = is_of_fields.iter().any(|start| reason.starts_with(start));
-    let mut problems = Diagnostics::new();
-    if shapes.is_empty() || is_of_fields {
-        let place = Place::line(file, error.line().max(1));
-        problems.push(place, &PropertyProblem::Malformed { reason });
-    }
-    for (field, problem) in shapes {
-        problems.push(place_of(field, text, file), &problem);
-    }
-    problems
-}
-
-/// The fields of `text` whose numbers are not of their shape, each with the name by which
-/// its line is found; empty where it is not JSON.
-fn misshapen(text: &str) -> Vec<(&'static str, PropertyProblem)> {
-    let Ok(file) = serde_json::from_str::<Value>(text) else {
-        return Vec::new();
-    };
-    let mut found = Vec::new();
-    for (path, shape) in FIELDS {
-        let value = path.split('.').try_fold(&file, |value, key| value.get(key));
-        let last = path.rsplit('.').next().unwrap_or(path);
-        note(value, shape, format!("\"{path}\""), last, &mut found);
-    }
-    let states = file.get("imposed").and_then(Value::as_array);
-    for (i, state) in states.into_iter().flatten().enumerate() {
-        let name = state.get("name").and_then(Value::as_str);
-        let name = name.map_or_else(|| format!("number {}", i + 1), |name| format!("\"{name}\""));
-        for (key, shape) in OF_STATE {
-            let words = format!("\"{key}\" of the imposed state {name}");
-            note(state.get(key), shape, words, "imposed", &mut found);
+impl Explain for ShapeProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Unknown {
+                near: Some(near), ..
+            } => Some(format!("did you mean \"{near}\"?")),
+            Self::Unknown { known, .. } => Some(format!("known fields: {}", known.join(", "))),
+            _ => None,
         }
     }
-    found
 }
 
-fn note(
-    value: Option<&Value>,
-    shape: Shape,
-    field: String,
-    line_of: &'static str,
-    found: &mut Vec<(&'static str, PropertyProblem)>,
-) {
-    // what is absent or null is told, or is none, elsewhere
-    let Some(value) = value.filter(|value| !value.is_null()) else {
-        return;
+/// Why a text is no property file, from the error of the reader of JSON: everything that
+/// is wrong with its fields, or that error.
+pub(super) fn malformed(error: &serde_json::Error, text: &str, file: &str) -> Diagnostics {
+    let words = |reason: String| {
+        let place = Place::line(file, error.line().max(1));
+        Diagnostics::one(place, &PropertyProblem::Malformed { reason })
     };
-    let mut add = |row: Option<usize>, value: &Value, expected: String| {
-        let row = row.map_or_else(String::new, |row| format!("row {} of ", row + 1));
-        let problem = PropertyProblem::Shape {
-            field: format!("{row}{field}"),
+    let value = match serde_json::from_str::<Value>(text) {
+        Ok(value) => value,
+        Err(_) => return words(error.to_string()),
+    };
+    let Some(fields) = value.as_object().filter(|fields| is_ours(fields)) else {
+        let reason = match value.get("format") {
+            None => format!("it has no \"format\", expected \"{FORMAT}\""),
+            Some(format) => {
+                let found = self::words(format);
+                format!("\"format\" is {found}, expected \"{FORMAT}\"")
+            }
+        };
+        return words(reason);
+    };
+    let mut check = Check {
+        file,
+        places: Places::of(text),
+        problems: Diagnostics::new(),
+    };
+    let whole = Holder {
+        prefix: String::new(),
+        suffix: String::new(),
+        number: OUTERMOST,
+        line: None,
+    };
+    check.table(fields, FILE, &whole);
+    match check.problems.is_empty() {
+        true => words(error.to_string()),
+        false => {
+            check.problems.sort_by_line();
+            check.problems
+        }
+    }
+}
+
+fn is_ours(fields: &Map<String, Value>) -> bool {
+    fields.get("format").and_then(Value::as_str) == Some(FORMAT)
+}
+
+/// A table: how its fields are called, and where it stands.
+struct Holder {
+    /// What stands before the name of a field, `centers.`.
+    prefix: String,
+    /// What stands behind it, ` of the imposed state "hot"`.
+    suffix: String,
+    number: usize,
+    line: Option<usize>,
+}
+
+impl Holder {
+    fn words(&self, field: &str) -> String {
+        format!("\"{}{field}\"{}", self.prefix, self.suffix)
+    }
+}
+
+/// What is wrong so far.
+struct Check<'a> {
+    file: &'a str,
+    places: Places,
+    problems: Diagnostics,
+}
+
+impl Check<'_> {
+    fn push(&mut self, line: Option<usize>, problem: &ShapeProblem) {
+        let place = match line {
+            Some(line) => Place::line(self.file, line),
+            None => Place::file(self.file),
+        };
+        self.problems.push(place, problem);
+    }
+
+    /// Unknown fields, absent ones that are not misspelled, and the content of the others.
+    fn table(&mut self, found: &Map<String, Value>, known: &[Field], holder: &Holder) {
+        let names = || known.iter().map(|field| field.name);
+        let mut meant = Vec::new();
+        for name in found
+            .keys()
+            .filter(|name| names().all(|known| known != *name))
+        {
+            let near = nearest_name(name, names());
+            meant.extend(near);
+            let problem = ShapeProblem::Unknown {
+                field: holder.words(name),
+                near,
+                known: names().collect(),
+            };
+            let spot = self.places.inside(holder.number, name);
+            self.push(spot.map(|spot| spot.line), &problem);
+        }
+        for field in known {
+            let words = holder.words(field.name);
+            if let Some(line) = self.places.again(holder.number, field.name) {
+                let field = words.clone();
+                self.push(Some(line), &ShapeProblem::Twice { field });
+            }
+            match found.get(field.name) {
+                // none, where there need not be one
+                Some(Value::Null) if !field.is_needed => {}
+                Some(value) => self.field(value, field, holder),
+                None if field.is_needed && !meant.contains(&field.name) => {
+                    let expected = expected(field.shape);
+                    let problem = ShapeProblem::Missing {
+                        field: words,
+                        expected,
+                    };
+                    self.push(holder.line, &problem);
+                }
+                None => {}
+            }
+        }
+    }
+
+    fn field(&mut self, value: &Value, field: &Field, holder: &Holder) {
+        let spot = self.places.inside(holder.number, field.name);
+        let line = spot.map(|spot| spot.line);
+        let number = spot.map_or(usize::MAX, |spot| spot.number);
+        let words = holder.words(field.name);
+        let inner = Holder {
+            prefix: format!("{}{}.", holder.prefix, field.name),
+            suffix: holder.suffix.clone(),
+            number,
+            line,
+        };
+        match (field.shape, value) {
+            (Table(known), Value::Object(found)) => self.table(found, known, &inner),
+            (Either(known), Value::Object(found)) => {
+                self.table(found, known, &inner);
+                let has = |field: &Field| found.contains_key(field.name);
+                if found.len() > 1 && known.iter().all(has) || found.is_empty() {
+                    self.wrong(line, &words, value, expected(field.shape));
+                }
+            }
+            (Tables(called, known), Value::Array(all)) => {
+                for (i, value) in all.iter().enumerate() {
+                    let name = value.get("name").and_then(Value::as_str);
+                    let name =
+                        name.map_or_else(|| (i + 1).to_string(), |name| format!("\"{name}\""));
+                    let spot = self.places.inside(number, &i.to_string());
+                    let one = Holder {
+                        prefix: String::new(),
+                        suffix: format!(" of {called} {name}"),
+                        number: spot.map_or(usize::MAX, |spot| spot.number),
+                        line: spot.map(|spot| spot.line).or(line),
+                    };
+                    match value.as_object() {
+                        Some(found) => self.table(found, known, &one),
+                        None => {
+                            let words = format!("{called} {name}");
+                            self.wrong(one.line, &words, value, "a table".to_owned());
+                        }
+                    }
+                }
+            }
+            (shape, value) => self.numbers(value, shape, line, &words),
+        }
+    }
+
+    fn wrong(&mut self, line: Option<usize>, field: &str, value: &Value, expected: String) {
+        let problem = ShapeProblem::Wrong {
+            field: field.to_owned(),
             found: words(value),
             expected,
         };
-        found.push((line_of, problem));
-    };
-    let rows = value.as_array();
-    match shape {
-        Shape::Number if !value.is_number() => add(None, value, "a number".to_owned()),
-        Shape::Row(n) if !is_row(value, n) => add(None, value, format!("{n} numbers")),
-        Shape::Number | Shape::Row(_) => {}
-        Shape::Square(n) => match rows.filter(|rows| rows.len() == n) {
-            None => add(None, value, format!("{n} rows of {n} numbers")),
-            Some(rows) => {
-                let wrong = rows.iter().enumerate().filter(|row| !is_row(row.1, n));
-                wrong.for_each(|(i, row)| add(Some(i), row, format!("{n} numbers")));
+        self.push(line, &problem);
+    }
+
+    /// A value that is no table, and the rows of one that is a matrix.
+    fn numbers(&mut self, value: &Value, shape: Shape, line: Option<usize>, field: &str) {
+        let rows = value.as_array();
+        let is_good = match shape {
+            Number => value.is_number(),
+            Count => value.is_u64(),
+            Text => value.is_string(),
+            Word(known) => value.as_str().is_some_and(|word| known.contains(&word)),
+            Texts => rows.is_some_and(|all| all.iter().all(Value::is_string)),
+            Row(n) => is_row(value, n),
+            Square(n) => rows.is_some_and(|rows| rows.len() == n),
+            Rows | Entries => rows.is_some(),
+            Table(_) | Either(_) | Tables(..) => false,
+        };
+        if !is_good {
+            return self.wrong(line, field, value, expected(shape));
+        }
+        let is_good = |row: &Value| match shape {
+            Square(n) => is_row(row, n),
+            Rows => row
+                .as_array()
+                .is_some_and(|row| row.iter().all(Value::is_number)),
+            Entries => is_entry(row),
+            _ => true,
+        };
+        let expected = match shape {
+            Square(n) => format!("{n} numbers"),
+            Entries => ENTRY.to_owned(),
+            _ => "numbers".to_owned(),
+        };
+        for (i, row) in rows.into_iter().flatten().enumerate() {
+            if !is_good(row) {
+                let words = format!("row {} of {field}", i + 1);
+                self.wrong(line, &words, row, expected.clone());
             }
-        },
-        Shape::Entries => match rows {
-            None => add(None, value, "a list of rows".to_owned()),
-            Some(rows) => {
-                let wrong = rows.iter().enumerate().filter(|row| !is_entry(row.1));
-                wrong.for_each(|(i, row)| add(Some(i), row, ENTRY.to_owned()));
-            }
-        },
+        }
     }
 }
 
@@ -159,3 +281,7 @@ fn words(value: &Value) -> String {
         other => other.to_string(),
     }
 }
+
+#[cfg(test)]
+#[path = "shapes_tests.rs"]
+mod tests;

@@ -1,0 +1,293 @@
+//! The electric side of a domain: which nodes have a potential, and what electrodes do.
+//!
+//! A node of a dielectric cell has a potential beside its three displacements. Unknowns are
+//! the displacements of all nodes, node by node, and behind them the potentials in the order
+//! of their nodes.
+
+use super::domain::{Domain, DomainCell, Scaling, largest, power_of_two};
+use crate::material::{CoupledLaw, coupled_law, material_axes, turned_coupling};
+use crate::section::{CellMaterial, Circuit, ElectrodeShape, FingeredCell, Section};
+use nalgebra::Vector6;
+
+/// No potential.
+const NONE: u32 = u32::MAX;
+
+/// The electric side of a domain; empty where no conductor makes fields.
+#[derive(Debug, Clone, Default)]
+pub struct Electric {
+    /// For each node the number of its potential.
+    potential_of_node: Vec<u32>,
+    /// Number of potentials.
+    count: usize,
+    /// Whether each node is part of a cell with stiffness; empty for all of them.
+    is_structural: Vec<bool>,
+    /// Laws of dielectric cells in section axes, in units of stress \[-\].
+    pub laws: Vec<CoupledLaw>,
+    /// The electrodes of the section, in its order.
+    pub electrodes: Vec<DomainElectrode>,
+}
+
+/// An electrode in a domain.
+#[derive(Debug, Clone, Default)]
+pub struct DomainElectrode {
+    /// Nodes of a conductor.
+    pub nodes: Vec<u32>,
+    /// Cells between fingers.
+    pub fingered: Vec<Fingered>,
+    /// Whether its voltage is zero at all times.
+    pub is_ground: bool,
+}
+
+/// A cell between fingers in a domain, per volt of its electrode.
+#[derive(Debug, Clone, Copy)]
+pub struct Fingered {
+    /// Index of the cell in the mesh.
+    pub mesh_cell: u32,
+    /// e' E: stress that the field takes off, order yz yy zz xx xy xz \[-\].
+    pub stress: Vector6<f64>,
+    /// E' epsS E: charge per volume and volt at no strain \[-\].
+    pub charge: f64,
+}
+
+impl Electric {
+    /// Number of potentials.
+    pub fn potentials(&self) -> usize {
+        self.count
+    }
+
+    /// The number of the potential of `node`; `None` for a node of no dielectric.
+    pub fn potential(&self, node: usize) -> Option<usize> {
+        match self.potential_of_node.get(node) {
+            None | Some(&NONE) => None,
+            Some(&potential) => Some(potential as usize),
+        }
+    }
+
+    /// Whether every node is part of a cell with stiffness.
+    pub fn is_all_structural(&self) -> bool {
+        self.is_structural.is_empty()
+    }
+
+    /// Whether `node` is part of a cell with stiffness.
+    pub fn is_structural(&self, node: usize) -> bool {
+        self.is_structural.get(node).copied().unwrap_or(true)
+    }
+
+    /// The same with the nodes in another order: `order` lists the present nodes.
+    pub(super) fn renumbered(mut self, order: &[u32], place: &[u32]) -> Self {
+        let has_potential = |&old: &u32| self.potential(old as usize).is_some();
+        let has: Vec<bool> = order.iter().map(has_potential).collect();
+        self.potential_of_node = numbered(&has);
+        if !self.is_structural.is_empty() {
+            let in_order = order.iter().map(|&old| self.is_structural[old as usize]);
+            self.is_structural = in_order.collect();
+        }
+        for electrode in &mut self.electrodes {
+            for node in &mut electrode.nodes {
+                *node = place[*node as usize];
+            }
+        }
+        self
+    }
+}
+
+/// Numbers for those that have a potential; empty where none has.
+fn numbered(has: &[bool]) -> Vec<u32> {
+    if !has.contains(&true) {
+        return Vec::new();
+    }
+    let mut next = 0;
+    let number = |&has: &bool| {
+        if !has {
+            return NONE;
+        }
+        next += 1;
+        next - 1
+    };
+    has.iter().map(number).collect()
+}
+
+/// Which cells of the mesh are dielectrics of the electric problem: those with an electric
+/// law that are not between fingers, where conductors make fields at all.
+pub fn dielectric_cells(section: &Section) -> Vec<bool> {
+    let mut is_dielectric: Vec<bool> = section
+        .cells
+        .iter()
+        .map(|made_of| section.materials[made_of.material].electric.is_some())
+        .collect();
+    let mut has_conductor = false;
+    for electrode in &section.electrodes {
+        match &electrode.shape {
+            ElectrodeShape::Conductor { .. } => has_conductor = true,
+            ElectrodeShape::Interdigitated { cells } => {
+                for fingered in cells {
+                    is_dielectric[fingered.cell as usize] = false;
+                }
+            }
+        }
+    }
+    if !has_conductor {
+        is_dielectric.fill(false);
+    }
+    is_dielectric
+}
+
+/// The unit of potential that makes stiffness and permittivity alike, a power of two \[V\]:
+/// `V0 = length sqrt(modulus / permittivity)`, one without dielectrics.
+pub(super) fn potential_unit(section: &Section, length: f64, modulus: f64) -> f64 {
+    let electric = section.materials.iter().filter_map(|m| m.electric.as_ref());
+    let entries = electric.flat_map(|law| law.permittivity.iter());
+    let permittivity = entries.map(|entry| entry.abs()).fold(0.0, largest);
+    power_of_two(length * (modulus / permittivity).sqrt()).unwrap_or(1.0)
+}
+
+/// The electric side of `section`; `numbering` lists the mesh nodes of the domain, and for
+/// each mesh node its place in that list. Tells the cells of the domain, which are in the order of the mesh, their coupled laws.
+pub(super) fn electric(
+    section: &Section,
+    scaling: &Scaling,
+    numbering: (&[u32], &[u32]),
+    cells: &mut [DomainCell],
+) -> Electric {
+    let mut electric = Electric::default();
+    if section.electrodes.is_empty() {
+        return electric;
+    }
+    let is_dielectric = dielectric_cells(section);
+    let nodes = numbering.0.len();
+    let (mut has_potential, mut is_structural) = (vec![false; nodes], vec![false; nodes]);
+    let mut last: Option<&CellMaterial> = None;
+    for ((cell, made_of), is_dielectric) in cells.iter_mut().zip(&section.cells).zip(is_dielectric)
+    {
+        let material = &section.materials[made_of.material];
+        if material.law.has_stiffness() {
+            (cell.nodes().iter()).for_each(|&node| is_structural[node as usize] = true);
+        }
+        let (true, Some(law)) = (is_dielectric, &material.electric) else {
+            continue;
+        };
+        (cell.nodes().iter()).for_each(|&node| has_potential[node as usize] = true);
+        if last != Some(made_of) {
+            let CellMaterial {
+                fiber_angle,
+                plane_angle,
+                ..
+            } = *made_of;
+            let law = coupled_law(&material.law.stiffness(), law, fiber_angle, plane_angle);
+            electric.laws.push(scaled(law, scaling));
+            last = Some(made_of);
+        }
+        cell.coupled = Some(electric.laws.len() as u32 - 1);
+    }
+    electric.count = has_potential.iter().filter(|&&has| has).count();
+    electric.potential_of_node = numbered(&has_potential);
+    if is_structural.contains(&false) {
+        electric.is_structural = is_structural;
+    }
+    let electrodes = section.electrodes.iter();
+    let in_domain = electrodes.map(|electrode| DomainElectrode {
+        is_ground: electrode.circuit == Circuit::Ground,
+        ..shape(section, scaling, numbering, &electrode.shape)
+    });
+    electric.electrodes = in_domain.collect();
+    electric
+}
+
+/// A coupled law in the units of `scaling`.
+fn scaled(mut law: CoupledLaw, scaling: &Scaling) -> CoupledLaw {
+    let gradient = scaling.potential / scaling.length;
+    for i in 0..9 {
+        for j in 0..9 {
+            let unit = |k: usize| if k < 6 { 1.0 } else { gradient };
+            law[(i, j)] *= unit(i) * unit(j) / scaling.modulus;
+        }
+    }
+    law
+}
+
+/// Where an electrode is in the domain.
+fn shape(
+    section: &Section,
+    scaling: &Scaling,
+    (mesh_nodes, node_of_mesh): (&[u32], &[u32]),
+    shape: &ElectrodeShape,
+) -> DomainElectrode {
+    match shape {
+        ElectrodeShape::Conductor { nodes } => {
+            let placed = nodes
+                .iter()
+                .map(|&node| (node, node_of_mesh[node as usize]));
+            // nodes without a cell are not part of the domain
+            let attached = placed.filter(|&(node, place)| mesh_nodes[place as usize] == node);
+            let nodes = attached.map(|(_, place)| place);
+            DomainElectrode {
+                nodes: nodes.collect(),
+                ..DomainElectrode::default()
+            }
+        }
+        ElectrodeShape::Interdigitated { cells } => {
+            let cells = cells.iter();
+            DomainElectrode {
+                fingered: cells
+                    .filter_map(|cell| fingered(section, scaling, cell))
+                    .collect(),
+                ..DomainElectrode::default()
+            }
+        }
+    }
+}
+
+/// A cell between fingers in the units of `scaling`; `None` for one without electric law.
+fn fingered(section: &Section, scaling: &Scaling, cell: &FingeredCell) -> Option<Fingered> {
+    let CellMaterial {
+        material,
+        fiber_angle,
+        plane_angle,
+    } = *section.cells.get(cell.cell as usize)?;
+    let law = section.materials[material].electric.as_ref()?;
+    let coupling = turned_coupling(&law.coupling, fiber_angle, plane_angle);
+    let axes = material_axes(fiber_angle, plane_angle);
+    let stress = coupling.transpose() * (axes * cell.field);
+    let charge = cell.field.dot(&(law.permittivity * cell.field));
+    let volt = scaling.potential;
+    Some(Fingered {
+        mesh_cell: cell.cell,
+        stress: volt / scaling.modulus * stress,
+        charge: volt * volt / scaling.modulus * charge,
+    })
+}
+
+/// First node of each part of the structure that shares no node with the others, by cells
+/// with stiffness.
+pub fn structural_parts(domain: &Domain) -> Vec<usize> {
+    let count = domain.nodes.len();
+    let mut parent: Vec<u32> = (0..count as u32).collect();
+    fn root(parent: &mut [u32], mut node: u32) -> u32 {
+        while parent[node as usize] != node {
+            parent[node as usize] = parent[parent[node as usize] as usize];
+            node = parent[node as usize];
+        }
+        node
+    }
+    for cell in &domain.cells {
+        let nodes = cell.nodes();
+        if nodes
+            .iter()
+            .any(|&n| !domain.electric.is_structural(n as usize))
+        {
+            continue;
+        }
+        if domain.laws[cell.law as usize].iter().all(|&c| c == 0.0) {
+            continue;
+        }
+        let first = root(&mut parent, nodes[0]);
+        for &node in &nodes[1..] {
+            let other = root(&mut parent, node);
+            parent[other as usize] = first;
+        }
+    }
+    let structural = (0..count).filter(|&node| domain.electric.is_structural(node));
+    structural
+        .filter(|&node| parent[node] == node as u32)
+        .collect()
+}

@@ -1,0 +1,177 @@
+//! What voltages on electrodes do to a section.
+
+use crate::section::Circuit;
+use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+
+/// The electrodes of a section, in its order: about the reference point, in section axes.
+///
+/// ```text
+/// psi = C theta + Y_v V      theta = K psi + Theta V      q = -Theta' psi + cap V  (S-167)
+/// ```
+#[derive(Debug, Clone)]
+pub struct PiezoSolution {
+    /// The electrodes.
+    pub electrodes: Vec<ElectrodeSolution>,
+    /// Charge per length and volt at no generalized strain, a row and a column for each
+    /// electrode, symmetric \[F/m\].
+    pub capacitance: DMatrix<f64>,
+    /// As `capacitance`, at no internal force \[F/m\].
+    pub free_capacitance: DMatrix<f64>,
+    /// Potential at the nodes of the mesh per unit internal force with all voltages zero,
+    /// nodes x 6; zero at nodes without potential \[V/N, V/(N m)\].
+    pub potential: DMatrix<f64>,
+    /// Whether each node of the mesh has a potential.
+    pub has_potential: Vec<bool>,
+    /// What vouches for the numbers.
+    pub checks: PiezoChecks,
+}
+
+/// One electrode at one volt, the others at zero.
+#[derive(Debug, Clone)]
+pub struct ElectrodeSolution {
+    /// Name.
+    pub name: String,
+    /// What it is joined to.
+    pub circuit: Circuit,
+    /// Whether it is a conductor; an interdigitated electrode otherwise.
+    pub is_conductor: bool,
+    /// Warping without internal force, rows ux, uy, uz of each node of the mesh; zero at
+    /// nodes without a cell. The stress of internal forces does no work on it \[m/V\].
+    pub warping: DVector<f64>,
+    /// Potential at the nodes of the mesh; zero at nodes without one \[-\].
+    pub potential: DVector<f64>,
+    /// Y_v: generalized strain without internal force \[1/V, 1/(V m)\].
+    pub free_strain: Vector6<f64>,
+    /// Theta: internal force where the generalized strain is held at zero \[N/V, N m/V\].
+    pub coupling: Vector6<f64>,
+}
+
+/// Errors that the solution measures on itself, all relative.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PiezoChecks {
+    /// Difference of the free strains from those of the work on the central solutions
+    /// (S-168), beside `sqrt(C_ii cap_ee)`: strains of the energy of one volt \[-\].
+    pub work: f64,
+    /// Asymmetry of the capacitance, beside its largest entry \[-\].
+    pub asymmetry: f64,
+    /// Sum of the free strains over all conductors, beside the same, and of the charges,
+    /// beside the largest: a common voltage does nothing \[-\].
+    pub common: f64,
+}
+
+/// A section as a beam sees it, with the electrodes that a circuit leaves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InCircuit {
+    /// Internal force per generalized strain at no voltage of the electrodes that are left,
+    /// 6x6 \[N, N m, N m^2\].
+    pub stiffness: Matrix6<f64>,
+    /// Indices of the electrodes that are left.
+    pub electrodes: Vec<usize>,
+    /// Internal force per volt of each, 6 x left \[N/V, N m/V\].
+    pub coupling: DMatrix<f64>,
+    /// Charge per length and volt at no generalized strain, left x left \[F/m\].
+    pub capacitance: DMatrix<f64>,
+}
+
+impl PiezoSolution {
+    /// The section of the stiffness `k` at no voltages, with each electrode as `circuit`
+    /// says of it: grounded ones at zero, floating ones with their charge per length at zero.
+    /// `None` where floating electrodes leave a voltage undetermined.
+    ///
+    /// ```text
+    /// q_f = 0:  V_f = cap_ff^-1 (Theta_f' psi - cap_fd V_d)
+    /// K + Theta_f cap_ff^-1 Theta_f'     Theta_d - Theta_f cap_ff^-1 cap_fd
+    /// cap_dd - cap_df cap_ff^-1 cap_fd                                         (S-169)
+    /// ```
+    pub fn in_circuit(
+        &self,
+        k: &Matrix6<f64>,
+        circuit: impl Fn(usize) -> Circuit,
+    ) -> Option<InCircuit> {
+        let of_kind = |kind: Circuit| -> Vec<usize> {
+            let all = 0..self.electrodes.len();
+            all.filter(|&electrode| circuit(electrode) == kind)
+                .collect()
+        };
+        let (driven, floating) = (of_kind(Circuit::Driven), of_kind(Circuit::Floating));
+        let theta = |of: &[usize]| -> DMatrix<f64> {
+            DMatrix::from_fn(6, of.len(), |row, column| {
+                self.electrodes[of[column]].coupling[row]
+            })
+        };
+        let part = |rows: &[usize], columns: &[usize]| {
+            DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
+                self.capacitance[(rows[i], columns[j])]
+            })
+        };
+        let (theta_d, theta_f) = (theta(&driven), theta(&floating));
+        if floating.is_empty() {
+            return Some(InCircuit {
+                stiffness: *k,
+                coupling: theta_d,
+                capacitance: part(&driven, &driven),
+                electrodes: driven,
+            });
+        }
+        let own = part(&floating, &floating).cholesky()?;
+        let (by_strain, by_voltage) = (
+            own.solve(&theta_f.transpose()),
+            own.solve(&part(&floating, &driven)),
+        );
+        let stiffer: Matrix6<f64> = (&theta_f * by_strain).fixed_view::<6, 6>(0, 0).into_owned();
+        let capacitance = part(&driven, &driven) - part(&driven, &floating) * &by_voltage;
+        Some(InCircuit {
+            stiffness: k + 0.5 * (stiffer + stiffer.transpose()),
+            coupling: theta_d - theta_f * &by_voltage,
+            capacitance: 0.5 * (&capacitance + capacitance.transpose()),
+            electrodes: driven,
+        })
+    }
+
+    /// Voltages of all electrodes under an internal force and given voltages of the driven
+    /// ones, one of each electrode of which the others are not read \[V\]: floating ones take
+    /// the voltage at which their charge per length is zero. `None` as in
+    /// [`PiezoSolution::in_circuit`].
+    ///
+    /// ```text
+    /// 0 = -Theta_f' C theta + freecap_fd V_d + freecap_ff V_f
+    /// ```
+    pub fn voltages(
+        &self,
+        compliance: &Matrix6<f64>,
+        force: &Vector6<f64>,
+        driven: &[f64],
+    ) -> Option<Vec<f64>> {
+        let circuit = |electrode: usize| self.electrodes[electrode].circuit;
+        let mut voltages: Vec<f64> = (0..self.electrodes.len())
+            .map(|electrode| match circuit(electrode) {
+                Circuit::Driven => driven.get(electrode).copied().unwrap_or(0.0),
+                Circuit::Ground | Circuit::Floating => 0.0,
+            })
+            .collect();
+        let all = 0..self.electrodes.len();
+        let floating: Vec<usize> = all
+            .filter(|&electrode| circuit(electrode) == Circuit::Floating)
+            .collect();
+        if floating.is_empty() {
+            return Some(voltages);
+        }
+        let strain = compliance * force;
+        let cap = &self.free_capacitance;
+        let own = DMatrix::from_fn(floating.len(), floating.len(), |i, j| {
+            cap[(floating[i], floating[j])]
+        });
+        let asked = DVector::from_fn(floating.len(), |i, _| {
+            let electrode = floating[i];
+            let by_voltage: f64 = (voltages.iter().enumerate())
+                .map(|(other, voltage)| cap[(electrode, other)] * voltage)
+                .sum();
+            self.electrodes[electrode].coupling.dot(&strain) - by_voltage
+        });
+        let found = own.cholesky()?.solve(&asked);
+        for (&electrode, voltage) in floating.iter().zip(found.iter()) {
+            voltages[electrode] = *voltage;
+        }
+        Some(voltages)
+    }
+}
