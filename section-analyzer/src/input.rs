@@ -18,7 +18,7 @@ use shared_geom::mesh::CellKind;
 use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
-use crate::material::{Material, MaterialLimits};
+use crate::material::{ElasticLaw, Material, MaterialLimits};
 use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, Laminated, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
@@ -29,6 +29,8 @@ mod assign;
 mod cell_table;
 mod curvature;
 mod distributed;
+mod electric;
+mod electrodes;
 mod extent;
 mod files;
 mod follow;
@@ -43,21 +45,26 @@ mod problem;
 mod regions;
 pub mod schema;
 mod source;
+mod stiffness;
 mod strengths;
 mod summary;
 mod tables;
 
 pub use distributed::DistributedProblem;
+pub use electric::{ElectricDataProblem, ElectricWarning};
+pub use electrodes::{ElectrodeProblem, circuit_word};
 pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, LoadProblem, checked_load, is_load_name};
 pub use outside::MatrixProblem;
 pub use problem::InputProblem;
 pub use source::{NodeProblem, Source};
+pub use stiffness::StiffnessProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
 use distributed::{Places, WrittenDistribution};
+use electrodes::WrittenElectrodes;
 use files::Files;
 use imposed::WrittenStates;
 use laminae::WrittenLamina;
@@ -148,6 +155,7 @@ struct WrittenSection {
     regions: Vec<WrittenRegion>,
     states: WrittenStates,
     laminae: Vec<WrittenLamina>,
+    electrodes: WrittenElectrodes,
     curvature: Option<WrittenCurvature>,
     loads: Vec<(Option<LoadCase>, WrittenDistribution)>,
     end_effects: Option<usize>,
@@ -167,6 +175,7 @@ impl WrittenSection {
             line: root.line_of("mesh"),
         });
         let states = imposed::read(&root);
+        let electrodes = electrodes::read(&root);
         let written = Self {
             name,
             mesh,
@@ -176,7 +185,8 @@ impl WrittenSection {
             regions: regions::read(&root),
             laminae: laminae::read(&root),
             curvature: curvature::read(&root),
-            loads: loads::read(&root, &states),
+            loads: loads::read(&root, &states, &electrodes),
+            electrodes,
             states,
             end_effects: end_effects(&root),
             prestress: root
@@ -202,6 +212,7 @@ impl WrittenSection {
         let beam = beam.and_then(|(line, mesh)| curvature::checked(line, mesh, document, &mut odd));
         let (cells, follows) = self.assigned(document, files, &meshed, of_region.as_deref());
         let loads = self.loads(document, &meshed);
+        let electrodes = self.electrodes.on_mesh(self.places(document, &meshed));
         let rises = states.rises(document, files, &meshed.rows());
         let (materials, of_region, (loads, distributed)) = (self.laws()?, of_region?, loads?);
         let (section_mesh, mut report) = meshed.checked?;
@@ -211,7 +222,7 @@ impl WrittenSection {
         cells.extend(laminae::cells(laminae, &laminated, of_plies)?);
         report.unused_nodes = report.unused_nodes.saturating_sub(laminated.bare_nodes);
         let region_of_cell = self.region_of_cell(meshed.region_of_cell, &laminated)?;
-        let section = Section {
+        let mut section = Section {
             name: self.name.clone(),
             mesh: section_mesh,
             materials,
@@ -220,11 +231,15 @@ impl WrittenSection {
             electrodes: Vec::new(),
         };
         self.note_prestress(document, &section);
+        stiffness::check(document, self.line_of_mesh(), &section);
+        let electrodes = self.with_electrodes(document, &mut section, electrodes);
         let of_regions = (strains?, &region_of_cell[..]);
         let imposed = states.states(document, &section, rises?, of_regions);
+        let (places, loose) = electrodes?;
         let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
-        let warnings = odd.into_iter().chain(InputWarning::of_mesh(&report));
-        summary.warnings.extend(warnings);
+        summary.electrodes = places;
+        let of_mesh = InputWarning::of_mesh(&report);
+        summary.warnings.extend([odd, of_mesh, loose].concat());
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();
         Some(Input {
@@ -244,6 +259,22 @@ impl WrittenSection {
                 follows,
             ),
         })
+    }
+
+    /// Gives the section its electrodes; where they are in words, and what is odd about
+    /// them.
+    fn with_electrodes(
+        &self,
+        document: &Document,
+        section: &mut Section,
+        found: Option<Vec<electrodes::Found>>,
+    ) -> Option<(Vec<String>, Vec<InputWarning>)> {
+        let electrodes = &self.electrodes;
+        let (placed, odd) = electrodes.checked(document, section, &found?, &self.materials)?;
+        let placed = placed.into_iter().map(|one| (one.electrode, one.place));
+        let (electrodes, places) = placed.unzip();
+        section.electrodes = electrodes;
+        Some((places, odd))
     }
 
     /// What the cells of the mesh file are made of, and the curves that their plane angles
@@ -296,6 +327,21 @@ impl WrittenSection {
         materials.map(|known| known.material.clone()).collect()
     }
 
+    /// What names are looked for in.
+    fn places<'a>(&'a self, document: &'a Document, meshed: &'a Meshed) -> Places<'a> {
+        Places {
+            document,
+            mesh: &meshed.mesh,
+            section_mesh: meshed.checked.as_ref().map(|(mesh, _)| mesh),
+            laminae: &self.laminae,
+            faces: &meshed.added.faces,
+        }
+    }
+
+    fn line_of_mesh(&self) -> usize {
+        self.mesh.as_ref().map_or(1, |mesh| mesh.line)
+    }
+
     /// The loads, and what acts along the beam with each; `None` when anything is wrong with
     /// one.
     fn loads(
@@ -303,13 +349,7 @@ impl WrittenSection {
         document: &Document,
         meshed: &Meshed,
     ) -> Option<(Vec<LoadCase>, Vec<DistributedLoad>)> {
-        let places = Places {
-            document,
-            mesh: &meshed.mesh,
-            section_mesh: meshed.checked.as_ref().map(|(mesh, _)| mesh),
-            laminae: &self.laminae,
-            faces: &meshed.added.faces,
-        };
+        let places = self.places(document, meshed);
         let loads = self.loads.iter();
         let loads = loads.map(|(_, load)| load.on_mesh(places));
         // every load is looked at before the first wrong one ends the search
@@ -351,13 +391,14 @@ impl WrittenSection {
             kinds: kinds.into_iter().filter(|(_, count)| *count > 0).collect(),
             areas: AreaTable::by_region(section, &names, region_of_cell),
             regions: summaries.collect(),
+            electrodes: Vec::new(),
             quality: MeshQuality::default(),
             warnings: self.warnings(of_region),
         }
     }
 
     fn warnings(&self, of_region: &[usize]) -> Vec<InputWarning> {
-        let mut warnings = Vec::new();
+        let mut warnings = electric::warnings(&self.materials, of_region, &self.electrodes);
         let expansion = |&index: &usize| {
             let material = self.materials[index].material.as_ref();
             material.and_then(|known| known.expansion)
@@ -371,11 +412,13 @@ impl WrittenSection {
             } else if written
                 .material
                 .as_ref()
-                .is_some_and(|known| known.density == 0.0)
+                .is_some_and(|known| known.density == 0.0 && known.law != ElasticLaw::Absent)
             {
                 warnings.push(InputWarning::NoDensity { material });
             }
-            if is_heated && of_region.contains(&index) && expansion(&index).is_none() {
+            let is_stiff = |known: &Material| known.law != ElasticLaw::Absent;
+            let is_stiff = written.material.as_ref().is_some_and(is_stiff);
+            if is_heated && is_stiff && of_region.contains(&index) && expansion(&index).is_none() {
                 let material = written.name.clone();
                 warnings.push(InputWarning::NoExpansion { material });
             }

@@ -4,6 +4,7 @@
 mod areas;
 mod comparison;
 mod distributed;
+mod electric;
 mod end_effects;
 mod engineering;
 mod fiber_plot;

@@ -306,7 +306,7 @@ fn sides(
 
 /// The region that `written` names, or those of the plies of a laminate: their indices in
 /// the groups of the section mesh.
-fn groups_of(places: Places<'_>, written: &Written) -> Option<Vec<usize>> {
+pub(super) fn groups_of(places: Places<'_>, written: &Written) -> Option<Vec<usize>> {
     if places.faces.is_open(&written.text) {
         return None;
     }

@@ -10,6 +10,7 @@ use super::regions::{Written, WrittenRegion};
 
 const SURFACE: u8 = 2;
 const CURVE: u8 = 1;
+const POINT: u8 = 0;
 
 /// The physical group that `written` names: by its name, else by its number.
 /// One that does not exist is noted, with the nearest name.
@@ -24,9 +25,10 @@ fn find(document: &Document, mesh: &Mesh, dimension: u8, written: &Written) -> O
             kind: word(dimension),
             group: written.text.clone(),
             known: of_dimension.map(PhysicalGroup::label).collect(),
-            is_other: mesh
-                .group(SURFACE + CURVE - dimension, &written.text)
-                .is_some(),
+            is_other: dimension != POINT
+                && mesh
+                    .group(SURFACE + CURVE - dimension, &written.text)
+                    .is_some(),
         };
         document.note(written.line, &problem);
     }
@@ -47,10 +49,10 @@ pub(super) fn label_of_curve(mesh: &Mesh, written: &Written) -> Option<String> {
 }
 
 fn word(dimension: u8) -> &'static str {
-    if dimension == SURFACE {
-        "surface"
-    } else {
-        "curve"
+    match dimension {
+        SURFACE => "surface",
+        CURVE => "curve",
+        _ => "point",
     }
 }
 
@@ -68,6 +70,21 @@ pub(super) fn curve(document: &Document, mesh: &Mesh, written: &Written) -> Opti
 /// The surface that `written` names: its index in the groups of the mesh.
 pub(super) fn surface(document: &Document, mesh: &Mesh, written: &Written) -> Option<usize> {
     find(document, mesh, SURFACE, written)
+}
+
+/// The tags of the nodes in the physical point that `written` names.
+pub(super) fn point(document: &Document, mesh: &Mesh, written: &Written) -> Option<Vec<u64>> {
+    let group = find(document, mesh, POINT, written)?;
+    let points = mesh
+        .points
+        .iter()
+        .filter(|point| point.groups.contains(group));
+    let nodes = points.filter_map(|point| mesh.nodes.get(point.node as usize));
+    let tags: Vec<_> = nodes.map(|node| node.tag).collect();
+    if tags.is_empty() {
+        note_empty(document, written, POINT, "points");
+    }
+    (!tags.is_empty()).then_some(tags)
 }
 
 fn note_empty(document: &Document, written: &Written, dimension: u8, content: &'static str) {

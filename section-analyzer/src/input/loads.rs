@@ -5,6 +5,7 @@ use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
 use super::distributed::{self, WrittenDistribution};
+use super::electrodes::WrittenElectrodes;
 use super::imposed::{ImposedProblem, WrittenStates};
 use super::problem::InputProblem;
 use crate::recovery::LoadCase;
@@ -56,6 +57,7 @@ pub fn is_load_name(name: &str) -> bool {
 pub(super) fn read(
     root: &Table<'_>,
     states: &WrittenStates,
+    electrodes: &WrittenElectrodes,
 ) -> Vec<(Option<LoadCase>, WrittenDistribution)> {
     let tables = root.named_tables("load");
     note_same_files(&tables);
@@ -63,7 +65,8 @@ pub(super) fn read(
         .into_iter()
         .map(|(name, table)| {
             let distributed = distributed::read(&table);
-            let load = read_one(&name, &table, (states, &distributed));
+            let voltages = electrodes.voltages(&name, &table, "voltages");
+            let load = read_one(&name, &table, (states, &distributed), voltages);
             table.finish();
             (load, distributed)
         })
@@ -91,6 +94,7 @@ fn read_one(
     name: &str,
     table: &Table<'_>,
     (states, distributed): (&WrittenStates, &WrittenDistribution),
+    voltages: Option<Vec<(String, f64)>>,
 ) -> Option<LoadCase> {
     let load = name.to_owned();
     if !is_load_name(name) {
@@ -107,7 +111,10 @@ fn read_one(
     let force = Vector6::from_vec(components?);
     let [temperature, initial_strain] = imposed;
     let imposed: Vec<_> = temperature?.into_iter().chain(initial_strain?).collect();
-    if force == Vector6::zeros() && imposed.is_empty() && distributed.is_empty() {
+    let voltages = voltages?;
+    let is_driven = voltages.iter().any(|(_, voltage)| *voltage != 0.0);
+    let has_force = force != Vector6::zeros() || !distributed.is_empty();
+    if !has_force && imposed.is_empty() && !is_driven {
         table.note("", &InputProblem::ZeroLoad { load });
         return None;
     }
@@ -116,6 +123,7 @@ fn read_one(
     }
     let load = LoadCase {
         imposed,
+        voltages,
         ..LoadCase::at_point(load, &force, point?)
     };
     let load = checked_load(load);

@@ -4,6 +4,7 @@ use nalgebra::Matrix6;
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
+use super::electric::{self, ElectricDataProblem, WrittenElectric};
 use super::problem::InputProblem;
 use super::strengths;
 use crate::material::{
@@ -25,8 +26,10 @@ const LARGEST_EXPANSION: f64 = 0.01;
 pub(super) struct WrittenMaterial {
     pub name: String,
     pub line: usize,
+    /// In the axes of the material.
     pub material: Option<Material>,
     pub limits: MaterialLimits,
+    pub electric: Option<WrittenElectric>,
 }
 
 /// Reads `[material.NAME]` for every name, and checks that each can exist.
@@ -37,20 +40,35 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenMaterial> {
         .map(|(name, table)| {
             let law = law(&name, &table);
             let limits = strengths::read(&name, &table, law.as_ref());
-            let material = read_one(&name, &table, law);
+            let electric = electric::read(&name, &table, law.as_ref());
+            electric::check_limits(&name, &table, &limits, electric.as_ref());
+            if law == Some(ElasticLaw::Absent) {
+                electric::check_absent(&name, &table);
+            }
+            let material = read_one(&name, &table, law, electric.as_ref());
             table.finish();
             WrittenMaterial {
                 name,
                 line: table.line(),
                 material,
                 limits,
+                electric,
             }
         })
         .collect()
 }
 
-fn read_one(name: &str, table: &Table<'_>, law: Option<ElasticLaw>) -> Option<Material> {
-    let density = table.require_quantity("density", Dimension::DENSITY);
+fn read_one(
+    name: &str,
+    table: &Table<'_>,
+    law: Option<ElasticLaw>,
+    electric: Option<&WrittenElectric>,
+) -> Option<Material> {
+    let needs_none = law == Some(ElasticLaw::Absent) && !table.has("density");
+    let density = match needs_none {
+        true => Some(0.0),
+        false => table.require_quantity("density", Dimension::DENSITY),
+    };
     let expansion = match table.has("expansion") {
         true => expansion(table).map(Some),
         false => Some(None),
@@ -60,14 +78,25 @@ fn read_one(name: &str, table: &Table<'_>, law: Option<ElasticLaw>) -> Option<Ma
         law: law?,
         density: density?,
         expansion: expansion?,
-        electric: None,
+        electric: electric.map(|electric| electric.law),
     };
     for problem in material.check() {
         let key = key_of(&problem, &material.law);
         let material = name.to_owned();
         table.note(&key, &InputProblem::Inadmissible { material, problem });
     }
-    Some(material)
+    let Some(electric) = electric else {
+        return Some(material);
+    };
+    let turned = material.turned(&electric.axes);
+    let note = |problem| {
+        let material = name.to_owned();
+        table.note(
+            "expansion",
+            &ElectricDataProblem::Axes { material, problem },
+        );
+    };
+    turned.map_err(note).ok()
 }
 
 /// One coefficient for all directions, or one for each material axis \[1/K\].
@@ -114,6 +143,10 @@ fn law(name: &str, table: &Table<'_>) -> Option<ElasticLaw> {
         }
         (Some(first), None) if ISOTROPIC.contains(&first) => isotropic(table),
         (Some(first), None) if ORTHOTROPIC.contains(&first) => orthotropic(table),
+        (Some(_), None) if table.is_text("stiffness") => {
+            let word = table.word("stiffness", &["none"])?;
+            (word == 0).then_some(ElasticLaw::Absent)
+        }
         (Some(_), None) => full(table),
     }
 }

@@ -113,7 +113,7 @@ pub enum InputProblem {
     #[error(
         "load \"{load}\" is zero, expected at least one of \"axial\", \"shear_y\", \"shear_z\", \
          \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \"initial_strain\", \
-         \"traction\", \"volume\""
+         \"traction\", \"volume\", \"voltages\""
     )]
     ZeroLoad {
         /// Name of the load case.

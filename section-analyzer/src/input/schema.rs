@@ -5,18 +5,21 @@
 //! reference of the book ([`reference`]). A test holds the description and the
 //! reader to each other, key by key: what one knows, the other must know.
 //!
-//! A new key is one line in a list: `schema/keys.rs`, `schema/limits.rs` for the limits
-//! of materials, or `schema/laminae.rs` for laminates along curves.
+//! A new key is one line in a list: `schema/keys.rs`, `schema/materials.rs`,
+//! `schema/limits.rs` for the limits of materials, `schema/electric.rs` for electric laws and electrodes, or
+//! `schema/laminae.rs` for laminates along curves.
 
 use shared_geom::units::Dimension;
 
 mod distributed;
+mod electric;
 mod imposed;
 mod json;
 mod keys;
 mod laminae;
 mod limits;
 mod loads;
+mod materials;
 mod reference;
 
 pub use json::json_schema;
@@ -81,6 +84,8 @@ pub enum ValueKind {
     Text,
     /// A text, or a whole number that stands for one: a physical group.
     Name,
+    /// A name, or a list of names.
+    Names,
     /// One of these words.
     Word(&'static [&'static str]),
     /// True or false.
@@ -95,6 +100,8 @@ pub enum ValueKind {
     Count(usize),
     /// A list of one to as many plain numbers.
     Numbers(usize),
+    /// A table of quantities by names of the user's choice.
+    Named(Dimension),
     /// Rows and columns of plain numbers.
     Rows(usize, usize),
     /// A table, `[key]`.

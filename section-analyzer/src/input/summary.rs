@@ -5,6 +5,7 @@ use std::fmt;
 use shared_geom::figure::tick_label;
 use shared_geom::mesh::CellKind;
 
+use super::electric::ElectricWarning;
 use crate::mesh::quality::{MeshQuality, NamedCell};
 use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh, counted};
 use crate::properties::AreaTable;
@@ -31,6 +32,8 @@ pub struct InputSummary {
     pub regions: Vec<RegionSummary>,
     /// Areas, moments of area, perimeters and masses, parallel to `regions`.
     pub areas: AreaTable,
+    /// Where the electrodes of the section are, in words, parallel to them.
+    pub electrodes: Vec<String>,
     /// Shapes of the cells.
     pub quality: MeshQuality,
     /// What is odd but not wrong.
@@ -124,6 +127,8 @@ pub enum InputWarning {
         /// Its name.
         material: String,
     },
+    /// Something about electric laws and electrodes.
+    Electric(ElectricWarning),
     /// Cells that the mesh lists clockwise.
     ReversedCells {
         /// Their number.
@@ -244,6 +249,7 @@ impl fmt::Display for InputWarning {
                 "material \"{material}\" has no \"expansion\", and others have: heat does not \
                  strain it"
             ),
+            Self::Electric(warning) => warning.fmt(f),
             Self::ReversedCells { count } => write!(
                 f,
                 "{} listed clockwise in the mesh, as a whole surface: turned round",

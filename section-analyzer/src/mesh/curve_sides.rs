@@ -54,17 +54,46 @@ impl SectionMesh {
     /// The first line that is not a side of a cell.
     pub fn sides_of_curve<'a>(&self, curve: &'a Curve) -> Result<Vec<CurveSide>, &'a CurveLine> {
         let sides = self.sides_by_ends();
+        let nodes_at = self.nodes_by_place();
+        let found = curve.lines.iter().map(|line| {
+            let [first, second] = [line.first, line.second].map(|end| at(&nodes_at, &end));
+            side_between(&sides, line.tag, first, second).ok_or(line)
+        });
+        found.collect()
+    }
+
+    /// The nodes of the sides of cells on `curve`, each once and ascending, those in the
+    /// middle of quadratic sides too; along a slit, those of both banks.
+    ///
+    /// # Errors
+    /// The first line that is not a side of a cell.
+    pub fn nodes_of_curve<'a>(&self, curve: &'a Curve) -> Result<Vec<u32>, &'a CurveLine> {
+        let sides = self.sides_by_ends();
+        let nodes_at = self.nodes_by_place();
+        let mut nodes = Vec::new();
+        for line in &curve.lines {
+            let [first, second] = [line.first, line.second].map(|end| at(&nodes_at, &end));
+            let before = nodes.len();
+            for [a, b] in pairs(first, second) {
+                if let Some(side) = sides.get(&[a.min(b), a.max(b)]) {
+                    nodes.extend([a, b].into_iter().chain(side.middle));
+                }
+            }
+            if nodes.len() == before {
+                return Err(line);
+            }
+        }
+        nodes.sort_unstable();
+        nodes.dedup();
+        Ok(nodes)
+    }
+
+    fn nodes_by_place(&self) -> HashMap<[u64; 2], Vec<u32>> {
         let mut nodes_at: HashMap<[u64; 2], Vec<u32>> = HashMap::new();
         for (node, place) in self.nodes.iter().enumerate() {
             nodes_at.entry(key(place)).or_default().push(node as u32);
         }
-        let none = Vec::new();
-        let found = curve.lines.iter().map(|line| {
-            let [first, second] = [line.first, line.second]
-                .map(|end| nodes_at.get(&key(&end)).unwrap_or(&none).as_slice());
-            side_between(&sides, line.tag, first, second).ok_or(line)
-        });
-        found.collect()
+        nodes_at
     }
 
     fn sides_by_ends(&self) -> HashMap<[u32; 2], Side> {
@@ -89,6 +118,18 @@ fn key(place: &[f64; 2]) -> [u64; 2] {
     place.map(|x| (x + 0.0).to_bits())
 }
 
+/// The nodes at a place.
+fn at<'a>(nodes_at: &'a HashMap<[u64; 2], Vec<u32>>, place: &[f64; 2]) -> &'a [u32] {
+    nodes_at.get(&key(place)).map_or(&[], Vec::as_slice)
+}
+
+/// A node of `first` and one of `second`, in all ways.
+fn pairs<'a>(first: &'a [u32], second: &'a [u32]) -> impl Iterator<Item = [u32; 2]> + 'a {
+    first
+        .iter()
+        .flat_map(move |a| second.iter().map(move |b| [*a, *b]))
+}
+
 /// The side from a node of `first` to one of `second`. Where nodes are doubled along a
 /// slit, both banks are found, and they count as the cells of one line.
 fn side_between(
@@ -98,10 +139,7 @@ fn side_between(
     second: &[u32],
 ) -> Option<CurveSide> {
     let mut found: Option<CurveSide> = None;
-    for (&a, &b) in first
-        .iter()
-        .flat_map(|a| second.iter().map(move |b| (a, b)))
-    {
+    for [a, b] in pairs(first, second) {
         let Some(side) = sides.get(&[a.min(b), a.max(b)]) else {
             continue;
         };
@@ -178,6 +216,10 @@ mod tests {
                     let nodes = side.nodes().iter().map(|&node| mesh.nodes[node as usize]);
                     assert!(nodes.eq(places), "{kind:?}");
                 }
+                let mut all: Vec<u32> = sides.iter().flat_map(|s| s.nodes().to_vec()).collect();
+                all.sort_unstable();
+                all.dedup();
+                assert_eq!(mesh.nodes_of_curve(curve), Ok(all), "{kind:?}");
             }
         }
     }

@@ -19,6 +19,7 @@ mod jacobian;
 mod laminate;
 mod orientation;
 mod overlap;
+mod parts;
 mod plane;
 mod problem;
 pub mod quality;
@@ -32,6 +33,7 @@ pub use laminate::{
     Lamina, LaminaCell, LaminaFace, LaminaProblem, LaminaSide, Laminated, Wall, add_laminae,
     of_laminae,
 };
+pub(crate) use parts::Sets;
 pub(crate) use plane::{distance, polygon_area};
 pub use problem::{Inversion, MeshProblem, Part};
 pub(crate) use problem::{counted, short};

@@ -2,6 +2,7 @@
 //! for it.
 
 use super::areas::areas;
+use super::electric::{electric_law, electrodes};
 use super::engineering::engineering_values;
 use super::parts::{self, couplings, joined};
 use super::quality::{quality_by_region, quality_in_short};
@@ -42,6 +43,7 @@ pub fn report(
         curvature(section),
         materials(&section.materials),
         regions(section, summary),
+        electrodes(section, summary),
         quality_in_short(summary),
         format!(
             "Stiffness, internal force per generalized strain [N, N m, N m^2]\n{}",
@@ -75,6 +77,7 @@ pub fn failure_report(section: &Section, summary: &InputSummary, failure: &Failu
         curvature(section),
         materials(&section.materials),
         regions(section, summary),
+        electrodes(section, summary),
         format!("No result\n  {failure}\n{help}"),
     ];
     joined(&parts)
@@ -88,6 +91,7 @@ pub fn input_report(section: &Section, summary: &InputSummary) -> String {
         curvature(section),
         materials(&section.materials),
         regions(section, summary),
+        electrodes(section, summary),
         areas(&summary.areas),
         quality_by_region(summary),
     ];
@@ -143,8 +147,14 @@ fn materials(materials: &[Material]) -> String {
         let (kind, constants) = law(&material.law);
         let density = Digits(material.density);
         let expansion = expansion(material.expansion);
+        let constants = match constants.is_empty() {
+            true => constants,
+            false => format!("      {constants}\n"),
+        };
+        let electric = material.electric.as_ref();
+        let electric = electric.map_or_else(String::new, electric_law);
         format!(
-            "  {}: {kind}, {density} kg/m^3\n      {constants}\n{expansion}",
+            "  {}: {kind}, {density} kg/m^3\n{constants}{expansion}{electric}",
             material.name
         )
     };
@@ -200,7 +210,10 @@ fn regions(section: &Section, summary: &InputSummary) -> String {
     let is_isotropic = |name: &str| {
         let mut materials = section.materials.iter();
         let found = materials.find(|material| material.name == name);
-        found.is_some_and(|material| matches!(material.law, ElasticLaw::Isotropic { .. }))
+        found.is_some_and(|material| {
+            let is_electric = material.electric.is_some();
+            matches!(material.law, ElasticLaw::Isotropic { .. }) && !is_electric
+        })
     };
     let heading = [
         "region",

@@ -13,6 +13,8 @@ pub struct LoadCase {
     pub force: Vector6<f64>,
     /// Names of the imposed states that act with it.
     pub imposed: Vec<String>,
+    /// Voltages of driven electrodes by their names, those of the others zero \[V\].
+    pub voltages: Vec<(String, f64)>,
 }
 
 impl LoadCase {
@@ -23,6 +25,7 @@ impl LoadCase {
             name: name.into(),
             force: wrench::shift_matrix(&-Vector3::new(0.0, y, z)) * force,
             imposed: Vec::new(),
+            voltages: Vec::new(),
         }
     }
 }

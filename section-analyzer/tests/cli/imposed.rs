@@ -38,7 +38,7 @@ fn wrong_temperatures_are_told_together() {
         "  help: did you mean \"hot\"?",
         "error: a.section.toml:34: load \"nothing\" is zero, expected at least one of \"axial\", \
          \"shear_y\", \"shear_z\", \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \
-         \"initial_strain\", \"traction\", \"volume\"",
+         \"initial_strain\", \"traction\", \"volume\", \"voltages\"",
     ]);
 }
 

@@ -10,6 +10,8 @@ mod bad_section;
 mod compare;
 mod curvature;
 mod distributed;
+mod electric;
+mod electrodes;
 mod help;
 mod imposed;
 mod many;

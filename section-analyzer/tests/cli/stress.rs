@@ -182,14 +182,14 @@ fn wrong_loads_are_told() {
     place.is_refused(&[
         "error: a.section.toml:21: load \"none\" is zero, expected at least one of \"axial\", \
          \"shear_y\", \"shear_z\", \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \
-         \"initial_strain\", \"traction\", \"volume\"",
+         \"initial_strain\", \"traction\", \"volume\", \"voltages\"",
         "error: a.section.toml:23: load \"a/b\": expected a name of letters, digits, \"-\" and \"_\"",
         "  help: the name becomes part of file names",
         "error: a.section.toml:24: \"axial\": \"mm\" measures a length, expected a force",
         "  help: units of it: N, kN, MN, lbf, kip",
         "error: a.section.toml:25: load \"c\" is zero, expected at least one of \"axial\", \
          \"shear_y\", \"shear_z\", \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \
-         \"initial_strain\", \"traction\", \"volume\"",
+         \"initial_strain\", \"traction\", \"volume\", \"voltages\"",
         "error: a.section.toml:26: unknown key \"shear\" in load \"c\"",
         "  help: did you mean \"shear_y\"?",
         "error: a.section.toml:27: \"point\" is an array of 1, expected an array of 2, y and z, each a \

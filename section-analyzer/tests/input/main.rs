@@ -4,6 +4,7 @@
 // A failed unwrap fails the test, with its line.
 #![allow(clippy::unwrap_used)]
 
+mod electrodes;
 mod follow;
 mod laminae;
 mod moved_nodes;

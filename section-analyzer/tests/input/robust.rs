@@ -29,7 +29,11 @@ fn read(text: &str) -> bool {
 
 fn seeds() -> Vec<String> {
     let folder = Path::new(FUZZ).join("corpus/section_file");
-    let names = ["laminate.section.toml", "steel.section.toml"];
+    let names = [
+        "laminate.section.toml",
+        "piezo.section.toml",
+        "steel.section.toml",
+    ];
     let seeds = names.map(|name| std::fs::read_to_string(folder.join(name)).unwrap());
     seeds.to_vec()
 }

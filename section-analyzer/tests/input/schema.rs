@@ -217,11 +217,17 @@ fn reader_and_description_know_the_same_keys() {
 fn is_other_form(sample: &Sample, without: &Table) -> bool {
     sample.table.families.iter().any(|family| {
         let own = keys(sample.table, Some(family));
-        let required = own
+        let mut required = own
             .iter()
+            .copied()
             .filter(|key| key.need == input::schema::Need::Required);
-        let mut required = required.map(|key| key.name);
-        required.all(|name| without.contains_key(name))
+        // of the type of the example: stiffnesses are rows or a word
+        let has = |key: &'static KeySchema| {
+            let example = complete(sample.table, Some(family))[key.name].clone();
+            let found = without.get(key.name);
+            found.is_some_and(|found| found.same_type(&example))
+        };
+        required.all(has)
             && without
                 .keys()
                 .all(|name| own.iter().any(|key| key.name == name))
@@ -244,7 +250,7 @@ fn required_keys_are_required_by_both() {
             assert_eq!(fits(&validator, &text).is_err(), is_required, "{place}");
             let problems = problems(&text);
             // Without them, the examples of loads and initial strains refer to nothing.
-            let named = ["region", "temperature", "initial_strain"];
+            let named = ["region", "temperature", "initial_strain", "electrode"];
             if !(sample.path.is_empty() && named.contains(&key.name)) {
                 assert_eq!(!problems.is_empty(), is_required, "{place}: {problems:?}");
             }

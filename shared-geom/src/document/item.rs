@@ -62,6 +62,14 @@ impl<'a> Item<'a> {
         }
     }
 
+    /// The number, if it is a whole one of at least one.
+    pub fn whole_number(&self) -> Option<u64> {
+        match self.value.kind {
+            Kind::Integer(number) => u64::try_from(number).ok().filter(|number| *number > 0),
+            _ => None,
+        }
+    }
+
     /// The table, if it is one, which messages call `title`.
     pub fn table(&self, title: &str) -> Option<Table<'a>> {
         match &self.value.kind {

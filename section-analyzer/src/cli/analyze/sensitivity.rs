@@ -28,6 +28,17 @@ impl Explain for WrongNode {
     }
 }
 
+/// Derivatives of a section with electrodes.
+#[derive(Debug, Error)]
+#[error("--sensitivity is not known for sections with electrodes")]
+struct WithElectrodes;
+
+impl Explain for WithElectrodes {
+    fn help(&self) -> Option<String> {
+        Some("leave --sensitivity out, or remove the electrodes from the file".to_owned())
+    }
+}
+
 /// The derivatives of a section, if they are asked for.
 #[derive(Debug, Default)]
 pub(super) struct Sensitivities(Option<(Vec<Parameter>, Vec<Derivative>)>);
@@ -60,6 +71,10 @@ pub(super) fn parameters(input: &Input, run: &Run) -> Result<Option<Vec<Paramete
     let Some(nodes) = &run.sensitivity else {
         return Ok(None);
     };
+    if !input.section.electrodes.is_empty() {
+        let place = Place::file(input.summary.file.clone());
+        return Err(Diagnostics::one(place, &WithElectrodes).to_string());
+    }
     let mut parameters = Parameter::of_section(&input.section);
     let mut problems = Diagnostics::new();
     let mesh = &input.summary.mesh_file;

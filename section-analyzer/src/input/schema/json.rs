@@ -87,7 +87,9 @@ fn of_key(key: &KeySchema) -> Value {
 fn measured(kind: &ValueKind) -> Option<String> {
     match kind {
         ValueKind::Quantity(Dimension::NUMBER) => Some("A pure number".to_owned()),
-        ValueKind::Quantity(dimension) | ValueKind::Vector(_, dimension) => Some(format!(
+        ValueKind::Quantity(dimension)
+        | ValueKind::Vector(_, dimension)
+        | ValueKind::Named(dimension) => Some(format!(
             "In numbers of the declared unit, or with a unit of its own: {dimension}"
         )),
         _ => None,
@@ -107,10 +109,19 @@ fn forms(kind: &ValueKind) -> Vec<Value> {
             json!({ "type": "string", "minLength": 1 }),
             json!({ "type": "integer", "minimum": 1 }),
         ],
+        ValueKind::Names => {
+            let name = json!({ "anyOf": forms(&ValueKind::Name) });
+            let list = json!({ "type": "array", "items": name, "minItems": 1 });
+            forms(&ValueKind::Name).into_iter().chain([list]).collect()
+        }
         ValueKind::Word(words) => vec![json!({ "type": "string", "enum": words })],
         ValueKind::Boolean => vec![json!({ "type": "boolean" })],
         ValueKind::Quantity(_) => quantity(),
         ValueKind::Vector(count, _) => vec![array(*count, json!({ "anyOf": quantity() }))],
+        ValueKind::Named(_) => {
+            let values = json!({ "anyOf": quantity() });
+            vec![json!({ "type": "object", "additionalProperties": values })]
+        }
         ValueKind::Count(most) => vec![json!({ "type": "integer", "minimum": 1, "maximum": most })],
         ValueKind::Numbers(most) => {
             let items = json!({ "anyOf": quantity() });

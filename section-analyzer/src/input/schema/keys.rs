@@ -4,10 +4,11 @@ use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
 use super::distributed::END_EFFECTS;
-use super::imposed::{EXPANSION, INITIAL_STRAIN, TEMPERATURE};
+use super::electric::ELECTRODE;
+use super::imposed::{INITIAL_STRAIN, TEMPERATURE};
 use super::laminae::LAMINA;
-use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
 use super::loads::LOAD;
+use super::materials::MATERIAL;
 use super::{Family, KeySchema, Need, TableSchema, ValueKind};
 
 use Need::{Default, Optional, Required};
@@ -31,9 +32,6 @@ pub(super) const fn key(
 
 const TEXT: &[ValueKind] = &[ValueKind::Text];
 const GROUP: &[ValueKind] = &[ValueKind::Name];
-const NUMBER: &[ValueKind] = &[ValueKind::Quantity(Dimension::NUMBER)];
-const STRESS: &[ValueKind] = &[ValueKind::Quantity(Dimension::STRESS)];
-const DENSITY: &[ValueKind] = &[ValueKind::Quantity(Dimension::DENSITY)];
 
 /// The whole file.
 pub const SECTION_FILE: TableSchema = TableSchema {
@@ -89,6 +87,13 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             Optional,
             "",
             "Laminates along physical curves of the mesh, beside cells or by themselves.",
+        ),
+        key(
+            "electrode",
+            &[ValueKind::Tables(&ELECTRODE)],
+            Optional,
+            "",
+            "Electrodes on piezoelectric materials and other dielectrics.",
         ),
         key(
             "initial_curvature",
@@ -207,141 +212,15 @@ const UNITS: TableSchema = TableSchema {
             "\"degF\"",
             "Unit of rises of temperature, which are differences.",
         ),
+        key(
+            "voltage",
+            &[ValueKind::Unit(Dimension::VOLTAGE)],
+            Default("\"V\""),
+            "\"kV\"",
+            "Unit of voltage.",
+        ),
     ],
     families: &[],
-};
-
-/// A table of limits of a material.
-const fn limit(name: &'static str, kinds: &'static [ValueKind]) -> KeySchema {
-    key(name, kinds, Optional, "", "Limits for the failure indices.")
-}
-
-const MATERIAL: TableSchema = TableSchema {
-    title: "[material.NAME]",
-    meaning: "A material: its elastic law, told from the keys, and its density.",
-    keys: &[
-        key(
-            "density",
-            DENSITY,
-            Required,
-            "\"1600 kg/m^3\"",
-            "Mass per volume; 0 leaves the material without mass.",
-        ),
-        EXPANSION,
-    ],
-    families: &[
-        Family {
-            name: "isotropic",
-            meaning: "The same in all directions.",
-            keys: &[
-                key(
-                    "young",
-                    STRESS,
-                    Required,
-                    "\"73.1 GPa\"",
-                    "Young's modulus.",
-                ),
-                key(
-                    "poisson",
-                    NUMBER,
-                    Required,
-                    "0.325",
-                    "Poisson's ratio, between -1 and 0.5.",
-                ),
-                limit("strength", &[ValueKind::Table(&STRENGTH)]),
-                limit("strain_limit", &[ValueKind::Table(&STRAIN_LIMIT)]),
-            ],
-        },
-        Family {
-            name: "orthotropic",
-            meaning: "Three planes of symmetry: axis 1 along the fiber, 2 across it in the ply, \
-                      3 through the thickness.",
-            keys: &[
-                key(
-                    "e1",
-                    STRESS,
-                    Required,
-                    "\"142 GPa\"",
-                    "Modulus along the fiber.",
-                ),
-                key(
-                    "e2",
-                    STRESS,
-                    Required,
-                    "\"9.8 GPa\"",
-                    "Modulus across the fiber in the ply.",
-                ),
-                key(
-                    "e3",
-                    STRESS,
-                    Required,
-                    "\"9.8 GPa\"",
-                    "Modulus through the thickness.",
-                ),
-                key(
-                    "g12",
-                    STRESS,
-                    Required,
-                    "\"6 GPa\"",
-                    "Shear modulus in the ply.",
-                ),
-                key(
-                    "g13",
-                    STRESS,
-                    Required,
-                    "\"6 GPa\"",
-                    "Shear modulus of fiber and thickness.",
-                ),
-                key(
-                    "g23",
-                    STRESS,
-                    Required,
-                    "\"4.8 GPa\"",
-                    "Shear modulus across the fiber.",
-                ),
-                key(
-                    "nu12",
-                    NUMBER,
-                    Required,
-                    "0.3",
-                    "Contraction along 2 under tension along 1.",
-                ),
-                key(
-                    "nu13",
-                    NUMBER,
-                    Required,
-                    "0.34",
-                    "Contraction along 3 under tension along 1.",
-                ),
-                key(
-                    "nu23",
-                    NUMBER,
-                    Required,
-                    "0.42",
-                    "Contraction along 3 under tension along 2.",
-                ),
-                limit("strength", &[ValueKind::Table(&PLY_STRENGTH)]),
-                limit("strain_limit", &[ValueKind::Table(&PLY_STRAIN_LIMIT)]),
-            ],
-        },
-        Family {
-            name: "full",
-            meaning: "Any anisotropic law.",
-            keys: &[
-                key(
-                    "stiffness",
-                    &[ValueKind::Rows(6, 6)],
-                    Required,
-                    "[[4, 2, 2, 0, 0, 0], [2, 4, 2, 0, 0, 0], [2, 2, 4, 0, 0, 0], \
-                 [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]",
-                    "Stiffness in the declared unit of stress, symmetric and positive definite, \
-                 order 11, 22, 33, 23, 13, 12 with engineering shear strains.",
-                ),
-                limit("strength", &[ValueKind::Table(&PLY_STRENGTH)]),
-                limit("strain_limit", &[ValueKind::Table(&PLY_STRAIN_LIMIT)]),
-            ],
-        },
-    ],
 };
 
 const REGION: TableSchema = TableSchema {

@@ -16,7 +16,7 @@ const MOMENT: &[ValueKind] = &[ValueKind::Quantity(Dimension::MOMENT)];
 pub(super) const LOAD: TableSchema = TableSchema {
     title: "[load.NAME]",
     meaning: "An internal force, of which at least one component is not zero, imposed states, \
-              a load along the beam, or several of them together. NAME is made of letters, digits, - and _.",
+              a load along the beam, voltages, or several of them together. NAME is made of letters, digits, - and _.",
     keys: &[
         key("axial", FORCE, Default("0"), "\"10 kN\"", "Axial force."),
         key(
@@ -74,6 +74,13 @@ pub(super) const LOAD: TableSchema = TableSchema {
             Optional,
             "\"cure\"",
             "The initial strain that acts too, by its name.",
+        ),
+        key(
+            "voltages",
+            &[ValueKind::Named(Dimension::VOLTAGE)],
+            Optional,
+            "{ top = \"100 V\" }",
+            "Voltages of driven electrodes by their names; those of the others are zero.",
         ),
         TRACTIONS,
         VOLUMES,

@@ -79,6 +79,7 @@ fn words(kind: &ValueKind) -> String {
     match kind {
         ValueKind::Text => "text".to_owned(),
         ValueKind::Name => "name".to_owned(),
+        ValueKind::Names => "name, or a list of names".to_owned(),
         ValueKind::Word(known) => {
             let quoted: Vec<_> = known.iter().map(|word| format!("`\"{word}\"`")).collect();
             quoted.join(", ")
@@ -87,6 +88,7 @@ fn words(kind: &ValueKind) -> String {
         ValueKind::Unit(dimension) => format!("unit of {dimension}"),
         ValueKind::Quantity(dimension) => format!("quantity: {dimension}"),
         ValueKind::Vector(count, dimension) => format!("{count} quantities, each {dimension}"),
+        ValueKind::Named(dimension) => format!("quantities by name, each {dimension}"),
         ValueKind::Count(most) => format!("whole number from 1 to {most}"),
         ValueKind::Numbers(most) => format!("1 to {most} numbers"),
         ValueKind::Rows(rows, columns) => format!("{rows} rows of {columns} numbers"),

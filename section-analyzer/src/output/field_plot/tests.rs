@@ -25,6 +25,7 @@ fn summary(section: &Section) -> InputSummary {
         kinds: Vec::new(),
         regions: Vec::new(),
         areas: AreaTable::by_group(section),
+        electrodes: Vec::new(),
         quality: MeshQuality::default(),
         warnings: Vec::new(),
     }

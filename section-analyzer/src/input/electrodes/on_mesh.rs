@@ -1,0 +1,175 @@
+//! Where electrodes are on the mesh: the names that they give are looked for.
+
+use std::collections::HashMap;
+
+use super::{ElectrodeProblem, WrittenElectrode, WrittenElectrodes, WrittenFingers, WrittenPlace};
+use crate::input::distributed::{DistributedProblem, Places, groups_of};
+use crate::input::groups;
+use crate::input::problem::quoted;
+use crate::input::regions::Written;
+use crate::mesh::SectionMesh;
+
+/// An electrode on the mesh; nothing is known about materials yet.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::input) enum Found {
+    /// A conductor.
+    Conductor {
+        /// Nodes, ascending, each once.
+        nodes: Vec<u32>,
+        /// Whether it is a body of cells rather than a line.
+        is_body: bool,
+    },
+    /// Fingers across the beam.
+    Fingers {
+        /// Regions, indices in the groups of the mesh, each once, with the sign of the field.
+        groups: Vec<(usize, f64)>,
+        /// Effective spacing \[m\].
+        spacing: f64,
+        /// Material axis of the field, from zero.
+        axis: usize,
+    },
+}
+
+impl WrittenElectrodes {
+    /// Where they are; `None` when anything is wrong with the names of one, which has been
+    /// noted.
+    pub fn on_mesh(&self, places: Places<'_>) -> Option<Vec<Found>> {
+        // every one is looked at before the first wrong one ends the search
+        self.note_unknown(places.document);
+        let found: Vec<_> = self.all.iter().map(|one| one.on_mesh(places)).collect();
+        found.into_iter().collect()
+    }
+}
+
+impl WrittenElectrode {
+    fn on_mesh(&self, places: Places<'_>) -> Option<Found> {
+        match self.place.as_ref()? {
+            WrittenPlace::Curves(names) => {
+                let nodes = all(names.iter().map(|name| nodes_of_curve(places, name)))?;
+                Some(conductor(nodes, false))
+            }
+            WrittenPlace::Points(names) => {
+                let tags = all(names
+                    .iter()
+                    .map(|name| groups::point(places.document, places.mesh, name)))?;
+                let mesh = places.section_mesh?;
+                // those of no cell are left out of the section
+                let nodes =
+                    (0..mesh.nodes.len()).filter(|node| tags.contains(&mesh.node_tag(*node)));
+                Some(conductor(nodes.map(|node| node as u32).collect(), false))
+            }
+            WrittenPlace::Regions(names) => {
+                let groups = all(names.iter().map(|name| groups_of(places, name)))?;
+                let mesh = places.section_mesh?;
+                let cells = mesh
+                    .cells
+                    .iter()
+                    .filter(|cell| groups.contains(&cell.group));
+                let nodes = cells.flat_map(|cell| cell.nodes().to_vec());
+                Some(conductor(nodes.collect(), true))
+            }
+            WrittenPlace::Fingers(fingers) => fingers.on_mesh(places),
+        }
+    }
+
+    /// Where it is, in words.
+    pub fn place_words(&self) -> String {
+        let names = |names: &[Written]| {
+            let names: Vec<_> = names.iter().map(|name| name.text.clone()).collect();
+            quoted(&names)
+        };
+        match &self.place {
+            Some(WrittenPlace::Curves(curves)) => format!("curve {}", names(curves)),
+            Some(WrittenPlace::Points(points)) => format!("point {}", names(points)),
+            Some(WrittenPlace::Regions(regions)) => format!("region {}", names(regions)),
+            Some(WrittenPlace::Fingers(fingers)) => {
+                let regions = fingers.regions.as_deref().unwrap_or_default();
+                format!("interdigitated {}", names(regions))
+            }
+            None => String::new(),
+        }
+    }
+}
+
+impl WrittenFingers {
+    fn on_mesh(&self, places: Places<'_>) -> Option<Found> {
+        // the names of both lists are looked for even if the others are wrong
+        let regions = self.regions.as_ref();
+        let regions =
+            regions.and_then(|names| all(names.iter().map(|name| groups_of(places, name))));
+        let reversed = self.reversed.iter().flatten();
+        let reversed: Vec<_> = reversed
+            .map(|name| (name, groups_of(places, name)))
+            .collect();
+        let regions = regions?;
+        let mut signs: HashMap<usize, f64> = regions.iter().map(|group| (*group, 1.0)).collect();
+        let mut is_sound = self.reversed.is_some();
+        for (name, groups) in reversed {
+            let Some(groups) = groups else {
+                is_sound = false;
+                continue;
+            };
+            if !groups.iter().all(|group| signs.contains_key(group)) {
+                let regions = self.regions.iter().flatten();
+                let problem = ElectrodeProblem::ReversedElsewhere {
+                    region: name.text.clone(),
+                    regions: regions.map(|name| name.text.clone()).collect(),
+                };
+                places.document.note(name.line, &problem);
+                is_sound = false;
+                continue;
+            }
+            signs.extend(groups.into_iter().map(|group| (group, -1.0)));
+        }
+        let mut groups: Vec<_> = signs.into_iter().collect();
+        groups.sort_by_key(|(group, _)| *group);
+        let (spacing, axis) = (self.spacing?, self.axis?);
+        is_sound.then_some(Found::Fingers {
+            groups,
+            spacing,
+            axis,
+        })
+    }
+}
+
+fn conductor(mut nodes: Vec<u32>, is_body: bool) -> Found {
+    nodes.sort_unstable();
+    nodes.dedup();
+    Found::Conductor { nodes, is_body }
+}
+
+/// What all of several searches found together; every one is made.
+fn all<T>(searches: impl Iterator<Item = Option<Vec<T>>>) -> Option<Vec<T>> {
+    let found: Vec<_> = searches.collect();
+    let found: Option<Vec<_>> = found.into_iter().collect();
+    Some(found?.into_iter().flatten().collect())
+}
+
+fn nodes_of_curve(places: Places<'_>, written: &Written) -> Option<Vec<u32>> {
+    let Places {
+        document,
+        mesh,
+        faces,
+        ..
+    } = places;
+    if faces.is_open(&written.text) {
+        return None;
+    }
+    let group = groups::curve(document, mesh, written)?;
+    let label = mesh.groups[group].label();
+    let section_mesh: &SectionMesh = places.section_mesh?;
+    let curve = section_mesh.curves.iter().find(|c| c.label == label)?;
+    match section_mesh.nodes_of_curve(curve) {
+        Ok(nodes) => Some(nodes),
+        Err(line) => {
+            let problem = DistributedProblem::NoSide {
+                curve: written.text.clone(),
+                line: line.tag,
+                at: [0, 1].map(|axis| 0.5 * (line.first[axis] + line.second[axis])),
+                faces: faces.on(&label),
+            };
+            document.note(written.line, &problem);
+            None
+        }
+    }
+}

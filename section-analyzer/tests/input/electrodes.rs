@@ -1,0 +1,130 @@
+//! Electrodes of the examples in the book, on the meshes that their commands make, and
+//! what they become.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use approx::assert_relative_eq;
+use section_analyzer::input::{self, Input};
+use section_analyzer::section::{Circuit, Electrode, ElectrodeShape};
+
+/// The section files of the page and the commands of their meshes, in its order.
+fn examples() -> Vec<(String, String)> {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/src/piezoelectric-input.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let blocks: Vec<&str> = page.split("```").skip(1).step_by(2).collect();
+    let of = |start: &str| -> Vec<String> {
+        let found = blocks.iter().filter_map(|block| block.strip_prefix(start));
+        found.map(|text| text.trim().to_owned()).collect()
+    };
+    let commands = of("sh\nsection-analyzer ");
+    let files = of("toml\nmesh = ")
+        .into_iter()
+        .map(|text| format!("mesh = {text}"));
+    commands.into_iter().zip(files).collect()
+}
+
+/// An example of the page, read without any warning.
+fn example(index: usize) -> Input {
+    let folder = tempfile::tempdir().unwrap();
+    let (command, text) = &examples()[index];
+    let made = Command::new(env!("CARGO_BIN_EXE_section-analyzer"))
+        .current_dir(folder.path())
+        .args(command.split_whitespace())
+        .output()
+        .unwrap();
+    assert!(made.status.success(), "{made:?}");
+    let file: PathBuf = folder.path().join("a.section.toml");
+    std::fs::write(&file, text).unwrap();
+    let input = input::read(&file).unwrap_or_else(|problems| panic!("{problems}"));
+    assert_eq!(input.summary.warnings, []);
+    input
+}
+
+fn places(input: &Input, electrode: &Electrode) -> Vec<[f64; 2]> {
+    let ElectrodeShape::Conductor { nodes } = &electrode.shape else {
+        panic!("a conductor: {electrode:?}");
+    };
+    let mesh = &input.section.mesh;
+    nodes
+        .iter()
+        .map(|&node| mesh.nodes[node as usize])
+        .collect()
+}
+
+/// 40 quadratic sides have 81 nodes: on the border of strip and patch, and on the patch.
+#[test]
+fn conductors_of_a_patch_have_the_nodes_of_whole_sides() {
+    assert_eq!(examples().len(), 3);
+    let input = example(0);
+    let [ground, patch] = &input.section.electrodes[..] else {
+        panic!("two electrodes");
+    };
+    assert_eq!(
+        (ground.name.as_str(), ground.circuit),
+        ("ground", Circuit::Ground)
+    );
+    assert_eq!(
+        (patch.name.as_str(), patch.circuit),
+        ("patch", Circuit::Driven)
+    );
+    for (electrode, z) in [(ground, 1e-3), (patch, 1.25e-3)] {
+        let places = places(&input, electrode);
+        assert_eq!(places.len(), 81);
+        assert!(places.iter().all(|place| (place[1] - z).abs() < 1e-15));
+    }
+    assert_eq!(input.loads[0].voltages, [("patch".to_owned(), 100.0)]);
+    // d31 + d32 of the reference: the law of data sheets in SI
+    let law = input.section.materials[1].electric.unwrap();
+    assert_relative_eq!(law.coupling[(2, 0)], -6.62, max_relative = 2e-3);
+    assert_relative_eq!(law.permittivity[(2, 2)], 1.269e-8, max_relative = 2e-3);
+}
+
+#[test]
+fn three_electrodes_of_a_bimorph() {
+    let input = example(1);
+    let heights = [-0.25e-3, 0.25e-3, 0.75e-3];
+    assert_eq!(input.section.electrodes.len(), 3);
+    for (electrode, z) in input.section.electrodes.iter().zip(heights) {
+        let places = places(&input, electrode);
+        assert_eq!(places.len(), 33);
+        assert!(
+            places.iter().all(|place| (place[1] - z).abs() < 1e-15),
+            "{}",
+            electrode.name
+        );
+    }
+    let middle = &input.section.electrodes[1];
+    assert_eq!(middle.circuit, Circuit::Ground);
+}
+
+/// Fibers at +45 and -45 degrees with opposite fields: 2000 per meter along axis 1, where
+/// the coupling of the poled axis is.
+#[test]
+fn fields_of_fingers_are_along_the_fibers() {
+    let input = example(2);
+    let section = &input.section;
+    let [fibers] = &section.electrodes[..] else {
+        panic!("one electrode");
+    };
+    let ElectrodeShape::Interdigitated { cells } = &fibers.shape else {
+        panic!("fingers: {fibers:?}");
+    };
+    assert_eq!(cells.len(), 120);
+    for cell in cells {
+        let made_of = &section.cells[cell.cell as usize];
+        assert_eq!(section.materials[made_of.material].name, "afc");
+        let sign = made_of.fiber_angle.signum();
+        assert_eq!(cell.field.as_slice(), [sign * 2000.0, 0.0, 0.0]);
+    }
+    let law = section
+        .materials
+        .iter()
+        .find(|known| known.name == "afc")
+        .unwrap();
+    let e = law.electric.unwrap().coupling;
+    // along the fiber pulls, across presses
+    assert!(e[(0, 0)] > 0.0 && e[(0, 1)] < 0.0);
+    assert_relative_eq!(e[(0, 1)], e[(0, 2)], max_relative = 1e-12);
+    assert!(e[(2, 2)].abs() < 1e-12 * e[(0, 0)]);
+}
