@@ -33,7 +33,7 @@ fn write_section(text: &mut String, blade: &BladeInput, mesh: &str) -> std::fmt:
     for region in &blade.regions {
         if !known.contains(&region.material.as_str()) {
             known.push(&region.material);
-            writeln!(text, "[material.{:?}]\n# density =\n", region.material)?;
+            writeln!(text, "[material.{}]\n# density =\n", key(&region.material))?;
         }
     }
     for region in &blade.regions {
@@ -48,4 +48,13 @@ fn write_section(text: &mut String, blade: &BladeInput, mesh: &str) -> std::fmt:
         writeln!(text)?;
     }
     Ok(())
+}
+
+/// A key of TOML, in quotes where it needs them.
+fn key(name: &str) -> String {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "-_".contains(letter);
+    match name.chars().all(is_plain) {
+        true => name.to_owned(),
+        false => format!("{name:?}"),
+    }
 }

@@ -200,7 +200,7 @@ impl Blade {
                     rear: spar.rear_web,
                 });
             }
-            let within = [from, spar.rear_web];
+            let within = [from.min(spar.rear_web), spar.rear_web];
             for (number, ply) in spar.plies.iter().enumerate() {
                 for range in [ply.upper, ply.lower].into_iter().flatten() {
                     let [from, to] = [range[0].max(-1.0), range[1].min(2.0)];
@@ -279,6 +279,7 @@ impl Blade {
         }
         marks.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let columns = Columns::new(contour, &marks, &self.sizes);
+        let columns = columns.map_err(|problem| vec![problem])?;
         let of_web = |(web, line, upper): (BladePart, Straight, f64)| {
             let mark = marks.iter().position(|mark| mark[0] == upper);
             WebAt {
@@ -313,20 +314,22 @@ impl Blade {
         let walls = 3 * columns.nose() * layers;
         let across = fill::even_cells(0.2 * self.contour.chord(), self.sizes.core);
         let found = walls.saturating_add(columns.nose().saturating_mul(across));
-        match found > super::problem::MOST_CELLS {
+        match found > problem::MOST_CELLS {
             true => Err(vec![BladeProblem::TooManyCells { found }]),
             false => Ok(()),
         }
     }
 
     fn check_skin(&self, columns: &Columns, depth: f64) -> Result<(), Vec<BladeProblem>> {
-        for half in Half::BOTH {
-            for column in 0..=columns.nose() {
-                let u = columns.at(half, column);
-                check_radius(&self.contour, half, u, depth, BladePart::Skin)?;
-            }
-        }
-        Ok(())
+        let on = |half: Half| {
+            let at = (0..=columns.nose()).map(move |column| columns.at(half, column));
+            at.map(move |u| (half, u, depth))
+        };
+        check_radii(
+            &self.contour,
+            Half::BOTH.into_iter().flat_map(on),
+            BladePart::Skin,
+        )
     }
 
     /// Whether the upper nodes of columns lie above the lower ones.
@@ -451,23 +454,26 @@ struct Cavity<'a> {
     ends: [Vec<u32>; 2],
 }
 
-/// Whether plies fit inside of the radius of a surface.
-fn check_radius(
+/// Whether plies of a thickness at each of some places fit inside of the radius of the
+/// surface there; tells where they do so least.
+fn check_radii(
     contour: &Contour,
-    half: Half,
-    u: f64,
-    thickness: f64,
+    places: impl Iterator<Item = (Half, f64, f64)>,
     about: BladePart,
 ) -> Result<(), Vec<BladeProblem>> {
-    let bend = contour.bend(u);
-    if thickness * bend < FULL {
+    let fill = |place: &(Half, f64, f64)| place.2 * contour.bend(place.1);
+    let tightest = places.max_by(|a, b| fill(a).total_cmp(&fill(b)));
+    let Some((half, u, thickness)) = tightest.filter(|place| !(fill(place) < FULL)) else {
         return Ok(());
-    }
+    };
     Err(vec![BladeProblem::Tight {
         about,
         surface: half.name(),
         part: contour.chord_part(contour.place(u)[0]),
         thickness,
-        radius: 1.0 / bend,
+        radius: 1.0 / contour.bend(u),
     }])
 }
+
+#[cfg(test)]
+mod tests;

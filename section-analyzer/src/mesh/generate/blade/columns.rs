@@ -11,6 +11,7 @@
 
 use super::Sizes;
 use super::contour::{Contour, Half};
+use super::problem::{BladeProblem, MOST_CELLS};
 
 /// Places at which the length of cells is looked at, on each surface.
 const SAMPLES: usize = 4000;
@@ -91,12 +92,24 @@ fn interpolated(x: &[f64], f: &[f64], at: f64) -> f64 {
 impl Columns {
     /// Between landmarks on the two surfaces, of which the first are the trailing edge and
     /// the last the nose.
-    pub fn new(contour: &Contour, landmarks: &[[f64; 2]], sizes: &Sizes) -> Self {
+    ///
+    /// # Errors
+    /// Too many of them.
+    pub fn new(
+        contour: &Contour,
+        landmarks: &[[f64; 2]],
+        sizes: &Sizes,
+    ) -> Result<Self, BladeProblem> {
         let progress = Half::BOTH.map(|half| Progress::new(contour, half, sizes));
         let sums: Vec<[f64; 2]> = landmarks
             .iter()
             .map(|places| [0, 1].map(|i| progress[i].at(places[i])))
             .collect();
+        let whole = sums[sums.len() - 1].iter().copied().fold(0.0, f64::max);
+        if whole > MOST_CELLS as f64 {
+            let found = whole as usize;
+            return Err(BladeProblem::TooManyCells { found });
+        }
         let mut columns = Self {
             upper: vec![landmarks[0][0]],
             lower: vec![landmarks[0][1]],
@@ -116,7 +129,7 @@ impl Columns {
             columns.lower.push(marks[1][1]);
             columns.landmarks.push(columns.upper.len() - 1);
         }
-        columns
+        Ok(columns)
     }
 
     /// The last column, at the nose.

@@ -16,6 +16,9 @@
 use super::super::super::distance;
 use super::grid::Grid;
 
+/// Height of a cell at most, in widths.
+const SQUARE: f64 = 2.0;
+
 /// An even number of cells of about this size on a length.
 pub(super) fn even_cells(length: f64, size: f64) -> usize {
     2 * ((0.5 * length / size).round().clamp(1.0, 1e6) as usize)
@@ -40,6 +43,7 @@ pub(super) fn lines(
         let (from, to) = (grid.place(lower[column]), grid.place(upper[column]));
         // toward an end as few as it has
         let near = (counts[0] + 2 * column).min(counts[1] + 2 * (last - column));
+        let size = size.min(SQUARE * width(grid, walls, column));
         let count = even_cells(distance(from, to), size).min(near.max(2));
         let mut line = vec![lower[column]];
         for cell in 1..count {
@@ -52,6 +56,15 @@ pub(super) fn lines(
     }
     lines.push(last_line);
     lines
+}
+
+/// Mean distance from a column to those beside it.
+fn width(grid: &Grid, walls: [&[u32]; 2], column: usize) -> f64 {
+    let middle = |column: usize| {
+        let ends = walls.map(|wall| grid.place(wall[column])[0]);
+        0.5 * (ends[0] + ends[1])
+    };
+    0.5 * (middle(column + 1) - middle(column - 1)).abs()
 }
 
 /// The cells between two lines, of which the second lies ahead.

@@ -3,7 +3,9 @@
 use shared_geom::error::Explain;
 
 use super::super::super::short;
-use super::super::problem::MOST_CELLS;
+
+/// Cells of a section at most: far beyond what one needs.
+pub(super) const MOST_CELLS: usize = 400_000;
 
 /// The part of the input that a problem is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +32,7 @@ pub enum BladePart {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BladeProblem {
     /// Digits that name no airfoil.
-    #[error("\"{found}\" is no airfoil of NACA with four digits, expected {why}")]
+    #[error("\"{found}\" is no airfoil of NACA: expected {why}")]
     Naca {
         /// The digits.
         found: String,
@@ -111,7 +113,7 @@ pub enum BladeProblem {
         room: f64,
     },
     /// A ply where there is no spar.
-    #[error("ply \"{ply}\" runs from x/c = {} to {}, expected a part of the spar, x/c = {} to {}", short(.range[0]), short(.range[1]), short(.spar[0]), short(.spar[1]))]
+    #[error("ply \"{ply}\" runs from x/c = {} to {}, expected a part from front to rear of the spar, x/c = {} to {}", short(.range[0]), short(.range[1]), short(.spar[0]), short(.spar[1]))]
     PlyRange {
         /// Its number, outermost first.
         number: usize,
@@ -221,6 +223,10 @@ impl Explain for BladeProblem {
             Self::Doubled { .. } => "remove one of the two",
             Self::LowerFirst => "turn the list around, so that the upper surface comes first",
             Self::WebThick { .. } => "thinner plies in the web, or a longer spar",
+            Self::Tight {
+                about: BladePart::Skin,
+                ..
+            } => "a thinner skin, or an airfoil with a rounder nose",
             Self::Tight { .. } => {
                 "plies that end ahead of the nose (\"from\", without \"filler\") leave room there"
             }

@@ -7,11 +7,13 @@ use super::contour::{Edge, Half, Straight};
 use super::fill::even_cells;
 use super::grid::Grid;
 use super::layers::{Content, Interval, Layer, Part};
-use super::problem::BladeProblem;
+use super::problem::{BladePart, BladeProblem};
 use super::walls::{Shift, Station, Wall, moved, nodes, part_of};
 
 /// Part of the surface behind the rear web that a corner at the trailing edge may move.
 const MOST: f64 = 0.5;
+/// Part of that which it may take.
+const FULL: f64 = 0.6;
 /// Least thickness of a trailing edge with a wall, in thicknesses of the skin.
 const LEAST_EDGE: f64 = 2.2;
 
@@ -180,10 +182,19 @@ fn closing(
         let own: Vec<f64> = places.iter().map(|place| place[half as usize]).collect();
         (Shift::new(at[half as usize], &own, room), room)
     });
-    match shifts.iter().any(|(shift, room)| shift.most() > 0.6 * room) {
-        true => Err(too_thick()),
-        false => Ok(shifts.map(|(shift, _)| shift)),
+    if shifts
+        .iter()
+        .all(|(shift, room)| shift.most() <= FULL * room)
+    {
+        return Ok(shifts.map(|(shift, _)| shift));
     }
+    Err(match &blade.spar {
+        Some(spar) => vec![BladeProblem::WebOutside {
+            web: BladePart::RearWeb,
+            part: spar.rear_web,
+        }],
+        None => too_thick(),
+    })
 }
 
 impl Blade {

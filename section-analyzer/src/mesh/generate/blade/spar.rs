@@ -186,15 +186,15 @@ impl Making<'_> {
 
     /// Whether some surface would fold.
     fn check_radii(&self) -> Result<(), Vec<BladeProblem>> {
-        let contour = &self.blade.contour;
-        for (stop, depths) in self.stops.iter().zip(&self.depths) {
-            if let Stop::Wall(half, _) = stop {
-                let u = self.place(*stop).1;
+        let on_walls = self.stops.iter().zip(&self.depths);
+        let places = on_walls.filter_map(|(stop, depths)| match stop {
+            Stop::Wall(half, _) => {
                 let thickness = self.depth + depths[depths.len() - 1];
-                super::check_radius(contour, *half, u, thickness, BladePart::Spar)?;
+                Some((*half, self.place(*stop).1, thickness))
             }
-        }
-        Ok(())
+            _ => None,
+        });
+        super::check_radii(&self.blade.contour, places, BladePart::Spar)
     }
 
     fn stations(&self, grid: &mut Grid) -> Result<Vec<Station>, Vec<BladeProblem>> {
