@@ -101,7 +101,7 @@ pub enum BladeProblem {
         rear: f64,
     },
     /// A web whose plies fill the spar along the chord.
-    #[error("the plies of the {}, {} thick, do not leave room along the {} surface of the spar, {} long", web_name(*.web), short(*.thickness), .surface, short(*.room))]
+    #[error("the plies of the {} take {} of the {} surface of the spar, which is {} long", web_name(*.web), short(*.thickness), .surface, short(*.room))]
     WebThick {
         /// Which one.
         web: BladePart,
