@@ -178,6 +178,19 @@ fn what_does_not_fit_is_told_where_it_is_written() {
             "  help: thinner plies, or plies that end before",
         ],
     );
+    is_refused(
+        &[("count = 3", "count = 3, on = \"rear_web\"")],
+        &[
+            "error: a.blade.toml:13: no ply goes from the front web into the upper surface",
+            "  help: let a ply of the web go on along the surface",
+            "error: a.blade.toml:13: no ply goes from the front web into the lower surface",
+            "  help: let a ply of the web go on along the surface",
+            "error: a.blade.toml:14: no ply goes from the rear web into the upper surface",
+            "  help: let a ply of the web go on along the surface",
+            "error: a.blade.toml:14: no ply goes from the rear web into the lower surface",
+            "  help: let a ply of the web go on along the surface",
+        ],
+    );
     let web = |line: usize, which: &str| {
         [
             format!("error: a.blade.toml:{line}: the plies of the {which} take "),

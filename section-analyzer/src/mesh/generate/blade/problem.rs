@@ -100,6 +100,14 @@ pub enum BladeProblem {
         /// Part of the chord of the rear web [-].
         rear: f64,
     },
+    /// A web that shares no ply with the walls.
+    #[error("no ply goes from the {} into the {surface} surface: the web would be joined to it along an edge only", web_name(*.web))]
+    WebLoose {
+        /// Which one.
+        web: BladePart,
+        /// `upper` or `lower`.
+        surface: &'static str,
+    },
     /// A web whose plies fill the spar along the chord.
     #[error("the plies of the {} take {} of the {} surface of the spar, which is {} long", web_name(*.web), short(*.thickness), .surface, short(*.room))]
     WebThick {
@@ -199,7 +207,9 @@ impl BladeProblem {
     /// The part of the input that it is about.
     pub fn about(&self) -> BladePart {
         match self {
-            Self::WebOutside { web, .. } | Self::WebThick { web, .. } => *web,
+            Self::WebOutside { web, .. }
+            | Self::WebLoose { web, .. }
+            | Self::WebThick { web, .. } => *web,
             Self::WebOrder { .. } => BladePart::FrontWeb,
             Self::PlyRange { number, .. } => BladePart::Ply(*number),
             Self::NoseMass { .. } => BladePart::NoseMass,
@@ -222,6 +232,10 @@ impl Explain for BladeProblem {
             }
             Self::Doubled { .. } => "remove one of the two",
             Self::LowerFirst => "turn the list around, so that the upper surface comes first",
+            Self::WebLoose { .. } => {
+                "let a ply of the web go on along the surface, all of it or a part: a flange on = \
+                 [\"upper\", \"lower\", \"rear_web\"] with \"from\"; or give a ply a \"filler\""
+            }
             Self::WebThick { .. } => "thinner plies in the web, or a longer spar",
             Self::Tight {
                 about: BladePart::Skin,

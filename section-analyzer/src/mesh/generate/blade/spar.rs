@@ -238,6 +238,12 @@ impl Making<'_> {
     fn shift(&self, half: Half, web: usize, depths: &[f64]) -> Result<Shift, BladeProblem> {
         let contour = &self.blade.contour;
         let (own, columns) = (&self.webs[web], self.columns);
+        if depths[depths.len() - 1] == 0.0 {
+            return Err(BladeProblem::WebLoose {
+                web: own.web,
+                surface: half.name(),
+            });
+        }
         let at = columns.at(half, own.column);
         let other = self.webs.get(1 - web.min(1));
         let end = other.filter(|_| self.webs.len() > 1);
