@@ -26,6 +26,7 @@ use crate::recovery::LoadCase;
 use crate::section::{CellMaterial, DistributedLoad, ImposedStrain, Section};
 
 mod assign;
+pub mod blade;
 mod cell_table;
 mod curvature;
 mod distributed;

@@ -2,6 +2,7 @@
 //! user could call a result.
 
 mod areas;
+mod blade_section;
 mod comparison;
 mod distributed;
 mod electric;
@@ -39,6 +40,7 @@ mod warping_plot;
 mod samples;
 
 pub use areas::areas_csv;
+pub use blade_section::blade_section;
 pub use comparison::{Named, comparison};
 pub use distributed::distributed_load;
 pub use end_effects::end_effects;

@@ -1,6 +1,7 @@
 //! The section solver against published and independent results.
 
 mod binary_meshes;
+mod blade_sections;
 mod closed_forms;
 mod converged;
 mod curved_lines;

@@ -90,6 +90,33 @@ const ELLIPSE_EXAMPLE: &str = "\
 Example, a full disk of 12 x 6 x 6 cells in the physical surface \"section\":
   section-analyzer mesh ellipse --semi-y 10 --semi-z 10 --cells 6 --out disk.msh";
 
+const BLADE: &str = "\
+A section of a blade, from a file
+
+FILE tells airfoil, skin, spar (D-spar or box-spar), cores and the size of cells; plies
+are as thick as they are told everywhere, and corners are mitred. The mesh is in the unit
+of length of FILE, y toward the nose. Each ply is a physical surface; angles follow the
+physical curves \"contour\" (skin) and \"spar\". With --section, a section file is begun
+that has all regions and angles; what remains are the constants of the materials.";
+
+const BLADE_EXAMPLE: &str = "\
+Example, a NACA 0012 with a D-spar of one material:
+  cat > blade.toml <<'END'
+  [units]
+  length = \"mm\"
+  [airfoil]
+  naca = \"0012\"
+  chord = 400
+  [skin]
+  plies = [{ name = \"skin\", material = \"glass\", fiber_angle = 45, thickness = 0.25 }]
+  [spar]
+  rear_web = 0.4
+  plies = [{ name = \"spar\", material = \"carbon\", thickness = 3 }]
+  [mesh]
+  size = 6
+  END
+  section-analyzer mesh blade blade.toml --out blade.msh --section blade.section.toml";
+
 const SCHEMA: &str = "\
 Prints the description of the section file, for editors or as a page
 
@@ -261,6 +288,17 @@ pub(super) enum Shape {
         straight: bool,
         #[command(flatten)]
         common: Common,
+    },
+    #[command(about = first_line(BLADE), long_about = BLADE, after_help = BLADE_EXAMPLE)]
+    Blade {
+        /// Blade file
+        file: PathBuf,
+        /// Mesh file to write
+        #[arg(long, value_name = "FILE")]
+        out: PathBuf,
+        /// Section file to begin; it must not exist
+        #[arg(long, value_name = "FILE")]
+        section: Option<PathBuf>,
     },
     /// A full ellipse or disk
     #[command(after_help = ELLIPSE_EXAMPLE)]

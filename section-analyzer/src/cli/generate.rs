@@ -1,4 +1,4 @@
-//! `section-analyzer mesh`: meshes of simple shapes.
+//! `section-analyzer mesh`: meshes of simple shapes and of blades.
 
 use std::path::Path;
 
@@ -8,11 +8,18 @@ use shared_geom::mesh::{Mesh, PhysicalGroup};
 
 use super::arguments::Shape;
 use super::{Stop, Terminal, WRONG_INPUT};
+use crate::input::blade;
 use crate::mesh::generate::{Ellipse, GenerateProblem, Rectangle, Tube};
+use crate::output::blade_section;
 
 /// Makes the mesh of `shape` and writes it.
 pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
-    let (mesh, file) = made(shape);
+    let (mesh, file) = match made(shape) {
+        Made::Blade { file, out, section } => {
+            return write_blade(file, out, section, terminal);
+        }
+        Made::Shape(mesh, file) => (mesh, file),
+    };
     let mesh = match mesh {
         Ok(mesh) => mesh,
         Err(problems) => {
@@ -22,8 +29,12 @@ pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(
             return Err(Stop::Told(WRONG_INPUT));
         }
     };
-    write_text(file, &gmsh::write(&mesh))
-        .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+    write_file(&mesh, file, terminal)
+}
+
+/// Writes a mesh and says what is in it.
+fn write_file(mesh: &Mesh, file: &Path, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+    write_text(file, &gmsh::write(mesh)).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
     let groups = |dimension: u8| {
         let of_dimension = mesh
             .groups
@@ -49,8 +60,58 @@ pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(
     Ok(())
 }
 
+/// Meshes the section of a blade, and begins its section file.
+fn write_blade(
+    file: &Path,
+    out: &Path,
+    section: Option<&Path>,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let blade = blade::read(file).map_err(|problems| terminal.tell_all(&problems))?;
+    if let Some(section) = section.filter(|section| section.exists()) {
+        let text = format!(
+            "error: \"{}\" is there already, expected the name of a new section file\n  \
+             help: without --section the mesh alone is made anew",
+            section.display()
+        );
+        return Err(terminal.tell_text(&text, WRONG_INPUT));
+    }
+    write_file(&blade.mesh, out, terminal)?;
+    let Some(section) = section else {
+        return Ok(());
+    };
+    let text = blade_section(&blade, &name_from(section, out));
+    write_text(section, &text).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+    writeln!(
+        terminal.out,
+        "{}: regions and angles; the constants of the materials are still to be written",
+        section.display()
+    )?;
+    Ok(())
+}
+
+/// What the mesh is called in a section file.
+fn name_from(section: &Path, mesh: &Path) -> String {
+    if section.parent() == mesh.parent() {
+        let name = mesh.file_name().unwrap_or_default();
+        return name.to_string_lossy().into_owned();
+    }
+    let whole = std::path::absolute(mesh).unwrap_or_else(|_| mesh.to_owned());
+    whole.display().to_string()
+}
+
+/// What is to be written.
+enum Made<'a> {
+    Shape(Result<Mesh, Vec<GenerateProblem>>, &'a Path),
+    Blade {
+        file: &'a Path,
+        out: &'a Path,
+        section: Option<&'a Path>,
+    },
+}
+
 /// The mesh and the file it goes to.
-fn made(shape: &Shape) -> (Result<Mesh, Vec<GenerateProblem>>, &Path) {
+fn made(shape: &Shape) -> Made<'_> {
     match shape {
         Shape::Rectangle {
             width,
@@ -68,8 +129,13 @@ fn made(shape: &Shape) -> (Result<Mesh, Vec<GenerateProblem>>, &Path) {
                 kind: common.cell.kind(),
                 name: name.clone(),
             };
-            (rectangle.generate(), &common.out)
+            Made::Shape(rectangle.generate(), &common.out)
         }
+        Shape::Blade { file, out, section } => Made::Blade {
+            file,
+            out,
+            section: section.as_deref(),
+        },
         Shape::Tube {
             outer_radius,
             thickness,
@@ -86,7 +152,7 @@ fn made(shape: &Shape) -> (Result<Mesh, Vec<GenerateProblem>>, &Path) {
                 kind: common.cell.kind(),
                 curved: !straight,
             };
-            (tube.generate(), &common.out)
+            Made::Shape(tube.generate(), &common.out)
         }
         Shape::Ellipse {
             semi_y,
@@ -102,7 +168,7 @@ fn made(shape: &Shape) -> (Result<Mesh, Vec<GenerateProblem>>, &Path) {
                 kind: common.cell.kind(),
                 curved: !straight,
             };
-            (ellipse.generate(), &common.out)
+            Made::Shape(ellipse.generate(), &common.out)
         }
     }
 }

@@ -55,6 +55,10 @@ const EXAMPLES: &[(&[&str], &str)] = &[
     ),
     (&["manual", "--help"], "section-analyzer manual | man -l -"),
     (
+        &["mesh", "blade", "--help"],
+        "section-analyzer mesh blade blade.toml --out blade.msh",
+    ),
+    (
         &["mesh", "ellipse", "--help"],
         "section-analyzer mesh ellipse --semi-y 10",
     ),

@@ -7,6 +7,7 @@ mod analyze;
 mod bad_files;
 mod bad_property_files;
 mod bad_section;
+mod blade;
 mod compare;
 mod curvature;
 mod distributed;

@@ -1,5 +1,6 @@
 //! Meshes of simple shapes, made without a mesh generator: [`Rectangle`],
-//! [`Tube`], [`Ellipse`].
+//! [`Tube`], [`Ellipse`]; and
+//! of sections of blades: [`blade`].
 //!
 //! Each gives a [`shared_geom::mesh::Mesh`] in the plane z = 0 of the file axes
 //! (mesh x is the section axis y, mesh y the section axis z), its cells
@@ -9,6 +10,7 @@
 //! up) points out of the shape; the inner boundary of a tube runs as its outer one,
 //! so that n points outward there too.
 
+pub mod blade;
 mod builder;
 mod ellipse;
 mod problem;

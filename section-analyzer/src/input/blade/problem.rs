@@ -1,0 +1,91 @@
+//! What can be wrong with a blade file, beyond what any input file can have and what
+//! leaves no mesh.
+
+use shared_geom::error::{Explain, nearest_name};
+
+/// A problem of a blade file, or of the airfoil file that it names.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BladeFileProblem {
+    /// No airfoil.
+    #[error("[airfoil] has neither \"naca\" nor \"file\", expected one of them")]
+    NoAirfoil,
+    /// Two airfoils.
+    #[error("[airfoil] has \"naca\" and \"file\", expected one of them")]
+    TwoAirfoils,
+    /// The shape of the trailing edge of an airfoil that has its own.
+    #[error(
+        "\"trailing_edge\" is for airfoils of NACA: the points of a file have one of their own"
+    )]
+    EdgeOfFile,
+    /// One name for two things.
+    #[error("\"{name}\" has another material, angle or place on line {line}, expected one of each")]
+    NameTwice {
+        /// The name.
+        name: String,
+        /// Line of its first use.
+        line: usize,
+    },
+    /// A core where there is no room of its own.
+    #[error("[core.{core}] needs {needed}")]
+    NoCavity {
+        /// The core.
+        core: &'static str,
+        /// What is missing.
+        needed: &'static str,
+    },
+    /// A place of a ply that the spar does not have.
+    #[error("unknown place \"{found}\", expected {}", quoted(.known))]
+    UnknownPlace {
+        /// The word found.
+        found: String,
+        /// The places there are.
+        known: Vec<String>,
+    },
+    /// A row of an airfoil file.
+    #[error("\"{found}\" is no point, expected x/c and z/c")]
+    Row {
+        /// The row.
+        found: String,
+    },
+    /// The heading of an airfoil file.
+    #[error("the columns are \"{found}\", expected one called \"x\" and one called \"z\" or \"y\"")]
+    Heading {
+        /// The row.
+        found: String,
+    },
+    /// An airfoil file without points.
+    #[error("the file has no points, expected rows of x/c and z/c")]
+    NoPoints,
+    /// Two surfaces of which the number of points is not right.
+    #[error("the file announces {upper} and {lower} points, and has {found}")]
+    Announced {
+        /// Points of the upper surface as announced.
+        upper: usize,
+        /// Points of the lower surface as announced.
+        lower: usize,
+        /// Points found.
+        found: usize,
+    },
+}
+
+fn quoted(words: &[String]) -> String {
+    let quoted: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
+    quoted.join(", ")
+}
+
+impl Explain for BladeFileProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::NoAirfoil => Some("naca = \"0012\", or file = \"airfoil.dat\"".into()),
+            Self::NameTwice { .. } => Some("give it a name of its own".into()),
+            Self::UnknownPlace { found, known } => {
+                let near = nearest_name(found, known.iter().map(String::as_str));
+                near.map(|near| format!("did you mean \"{near}\"?"))
+            }
+            Self::EdgeOfFile => {
+                Some("remove it; [airfoil] end = 0.98 cuts off what is too thin".into())
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,479 @@
+//! Sections of blades: a skin around an airfoil, a spar of plies with one web or two, and
+//! cores.
+//!
+//! Plies are as thick as they are given everywhere, also where walls meet: the depth of
+//! each level is measured from the contour and from the outer faces of the webs, and
+//! corners are mitred. All nodes on walls lie on the surfaces that plies have below the
+//! airfoil.
+
+use std::f64::consts::PI;
+
+use shared_geom::mesh::{CellKind, Mesh};
+
+mod columns;
+mod contour;
+mod fill;
+mod grid;
+mod layers;
+mod naca;
+mod problem;
+mod skin;
+mod spar;
+mod walls;
+
+pub use contour::Contour;
+pub use naca::naca;
+pub use problem::{BladePart, BladeProblem};
+
+use columns::Columns;
+use contour::{Half, Straight};
+use grid::Grid;
+use layers::{layers, thickness};
+use spar::WebAt;
+
+/// Part of the radius of a surface that plies may fill.
+const FULL: f64 = 0.95;
+/// Places of the chord that differ by less are one.
+const SAME: f64 = 1e-6;
+
+/// A section of a blade.
+#[derive(Debug, Clone)]
+pub struct Blade {
+    /// The outer surface.
+    pub contour: Contour,
+    /// Plies of the skin, from the outside in.
+    pub skin: Vec<Ply>,
+    /// Whether the skin is closed at the trailing edge: by a wall of its plies where that
+    /// is blunt, where it is sharp by plies that meet on the line between both surfaces.
+    pub is_closed: bool,
+    /// The spar, if there is one.
+    pub spar: Option<Spar>,
+    /// What fills the section.
+    pub cores: Cores,
+    /// Sizes of cells.
+    pub sizes: Sizes,
+}
+
+/// A layer of one material.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ply {
+    /// The physical surface of its cells.
+    pub name: String,
+    /// Thickness [unit of the mesh].
+    pub thickness: f64,
+    /// Cells through the thickness.
+    pub cells: usize,
+    /// Whether its faces become physical curves, `NAME/outer` and `NAME/inner`.
+    pub has_faces: bool,
+}
+
+/// A ply of the spar, and where it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SparPly {
+    /// The ply.
+    pub ply: Ply,
+    /// Parts of the chord between which it lies on the upper surface; infinite where it
+    /// goes on into a web or around the nose [-].
+    pub upper: Option<[f64; 2]>,
+    /// The same on the lower surface [-].
+    pub lower: Option<[f64; 2]>,
+    /// Whether it is in the front and in the rear web.
+    pub webs: [bool; 2],
+    /// The physical surface of what is as thick and takes its place elsewhere; without it
+    /// the plies inside move outward, and it ends in a wedge one cell long.
+    pub filler: Option<String>,
+}
+
+/// Plies inside of the skin with one web or two.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spar {
+    /// Part of the chord of the outer face of the front web [-]; without it the spar
+    /// reaches around the nose.
+    pub front_web: Option<f64>,
+    /// Part of the chord of the outer face of the rear web [-].
+    pub rear_web: f64,
+    /// From the outside in.
+    pub plies: Vec<SparPly>,
+}
+
+/// The physical surfaces of what fills a section.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Cores {
+    /// Ahead of the front web.
+    pub nose: Option<String>,
+    /// In the spar.
+    pub spar: Option<String>,
+    /// Behind the rear web; all of the section if there is no spar.
+    pub aft: Option<String>,
+    /// From the nose to a part of the chord, instead of the core there.
+    pub nose_mass: Option<(f64, String)>,
+}
+
+/// Sizes of cells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sizes {
+    /// Length along walls at most [unit of the mesh].
+    pub size: f64,
+    /// Length of the cells of cores across the section [unit of the mesh].
+    pub core: f64,
+    /// Turn of the surface along one cell at most \[rad\].
+    pub turn: f64,
+    /// Kind of the quadrilaterals; triangles are of the same order.
+    pub kind: CellKind,
+}
+
+impl Sizes {
+    /// Of cells this long, with 9 nodes, that turn by 12 degrees at most.
+    pub fn new(size: f64) -> Self {
+        Self {
+            size,
+            core: size,
+            turn: PI / 15.0,
+            kind: CellKind::Quadrilateral9,
+        }
+    }
+}
+
+impl Blade {
+    /// The mesh. Physical surfaces: one for each name of a ply, a filler or a core, and for
+    /// plies and fillers one for each part, `NAME/upper`, `NAME/lower`, `NAME/web`
+    /// (`NAME/front_web`, `NAME/rear_web` where there are two), `NAME/edge`. Physical
+    /// curves, clockwise: `contour`, the outer surface; `spar`, its outer face with the
+    /// webs; the faces of plies that have them.
+    ///
+    /// # Errors
+    /// All that leaves no mesh.
+    pub fn generate(&self) -> Result<Mesh, Vec<BladeProblem>> {
+        let skin_layers = layers(self.skin.iter());
+        let depth = thickness(&skin_layers);
+        self.check(depth)?;
+        let (columns, webs) = self.columns(depth)?;
+        self.check_count(&columns, skin_layers.len())?;
+        self.check_skin(&columns, depth)?;
+        let mut grid = Grid::default();
+        let skin = skin::build(self, &columns, &skin_layers, &mut grid)?;
+        let aft_end = webs.first().map_or(columns.nose(), |web| web.column);
+        self.check_room(&grid, &skin.inner, [0, aft_end], BladePart::Skin)?;
+        let inside = match &self.spar {
+            None => None,
+            Some(spar) => {
+                let spar_layers = layers(spar.plies.iter().map(|one| &one.ply));
+                let (webs, skin) = (webs.clone(), (&skin, depth));
+                let spar = (self, spar);
+                Some(spar::build(
+                    spar,
+                    &columns,
+                    &spar_layers,
+                    skin,
+                    webs,
+                    &mut grid,
+                )?)
+            }
+        };
+        if let Some(inside) = &inside {
+            let last = inside.inner[0].len() - 1;
+            // at the nose both surfaces have one node
+            let end = if webs.len() > 1 { last } else { last - 1 };
+            self.check_room(&grid, &inside.inner, [0, end], BladePart::Spar)?;
+        }
+        self.fill(&mut grid, &columns, &skin, inside.as_ref(), &webs);
+        let mesh = grid.mesh(self.sizes.kind);
+        match grid::folded(&mesh) {
+            None => Ok(mesh),
+            Some((count, place)) => Err(vec![BladeProblem::Folded {
+                count,
+                part: self.contour.chord_part(place[0]),
+                place,
+            }]),
+        }
+    }
+
+    /// What needs no mesh to be seen.
+    fn check(&self, depth: f64) -> Result<(), Vec<BladeProblem>> {
+        let mut problems = Vec::new();
+        let last = self.contour.last_part();
+        if let Some(spar) = &self.spar {
+            let from = spar.front_web.unwrap_or(0.0);
+            if spar.front_web.is_some() && from >= spar.rear_web {
+                problems.push(BladeProblem::WebOrder {
+                    front: from,
+                    rear: spar.rear_web,
+                });
+            }
+            let within = [from.min(spar.rear_web), spar.rear_web];
+            for (number, ply) in spar.plies.iter().enumerate() {
+                for range in [ply.upper, ply.lower].into_iter().flatten() {
+                    let [from, to] = [range[0].max(-1.0), range[1].min(2.0)];
+                    let is_in = (from < 0.0 || from >= within[0] - SAME)
+                        && (to > 1.0 || to <= within[1] + SAME);
+                    if !is_in || range[0] >= range[1] {
+                        problems.push(BladeProblem::PlyRange {
+                            number,
+                            ply: ply.ply.name.clone(),
+                            range,
+                            spar: within,
+                        });
+                        break;
+                    }
+                }
+            }
+        }
+        if let Some((to, _)) = &self.cores.nose_mass {
+            let spar = self.spar.as_ref();
+            let most = spar.map_or(last, |spar| spar.front_web.unwrap_or(spar.rear_web));
+            if !(*to > 0.0 && *to < most) {
+                problems.push(BladeProblem::NoseMass { to: *to, most });
+            }
+        }
+        problems.extend(
+            self.web_lines()
+                .into_iter()
+                .filter_map(|(web, part, line)| {
+                    let corners = Half::BOTH.map(|half| self.contour.meet(half, depth, line, 0.0));
+                    let is_there = part > 0.0 && part < last && corners.iter().all(Option::is_some);
+                    (!is_there).then_some(BladeProblem::WebOutside { web, part })
+                }),
+        );
+        match problems.is_empty() {
+            true => Ok(()),
+            false => Err(problems),
+        }
+    }
+
+    /// The outer faces of the webs, the rear one first.
+    fn web_lines(&self) -> Vec<(BladePart, f64, Straight)> {
+        let Some(spar) = &self.spar else {
+            return Vec::new();
+        };
+        let line = |part: f64, forward: f64| Straight {
+            point: [self.contour.at_part(part), 0.0],
+            inward: [forward, 0.0],
+        };
+        let rear = (BladePart::RearWeb, spar.rear_web, line(spar.rear_web, 1.0));
+        let front = spar.front_web;
+        let front = front.map(|part| (BladePart::FrontWeb, part, line(part, -1.0)));
+        std::iter::once(rear).chain(front).collect()
+    }
+
+    /// The columns of cells, and those of the webs.
+    fn columns(&self, depth: f64) -> Result<(Columns, Vec<WebAt>), Vec<BladeProblem>> {
+        let contour = &self.contour;
+        let ends = |i: usize| Half::BOTH.map(|half| contour.range(half)[i]);
+        // the trailing edge above and below, then the nose
+        let edge = [ends(0)[0], ends(1)[1]];
+        let mut marks = vec![edge, [ends(1)[0]; 2]];
+        let mut webs = Vec::new();
+        for (web, part, line) in self.web_lines() {
+            let corner = |half| contour.meet(half, depth, line, 0.0);
+            let (Some(upper), Some(lower)) = (corner(Half::Upper), corner(Half::Lower)) else {
+                return Err(vec![BladeProblem::WebOutside { web, part }]);
+            };
+            marks.push([upper, lower]);
+            webs.push((web, line, upper));
+        }
+        for part in self.inner_marks() {
+            let at = |half| contour.at_chord(half, part);
+            if let (Some(upper), Some(lower)) = (at(Half::Upper), at(Half::Lower)) {
+                marks.push([upper, lower]);
+            }
+        }
+        marks.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let columns = Columns::new(contour, &marks, &self.sizes);
+        let columns = columns.map_err(|problem| vec![problem])?;
+        let of_web = |(web, line, upper): (BladePart, Straight, f64)| {
+            let mark = marks.iter().position(|mark| mark[0] == upper);
+            WebAt {
+                web,
+                line,
+                column: columns.landmarks[mark.unwrap_or(0)],
+            }
+        };
+        let webs = webs.into_iter().map(of_web).collect();
+        Ok((columns, webs))
+    }
+
+    /// Places of the chord, other than webs, where something begins or ends.
+    fn inner_marks(&self) -> Vec<f64> {
+        let mut parts: Vec<f64> = Vec::new();
+        if let Some(spar) = &self.spar {
+            let ends = [spar.front_web.unwrap_or(0.0), spar.rear_web];
+            let ranges = spar.plies.iter().flat_map(|ply| [ply.upper, ply.lower]);
+            let inner = ranges.flatten().flatten();
+            parts.extend(inner.filter(|part| *part > ends[0] + SAME && *part < ends[1] - SAME));
+        }
+        parts.extend(self.cores.nose_mass.iter().map(|(to, _)| *to));
+        parts.sort_by(f64::total_cmp);
+        parts.dedup_by(|a, b| (*a - *b).abs() < SAME);
+        parts
+    }
+
+    /// Whether the cells are too many, before they are made.
+    fn check_count(&self, columns: &Columns, skin: usize) -> Result<(), Vec<BladeProblem>> {
+        let spar = self.spar.iter().flat_map(|spar| &spar.plies);
+        let layers = skin + spar.map(|one| one.ply.cells).sum::<usize>();
+        let walls = 3 * columns.nose() * layers;
+        let across = fill::even_cells(0.2 * self.contour.chord(), self.sizes.core);
+        let found = walls.saturating_add(columns.nose().saturating_mul(across));
+        match found > problem::MOST_CELLS {
+            true => Err(vec![BladeProblem::TooManyCells { found }]),
+            false => Ok(()),
+        }
+    }
+
+    fn check_skin(&self, columns: &Columns, depth: f64) -> Result<(), Vec<BladeProblem>> {
+        let on = |half: Half| {
+            let at = (0..=columns.nose()).map(move |column| columns.at(half, column));
+            at.map(move |u| (half, u, depth))
+        };
+        check_radii(
+            &self.contour,
+            Half::BOTH.into_iter().flat_map(on),
+            BladePart::Skin,
+        )
+    }
+
+    /// Whether the upper nodes of columns lie above the lower ones.
+    fn check_room(
+        &self,
+        grid: &Grid,
+        inner: &[Vec<u32>; 2],
+        [from, to]: [usize; 2],
+        about: BladePart,
+    ) -> Result<(), Vec<BladeProblem>> {
+        for column in from..=to {
+            let [upper, lower] = [0, 1].map(|half| grid.place(inner[half][column]));
+            let is_one = inner[0][column] == inner[1][column];
+            if is_one || upper[1] > lower[1] {
+                continue;
+            }
+            let part = self.contour.chord_part(0.5 * (upper[0] + lower[0]));
+            let room = self.contour.thickness(part).unwrap_or(0.0);
+            let thickness = room + lower[1] - upper[1];
+            let ahead = match about {
+                BladePart::Skin => self.room_ahead(1.02 * thickness),
+                _ => None,
+            };
+            return Err(vec![BladeProblem::Collision {
+                about,
+                part,
+                thickness,
+                room,
+                ahead,
+            }]);
+        }
+        Ok(())
+    }
+
+    /// Fills what is to be filled.
+    fn fill(
+        &self,
+        grid: &mut Grid,
+        columns: &Columns,
+        skin: &skin::Skin,
+        inside: Option<&spar::Inside>,
+        webs: &[WebAt],
+    ) {
+        let nose = columns.nose();
+        let nose_node = vec![skin.inner[0][nose]];
+        let mark = self.nose_mass_column(columns);
+        let cores = &self.cores;
+        let (Some(inside), Some(rear)) = (inside, webs.first()) else {
+            let cavity = Cavity {
+                walls: [&skin.inner[0], &skin.inner[1]],
+                first: 0,
+                ends: [skin.edge.clone(), nose_node],
+            };
+            return self.fill_cavity(grid, cavity, cores.aft.as_ref(), mark);
+        };
+        let aft = Cavity {
+            walls: [0, 1].map(|half| &skin.inner[half][..=rear.column]),
+            first: 0,
+            ends: [skin.edge.clone(), inside.outer[0].clone()],
+        };
+        self.fill_cavity(grid, aft, cores.aft.as_ref(), None);
+        let front = webs.get(1);
+        let spar = Cavity {
+            walls: [&inside.inner[0], &inside.inner[1]],
+            first: rear.column,
+            ends: inside.webs.clone(),
+        };
+        self.fill_cavity(
+            grid,
+            spar,
+            cores.spar.as_ref(),
+            mark.filter(|_| front.is_none()),
+        );
+        if let Some(front) = front {
+            let nose = Cavity {
+                walls: [0, 1].map(|half| &skin.inner[half][front.column..]),
+                first: front.column,
+                ends: [inside.outer[1].clone(), nose_node],
+            };
+            self.fill_cavity(grid, nose, cores.nose.as_ref(), mark);
+        }
+    }
+
+    /// The column at which the mass in the nose ends.
+    fn nose_mass_column(&self, columns: &Columns) -> Option<usize> {
+        let (to, _) = self.cores.nose_mass.as_ref()?;
+        let at = self.contour.at_chord(Half::Upper, *to)?;
+        let distance = |column: &usize| (columns.upper[*column] - at).abs();
+        (0..=columns.nose()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    /// Fills a cavity with its core, and from the column `mark` on with the mass.
+    fn fill_cavity(
+        &self,
+        grid: &mut Grid,
+        cavity: Cavity<'_>,
+        core: Option<&String>,
+        mark: Option<usize>,
+    ) {
+        if core.is_none() && mark.is_none() {
+            return;
+        }
+        let mass = self.cores.nose_mass.as_ref().map(|(_, name)| name);
+        let lines = fill::lines(grid, cavity.walls, cavity.ends, self.sizes.core);
+        for (index, pair) in lines.windows(2).enumerate() {
+            let is_mass = mark.is_some_and(|mark| cavity.first + index >= mark);
+            let name = if is_mass { mass } else { core };
+            if let Some(name) = name {
+                fill::strip(grid, &pair[0], &pair[1], std::slice::from_ref(name));
+            }
+        }
+    }
+}
+
+/// What lies between an upper and a lower wall.
+struct Cavity<'a> {
+    /// Nodes of its columns, upper and lower.
+    walls: [&'a [u32]; 2],
+    /// The column of the first of them.
+    first: usize,
+    /// The lines at its rear and its front end, from below.
+    ends: [Vec<u32>; 2],
+}
+
+/// Whether plies of a thickness at each of some places fit inside of the radius of the
+/// surface there; tells where they do so least.
+fn check_radii(
+    contour: &Contour,
+    places: impl Iterator<Item = (Half, f64, f64)>,
+    about: BladePart,
+) -> Result<(), Vec<BladeProblem>> {
+    let fill = |place: &(Half, f64, f64)| place.2 * contour.bend(place.1);
+    let tightest = places.max_by(|a, b| fill(a).total_cmp(&fill(b)));
+    let Some((half, u, thickness)) = tightest.filter(|place| !(fill(place) < FULL)) else {
+        return Ok(());
+    };
+    Err(vec![BladeProblem::Tight {
+        about,
+        surface: half.name(),
+        part: contour.chord_part(contour.place(u)[0]),
+        thickness,
+        radius: 1.0 / contour.bend(u),
+    }])
+}
+
+#[cfg(test)]
+mod tests;

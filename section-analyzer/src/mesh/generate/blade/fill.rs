@@ -1,0 +1,107 @@
+//! Cores: cells between an upper and a lower wall.
+//!
+//! Lines from the lower to the upper node of each column have as many cells as their length
+//! asks for, an even number, so that each has a node in its middle. Between two lines with
+//! as many cells are quadrilaterals, else triangles, above the middle the image of those
+//! below it:
+//!
+//! ```text
+//!      *---*---*           *---*---*--.
+//!      |   |   |           |   | / | \ \
+//!      *---*---*           *---*---*---*   the nose, a line without length
+//!      |   |   |           |   | \ | / /
+//!      *---*---*           *---*---*--'
+//! ```
+
+use super::super::super::distance;
+use super::grid::Grid;
+
+/// Height of a cell at most, in widths.
+const SQUARE: f64 = 2.0;
+
+/// An even number of cells of about this size on a length.
+pub(super) fn even_cells(length: f64, size: f64) -> usize {
+    2 * ((0.5 * length / size).round().clamp(1.0, 1e6) as usize)
+}
+
+/// The nodes of lines between two walls, from behind to the front, each from below.
+///
+/// `walls` are the nodes of the columns on the upper and on the lower wall; `ends` the
+/// lines that are there already, at the first and the last column.
+pub(super) fn lines(
+    grid: &mut Grid,
+    walls: [&[u32]; 2],
+    ends: [Vec<u32>; 2],
+    size: f64,
+) -> Vec<Vec<u32>> {
+    let [upper, lower] = walls;
+    let last = upper.len() - 1;
+    let [first_line, last_line] = ends;
+    let counts = [&first_line, &last_line].map(|line| line.len() - 1);
+    let mut lines = vec![first_line];
+    for column in 1..last {
+        let (from, to) = (grid.place(lower[column]), grid.place(upper[column]));
+        // toward an end as few as it has
+        let near = (counts[0] + 2 * column).min(counts[1] + 2 * (last - column));
+        let size = size.min(SQUARE * width(grid, walls, column));
+        let count = even_cells(distance(from, to), size).min(near.max(2));
+        let mut line = vec![lower[column]];
+        for cell in 1..count {
+            let part = cell as f64 / count as f64;
+            let place = [0, 1].map(|i| (1.0 - part) * from[i] + part * to[i]);
+            line.push(grid.node(place));
+        }
+        line.push(upper[column]);
+        lines.push(line);
+    }
+    lines.push(last_line);
+    lines
+}
+
+/// Mean distance from a column to those beside it.
+fn width(grid: &Grid, walls: [&[u32]; 2], column: usize) -> f64 {
+    let middle = |column: usize| {
+        let ends = walls.map(|wall| grid.place(wall[column])[0]);
+        0.5 * (ends[0] + ends[1])
+    };
+    0.5 * (middle(column + 1) - middle(column - 1)).abs()
+}
+
+/// The cells between two lines, of which the second lies ahead.
+pub(super) fn strip(grid: &mut Grid, behind: &[u32], ahead: &[u32], name: &[String]) {
+    if behind.len() == ahead.len() {
+        for (a, b) in behind.windows(2).zip(ahead.windows(2)) {
+            grid.cell([a[0], b[0], b[1], a[1]], name);
+        }
+        return;
+    }
+    let middles = [behind, ahead].map(|line| line.len() / 2);
+    let below = [&behind[..=middles[0]], &ahead[..=middles[1]]];
+    for [a, b, c] in triangles(below) {
+        grid.cell([a, b, c, c], name);
+    }
+    let above = [&behind[middles[0]..], &ahead[middles[1]..]]
+        .map(|line| line.iter().rev().copied().collect::<Vec<u32>>());
+    for [a, b, c] in triangles([&above[0], &above[1]]) {
+        grid.cell([a, c, b, b], name);
+    }
+}
+
+/// Triangles between two lines from the same end: of both the next node, in turn, each
+/// counterclockwise where the second line lies to the right.
+fn triangles([behind, ahead]: [&[u32]; 2]) -> Vec<[u32; 3]> {
+    let cells = [behind.len() - 1, ahead.len() - 1];
+    let (mut i, mut j) = (0, 0);
+    let mut found = Vec::with_capacity(cells[0] + cells[1]);
+    while i < cells[0] || j < cells[1] {
+        let takes_behind = (2 * i + 1) * cells[1] <= (2 * j + 1) * cells[0];
+        if j == cells[1] || (i < cells[0] && takes_behind) {
+            found.push([behind[i], ahead[j], behind[i + 1]]);
+            i += 1;
+        } else {
+            found.push([behind[i], ahead[j], ahead[j + 1]]);
+            j += 1;
+        }
+    }
+    found
+}

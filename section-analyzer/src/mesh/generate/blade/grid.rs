@@ -1,0 +1,228 @@
+//! Nodes, cells and lines of a blade as they are made.
+//!
+//! Cells know their corners; the node in the middle of a side belongs to the two corners
+//! at its ends, so that cells on either side share it. It lies between them unless a wall
+//! has placed it on its curve.
+
+use std::collections::HashMap;
+
+use nalgebra::Vector3;
+use shared_geom::mesh::{Cell, CellKind, GroupSet, Line, Mesh, Node, PhysicalGroup};
+
+use super::super::super::jacobian::Jacobian;
+
+const CURVE: u8 = 1;
+const SURFACE: u8 = 2;
+
+/// A blade in the making.
+#[derive(Debug, Default)]
+pub(super) struct Grid {
+    places: Vec<[f64; 2]>,
+    cells: Vec<(Vec<u32>, GroupSet)>,
+    lines: Vec<([u32; 2], GroupSet)>,
+    middles: HashMap<[u32; 2], [f64; 2]>,
+    groups: Vec<(u8, String)>,
+}
+
+impl Grid {
+    /// A new node.
+    pub fn node(&mut self, place: [f64; 2]) -> u32 {
+        self.places.push(place);
+        self.places.len() as u32 - 1
+    }
+
+    /// Where a node is.
+    pub fn place(&self, node: u32) -> [f64; 2] {
+        self.places[node as usize]
+    }
+
+    /// Places the middle between two nodes, unless it has its place already.
+    pub fn middle(&mut self, a: u32, b: u32, place: [f64; 2]) {
+        if a != b {
+            self.middles.entry(key(a, b)).or_insert(place);
+        }
+    }
+
+    /// A cell with these corners, counterclockwise, of which two may be the same.
+    pub fn cell(&mut self, corners: [u32; 4], names: &[String]) {
+        let mut distinct: Vec<u32> = Vec::with_capacity(4);
+        for corner in corners {
+            if !distinct.contains(&corner) {
+                distinct.push(corner);
+            }
+        }
+        if distinct.len() >= 3 {
+            let groups = self.set(SURFACE, names);
+            self.cells.push((distinct, groups));
+        }
+    }
+
+    /// A line of named curves.
+    pub fn line(&mut self, ends: [u32; 2], names: &[String]) {
+        if ends[0] != ends[1] {
+            let groups = self.set(CURVE, names);
+            self.lines.push((ends, groups));
+        }
+    }
+
+    fn set(&mut self, dimension: u8, names: &[String]) -> GroupSet {
+        let mut indices = Vec::with_capacity(names.len());
+        for name in names {
+            let is_it = |group: &(u8, String)| group.0 == dimension && group.1 == *name;
+            let known = self.groups.iter().position(is_it);
+            indices.push(known.unwrap_or_else(|| {
+                self.groups.push((dimension, name.clone()));
+                self.groups.len() - 1
+            }));
+        }
+        indices.into_iter().collect()
+    }
+
+    /// The mesh, of quadrilaterals of this kind and triangles of the same order.
+    pub fn mesh(mut self, kind: CellKind) -> Mesh {
+        let triangle = match kind.is_quadratic() {
+            true => CellKind::Triangle6,
+            false => CellKind::Triangle3,
+        };
+        let mut middle_nodes = HashMap::new();
+        let lines = std::mem::take(&mut self.lines);
+        let cells = std::mem::take(&mut self.cells);
+        let mut tags = 1..;
+        let mut next = || tags.next().unwrap_or(0);
+        let mut mesh = Mesh::default();
+        let owner = |groups: &GroupSet| groups.first().map_or(0, |first| first as i32 + 1);
+        for (ends, groups) in lines {
+            let middle = match kind.is_quadratic() {
+                true => self.middle_node(ends, &mut middle_nodes),
+                false => 0,
+            };
+            let nodes = [ends[0], ends[1], middle];
+            let mut line = Line::new(next(), kind.side_kind(), owner(&groups), |i| nodes[i]);
+            line.groups = groups;
+            mesh.lines.push(line);
+        }
+        for (corners, groups) in cells {
+            let kind = if corners.len() == 3 { triangle } else { kind };
+            let nodes = self.nodes_of(kind, corners, &mut middle_nodes);
+            let mut cell = Cell::new(next(), kind, owner(&groups), |i| nodes[i]);
+            cell.groups = groups;
+            mesh.cells.push(cell);
+        }
+        mesh.groups = self.numbered_groups();
+        let node = |(index, place): (usize, &[f64; 2])| Node {
+            tag: index as u64 + 1,
+            position: Vector3::new(place[0], place[1], 0.0),
+        };
+        mesh.nodes = self.places.iter().enumerate().map(node).collect();
+        without_unused(mesh)
+    }
+
+    fn nodes_of(
+        &mut self,
+        kind: CellKind,
+        corners: Vec<u32>,
+        middles: &mut HashMap<[u32; 2], u32>,
+    ) -> Vec<u32> {
+        let mut nodes = corners;
+        let count = nodes.len();
+        if !kind.is_quadratic() {
+            return nodes;
+        }
+        for side in 0..count {
+            let ends = [nodes[side], nodes[(side + 1) % count]];
+            nodes.push(self.middle_node(ends, middles));
+        }
+        if kind == CellKind::Quadrilateral9 {
+            let sum = |nodes: &[u32], i: usize| -> f64 {
+                nodes.iter().map(|node| self.place(*node)[i]).sum()
+            };
+            // where a cell with 8 nodes has its center
+            let center = [0, 1].map(|i| 0.5 * sum(&nodes[4..], i) - 0.25 * sum(&nodes[..4], i));
+            nodes.push(self.node(center));
+        }
+        nodes
+    }
+
+    fn middle_node(&mut self, [a, b]: [u32; 2], known: &mut HashMap<[u32; 2], u32>) -> u32 {
+        if let Some(&node) = known.get(&key(a, b)) {
+            return node;
+        }
+        let place = self.middles.get(&key(a, b)).copied().unwrap_or_else(|| {
+            let (a, b) = (self.place(a), self.place(b));
+            [0, 1].map(|i| 0.5 * (a[i] + b[i]))
+        });
+        let node = self.node(place);
+        known.insert(key(a, b), node);
+        node
+    }
+
+    fn numbered_groups(&self) -> Vec<PhysicalGroup> {
+        let group = |(index, (dimension, name)): (usize, &(u8, String))| PhysicalGroup {
+            dimension: *dimension,
+            tag: index as i32 + 1,
+            name: Some(name.clone()),
+        };
+        self.groups.iter().enumerate().map(group).collect()
+    }
+}
+
+fn key(a: u32, b: u32) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// The mesh with those nodes only that a cell has.
+fn without_unused(mut mesh: Mesh) -> Mesh {
+    let mut new = vec![None; mesh.nodes.len()];
+    for cell in &mesh.cells {
+        for node in cell.nodes() {
+            new[*node as usize] = Some(0);
+        }
+    }
+    let mut nodes = Vec::with_capacity(mesh.nodes.len());
+    for (index, node) in mesh.nodes.iter().enumerate() {
+        if new[index].is_some() {
+            new[index] = Some(nodes.len() as u32);
+            nodes.push(Node {
+                tag: nodes.len() as u64 + 1,
+                ..*node
+            });
+        }
+    }
+    let at = |node: u32| new[node as usize].unwrap_or(0);
+    for cell in &mut mesh.cells {
+        let mut moved = Cell::new(cell.tag, cell.kind, cell.entity, |i| at(cell.nodes()[i]));
+        moved.groups = cell.groups.clone();
+        *cell = moved;
+    }
+    for line in &mut mesh.lines {
+        let mut moved = Line::new(line.tag, line.kind, line.entity, |i| at(line.nodes()[i]));
+        moved.groups = line.groups.clone();
+        *line = moved;
+    }
+    mesh.nodes = nodes;
+    mesh
+}
+
+/// Cells whose Jacobian is not positive everywhere: their number, and the middle of the
+/// first one.
+pub(super) fn folded(mesh: &Mesh) -> Option<(usize, [f64; 2])> {
+    let jacobian = Jacobian::new();
+    let places_of = |cell: &Cell| -> Vec<[f64; 2]> {
+        let place = |node: &u32| mesh.nodes[*node as usize].position;
+        let places = cell.nodes().iter().map(place);
+        places.map(|place| [place.x, place.y]).collect()
+    };
+    let mut found = None;
+    for cell in &mesh.cells {
+        let places = places_of(cell);
+        if jacobian.extremes(cell.kind, &places)[0] <= 0.0 {
+            let corners = cell.kind.corner_count();
+            let mean = |i: usize| {
+                places[..corners].iter().map(|place| place[i]).sum::<f64>() / corners as f64
+            };
+            let (count, place) = found.unwrap_or((0, [mean(0), mean(1)]));
+            found = Some((count + 1, place));
+        }
+    }
+    found
+}

@@ -1,0 +1,271 @@
+//! What can be wrong with a blade section that is to be meshed.
+
+use shared_geom::error::Explain;
+
+use super::super::super::short;
+
+/// Cells of a section at most: far beyond what one needs.
+pub(super) const MOST_CELLS: usize = 400_000;
+
+/// The part of the input that a problem is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BladePart {
+    /// Shape and place of the airfoil.
+    Airfoil,
+    /// The skin.
+    Skin,
+    /// The plies of the spar.
+    Spar,
+    /// The web in front.
+    FrontWeb,
+    /// The web behind.
+    RearWeb,
+    /// A ply of the spar: its number, outermost first.
+    Ply(usize),
+    /// The mass in the nose.
+    NoseMass,
+    /// Sizes of the cells.
+    Mesh,
+}
+
+/// A blade section that cannot be meshed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BladeProblem {
+    /// Digits that name no airfoil.
+    #[error("\"{found}\" is no airfoil of NACA: expected {why}")]
+    Naca {
+        /// The digits.
+        found: String,
+        /// What is expected of them.
+        why: &'static str,
+    },
+    /// Too few points for a curve.
+    #[error("the airfoil has {found} points, expected {least} or more")]
+    FewPoints {
+        /// Points found.
+        found: usize,
+        /// The smallest number.
+        least: usize,
+    },
+    /// Points that are no parts of the chord.
+    #[error("the x of the airfoil run from {} to {}, expected 0 at the nose to 1 at the trailing edge", short(*.low), short(*.high))]
+    Range {
+        /// The least x/c [-].
+        low: f64,
+        /// The largest x/c [-].
+        high: f64,
+    },
+    /// Points that do not begin and end at the trailing edge.
+    #[error("the points of the airfoil begin at x/c = {} and end at x/c = {}, expected both at the trailing edge", short(*.first), short(*.last))]
+    Order {
+        /// x/c of the first point [-].
+        first: f64,
+        /// x/c of the last point [-].
+        last: f64,
+    },
+    /// A point twice in a row.
+    #[error("point {number} of the airfoil is the same as the one before it")]
+    Doubled {
+        /// Its number, from one.
+        number: usize,
+    },
+    /// Points that run the other way.
+    #[error("the points of the airfoil run over the lower surface first")]
+    LowerFirst,
+    /// Surfaces that cross.
+    #[error("the upper surface of the airfoil lies on or below the lower one at x/c = {}", short(*.part))]
+    Crossed {
+        /// Where [-].
+        part: f64,
+    },
+    /// An end that is not behind the thickest place of the airfoil.
+    #[error("the airfoil cannot end at x/c = {}: both surfaces do not pass there", short(*.end))]
+    End {
+        /// Part of the chord [-].
+        end: f64,
+    },
+    /// A web outside of the airfoil.
+    #[error("there is no room for a web at x/c = {} inside of the skin", short(*.part))]
+    WebOutside {
+        /// Which one.
+        web: BladePart,
+        /// Part of the chord [-].
+        part: f64,
+    },
+    /// Webs that change places.
+    #[error("the front web at x/c = {} is not ahead of the rear one at x/c = {}", short(*.front), short(*.rear))]
+    WebOrder {
+        /// Part of the chord of the front web [-].
+        front: f64,
+        /// Part of the chord of the rear web [-].
+        rear: f64,
+    },
+    /// A web that shares no ply with the walls.
+    #[error("no ply goes from the {} into the {surface} surface: the web would be joined to it along an edge only", web_name(*.web))]
+    WebLoose {
+        /// Which one.
+        web: BladePart,
+        /// `upper` or `lower`.
+        surface: &'static str,
+    },
+    /// A web whose plies fill the spar along the chord.
+    #[error("the plies of the {} take {} of the {} surface of the spar, which is {} long", web_name(*.web), short(*.thickness), .surface, short(*.room))]
+    WebThick {
+        /// Which one.
+        web: BladePart,
+        /// `upper` or `lower`.
+        surface: &'static str,
+        /// What the plies take of the surface [unit of the mesh].
+        thickness: f64,
+        /// What there is for them [unit of the mesh].
+        room: f64,
+    },
+    /// A ply where there is no spar.
+    #[error("ply \"{ply}\" runs from x/c = {} to {}, expected a part from front to rear of the spar, x/c = {} to {}", short(.range[0]), short(.range[1]), short(.spar[0]), short(.spar[1]))]
+    PlyRange {
+        /// Its number, outermost first.
+        number: usize,
+        /// What it is called.
+        ply: String,
+        /// From where to where [-].
+        range: [f64; 2],
+        /// From where to where the spar runs [-].
+        spar: [f64; 2],
+    },
+    /// A mass that does not end ahead of the spar's rear or of the front web.
+    #[error("the nose mass reaches back to x/c = {}, expected between 0 and {}", short(*.to), short(*.most))]
+    NoseMass {
+        /// Where it ends [-].
+        to: f64,
+        /// Where the room in the nose ends [-].
+        most: f64,
+    },
+    /// Plies that are thicker than the radius of the surface.
+    #[error("the plies are {} thick at x/c = {} of the {} surface, where its radius is {}: their inner face would fold", short(*.thickness), short(*.part), .surface, short(*.radius))]
+    Tight {
+        /// What they belong to.
+        about: BladePart,
+        /// `upper` or `lower`.
+        surface: &'static str,
+        /// Where [-].
+        part: f64,
+        /// Their thickness there [unit of the mesh].
+        thickness: f64,
+        /// Radius of the surface [unit of the mesh].
+        radius: f64,
+    },
+    /// Plies of both surfaces that run into each other.
+    #[error("the plies of both surfaces run into each other at x/c = {}: {} thick together, in a section {} thick there", short(*.part), short(*.thickness), short(*.room))]
+    Collision {
+        /// What they belong to.
+        about: BladePart,
+        /// Where [-].
+        part: f64,
+        /// Thickness of the plies of both surfaces [unit of the mesh].
+        thickness: f64,
+        /// Thickness of the airfoil [unit of the mesh].
+        room: f64,
+        /// The part of the chord ahead of which they do not [-].
+        ahead: Option<f64>,
+    },
+    /// A skin that cannot be closed at the trailing edge.
+    #[error("the skin, {} thick, cannot be closed at a trailing edge {} thick", short(*.thickness), short(*.edge))]
+    EdgeThick {
+        /// Thickness of the skin [unit of the mesh].
+        thickness: f64,
+        /// Thickness of the trailing edge [unit of the mesh].
+        edge: f64,
+        /// The part of the chord ahead of which there is room for it [-].
+        ahead: Option<f64>,
+    },
+    /// Too many cells.
+    #[error("cells of this size are {found} in all, expected at most {MOST_CELLS}")]
+    TooManyCells {
+        /// Their number.
+        found: usize,
+    },
+    /// Cells that fold.
+    #[error("{count} cells fold, the first one at x/c = {}, ({}, {})", short(*.part), short(.place[0]), short(.place[1]))]
+    Folded {
+        /// How many.
+        count: usize,
+        /// Where the first one is [-].
+        part: f64,
+        /// Its middle [unit of the mesh].
+        place: [f64; 2],
+    },
+}
+
+fn web_name(web: BladePart) -> &'static str {
+    match web {
+        BladePart::FrontWeb => "front web",
+        _ => "rear web",
+    }
+}
+
+impl BladeProblem {
+    /// The part of the input that it is about.
+    pub fn about(&self) -> BladePart {
+        match self {
+            Self::WebOutside { web, .. }
+            | Self::WebLoose { web, .. }
+            | Self::WebThick { web, .. } => *web,
+            Self::WebOrder { .. } => BladePart::FrontWeb,
+            Self::PlyRange { number, .. } => BladePart::Ply(*number),
+            Self::NoseMass { .. } => BladePart::NoseMass,
+            Self::Tight { about, .. } | Self::Collision { about, .. } => *about,
+            Self::EdgeThick { .. } => BladePart::Skin,
+            Self::TooManyCells { .. } | Self::Folded { .. } => BladePart::Mesh,
+            _ => BladePart::Airfoil,
+        }
+    }
+}
+
+impl Explain for BladeProblem {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::Range { .. } => "coordinates are parts of the chord: divide them by it",
+            Self::Order { .. } => {
+                "list the points from the trailing edge over the upper surface to the nose and back \
+                 over the lower one; a file that has both surfaces from the nose on must have the \
+                 upper one turned around"
+            }
+            Self::Doubled { .. } => "remove one of the two",
+            Self::LowerFirst => "turn the list around, so that the upper surface comes first",
+            Self::WebLoose { .. } => {
+                "let a ply of the web go on along the surface, all of it or a part: a flange on = \
+                 [\"upper\", \"lower\", \"rear_web\"] with \"from\"; or give a ply a \"filler\""
+            }
+            Self::WebThick { .. } => "thinner plies in the web, or a longer spar",
+            Self::Tight {
+                about: BladePart::Skin,
+                ..
+            } => "a thinner skin, or an airfoil with a rounder nose",
+            Self::Tight { .. } => {
+                "plies that end ahead of the nose (\"from\", without \"filler\") leave room there"
+            }
+            Self::Collision {
+                ahead: Some(ahead), ..
+            }
+            | Self::EdgeThick {
+                ahead: Some(ahead), ..
+            } => return Some(room_ahead(*ahead)),
+            Self::Collision { .. } => "thinner plies, or plies that end before",
+            Self::EdgeThick { .. } => "closure = \"open\" leaves the skin without a wall there",
+            Self::TooManyCells { .. } => "larger cells: [mesh] size",
+            Self::Folded { .. } => {
+                "smaller cells ([mesh] size), or thinner plies at the corner there"
+            }
+            _ => return None,
+        };
+        Some(help.into())
+    }
+}
+
+fn room_ahead(part: f64) -> String {
+    // rounded to where there is room without doubt
+    let part = (part * 1000.0).floor() / 1000.0;
+    format!(
+        "there is room for them ahead of x/c = {part}: [airfoil] end = {part} cuts the blade off there"
+    )
+}

@@ -1,0 +1,211 @@
+//! The skin: plies all around, from the contour inward.
+
+use super::super::super::distance;
+use super::Blade;
+use super::columns::Columns;
+use super::contour::{Edge, Half, Straight};
+use super::fill::even_cells;
+use super::grid::Grid;
+use super::layers::{Content, Interval, Layer, Part};
+use super::problem::{BladePart, BladeProblem};
+use super::walls::{Shift, Station, Wall, moved, nodes, part_of};
+
+/// Part of the surface behind the rear web that a corner at the trailing edge may move.
+const MOST: f64 = 0.5;
+/// Part of that which it may take.
+const FULL: f64 = 0.6;
+/// Least thickness of a trailing edge with a wall, in thicknesses of the skin.
+const LEAST_EDGE: f64 = 2.2;
+
+/// The inner face of the skin.
+#[derive(Debug)]
+pub(super) struct Skin {
+    /// Nodes of the columns: on the upper and the lower surface.
+    pub inner: [Vec<u32>; 2],
+    /// Nodes of the line that closes the section behind, from below.
+    pub edge: Vec<u32>,
+}
+
+/// Makes the skin.
+pub(super) fn build(
+    blade: &Blade,
+    columns: &Columns,
+    layers: &[Layer],
+    grid: &mut Grid,
+) -> Result<Skin, Vec<BladeProblem>> {
+    let levels = layers.len() + 1;
+    let mut depths = vec![0.0];
+    for layer in layers {
+        depths.push(depths[depths.len() - 1] + layer.thickness);
+    }
+    let contour = &blade.contour;
+    let closing = closing(blade, columns, &depths)?;
+    let station = |grid: &mut Grid, half: Half, column: usize| {
+        let u = columns.at(half, column);
+        let shift = &closing[half as usize];
+        let at = moved(u, levels, &[shift]);
+        let nodes = nodes(grid, None, &depths, |level| {
+            contour.offset(at[level], depths[level])
+        });
+        Station {
+            nodes,
+            depths: depths.clone(),
+            before: at.clone(),
+            behind: at,
+        }
+    };
+    let nose = columns.nose();
+    let mut stations: Vec<Station> = (0..=nose)
+        .map(|column| station(grid, Half::Upper, column))
+        .collect();
+    stations.extend(
+        (1..nose)
+            .rev()
+            .map(|column| station(grid, Half::Lower, column)),
+    );
+    let is_joined = blade.is_closed && contour.edge() != Edge::Blunt;
+    if is_joined {
+        let last = closing[1].by.iter().map(|by| columns.lower[0] + by);
+        stations[0].before = last.collect();
+    } else {
+        stations.push(station(grid, Half::Lower, 0));
+    }
+    let inner = |station: &Station| station.nodes[levels - 1];
+    let upper: Vec<u32> = stations[..=nose].iter().map(inner).collect();
+    let mut lower: Vec<u32> = stations[nose..].iter().map(inner).collect();
+    if is_joined {
+        lower.push(upper[0]);
+    }
+    lower.reverse();
+    let mut edge = vec![lower[0], upper[0]];
+    let along = |part: Part| Interval {
+        part,
+        contents: vec![Content::Ply; layers.len()],
+    };
+    let mut intervals = vec![along(part_of(Half::Upper)); nose];
+    intervals.extend(vec![along(part_of(Half::Lower)); nose]);
+    if blade.is_closed && contour.edge() == Edge::Blunt {
+        edge = close(grid, &mut stations, &depths, blade);
+        intervals.extend(vec![along(Part::Edge); edge.len() - 1]);
+    } else if is_joined {
+        edge = vec![upper[0]];
+    }
+    let wall = Wall {
+        contour,
+        depth: 0.0,
+        layers,
+        stations: &stations,
+        intervals: &intervals,
+        curve: "contour",
+        group: &|ply, _| (blade.skin[ply].name.clone(), blade.skin[ply].has_faces),
+        part: &|part| match part {
+            Part::Upper => "upper",
+            Part::Lower => "lower",
+            _ => "edge",
+        },
+    };
+    wall.build(grid);
+    let inner = [upper, lower];
+    Ok(Skin { inner, edge })
+}
+
+/// The stations of the wall at a blunt trailing edge, behind those of the surfaces; gives
+/// its inner nodes, from below.
+fn close(grid: &mut Grid, stations: &mut Vec<Station>, depths: &[f64], blade: &Blade) -> Vec<u32> {
+    let last = depths.len() - 1;
+    let (from, to) = (stations[stations.len() - 1].clone(), stations[0].clone());
+    let corners = [&from, &to].map(|station| {
+        let place = |node: &u32| grid.place(*node);
+        station.nodes.iter().map(place).collect::<Vec<_>>()
+    });
+    let count = even_cells(distance(corners[0][0], corners[1][0]), blade.sizes.size);
+    let mut inner = vec![from.nodes[last]];
+    for cell in 1..count {
+        let part = cell as f64 / count as f64;
+        let nodes = nodes(grid, None, depths, |level| {
+            [0, 1].map(|i| (1.0 - part) * corners[0][level][i] + part * corners[1][level][i])
+        });
+        inner.push(nodes[last]);
+        stations.push(Station {
+            nodes,
+            depths: depths.to_vec(),
+            ..Station::default()
+        });
+    }
+    inner.push(to.nodes[last]);
+    inner
+}
+
+/// What the trailing edge moves on the two surfaces.
+fn closing(
+    blade: &Blade,
+    columns: &Columns,
+    depths: &[f64],
+) -> Result<[Shift; 2], Vec<BladeProblem>> {
+    let contour = &blade.contour;
+    let at = [columns.upper[0], columns.lower[0]];
+    let rest = |half: usize| Shift::new(at[half], &vec![at[half]; depths.len()], 0.0);
+    if !blade.is_closed || contour.edge() == Edge::None {
+        return Ok([rest(0), rest(1)]);
+    }
+    let whole = depths[depths.len() - 1];
+    let [upper, lower] = at.map(|u| contour.place(u));
+    let width = distance(upper, lower);
+    let is_blunt = contour.edge() == Edge::Blunt;
+    let too_thick = || {
+        vec![BladeProblem::EdgeThick {
+            thickness: whole,
+            edge: width,
+            ahead: blade.room_ahead(LEAST_EDGE * 1.1 * whole),
+        }]
+    };
+    if is_blunt && width < LEAST_EDGE * whole {
+        return Err(too_thick());
+    }
+    let line = Straight {
+        point: lower,
+        // right of the way from below
+        inward: [(upper[1] - lower[1]) / width, (lower[0] - upper[0]) / width],
+    };
+    let places = depths.iter().map(|&depth| match is_blunt {
+        true => Some([
+            contour.meet(Half::Upper, depth, line, depth)?,
+            contour.meet(Half::Lower, depth, line, depth)?,
+        ]),
+        false => contour.meet_other(depth),
+    });
+    let places: Option<Vec<[f64; 2]>> = places.collect();
+    let places = places.ok_or_else(too_thick)?;
+    let end = columns.landmarks.get(1).copied().unwrap_or(columns.nose());
+    let shifts = Half::BOTH.map(|half| {
+        let room = MOST * (columns.at(half, end) - columns.at(half, 0)).abs();
+        let own: Vec<f64> = places.iter().map(|place| place[half as usize]).collect();
+        (Shift::new(at[half as usize], &own, room), room)
+    });
+    if shifts
+        .iter()
+        .all(|(shift, room)| shift.most() <= FULL * room)
+    {
+        return Ok(shifts.map(|(shift, _)| shift));
+    }
+    Err(match &blade.spar {
+        Some(spar) => vec![BladeProblem::WebOutside {
+            web: BladePart::RearWeb,
+            part: spar.rear_web,
+        }],
+        None => too_thick(),
+    })
+}
+
+impl Blade {
+    /// The part of the chord ahead of which the airfoil is thicker than this.
+    pub(super) fn room_ahead(&self, needed: f64) -> Option<f64> {
+        let last = self.contour.last_part();
+        let parts = (1..500).map(|i| last * (1.0 - i as f64 / 500.0));
+        let mut fitting = parts.filter(|part| {
+            let room = self.contour.thickness(*part);
+            room.is_some_and(|room| room > needed)
+        });
+        fitting.next().filter(|part| *part > 0.3 * last)
+    }
+}
