@@ -12,13 +12,14 @@ use std::time::{Duration, Instant};
 
 use cpu_time::ThreadTime;
 use criterion::{BenchmarkId, Criterion};
-use nalgebra::{Matrix6xX, Vector3};
+use nalgebra::{Matrix3, Matrix3x6, Matrix6xX, Vector3};
 use peak_alloc::PeakAlloc;
 use section_analyzer::analysis::{Analysis, analyze};
 use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
 use section_analyzer::input;
+use section_analyzer::material::ElectricLaw;
 use section_analyzer::recovery::{LoadCase, Recoverer};
-use section_analyzer::section::Section;
+use section_analyzer::section::{Circuit, Electrode, ElectrodeShape, Section};
 use section_analyzer::sensitivity::{Cells, Parameter};
 use section_analyzer::solve::{
     CentralSolution, CentralSystems, Factor, Pins, elimination_order, in_elimination_order,
@@ -141,6 +142,8 @@ struct Times {
     total: Duration,
     /// The same section on a beam of general curvature.
     curved: Duration,
+    /// The same section of piezoelectric plies, with two electrodes.
+    piezo: Duration,
     /// Stresses of a hundred load cases.
     loads: Duration,
     /// Strains, means and smoothed values of ten of them besides.
@@ -189,6 +192,7 @@ impl Times {
             sensitivities: shortest(|| analysis.sensitivities(&angles)),
             total: shortest(|| analyze(&input::read(file).expect("a sound file").section)),
             curved: shortest(|| analyze(&curved(&section))),
+            piezo: shortest(|| analyze(&piezoelectric(&section))),
             loads: hundred_loads(&section),
             recoveries: ten_recoveries(&section),
         }
@@ -202,6 +206,41 @@ fn curved(section: &Section) -> Section {
     let mut curved = section.clone();
     curved.initial_curvature.curvature = Vector3::new(0.4, -0.2, 0.2) / size;
     curved
+}
+
+/// The section with all plies piezoelectric: every node has a potential, and the outer faces
+/// of the upper and lower wall are electrodes.
+fn piezoelectric(section: &Section) -> Section {
+    let mut section = section.clone();
+    for material in &mut section.materials {
+        let mut coupling = Matrix3x6::zeros();
+        (coupling[(2, 0)], coupling[(2, 1)], coupling[(2, 2)]) = (-6.6, -6.6, 23.2);
+        (coupling[(1, 3)], coupling[(0, 4)]) = (17.0, 17.0);
+        material.electric = Some(ElectricLaw {
+            coupling,
+            permittivity: Matrix3::identity() * 1.4e-8,
+        });
+    }
+    let heights = section.mesh.nodes.iter().map(|[_, z]| *z);
+    let (low, high) = heights.fold((f64::MAX, f64::MIN), |(low, high), z| {
+        (low.min(z), high.max(z))
+    });
+    let face = |height: f64| {
+        let there = |&node: &u32| {
+            (section.mesh.nodes[node as usize][1] - height).abs() < 1e-9 * (high - low)
+        };
+        ElectrodeShape::Conductor {
+            nodes: (0..section.mesh.nodes.len() as u32).filter(there).collect(),
+        }
+    };
+    section.electrodes = [(low, Circuit::Ground), (high, Circuit::Driven)]
+        .map(|(height, circuit)| Electrode {
+            name: format!("{circuit:?}"),
+            circuit,
+            shape: face(height),
+        })
+        .to_vec();
+    section
 }
 
 /// A hundred internal forces.
@@ -263,20 +302,21 @@ fn ratios(files: &[PathBuf]) {
     }
     println!(
         "\n nodes | (factor+solves)/total  mesh file/total  total/(factor+solves)  peak/factor memory  \
-         curved/straight  100 loads/straight  10 recoveries/straight"
+         curved/straight  piezoelectric/elastic  100 loads/straight  10 recoveries/straight"
     );
     for t in &times {
         // fifteen right-hand sides: seven, six and two
         let core = t.bare.as_secs_f64() + 15.0 / 6.0 * t.solve.as_secs_f64();
         let total = t.total.as_secs_f64();
         println!(
-            "{:6} | {:20.2} {:16.2} {:22.2} {:19.2} {:16.2} {:19.2} {:23.2}",
+            "{:6} | {:20.2} {:16.2} {:22.2} {:19.2} {:16.2} {:22.2} {:19.2} {:23.2}",
             t.nodes,
             core / total,
             t.mesh_file.as_secs_f64() / total,
             total / core,
             t.memory,
             t.curved.as_secs_f64() / t.analyze.as_secs_f64(),
+            t.piezo.as_secs_f64() / t.analyze.as_secs_f64(),
             t.loads.as_secs_f64() / t.analyze.as_secs_f64(),
             t.recoveries.as_secs_f64() / t.analyze.as_secs_f64()
         );

@@ -31,6 +31,10 @@ use crate::solve::{CentralSystems, Load, ParticularSolution, electric_work};
 use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
+/// Last correction up to which the forces before it are good enough for the check: a tenth
+/// of what it may be off.
+const CORRECTED: f64 = 1e-10;
+
 /// Electrodes that are solved together.
 const TOGETHER: usize = 6;
 
@@ -93,15 +97,18 @@ impl Voltages {
         range: std::ops::Range<usize>,
     ) {
         let central = &central.decoupled;
-        let ParticularSolution { mut x, y, .. } = solved;
+        let ParticularSolution {
+            mut x,
+            y,
+            face,
+            correction,
+        } = solved;
+        let face = match correction <= CORRECTED {
+            true => face,
+            false => section_forces(domain, steady(&x, &y)).face,
+        };
         let charges_work = electric_work(domain, &central.face, &x);
         x += &forces.potential;
-        let state = State {
-            rate: Rate::Zero,
-            warping: Some(&x),
-            strain: &y,
-        };
-        let measured = section_forces(domain, state);
         let one_volt = |electrode: usize, case: usize| {
             if electrode == range.start + case {
                 1.0
@@ -110,7 +117,7 @@ impl Voltages {
             }
         };
         let electrodes = &domain.electric.electrodes;
-        let rows = charges(domain, electrodes, (state, &measured.within), one_volt);
+        let rows = charges(domain, electrodes, steady(&x, &y), one_volt);
         for (electrode, row) in rows.iter().enumerate() {
             for (case, column) in range.clone().enumerate() {
                 self.charges[(electrode, column)] = row[case];
@@ -120,9 +127,7 @@ impl Voltages {
             let product = central.x.tr_mul(columns);
             product.fixed_view::<6, 6>(0, 0).into_owned()
         };
-        // without the potential of the conductors, as their forces are
-        let of_unknowns = &measured.face - &forces.face;
-        let on_face = product(&of_unknowns) - charges_work;
+        let on_face = product(&face) - charges_work;
         let tt = domain.line.equilibrium().transpose();
         let work =
             product(&forces.within) + central.y.transpose() * forces.resultant + tt * on_face;
@@ -157,6 +162,15 @@ impl Voltages {
             common: largest(beside(&common), charges.amax() / charge),
         };
         self.charges = 0.5 * (&self.charges + transposed);
+    }
+}
+
+/// A state that is constant along the beam.
+fn steady<'a>(warping: &'a DMatrix<f64>, strain: &'a Matrix6<f64>) -> State<'a> {
+    State {
+        rate: Rate::Zero,
+        warping: Some(warping),
+        strain,
     }
 }
 

@@ -79,10 +79,17 @@ impl SectionForces {
 
     /// Replaces the forces by those of `state`.
     pub fn measure(&mut self, domain: &Domain, state: State<'_>) {
+        self.measure_in(domain, state, None);
+    }
+
+    /// Replaces the forces by those of `state` in the cells that `only` tells, by their
+    /// place in the domain; in all of them without it.
+    pub fn measure_in(&mut self, domain: &Domain, state: State<'_>, only: Option<&[bool]>) {
         let target = self;
         in_widest_registers(Summation {
             domain,
             state,
+            only,
             target,
         });
     }
@@ -92,6 +99,7 @@ impl SectionForces {
 struct Summation<'a> {
     domain: &'a Domain,
     state: State<'a>,
+    only: Option<&'a [bool]>,
     target: &'a mut SectionForces,
 }
 
@@ -100,12 +108,16 @@ impl CaseLoop for Summation<'_> {
 
     #[inline(always)]
     fn run<P: Product>(self) {
-        sum::<P>(self.domain, self.state, self.target);
+        sum::<P>(self.domain, (self.state, self.only), self.target);
     }
 }
 
 #[inline(always)]
-fn sum<P: Product>(domain: &Domain, state: State<'_>, target: &mut SectionForces) {
+fn sum<P: Product>(
+    domain: &Domain,
+    (state, only): (State<'_>, Option<&[bool]>),
+    target: &mut SectionForces,
+) {
     target.within.fill(0.0);
     target.face.fill(0.0);
     let laws: Vec<[[f64; 6]; 6]> = domain
@@ -125,19 +137,23 @@ fn sum<P: Product>(domain: &Domain, state: State<'_>, target: &mut SectionForces
     let coupled: Vec<[[f64; 9]; 9]> = coupled.collect();
     let mut potentials = PotentialState::NONE;
     let mut forces = CellForces::NONE;
-    for cell in &domain.cells {
+    for (index, cell) in domain.cells.iter().enumerate() {
+        if only.is_some_and(|only| !only[index]) {
+            continue;
+        }
         gather(cell, state, along.as_ref(), &mut of_cell);
         let places = domain.places(cell);
         let geometry = (rule_points(cell.kind), &places[..cell.kind.node_count()]);
         let law = &laws[cell.law as usize];
         forces.clear_nodes();
         if let Some(law) = cell.coupled {
-            gather_potentials(domain, cell, state, along.as_ref(), &mut potentials);
+            let unknowns = potential_unknowns(domain, cell);
+            gather_potentials(&unknowns, state, along.as_ref(), &mut potentials);
             let (law, mut charges) = (&coupled[law as usize], CellCharges::NONE);
             let (targets, states) = ((&mut forces, &mut charges), (&of_cell, &potentials));
             add_coupled::<P>(targets, &domain.line, geometry, law, states, &strain);
-            scatter_potentials(domain, cell, &charges.within, &mut target.within);
-            scatter_potentials(domain, cell, &charges.face, &mut target.face);
+            scatter_potentials(&unknowns, &charges.within, &mut target.within);
+            scatter_potentials(&unknowns, &charges.face, &mut target.face);
         } else if let Some(line) = line {
             forces.add_along::<P>(line, geometry, law, &of_cell, &strain);
         } else {
@@ -171,21 +187,49 @@ fn gather(cell: &DomainCell, state: State<'_>, along: Option<&[Row; 6]>, of_cell
     }
 }
 
-/// The potentials at the nodes of `cell`; `along` as [`gather`] takes it.
+/// The unknowns of the potentials of a cell's nodes.
+struct PotentialUnknowns {
+    count: usize,
+    unknowns: [usize; 9],
+}
+
+/// Those of a dielectric cell.
+#[inline(always)]
+fn potential_unknowns(domain: &Domain, cell: &DomainCell) -> PotentialUnknowns {
+    let mut of_cell = PotentialUnknowns {
+        count: 0,
+        unknowns: [0; 9],
+    };
+    // all nodes of a dielectric cell have a potential
+    let unknowns = cell.nodes().iter();
+    for unknown in unknowns.filter_map(|&node| domain.potential_unknown(node as usize)) {
+        of_cell.unknowns[of_cell.count] = unknown;
+        of_cell.count += 1;
+    }
+    of_cell
+}
+
+impl PotentialUnknowns {
+    #[inline(always)]
+    fn list(&self) -> &[usize] {
+        &self.unknowns[..self.count]
+    }
+}
+
+/// The potentials at the nodes of a cell; `along` as [`gather`] takes it.
 #[inline(always)]
 fn gather_potentials(
-    domain: &Domain,
-    cell: &DomainCell,
+    unknowns: &PotentialUnknowns,
     state: State<'_>,
     along: Option<&[Row; 6]>,
     of_cell: &mut PotentialState,
 ) {
     if let Some(warping) = state.warping {
-        take_potentials(domain, cell, warping, &mut of_cell.potential);
+        take_potentials(unknowns, warping, &mut of_cell.potential);
     }
     match state.rate {
         Rate::Zero => {}
-        Rate::Given(rate) => take_potentials(domain, cell, rate, &mut of_cell.rate),
+        Rate::Given(rate) => take_potentials(unknowns, rate, &mut of_cell.rate),
         Rate::Central => {
             for (rate, potential) in of_cell.rate.iter_mut().zip(&of_cell.potential) {
                 central_rate(along, potential, rate);
@@ -224,38 +268,32 @@ pub fn take_columns(cell: &DomainCell, field: &DMatrix<f64>, of_cell: &mut CellF
     }
 }
 
-/// The potentials in the columns of `field` (n x k) at the nodes of `cell`.
+/// The potentials in the columns of `field` (n x k) at the nodes of a cell.
 #[inline(always)]
-pub fn take_potentials(
-    domain: &Domain,
-    cell: &DomainCell,
+fn take_potentials(
+    unknowns: &PotentialUnknowns,
     field: &DMatrix<f64>,
     of_cell: &mut CellPotential,
 ) {
     let columns = field.as_slice().chunks_exact(field.nrows());
     for (k, column) in columns.take(CASES).enumerate() {
-        for (target, &node) in of_cell.iter_mut().zip(cell.nodes()) {
-            if let Some(unknown) = domain.potential_unknown(node as usize) {
-                target[k] = column[unknown];
-            }
+        for (target, &unknown) in of_cell.iter_mut().zip(unknowns.list()) {
+            target[k] = column[unknown];
         }
     }
 }
 
-/// Adds the charges of `cell` at its nodes to `field` (n x 6).
+/// Adds the charges of a cell at its nodes to `field` (n x 6).
 #[inline(always)]
 fn scatter_potentials(
-    domain: &Domain,
-    cell: &DomainCell,
+    unknowns: &PotentialUnknowns,
     of_cell: &CellPotential,
     field: &mut DMatrix<f64>,
 ) {
     let rows = field.nrows();
     for (k, column) in field.as_mut_slice().chunks_exact_mut(rows).enumerate() {
-        for (part, &node) in of_cell.iter().zip(cell.nodes()) {
-            if let Some(unknown) = domain.potential_unknown(node as usize) {
-                column[unknown] += part[k];
-            }
+        for (part, &unknown) in of_cell.iter().zip(unknowns.list()) {
+            column[unknown] += part[k];
         }
     }
 }

@@ -31,8 +31,6 @@ pub struct VoltageForces {
     pub within: DMatrix<f64>,
     /// Internal force that they ask for, a column for each electrode \[-\].
     pub resultant: Matrix6<f64>,
-    /// Forces on the face of the potential of conductors alone, n x 6 \[-\].
-    pub face: DMatrix<f64>,
 }
 
 /// The forces of the first six of `electrodes`.
@@ -52,7 +50,7 @@ pub fn voltage_forces(domain: &Domain, electrodes: &[DomainElectrode]) -> Voltag
         warping: Some(&potential),
         strain: &Matrix6::zeros(),
     };
-    forces.measure(domain, state);
+    forces.measure_in(domain, state, Some(&cells_at(domain, electrodes)));
     let mut asked = ImposedForces {
         within: -forces.within,
         resultant: -forces.resultant,
@@ -67,8 +65,20 @@ pub fn voltage_forces(domain: &Domain, electrodes: &[DomainElectrode]) -> Voltag
         potential,
         within: asked.within,
         resultant: asked.resultant,
-        face: forces.face,
     }
+}
+
+/// Which cells of the domain have a node of a conductor among `electrodes`.
+fn cells_at(domain: &Domain, electrodes: &[DomainElectrode]) -> Vec<bool> {
+    let mut is_conductor = vec![false; domain.nodes.len()];
+    for &node in electrodes.iter().flat_map(|electrode| &electrode.nodes) {
+        is_conductor[node as usize] = true;
+    }
+    let touches = |cell: &DomainCell| {
+        let mut nodes = cell.nodes().iter();
+        nodes.any(|&node| is_conductor[node as usize])
+    };
+    domain.cells.iter().map(touches).collect()
 }
 
 /// Runs over the points of the cells between the fingers of an electrode.
@@ -100,14 +110,16 @@ fn each_fingered(
 }
 
 /// Charge per length on each of `electrodes` in the states of up to six cases that are
-/// constant along the beam; `within` are the forces of their stresses, and `voltages` of
-/// each electrode in each case.
+/// constant along the beam; `voltages` of each electrode in each case.
 pub fn charges(
     domain: &Domain,
     electrodes: &[DomainElectrode],
-    (state, within): (State<'_>, &DMatrix<f64>),
+    state: State<'_>,
     voltages: impl Fn(usize, usize) -> f64,
 ) -> Vec<RowVector6<f64>> {
+    let mut forces = SectionForces::none(domain);
+    forces.measure_in(domain, state, Some(&cells_at(domain, electrodes)));
+    let within = &forces.within;
     let of_electrode = |(number, electrode): (usize, &DomainElectrode)| {
         let mut charge = RowVector6::zeros();
         for &node in &electrode.nodes {

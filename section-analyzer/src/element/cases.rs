@@ -257,10 +257,10 @@ pub fn stress_in_cases<P: Product>(law: &[[f64; 6]; 6], strain: &[Row; 6], area:
 /// Adds the work of the stresses of each case (columns) on the strains of the first N
 /// (rows).
 #[inline(always)]
-pub fn add_work<P: Product, const N: usize>(
+pub fn add_work<P: Product, const N: usize, const R: usize>(
     work: &mut [Row; N],
-    strain: &[Row; 6],
-    stress: &[Row; 6],
+    strain: &[Row; R],
+    stress: &[Row; R],
 ) {
     // row by row in copies, which the compiler knows to be apart
     for (i, work) in work.iter_mut().enumerate() {

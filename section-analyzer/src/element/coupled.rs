@@ -14,9 +14,7 @@
 //! # References
 //! - [Masarati], appendix G: the section matrices of piezoelectric beams.
 
-use super::cases::{
-    CASES, CellState, NO_ROWS, Product, Row, add_work, strain_along, strain_in_cases,
-};
+use super::cases::{CASES, CellState, Product, Row, add_work, strain_along, strain_in_cases};
 use super::forces::CellForces;
 use super::line::{Line, Metric};
 use super::point::{CellPoint, RulePoint};
@@ -91,11 +89,7 @@ pub fn add_coupled<P: Product>(
             true => forces.add_point::<P>(&point, &strain, &stress),
             false => forces.add_turned::<P>(&point, (line, &metric), &strain, &stress),
         }
-        // the work takes six rows: three of the gradient and none
-        let (mut rows, mut of_rows) = (NO_ROWS, NO_ROWS);
-        rows[..3].copy_from_slice(&gradient);
-        of_rows[..3].copy_from_slice(&flux);
-        add_work::<P, 6>(&mut forces.work, &rows, &of_rows);
+        add_work::<P, 6, 3>(&mut forces.work, &gradient, &flux);
         charges.add::<P>(&point, &metric, &flux);
     }
 }
@@ -132,9 +126,12 @@ fn answers<P: Product>(
     gradient: &[Row; 3],
     volume: f64,
 ) -> ([Row; 6], [Row; 3]) {
+    let [yz, yy, zz, xx, xy, xz] = *strain;
+    let [gy, gz, gx] = *gradient;
+    let state = [yz, yy, zz, xx, xy, xz, gy, gz, gx];
     let mut answers = [[0.0; CASES]; 9];
     for (answer, law) in answers.iter_mut().zip(law) {
-        for (row, entry) in strain.iter().chain(gradient).zip(law) {
+        for (row, entry) in state.iter().zip(law) {
             let entry = volume * entry;
             for k in 0..CASES {
                 answer[k] = P::add(entry, row[k], answer[k]);

@@ -128,7 +128,7 @@ impl CellForces {
             }
         }
         self.add_resultant([point.y, point.z], &face);
-        add_work::<P, 6>(&mut self.work, strain, stress);
+        add_work::<P, 6, 6>(&mut self.work, strain, stress);
     }
 
     #[inline(always)]
@@ -152,7 +152,7 @@ impl CellForces {
             }
         }
         self.add_resultant([point.y, point.z], &[*xx, *xy, *xz]);
-        add_work::<P, 6>(&mut self.work, strain, stress);
+        add_work::<P, 6, 6>(&mut self.work, strain, stress);
     }
 
     /// `[I, -t x]'` times the stress of the face at t = (y, z).

@@ -13,7 +13,7 @@
 //! | `epsS`, `epsT` | permittivity at constant strain, at constant stress | F/m | 3x3 |
 //!
 //! # References
-//! - IEEE Std 176-1987, *Standard on Piezoelectricity*: the two forms and their symbols.
+//! - [IEEE176]: the two forms and their symbols.
 
 use nalgebra::{Matrix3, Matrix3x6, Matrix6};
 

@@ -148,7 +148,7 @@ impl Sums {
         for (volume, strains) in strains.points() {
             let stress = stress_in_cases::<P>(&law, &strains[0], volume);
             for (form, strain) in self.forms.iter_mut().zip(strains) {
-                add_work::<P, CASES>(form, strain, &stress);
+                add_work::<P, CASES, 6>(form, strain, &stress);
             }
         }
     }

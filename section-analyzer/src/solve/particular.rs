@@ -41,6 +41,19 @@ pub struct Load<'a> {
     pub rate: Rate<'a>,
 }
 
+impl Load<'_> {
+    /// Number of cases up to the last that is not nothing.
+    fn cases(&self) -> usize {
+        let is_something = |&case: &usize| {
+            self.resultant.column(case).amax() != 0.0 || self.within.column(case).amax() != 0.0
+        };
+        match self.rate {
+            Rate::Zero => (0..6).rev().find(is_something).map_or(1, |last| last + 1),
+            Rate::Central | Rate::Given(_) => 6,
+        }
+    }
+}
+
 /// Warping and generalized strain under up to six cases of given forces, decoupled.
 #[derive(Debug, Clone)]
 pub struct ParticularSolution {
@@ -48,6 +61,8 @@ pub struct ParticularSolution {
     pub x: DMatrix<f64>,
     /// Generalized strain, a column for each case, in the units of the domain \[-\].
     pub y: Matrix6<f64>,
+    /// Forces on the face before the last correction, n x 6 \[-\].
+    pub face: DMatrix<f64>,
     /// Last correction, relative to the solution \[-\].
     pub correction: f64,
 }
@@ -65,16 +80,20 @@ impl ParticularSolution {
         let mut solution = Self {
             x: DMatrix::zeros(model.unknowns(), 6),
             y: Matrix6::zeros(),
+            face: DMatrix::zeros(0, 0),
             correction: 1.0,
         };
         let mut forces = SectionForces::none(model);
-        for _ in 0..CORRECTIONS {
+        for round in 0..CORRECTIONS {
             let state = State {
                 rate: load.rate,
                 warping: Some(&solution.x),
                 strain: &solution.y,
             };
-            model.measure(state, &mut forces);
+            // there is nothing to measure in the state to start from
+            if round > 0 || !matches!(load.rate, Rate::Zero) {
+                model.measure(state, &mut forces);
+            }
             let before = solution.correction;
             solution.correct(system, load, &mut forces)?;
             let is_open = solution.correction > SMALL_CORRECTION && solution.correction <= before;
@@ -82,6 +101,7 @@ impl ParticularSolution {
                 break;
             }
         }
+        solution.face = forces.face;
         solution.decouple(model, face);
         Some(solution)
     }
@@ -93,13 +113,18 @@ impl ParticularSolution {
         load: &Load<'_>,
         forces: &mut SectionForces,
     ) -> Option<()> {
+        let cases = load.cases();
         forces.within.neg_mut();
         forces.within += load.within;
         let missing = load.resultant - forces.resultant;
-        let mut dy: Matrix6xX<f64> = missing.columns(0, 6).into_owned();
-        system.correct(forces.within.as_mut_slice(), &mut dy)?;
+        let mut dy: Matrix6xX<f64> = missing.columns(0, cases).into_owned();
+        let entries = cases * forces.within.nrows();
+        let (dq, none) = forces.within.as_mut_slice().split_at_mut(entries);
+        system.correct(dq, &mut dy)?;
+        none.fill(0.0);
         self.x += &forces.within;
-        self.y += dy.fixed_columns::<6>(0);
+        let mut y = self.y.columns_mut(0, cases);
+        y += &dy;
         let change = largest(forces.within.amax(), dy.amax());
         let state = largest(self.x.amax(), self.y.amax());
         self.correction = if change == 0.0 { 0.0 } else { change / state };
