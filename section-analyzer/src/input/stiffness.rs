@@ -4,7 +4,7 @@ use shared_geom::document::Document;
 use shared_geom::error::Explain;
 
 use crate::material::ElasticLaw;
-use crate::mesh::short;
+use crate::mesh::{counted, short};
 use crate::section::Section;
 
 /// Parts that a message describes; the others are counted.
@@ -74,10 +74,7 @@ fn words(section: &Section, part: &[usize]) -> String {
     let mesh = &section.mesh;
     let cell = &mesh.cells[part[0]];
     let [y, z] = mesh.middle(cell).map(short);
-    let count = match part.len() {
-        1 => "1 cell".to_owned(),
-        count => format!("{count} cells"),
-    };
+    let count = counted(part.len(), "cell");
     format!(
         "{count} with cell {} in \"{}\" at ({y}, {z}) m",
         cell.tag, mesh.groups[cell.group]

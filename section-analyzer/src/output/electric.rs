@@ -5,6 +5,7 @@ use shared_geom::figure::tick_label;
 use super::text::{ZERO, number, table};
 use crate::input::{InputSummary, circuit_word};
 use crate::material::{ElectricLaw, VACUUM_PERMITTIVITY};
+use crate::mesh::counted;
 use crate::section::{ElectrodeShape, FingeredCell, Section};
 
 /// Constants on a line.
@@ -83,13 +84,6 @@ fn field(cells: &[FingeredCell]) -> String {
     match other {
         0 => words,
         _ => format!("{words}, in {} the other way", counted(other, "cell")),
-    }
-}
-
-fn counted(count: usize, what: &str) -> String {
-    match count {
-        1 => format!("1 {what}"),
-        _ => format!("{count} {what}s"),
     }
 }
 

@@ -302,10 +302,11 @@ fn each_piece_of_dielectric_needs_a_ground() {
     );
     let both = MIDDLE.replace("\"middle\"\ncirc", "[\"middle\", \"bottom\"]\ncirc");
     checked(&format!("{TOP}{both}"), &changes);
-    // fingers have no potentials, so that nothing needs a reference
+    // fingers have no potentials, and without a conductor nothing has: no reference is needed
     let fingers = "[[electrode]]\nname = \"f\"\ninterdigitated = { regions = [\"base\", \
                    \"upper\"], spacing = 1, axis = 3 }\n";
     checked(fingers, &changes);
+    checked(&fingers.replace("\"base\", ", ""), &changes);
 }
 
 #[test]

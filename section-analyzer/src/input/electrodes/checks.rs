@@ -242,8 +242,12 @@ impl Checks<'_> {
     }
 
     /// Notes each piece of dielectric, connected by nodes and through conductors, without a
-    /// grounded conductor.
+    /// grounded conductor. Without any conductor there are no potentials.
     fn are_grounded(&self, materials: &[WrittenMaterial]) -> bool {
+        let is_conductor = |found: &Found| matches!(found, Found::Conductor { .. });
+        if !self.found.iter().any(is_conductor) {
+            return true;
+        }
         let has_potential = self.nodes_with_potential();
         let mut pieces = Sets::new(self.section.mesh.nodes.len());
         for cell in self.cells().filter(|cell| self.has_potential(*cell)) {

@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 
+use shared_geom::error::quoted;
+
 use super::{ElectrodeProblem, WrittenElectrode, WrittenElectrodes, WrittenFingers, WrittenPlace};
 use crate::input::distributed::{DistributedProblem, Places, groups_of};
 use crate::input::groups;
-use crate::input::problem::quoted;
 use crate::input::regions::Written;
 use crate::mesh::SectionMesh;
 

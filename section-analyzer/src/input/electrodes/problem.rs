@@ -1,9 +1,9 @@
 //! What can be wrong with electrodes and with voltages of loads.
 
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, quoted};
 
-use crate::input::problem::{nearest_or_all, quoted};
-use crate::mesh::short;
+use crate::input::problem::nearest_or_all;
+use crate::mesh::{counted, short};
 
 /// A problem of `[[electrode]]`, or of what refers to one.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -84,7 +84,7 @@ pub enum ElectrodeProblem {
     #[error(
         "the dielectric of {} in {} (cell {cell} for example, at ({}, {}) m) has no ground: {}, \
          expected one with circuit = \"ground\"",
-        counted(*.cells), quoted(.regions), short(.at[0]), short(.at[1]),
+        counted(*.cells, "cell"), quoted(.regions), short(.at[0]), short(.at[1]),
         if .electrodes.is_empty() { "no electrode is on it".to_owned() }
         else { format!("on it are {}", .electrodes.join(", ")) }
     )]
@@ -183,13 +183,6 @@ fn none_of(nodes: usize) -> String {
         0 => "it has no node that".to_owned(),
         1 => "its only node none".to_owned(),
         _ => format!("none of its {nodes} nodes"),
-    }
-}
-
-fn counted(cells: usize) -> String {
-    match cells {
-        1 => "1 cell".to_owned(),
-        _ => format!("{cells} cells"),
     }
 }
 
