@@ -290,16 +290,7 @@ pub(super) enum Shape {
         common: Common,
     },
     #[command(about = first_line(BLADE), long_about = BLADE, after_help = BLADE_EXAMPLE)]
-    Blade {
-        /// Blade file
-        file: PathBuf,
-        /// Mesh file to write
-        #[arg(long, value_name = "FILE")]
-        out: PathBuf,
-        /// Section file to begin; it must not exist
-        #[arg(long, value_name = "FILE")]
-        section: Option<PathBuf>,
-    },
+    Blade(BladeArguments),
     /// A full ellipse or disk
     #[command(after_help = ELLIPSE_EXAMPLE)]
     Ellipse {
@@ -318,6 +309,19 @@ pub(super) enum Shape {
         #[command(flatten)]
         common: Common,
     },
+}
+
+/// What the section of a blade needs.
+#[derive(Debug, Args)]
+pub(super) struct BladeArguments {
+    /// Blade file
+    pub file: PathBuf,
+    /// Mesh file to write
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Section file to begin; it must not exist
+    #[arg(long, value_name = "FILE")]
+    pub section: Option<PathBuf>,
 }
 
 /// What every shape needs.

@@ -6,7 +6,7 @@ use shared_geom::files::write_text;
 use shared_geom::gmsh;
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 
-use super::arguments::Shape;
+use super::arguments::{BladeArguments, Shape};
 use super::{Stop, Terminal, WRONG_INPUT};
 use crate::input::blade;
 use crate::mesh::generate::{Ellipse, GenerateProblem, Rectangle, Tube};
@@ -15,9 +15,7 @@ use crate::output::blade_section;
 /// Makes the mesh of `shape` and writes it.
 pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     let (mesh, file) = match made(shape) {
-        Made::Blade { file, out, section } => {
-            return write_blade(file, out, section, terminal);
-        }
+        Made::Blade(blade) => return write_blade(blade, terminal),
         Made::Shape(mesh, file) => (mesh, file),
     };
     let mesh = match mesh {
@@ -61,13 +59,9 @@ fn write_file(mesh: &Mesh, file: &Path, terminal: &mut Terminal<'_>) -> Result<(
 }
 
 /// Meshes the section of a blade, and begins its section file.
-fn write_blade(
-    file: &Path,
-    out: &Path,
-    section: Option<&Path>,
-    terminal: &mut Terminal<'_>,
-) -> Result<(), Stop> {
-    let blade = blade::read(file).map_err(|problems| terminal.tell_all(&problems))?;
+fn write_blade(arguments: &BladeArguments, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+    let (out, section) = (&arguments.out, arguments.section.as_deref());
+    let blade = blade::read(&arguments.file).map_err(|problems| terminal.tell_all(&problems))?;
     if let Some(section) = section.filter(|section| section.exists()) {
         let text = format!(
             "error: \"{}\" is there already, expected the name of a new section file\n  \
@@ -103,11 +97,7 @@ fn name_from(section: &Path, mesh: &Path) -> String {
 /// What is to be written.
 enum Made<'a> {
     Shape(Result<Mesh, Vec<GenerateProblem>>, &'a Path),
-    Blade {
-        file: &'a Path,
-        out: &'a Path,
-        section: Option<&'a Path>,
-    },
+    Blade(&'a BladeArguments),
 }
 
 /// The mesh and the file it goes to.
@@ -131,11 +121,7 @@ fn made(shape: &Shape) -> Made<'_> {
             };
             Made::Shape(rectangle.generate(), &common.out)
         }
-        Shape::Blade { file, out, section } => Made::Blade {
-            file,
-            out,
-            section: section.as_deref(),
-        },
+        Shape::Blade(arguments) => Made::Blade(arguments),
         Shape::Tube {
             outer_radius,
             thickness,

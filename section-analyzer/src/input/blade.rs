@@ -307,18 +307,27 @@ impl Reading<'_> {
             table.finish();
         }
         if root.has("nose_mass") {
-            let table = root.table("nose_mass")?;
-            lines.nose_mass = table.line_of("to");
-            let _ = table.require_item("to", "the part of the chord at which it ends");
-            let to = match table.has("to") {
-                true => self.part(&table, "to"),
-                false => None,
-            };
-            let name = plies::material_of(&table, uses, None);
-            table.finish();
-            cores.nose_mass = Some((to?, name?));
+            cores.nose_mass = Some(self.nose_mass(root, lines, uses)?);
         }
         is_good.then_some(cores)
+    }
+
+    fn nose_mass(
+        &self,
+        root: &Table<'_>,
+        lines: &mut Lines,
+        uses: &mut Uses,
+    ) -> Option<(f64, String)> {
+        let table = root.table("nose_mass")?;
+        lines.nose_mass = table.line_of("to");
+        let _ = table.require_item("to", "the part of the chord at which it ends");
+        let to = match table.has("to") {
+            true => self.part(&table, "to"),
+            false => None,
+        };
+        let name = plies::material_of(&table, uses, None);
+        table.finish();
+        Some((to?, name?))
     }
 
     fn sizes(&self, root: &Table<'_>, lines: &mut Lines) -> Option<Sizes> {

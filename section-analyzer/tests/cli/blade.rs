@@ -1,7 +1,7 @@
 //! `section-analyzer mesh blade`: files that are right, and what is told of those that are
 //! not.
 
-use crate::workplace::Workplace;
+use crate::workplace::{Run, Workplace};
 
 /// A box-spar with everything. Lines are counted in the tests: keep them.
 const BLADE: &str = "\
@@ -251,8 +251,8 @@ fn names_mean_one_thing_and_cores_need_their_room() {
     );
 }
 
-#[test]
-fn airfoil_files_are_read_in_all_their_forms() {
+/// Runs the blade on a file of coordinates.
+fn run_on(foil: &str) -> Run {
     let from_file = [
         ("naca = \"4415\"\n", "file = \"foil.dat\"\n"),
         ("trailing_edge = \"sharp\"\n", ""),
@@ -262,12 +262,14 @@ fn airfoil_files_are_read_in_all_their_forms() {
     for (from, to) in from_file {
         text = text.replacen(from, to, 1);
     }
-    let meshed = |foil: &str| {
-        let place = Workplace::new();
-        place.write("a.blade.toml", &text);
-        place.write("foil.dat", foil);
-        place.run(&["mesh", "blade", "a.blade.toml", "--out", "a.msh"])
-    };
+    let place = Workplace::new();
+    place.write("a.blade.toml", &text);
+    place.write("foil.dat", foil);
+    place.run(&["mesh", "blade", "a.blade.toml", "--out", "a.msh"])
+}
+
+/// NACA 0015 around, and both surfaces from the nose on.
+fn coordinates() -> [String; 2] {
     let half = |x: f64| {
         0.75 * (0.2969 * x.sqrt() - 0.126 * x - 0.3516 * x * x + 0.2843 * x.powi(3)
             - 0.1015 * x.powi(4))
@@ -277,7 +279,13 @@ fn airfoil_files_are_read_in_all_their_forms() {
     let lower: Vec<String> = xs.iter().map(|x| format!("{x} {}\n", -half(*x))).collect();
     let around: String = upper.iter().rev().chain(&lower[1..]).cloned().collect();
     let from_nose: String = upper.iter().chain(&lower).cloned().collect();
-    let titled = meshed(&format!("NACA 0015\n{around}"));
+    [around, from_nose]
+}
+
+#[test]
+fn airfoil_files_are_read_in_all_their_forms() {
+    let [around, from_nose] = coordinates();
+    let titled = run_on(&format!("NACA 0015\n{around}"));
     assert_eq!((titled.code, titled.err.as_str()), (0, ""));
     let columns = format!(
         "i;x/c;z/c\n{}",
@@ -287,7 +295,7 @@ fn airfoil_files_are_read_in_all_their_forms() {
         .trim_end_matches("7;")
         .replacen("z/c\n", "z/c\n7;", 1);
     for text in [&around, &format!("NACA\n 41. 41.\n\n{from_nose}"), &columns] {
-        assert_eq!(meshed(text).out, titled.out, "{text}");
+        assert_eq!(run_on(text).out, titled.out, "{text}");
     }
     for (foil, expected) in [
         (
@@ -316,7 +324,7 @@ fn airfoil_files_are_read_in_all_their_forms() {
             "a.blade.toml:5: the points of the airfoil begin at x/c = 0 and end at x/c = 1",
         ),
     ] {
-        let run = meshed(foil);
+        let run = run_on(foil);
         assert_eq!(run.code, 2);
         assert!(run.err.contains(expected), "{}\n{expected}", run.err);
     }

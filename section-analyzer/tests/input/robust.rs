@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use section_analyzer::input::{self, outside};
+use section_analyzer::input::{self, blade, outside};
 
 use crate::mutation::{Random, mutated};
 
@@ -103,4 +103,58 @@ fn changed_files_of_matrices_are_read_or_refused() {
         assert!(good > 10 && bad > 10);
         write(index, text);
     }
+}
+
+/// A blade with everything, coarse.
+const BLADE: &str = "\
+units = \"SI\"
+[airfoil]
+naca = \"4415\"
+trailing_edge = \"sharp\"
+chord = 3
+[skin]
+plies = [{ name = \"skin\", thickness = 0.005, fiber_angle = 45, faces = true }]
+[spar]
+front_web = 0.12
+rear_web = 0.45
+order = \"inside_out\"
+plies = [
+ { name = \"web\", thickness = 0.005, count = 3 },
+ { name = \"pad\", thickness = 0.01, on = \"upper\", from = 0.2, to = 0.3, filler = { name = \"fill\" } },
+ { name = \"cap\", thickness = 0.01, on = [\"upper\", \"lower\"] },
+]
+[core.aft]
+name = \"foam\"
+[nose_mass]
+name = \"lead\"
+to = 0.03
+[mesh]
+size = 0.3
+turn = 30
+";
+
+#[test]
+fn changed_blade_files_are_meshed_or_refused() {
+    let path = Path::new("a.blade.toml");
+    let (mut good, mut bad) = (0, 0);
+    let mut read = |text: &str| match blade::parse(text, path) {
+        Ok(input) => {
+            assert!(!input.mesh.cells.is_empty() && !input.regions.is_empty());
+            good += 1;
+        }
+        Err(problems) => {
+            assert!(!problems.to_string().is_empty());
+            bad += 1;
+        }
+    };
+    for end in 0..=BLADE.len() {
+        read(&BLADE[..end]);
+    }
+    let mut random = Random::new(7);
+    for _ in 0..MUTATIONS {
+        let changed = mutated(BLADE.as_bytes(), &mut random);
+        read(&String::from_utf8_lossy(&changed));
+    }
+    println!("{good} meshed, {bad} refused");
+    assert!(good > 10 && bad > good);
 }

@@ -105,7 +105,7 @@ pub struct Cores {
     pub spar: Option<String>,
     /// Behind the rear web; all of the section if there is no spar.
     pub aft: Option<String>,
-    /// From the nose to a part of the chord, instead of the core there.
+    /// From the nose to a part of the chord [-], instead of the core there.
     pub nose_mass: Option<(f64, String)>,
 }
 
@@ -463,7 +463,7 @@ fn check_radii(
 ) -> Result<(), Vec<BladeProblem>> {
     let fill = |place: &(Half, f64, f64)| place.2 * contour.bend(place.1);
     let tightest = places.max_by(|a, b| fill(a).total_cmp(&fill(b)));
-    let Some((half, u, thickness)) = tightest.filter(|place| !(fill(place) < FULL)) else {
+    let Some((half, u, thickness)) = tightest.filter(|place| fill(place) >= FULL) else {
         return Ok(());
     };
     Err(vec![BladeProblem::Tight {

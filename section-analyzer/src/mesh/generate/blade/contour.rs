@@ -269,7 +269,7 @@ impl Contour {
             let db = (off[0] * s[1] - off[1] * s[0]) / determinant;
             at = [at[0] + da, at[1] + db];
             let is_inside = at[0] > upper && at[0] < upper + room[0];
-            if !is_inside || !(at[1] < lower && at[1] > lower - room[1]) {
+            if !(is_inside && at[1] < lower && at[1] > lower - room[1]) {
                 return None;
             }
             if off[0].hypot(off[1]) < 1e-13 * self.chord {

@@ -40,35 +40,15 @@ pub(super) fn build(
     }
     let contour = &blade.contour;
     let closing = closing(blade, columns, &depths)?;
-    let station = |grid: &mut Grid, half: Half, column: usize| {
-        let u = columns.at(half, column);
-        let shift = &closing[half as usize];
-        let at = moved(u, levels, &[shift]);
-        let nodes = nodes(grid, None, &depths, |level| {
-            contour.offset(at[level], depths[level])
-        });
-        Station {
-            nodes,
-            depths: depths.clone(),
-            before: at.clone(),
-            behind: at,
-        }
-    };
     let nose = columns.nose();
-    let mut stations: Vec<Station> = (0..=nose)
-        .map(|column| station(grid, Half::Upper, column))
-        .collect();
-    stations.extend(
-        (1..nose)
-            .rev()
-            .map(|column| station(grid, Half::Lower, column)),
-    );
+    let mut stations = stations(blade, columns, &depths, &closing, grid);
     let is_joined = blade.is_closed && contour.edge() != Edge::Blunt;
     if is_joined {
         let last = closing[1].by.iter().map(|by| columns.lower[0] + by);
         stations[0].before = last.collect();
     } else {
-        stations.push(station(grid, Half::Lower, 0));
+        let way = (blade, columns, &depths[..]);
+        stations.push(station(way, &closing, (Half::Lower, 0), grid));
     }
     let inner = |station: &Station| station.nodes[levels - 1];
     let upper: Vec<u32> = stations[..=nose].iter().map(inner).collect();
@@ -107,6 +87,41 @@ pub(super) fn build(
     wall.build(grid);
     let inner = [upper, lower];
     Ok(Skin { inner, edge })
+}
+
+/// The stations of both surfaces, but for the last one of the lower surface.
+fn stations(
+    blade: &Blade,
+    columns: &Columns,
+    depths: &[f64],
+    closing: &[Shift; 2],
+    grid: &mut Grid,
+) -> Vec<Station> {
+    let nose = columns.nose();
+    let upper = (0..=nose).map(|column| (Half::Upper, column));
+    let lower = (1..nose).rev().map(|column| (Half::Lower, column));
+    let way = (blade, columns, depths);
+    let all = upper.chain(lower);
+    all.map(|at| station(way, closing, at, grid)).collect()
+}
+
+fn station(
+    (blade, columns, depths): (&Blade, &Columns, &[f64]),
+    closing: &[Shift; 2],
+    (half, column): (Half, usize),
+    grid: &mut Grid,
+) -> Station {
+    let u = columns.at(half, column);
+    let at = moved(u, depths.len(), &[&closing[half as usize]]);
+    let nodes = nodes(grid, None, depths, |level| {
+        blade.contour.offset(at[level], depths[level])
+    });
+    Station {
+        nodes,
+        depths: depths.to_vec(),
+        before: at.clone(),
+        behind: at,
+    }
 }
 
 /// The stations of the wall at a blunt trailing edge, behind those of the surfaces; gives

@@ -376,6 +376,35 @@ fn what_does_not_fit_is_told_where() {
     ));
 }
 
+/// Ordinates of NACA Report 460, in percent of the chord with three decimals: 0012 at 30 %
+/// and at the trailing edge, 4412 near its highest place at 40 %.
+#[test]
+fn airfoils_are_those_of_the_report() {
+    let at = |digits: &str, is_closed: bool, half: Half, part: f64| {
+        let points = naca(digits, is_closed).unwrap();
+        let contour = Contour::new(&points, 100.0, 0.0, 1.0).unwrap();
+        contour.place(contour.at_chord(half, part).unwrap())[1]
+    };
+    for (digits, half, part, expected) in [
+        ("0012", Half::Upper, 0.3, 6.002),
+        ("0012", Half::Lower, 0.3, -6.002),
+        ("0012", Half::Upper, 0.05, 3.555),
+        ("0012", Half::Upper, 0.4, 5.803),
+        ("4412", Half::Upper, 0.4, 9.80),
+        ("4412", Half::Lower, 0.4, -1.80),
+    ] {
+        let found = at(digits, false, half, part);
+        // half of the last digit
+        let half_digit = if digits == "0012" { 6e-4 } else { 6e-3 };
+        assert!(
+            (found - expected).abs() < half_digit,
+            "{digits} {part}: {found}"
+        );
+    }
+    let edge = |is_closed: bool| naca("0012", is_closed).unwrap()[0][1];
+    assert!((edge(false) - 0.00126).abs() < 1e-9 && edge(true).abs() < 1e-9);
+}
+
 #[test]
 fn airfoils_that_are_none_are_told() {
     for digits in ["12", "00120", "0a12", "0000", "2012", "0412"] {
