@@ -68,7 +68,35 @@ const NAMES: &[(&str, Dimension, f64)] = &[
     ("degC", Dimension::TEMPERATURE, 1.0),
     ("degF", Dimension::TEMPERATURE, RANKINE),
     ("R", Dimension::TEMPERATURE, RANKINE),
+    ("V", Dimension::VOLTAGE, 1.0),
+    ("mV", Dimension::VOLTAGE, 1e-3),
+    ("kV", Dimension::VOLTAGE, 1e3),
+    ("A", Dimension::CURRENT, 1.0),
+    ("mA", Dimension::CURRENT, 1e-3),
+    ("C", Dimension::CHARGE, 1.0),
+    ("uC", Dimension::CHARGE, 1e-6),
+    ("nC", Dimension::CHARGE, 1e-9),
+    ("pC", Dimension::CHARGE, 1e-12),
+    ("F", Dimension::CAPACITANCE, 1.0),
+    ("uF", Dimension::CAPACITANCE, 1e-6),
+    ("nF", Dimension::CAPACITANCE, 1e-9),
+    ("pF", Dimension::CAPACITANCE, 1e-12),
 ];
+
+/// Compound units of quantities that have no simple one, for messages: other names of the
+/// same unit behind the first.
+const COMPOUND: &[(Dimension, &[&str])] = &[
+    (Dimension::CURVATURE, &["deg/m", "rad/m"]),
+    (Dimension::CHARGE_PER_AREA, &["C/m^2", "N/V/m", "psi in/V"]),
+    (Dimension::STRAIN_PER_FIELD, &["m/V", "pC/N", "in/V"]),
+    (Dimension::PERMITTIVITY, &["F/m", "pF/m", "lbf/V^2"]),
+];
+
+/// The compound units of a quantity, where it has any.
+fn compound(dimension: Dimension) -> Option<&'static [&'static str]> {
+    let found = COMPOUND.iter().find(|known| known.0 == dimension);
+    found.map(|known| known.1)
+}
 
 /// What is wrong with a unit or a declaration of units.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -112,8 +140,8 @@ fn quantity_words(expected: Option<Dimension>) -> String {
     if expected == Some(Dimension::NUMBER) {
         return "a number".to_owned();
     }
-    if expected == Some(Dimension::CURVATURE) {
-        return "a number, a space and a unit, as in \"5 deg/m\"".to_owned();
+    if let Some([unit, ..]) = expected.and_then(compound) {
+        return format!("a number, a space and a unit, as in \"5 {unit}\"");
     }
     let unit = expected.filter(|expected| *expected != Dimension::STRESS);
     let unit = unit.and_then(|expected| NAMES.iter().find(|unit| unit.1 == expected));
@@ -131,6 +159,9 @@ impl Explain for UnitProblem {
                 ..
             } => Some("units of it: deg/m, rad/m; the inverse of a radius in m is in rad/m".into()),
             Self::Dimension { expected, .. } => {
+                if let Some(units) = compound(*expected) {
+                    return Some(format!("units of it: {}", units.join(", ")));
+                }
                 let fitting: Vec<_> = NAMES
                     .iter()
                     .filter(|unit| unit.1 == *expected)
@@ -262,7 +293,7 @@ pub fn parse_as(text: &str, expected: Dimension) -> Result<Unit, UnitProblem> {
 }
 
 /// Quantities that a file may declare a unit for, with the key of each.
-pub const DECLARABLE: [(&str, Dimension); 10] = [
+pub const DECLARABLE: [(&str, Dimension); 11] = [
     ("length", Dimension::LENGTH),
     ("mass", Dimension::MASS),
     ("force", Dimension::FORCE),
@@ -273,6 +304,7 @@ pub const DECLARABLE: [(&str, Dimension); 10] = [
     ("mass_per_length", Dimension::MASS_PER_LENGTH),
     ("rotation_speed", Dimension::ROTATION_SPEED),
     ("temperature", Dimension::TEMPERATURE),
+    ("voltage", Dimension::VOLTAGE),
 ];
 
 /// The units of the plain numbers of a file.
@@ -281,7 +313,9 @@ pub const DECLARABLE: [(&str, Dimension); 10] = [
 /// time, force and mass: quantities with a force in them (mass to the power one,
 /// time to minus two, or to minus one as in dampers) use the unit of force, others that of mass; a missing one
 /// of the two is consistent with the other. Angles are degrees, rotation speeds rpm and
-/// rises of temperature kelvins unless declared.
+/// rises of temperature kelvins unless declared. Electric quantities are made of force,
+/// length, time and the unit of voltage, the volt unless declared: a charge is a force times
+/// a length per voltage, a permittivity a force per square of a voltage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Units {
     declared: Vec<(Dimension, f64)>,
@@ -326,10 +360,15 @@ impl Units {
             time: t,
             angle: a,
             temperature: k,
+            current: i,
         } = dimension;
         let kelvin = self.declared_factor(Dimension::TEMPERATURE).unwrap_or(1.0);
-        let rest = angle.powi(i32::from(a)) * kelvin.powi(i32::from(k));
-        if m == 1 && matches!(t, -2 | -1) {
+        let volt = self.declared_factor(Dimension::VOLTAGE).unwrap_or(1.0);
+        // a current is a power per voltage, kg m^2 s^-3 V^-1
+        let part = |own: i8, of_power: i8| own.saturating_add(i.saturating_mul(of_power));
+        let (l, m, t) = (part(l, 2), part(m, 1), part(t, -3));
+        let rest = angle.powi(i32::from(a)) * kelvin.powi(i32::from(k)) / volt.powi(i32::from(i));
+        if m == 1 && matches!(t, -3..=-1) {
             let force = force
                 .or(mass.map(|mass| mass * acceleration))
                 .unwrap_or(1.0);
@@ -503,6 +542,51 @@ mod tests {
             units.factor(Dimension::TEMPERATURE_GRADIENT),
             gradient.factor,
             max_relative = 1e-14
+        );
+    }
+
+    /// 1 psi in/V = 175.126835 C/m^2 = 1 lbf/(in V): one unit by three ways. A plain number
+    /// in inches and pounds is in such units, made of force, length and volt.
+    #[test]
+    fn electric_units_are_made_of_force_length_and_voltage() {
+        let e = parse_as("psi in/V", Dimension::CHARGE_PER_AREA).unwrap();
+        assert_relative_eq!(e.factor, 175.126_835_246, max_relative = 1e-11);
+        let d = parse_as("pC/N", Dimension::STRAIN_PER_FIELD).unwrap();
+        assert_relative_eq!(d.factor, 1e-12, max_relative = 1e-15);
+        assert_eq!(parse("F/m").unwrap().dimension, Dimension::PERMITTIVITY);
+        assert_eq!(parse("C/V").unwrap(), parse("F").unwrap());
+        assert_eq!(parse("A s").unwrap(), parse("C").unwrap());
+        assert_eq!(
+            parse("N m/s").unwrap().dimension,
+            parse("V A").unwrap().dimension
+        );
+
+        let si = Units::si();
+        let mut units = Units::si();
+        units.declare(Dimension::LENGTH, parse("in").unwrap());
+        units.declare(Dimension::FORCE, parse("lbf").unwrap());
+        for (dimension, unit) in [
+            (Dimension::VOLTAGE, "V"),
+            (Dimension::CHARGE_PER_AREA, "psi in/V"),
+            (Dimension::STRAIN_PER_FIELD, "in/V"),
+            (Dimension::PERMITTIVITY, "lbf/V^2"),
+            (Dimension::CHARGE, "lbf in/V"),
+            (Dimension::CAPACITANCE, "lbf in/V^2"),
+            (Dimension::CURRENT, "lbf in/s/V"),
+        ] {
+            assert_eq!(si.factor(dimension), 1.0, "{unit}");
+            let unit = parse_as(unit, dimension).unwrap();
+            assert_relative_eq!(units.factor(dimension), unit.factor, max_relative = 1e-14);
+        }
+        units.declare(Dimension::VOLTAGE, parse("kV").unwrap());
+        let d = units.factor(Dimension::STRAIN_PER_FIELD);
+        assert_relative_eq!(d, 1e-3 * INCH, max_relative = 1e-14);
+        assert_eq!(
+            parse_as("pC/m", Dimension::STRAIN_PER_FIELD)
+                .unwrap_err()
+                .help()
+                .unwrap(),
+            "units of it: m/V, pC/N, in/V"
         );
     }
 

@@ -19,6 +19,8 @@ pub struct Dimension {
     pub angle: i8,
     /// Exponent of temperature rise (K).
     pub temperature: i8,
+    /// Exponent of electric current (A).
+    pub current: i8,
 }
 
 impl Dimension {
@@ -80,6 +82,22 @@ impl Dimension {
     pub const THERMAL_MOMENT: Self = Self::of(2, 1, -2, 0).of_temperature(-1);
     /// Force per volume, in N/m^3 inside.
     pub const FORCE_PER_VOLUME: Self = Self::of(-2, 1, -2, 0);
+    /// Voltage, in V inside.
+    pub const VOLTAGE: Self = Self::of(2, 1, -3, 0).of_current(-1);
+    /// Electric current, in A inside.
+    pub const CURRENT: Self = Self::of(0, 0, 0, 0).of_current(1);
+    /// Electric charge, in C inside.
+    pub const CHARGE: Self = Self::of(0, 0, 1, 0).of_current(1);
+    /// Charge per length of a beam, in C/m inside.
+    pub const CHARGE_PER_LENGTH: Self = Self::of(-1, 0, 1, 0).of_current(1);
+    /// Charge per area, which is stress per electric field, in C/m^2 inside.
+    pub const CHARGE_PER_AREA: Self = Self::of(-2, 0, 1, 0).of_current(1);
+    /// Capacitance, in F inside.
+    pub const CAPACITANCE: Self = Self::of(-2, -1, 4, 0).of_current(2);
+    /// Permittivity, in F/m inside.
+    pub const PERMITTIVITY: Self = Self::of(-3, -1, 4, 0).of_current(2);
+    /// Strain per electric field, in m/V inside.
+    pub const STRAIN_PER_FIELD: Self = Self::of(-1, -1, 3, 0).of_current(1);
     /// Twist rate and curvature of a line, in rad/m inside.
     pub const CURVATURE: Self = Self::of(-1, 0, 0, 1);
 
@@ -90,7 +108,12 @@ impl Dimension {
             time,
             angle,
             temperature: 0,
+            current: 0,
         }
+    }
+
+    const fn of_current(self, current: i8) -> Self {
+        Self { current, ..self }
     }
 
     const fn of_temperature(self, temperature: i8) -> Self {
@@ -110,6 +133,7 @@ impl Dimension {
             time: add(self.time, other.time),
             angle: add(self.angle, other.angle),
             temperature: add(self.temperature, other.temperature),
+            current: add(self.current, other.current),
         }
     }
 }
@@ -143,6 +167,14 @@ impl fmt::Display for Dimension {
             Self::EXPANSION => "an expansion coefficient",
             Self::TEMPERATURE_GRADIENT => "a gradient of temperature",
             Self::CURVATURE => "a curvature (angle per length)",
+            Self::VOLTAGE => "a voltage",
+            Self::CURRENT => "an electric current",
+            Self::CHARGE => "a charge",
+            Self::CHARGE_PER_LENGTH => "a charge per length",
+            Self::CHARGE_PER_AREA => "a charge per area (stress per electric field)",
+            Self::CAPACITANCE => "a capacitance",
+            Self::PERMITTIVITY => "a permittivity",
+            Self::STRAIN_PER_FIELD => "a strain per electric field",
             _ => return self.write_units(f),
         };
         f.write_str(word)
@@ -158,6 +190,7 @@ impl Dimension {
             ("s", self.time),
             ("rad", self.angle),
             ("K", self.temperature),
+            ("A", self.current),
         ];
         for (unit, power) in parts.into_iter().filter(|part| part.1 != 0) {
             match power {
