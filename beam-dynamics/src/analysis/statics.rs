@@ -140,6 +140,7 @@ pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) 
         residual: point.residual,
         sections: observed.sections,
         reactions: observed.reactions,
+        electrodes: model.system.electrodes(&point.state, conditions),
     }
 }
 

@@ -63,6 +63,9 @@ pub struct BeamElectrode {
     /// Internal force for one volt at the two evaluation points, section axes
     /// [N/V, N m/V].
     pub coupling: [Vector6<f64>; 2],
+    /// Capacitance of the whole electrode, by which the equation of its charge is divided
+    /// [F].
+    pub capacitance: f64,
 }
 
 /// A beam through three nodes with electrodes.
@@ -75,8 +78,6 @@ pub struct PiezoBeam {
     electrodes: Vec<BeamElectrode>,
     /// The electric unknowns, in the order of the electrodes that have one.
     unknowns: Vec<usize>,
-    /// Capacitance by which the charge of each electrode is divided in its equation [F].
-    scales: Vec<f64>,
 }
 
 #[derive(Debug)]
@@ -119,29 +120,20 @@ impl PiezoBeam {
             geometry,
             points: [point(places[0], first), point(places[1], second)],
             unknowns: electrodes.iter().filter_map(unknown).collect(),
-            scales: vec![1.0; electrodes.len()],
             electrodes,
         }
     }
 
-    /// Capacitance of each electrode at constant strain, with the number of the electrode
-    /// \[F\].
-    pub fn capacitances(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let of = |k: usize| {
-            let points = self.points.iter();
-            points.map(move |point| point.reference.j0 * point.capacitance[(k, k)])
-        };
-        let electrodes = self.electrodes.iter().enumerate();
-        electrodes.map(move |(k, electrode)| (electrode.number, of(k).sum()))
-    }
-
-    /// The same with the equations of charges divided by the capacitance of each whole
-    /// electrode, given by its number \[F\].
-    #[must_use]
-    pub fn measured_by(mut self, capacitance: impl Fn(usize) -> f64) -> Self {
-        let numbers = self.electrodes.iter().map(|electrode| electrode.number);
-        self.scales = numbers.map(capacitance).collect();
-        self
+    /// Capacitance of a beam whose capacitance per length is given at the evaluation points
+    /// [F].
+    pub fn capacitance(
+        geometry: &BeamGeometry,
+        undeformed: [&Node; 3],
+        per_length: [f64; 2],
+    ) -> f64 {
+        let places = ElasticBeam::evaluation_points().into_iter();
+        let points = places.map(|xi| geometry.reference_point(&undeformed, xi).j0);
+        points.zip(per_length).map(|(j0, value)| j0 * value).sum()
     }
 
     fn voltages(&self, at: &Local<'_>) -> Vec<Voltage> {
@@ -205,7 +197,7 @@ impl PiezoBeam {
         let variation = strain.variation();
         for (k, voltage) in voltages.iter().enumerate() {
             let Some(row) = voltage.row else { continue };
-            let weight = point.reference.j0 / self.scales[k];
+            let weight = point.reference.j0 / self.electrodes[k].capacitance;
             add_rows(
                 row,
                 &(weight * self.electrodes[k].coupling[i]),
@@ -238,7 +230,7 @@ impl PiezoBeam {
             for (l, other) in voltages.iter().enumerate() {
                 let Some(row) = other.row else { continue };
                 let charge = point.reference.j0 * point.capacitance[(l, k)];
-                out.add_electric(row, column, -charge / self.scales[l], false);
+                out.add_electric(row, column, -charge / self.electrodes[l].capacitance, false);
             }
         }
     }
@@ -326,7 +318,7 @@ impl Element for PiezoBeam {
         for (k, voltage) in voltages.iter().enumerate() {
             let Some(row) = voltage.row else { continue };
             for part in self.charge(k, &voltages, &strains) {
-                out.add_constraint(row, -part / self.scales[k]);
+                out.add_constraint(row, -part / self.electrodes[k].capacitance);
             }
         }
     }

@@ -61,6 +61,23 @@ impl Draft {
         is_known
     }
 
+    /// Number of the electrode called `name`; notes it where there is none.
+    pub fn look_up_electrode(
+        &self,
+        name: &str,
+        table: &Table<'_>,
+        key: &str,
+        user: &str,
+    ) -> Option<usize> {
+        let labels = || self.electrodes.iter().map(|card| &card.label);
+        let found = labels().position(|label| label == name);
+        if found.is_none() && !self.is_taken("electrode", name) {
+            let known = labels().cloned().collect();
+            note_unknown("electrode", name, user, known, (table, key));
+        }
+        found
+    }
+
     /// The nodes of the joint, clamp, support or imposed motion called `name`; notes it
     /// where there is none.
     pub fn look_up_joint(
