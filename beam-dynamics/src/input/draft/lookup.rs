@@ -69,10 +69,13 @@ impl Draft {
         key: &str,
         user: &str,
     ) -> Option<usize> {
-        let labels = || self.electrodes.iter().map(|card| &card.label);
-        let found = labels().position(|label| label == name);
+        let mut cards = self.electrodes.iter();
+        let found = cards.position(|card| card.label == name);
         if found.is_none() && !self.is_taken("electrode", name) {
-            let known = labels().cloned().collect();
+            // Those that are wrong too.
+            let labels = self.labels.keys();
+            let known = labels.filter(|(kind, _)| *kind == "electrode");
+            let known = known.map(|(_, name)| name.clone()).collect();
             note_unknown("electrode", name, user, known, (table, key));
         }
         found
