@@ -13,6 +13,7 @@
 //! shunt            V = s Z theta u(L) / (1 + c L s Z),   Z = R + s L_coil
 //! ```
 
+use beam_dynamics::analysis::buckling::buckling;
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::statics::statics;
 use beam_dynamics::case::Model;
@@ -578,6 +579,27 @@ fn charges_by_loads_are_displacements_by_voltages() {
     let case = "coupled blade, loads against voltages";
     record::largest(CLOSED, case, "all loads at the tip", found, TOLERANCE);
     assert!(found < TOLERANCE, "{found:e}");
+}
+
+/// A clamped column gives way at `pi^2 EI / 4 L^2` whatever the axial electrode is connected
+/// to: at open circuit its voltage carries `k^2 / (1 + k^2)` of the load, a quarter, which
+/// would be missing without the turning of what voltages add. Shear takes P/GA, 1.5e-5, and
+/// eight elements less.
+#[test]
+fn an_open_column_buckles_as_a_plain_one() {
+    const TOLERANCE: f64 = 1e-4;
+    let expected = std::f64::consts::PI.powi(2) * SOFT[4] / (4.0 * LENGTH * LENGTH);
+    for (case, circuit) in [
+        ("column at short circuit", "voltage = 0"),
+        ("column at open circuit", "charge = 0"),
+    ] {
+        let load = "[[load]]\nnode = \"beam/tip\"\nforce = [-1, 0, 0]\n[buckling]\ncount = 1\n";
+        let input = read(&soft(), 8, &(electrode("pull", circuit) + load));
+        let outcome = buckling(&input.model, &input.buckling.unwrap());
+        assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+        let found = outcome.result.modes[0].factor;
+        check(case, "critical load [N]", [found, expected], TOLERANCE);
+    }
 }
 
 /// A rod that turns about an axis through its root: with `y = x + u`, `l = W sqrt(m/EA)`,

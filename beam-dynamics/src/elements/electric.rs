@@ -137,6 +137,9 @@ impl Charges {
     /// C_ff V'_f = I_f - s_f - C_fh V'_h                                        (D-268)
     /// ```
     pub fn electrodes(&self) -> Vec<ElectrodeState> {
+        if self.circuits.is_empty() {
+            return Vec::new();
+        }
         let mut circuits: Vec<_> = self.circuits.iter().collect();
         circuits.sort_by_key(|circuit| circuit.number);
         let place = |number: usize| circuits.iter().position(|own| own.number == number);

@@ -154,6 +154,11 @@ impl Along {
         &self.heat
     }
 
+    /// Whether a table of prestress is used, or a law that stands in its place.
+    pub fn knows_prestress(&self) -> bool {
+        self.prestress.is_some() || self.law.is_some()
+    }
+
     /// Calls `user` with the mass along the beam.
     pub fn with_mass<T>(&self, user: impl FnOnce(&MassAlong<'_>) -> T) -> T {
         user(&MassAlong {

@@ -126,7 +126,11 @@ impl Explain for ElectrodeProblem {
                 electrode, known, ..
             } => match nearest_name(electrode, known.iter().map(String::as_str)) {
                 Some(near) => format!("did you mean \"{near}\"? say electrode = \"{near}\""),
-                None if known.is_empty() => "its property files have no \"piezo\"".to_owned(),
+                None if known.is_empty() => {
+                    "property files with \"piezo\" have electrodes; blades \
+                     from blade files carry none"
+                        .to_owned()
+                }
                 None => format!("those of the property files: {}", known.join(", ")),
             },
             Self::Twice { .. } => {
@@ -315,6 +319,9 @@ fn check_capacitances(tables: &[Table<'_>], draft: &mut Draft) {
     let cards = draft.electrodes().iter();
     let free = cards.filter(|card| card.circuit.unknowns() > 0);
     let free: Vec<_> = free.collect();
+    if free.is_empty() {
+        return;
+    }
     let table = |card: &ElectrodeCard| {
         let mut tables = tables.iter();
         tables.find(|table| table.line_of("name") == card.line)

@@ -112,9 +112,16 @@ fn runs_in_time_write_and_continue_circuits() {
     assert!(folder.read("results/a.transient.csv") == whole);
 }
 
-/// What can be wrong with a card, with its remedy.
+/// Expects the cards to be refused with the message at the line, and nothing else.
+#[track_caller]
+fn refuses(cards: &str, line: usize, message: &str) {
+    let expected = format!("error: a.dynamics.toml:{line}: {message}");
+    folder(SOUND).refuses(&format!("{STRIPS}{cards}"), &expected);
+}
+
+/// What can be wrong with the names and beams of a card, with its remedy.
 #[test]
-fn wrong_cards_are_told() {
+fn wrong_names_and_beams_are_told() {
     let top = "name = \"top\"\nblade = \"blade\"\n";
     for (cards, line, message) in [
         (
@@ -140,7 +147,7 @@ fn wrong_cards_are_told() {
             card("name = \"top\"\nblade = \"other\"\nvoltage = 1"),
             25,
             "no beam of blade \"other\" has an electrode \"top\"\n  \
-             help: its property files have no \"piezo\"",
+             help: property files with \"piezo\" have electrodes; blades from blade files carry none",
         ),
         (
             card(&format!("{top}voltage = 1"))
@@ -151,6 +158,16 @@ fn wrong_cards_are_told() {
             "electrode \"top\" of beam \"blade/beam 2\" belongs to \"top\" on line 24 already, \
              expected one card\n  help: take the beam out of one of the cards, or the card away",
         ),
+    ] {
+        refuses(&cards, line, message);
+    }
+}
+
+/// What can be wrong with a circuit, with its remedy.
+#[test]
+fn wrong_circuits_are_told() {
+    let top = "name = \"top\"\nblade = \"blade\"\n";
+    for (cards, line, message) in [
         (
             card(top.trim_end()),
             24,
@@ -189,9 +206,7 @@ fn wrong_cards_are_told() {
             "the card has neither \"blade\" nor \"beams\", expected one of them",
         ),
     ] {
-        let folder = folder(SOUND);
-        let expected = format!("error: a.dynamics.toml:{line}: {message}");
-        folder.refuses(&format!("{STRIPS}{cards}"), &expected);
+        refuses(&cards, line, message);
     }
 }
 

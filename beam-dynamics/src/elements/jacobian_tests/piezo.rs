@@ -2,9 +2,12 @@
 
 use nalgebra::{DMatrix, Vector6};
 
-use super::*;
-use crate::elements::beams::{BeamElectrode, PiezoBeam, Potential};
+use super::{Random, check, geometry, nodes};
+use crate::elements::Element;
+use crate::elements::beams::{BeamElectrode, ElasticBeam, LawBeam, PiezoBeam, Potential};
 use crate::elements::circuits::{Circuit, Electrode};
+use crate::elements::laws::Law;
+use crate::model::Drive;
 
 fn coupling(random: &mut Random) -> Vector6<f64> {
     Vector6::from_fn(|_, _| random.number())

@@ -2,6 +2,7 @@
 
 use super::{Draft, ElectrodeCard};
 use crate::elements::circuits::Circuit;
+use crate::input::along::Along;
 use crate::input::heat;
 use crate::input::number::short_number;
 use crate::model::Drive;
@@ -21,8 +22,11 @@ impl Draft {
     pub fn remarks(&self, of_buckling: bool) -> Vec<String> {
         let heat = heat::told(self.beams.iter().map(|beam| beam.along.heat()));
         let buckling = of_buckling.then(|| self.properties.of_buckling());
+        let plain = self.beams.iter().map(|beam| &beam.along);
+        let plain = plain.filter(|along| !along.knows_prestress());
+        let stiffness = heat::unused_stiffness(plain.map(Along::heat));
         let electrodes = self.electrode_remarks();
-        let remarks = [self.remarks.clone(), heat, electrodes];
+        let remarks = [self.remarks.clone(), heat, stiffness, electrodes];
         [remarks.concat(), buckling.unwrap_or_default()].concat()
     }
 
