@@ -10,4 +10,6 @@ mod system;
 
 pub use combination::{Combination, Variation};
 pub use pattern::{Pattern, Sparse};
-pub use system::{Contradiction, Loop, Residual, Sharing, Slack, System, Tangent, Workspace};
+pub use system::{
+    Contradiction, Loop, Residual, Settling, Sharing, Slack, System, Tangent, Workspace,
+};

@@ -10,8 +10,8 @@ mod columns;
 mod transient;
 
 pub use columns::{
-    Axes, Column, EnergyPart, Every, JointMotion, NodeQuantity, NodeVector, OutputQuestion, Part,
-    Quantity, SpringVector,
+    Axes, Column, ElectrodeQuantity, EnergyPart, Every, JointMotion, NodeQuantity, NodeVector,
+    OutputQuestion, Part, Quantity, SpringVector,
 };
 pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 

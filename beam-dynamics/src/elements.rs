@@ -8,12 +8,14 @@ use crate::model::{Drive, Loading, NodeMotion, TurningFrame};
 
 pub mod beams;
 pub mod bodies;
+pub mod circuits;
 pub mod joints;
 pub mod laws;
 pub mod loads;
 pub mod springs;
 
 mod constraint;
+mod electric;
 mod local;
 mod motion;
 mod observation;
@@ -28,6 +30,9 @@ mod jacobian_tests;
 mod rates_tests;
 
 pub use constraint::{ConstraintRates, ConstraintWords, Energy, Level, PlaceJump};
+pub use electric::{
+    Charges, CircuitState, Electric, ElectricKind, ElectricUnknown, ElectrodeState, Flow,
+};
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
 pub use observation::{
@@ -43,6 +48,8 @@ pub struct Local<'a> {
     pub nodes: &'a [NodeMotion],
     /// The element's multipliers [N, N m].
     pub multipliers: &'a [f64],
+    /// The circuits of the whole model.
+    pub electric: Electric<'a>,
     /// The frame of the model.
     pub frame: &'a TurningFrame,
     /// Gravity and the factors of the loads.
@@ -56,6 +63,8 @@ pub struct Along<'a> {
     pub nodes: &'a [[Vector3<f64>; 2]],
     /// Change of each multiplier [N, N m].
     pub multipliers: &'a [f64],
+    /// Change of each of the element's electric unknowns, in its own order [unit of each].
+    pub electric: &'a [f64],
 }
 
 /// A part of the model that contributes to the equations of its nodes.
@@ -74,6 +83,22 @@ pub trait Element: Debug + Send + Sync {
     /// Number of multipliers (constraint equations) that the element brings.
     fn multipliers(&self) -> usize {
         0
+    }
+
+    /// Numbers of the electric unknowns on which the element acts, or which act on it.
+    fn electric(&self) -> &[usize] {
+        &[]
+    }
+
+    /// The electric unknowns, and equations, that the element brings, with their numbers.
+    fn brings(&self) -> Vec<(usize, ElectricUnknown)> {
+        Vec::new()
+    }
+
+    /// Number of rows of the element after those of its nodes: its multipliers, then its
+    /// electric unknowns.
+    fn own_rows(&self) -> usize {
+        self.multipliers() + self.electric().len()
     }
 
     /// What is differentiated how often to stand in the constraint number `constraint`.
@@ -177,6 +202,9 @@ pub trait Element: Debug + Send + Sync {
     /// Tells what the element knows of a state beside its forces on the nodes: strains
     /// and internal forces of sections, reactions of joints.
     fn observe(&self, _at: &Local<'_>, _out: &mut Observations) {}
+
+    /// Tells what it knows of charges and voltages of electrodes.
+    fn charges(&self, _at: &Local<'_>, _out: &mut Charges) {}
 }
 
 /// Adds the growth of an element's Jacobian with its multipliers, which change `along` a
@@ -197,7 +225,7 @@ fn prestress_of_multipliers<E: Element + ?Sized>(
         ..*at
     };
     let of = |at: &Local<'_>| {
-        let mut jacobian = LocalJacobian::new(at.nodes.len(), element.multipliers());
+        let mut jacobian = LocalJacobian::new(at.nodes.len(), element.own_rows());
         element.jacobian(at, &mut jacobian);
         jacobian
     };

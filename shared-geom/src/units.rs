@@ -73,10 +73,16 @@ const NAMES: &[(&str, Dimension, f64)] = &[
     ("kV", Dimension::VOLTAGE, 1e3),
     ("A", Dimension::CURRENT, 1.0),
     ("mA", Dimension::CURRENT, 1e-3),
+    ("uA", Dimension::CURRENT, 1e-6),
     ("C", Dimension::CHARGE, 1.0),
     ("uC", Dimension::CHARGE, 1e-6),
     ("nC", Dimension::CHARGE, 1e-9),
     ("pC", Dimension::CHARGE, 1e-12),
+    ("Ohm", Dimension::RESISTANCE, 1.0),
+    ("kOhm", Dimension::RESISTANCE, 1e3),
+    ("MOhm", Dimension::RESISTANCE, 1e6),
+    ("H", Dimension::INDUCTANCE, 1.0),
+    ("mH", Dimension::INDUCTANCE, 1e-3),
     ("F", Dimension::CAPACITANCE, 1.0),
     ("uF", Dimension::CAPACITANCE, 1e-6),
     ("nF", Dimension::CAPACITANCE, 1e-9),
@@ -556,6 +562,8 @@ mod tests {
         assert_eq!(parse("F/m").unwrap().dimension, Dimension::PERMITTIVITY);
         assert_eq!(parse("C/V").unwrap(), parse("F").unwrap());
         assert_eq!(parse("A s").unwrap(), parse("C").unwrap());
+        assert_eq!(parse("V/A").unwrap(), parse("Ohm").unwrap());
+        assert_eq!(parse("V s/A").unwrap(), parse("H").unwrap());
         assert_eq!(
             parse("N m/s").unwrap().dimension,
             parse("V A").unwrap().dimension

@@ -27,6 +27,7 @@ mod loads;
 mod mbdyn_model;
 mod mechanisms;
 mod pendulum;
+mod piezo;
 mod postbuckling;
 mod prestress;
 mod random_joints;

@@ -136,7 +136,8 @@ impl Equations for Balance<'_> {
         let residual = self.system.residual(&self.state, &self.conditions);
         let nodes = self.system.nodes().len();
         // The distance of neighbors: moments are taken about the nodes.
-        let worst = worst(&residual, nodes, self.size / nodes.max(1) as f64);
+        let places = (nodes, self.system.numbering().first_electric());
+        let worst = worst(&residual, places, self.size / nodes.max(1) as f64);
         (residual.values, worst)
     }
 
@@ -185,17 +186,22 @@ pub(super) fn worst_equation(system: &System, worst: &Worst) -> String {
 /// angular momenta, have the largest force, or momentum, on a lever of `arm` \[m\] among
 /// their terms, and forces the largest moment over it: on a straight blade that turns
 /// the moments are the round-off of forces, and nothing else, and in pure bending the
-/// forces that of moments.
-pub(super) fn worst(residual: &Residual, nodes: usize, arm: f64) -> Worst {
-    // Kinds: the four vector equations of the nodes, and the constraints.
-    let kind = |place: usize| {
-        if place < NODE_UNKNOWNS * nodes {
-            place % NODE_UNKNOWNS / 3
-        } else {
-            Equation::ALL.len()
-        }
+/// forces that of moments. Given are the number of nodes and the place of the first
+/// electric equation.
+pub(super) fn worst(
+    residual: &Residual,
+    (nodes, first_electric): (usize, usize),
+    arm: f64,
+) -> Worst {
+    // Kinds: the four vector equations of the nodes, the constraints, and the circuits.
+    const CONSTRAINT: usize = Equation::ALL.len();
+    const CIRCUIT: usize = CONSTRAINT + 1;
+    let kind = |place: usize| match place {
+        _ if place < NODE_UNKNOWNS * nodes => place % NODE_UNKNOWNS / 3,
+        _ if place < first_electric => CONSTRAINT,
+        _ => CIRCUIT,
     };
-    let mut largest = [0.0_f64; Equation::ALL.len() + 1];
+    let mut largest = [0.0_f64; CIRCUIT + 1];
     for (place, size) in residual.sizes.iter().enumerate() {
         largest[kind(place)] = largest[kind(place)].max(*size);
     }
@@ -210,7 +216,9 @@ pub(super) fn worst(residual: &Residual, nodes: usize, arm: f64) -> Worst {
         }
     }
     // The terms of a constraint vanish with it: they are measured against one.
-    largest[Equation::ALL.len()] = 1.0;
+    largest[CONSTRAINT] = 1.0;
+    // So may those of a circuit at rest, which count in volts.
+    largest[CIRCUIT] = largest[CIRCUIT].max(1.0);
     let relative = |place: usize| {
         let size = largest[kind(place)];
         if size > 0.0 {

@@ -57,6 +57,11 @@ pub struct StaticOutcome {
     pub failure: Option<StaticFailure>,
 }
 
+/// What is to be thought of a limit point where prestress is more than first order can tell.
+const OF_FIRST_ORDER: &str = "the limit point may be one of the table of prestress alone: in large \
+    twist without tension sections with a table soften where they stiffen in truth, see the \
+    remark before; try without prestress = true";
+
 /// Equilibria of `model` up to the load factor that `question` asks for.
 pub fn statics(model: &Model, question: &StaticQuestion) -> StaticOutcome {
     let mut result = StaticResult {
@@ -75,7 +80,15 @@ pub fn statics(model: &Model, question: &StaticQuestion) -> StaticOutcome {
         let place = format!("at factor {:.6}", step.factor);
         first_order(&step.sections, &place)
     });
+    let is_limit = matches!(
+        failure,
+        Some(StaticFailure::Path(PathEnd::LimitPoint { .. }))
+    );
+    let doubt = remark.is_some() && is_limit;
     result.remarks.extend(remark);
+    result
+        .remarks
+        .extend(doubt.then(|| OF_FIRST_ORDER.to_owned()));
     StaticOutcome { result, failure }
 }
 
@@ -140,6 +153,7 @@ pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) 
         residual: point.residual,
         sections: observed.sections,
         reactions: observed.reactions,
+        electrodes: model.system.electrodes(&point.state, conditions),
     }
 }
 

@@ -159,7 +159,8 @@ fn constraints_by_rigid_motions(system: &System, parts: &[Part]) -> Vec<RowDVect
     let part_of = part_of_nodes(numbering.nodes(), parts);
     let mut rows = vec![RowDVector::zeros(6 * parts.len()); numbering.multipliers()];
     for (row, column, value) in tangent.by_unknowns.triplets() {
-        if row < first || column >= first {
+        let is_constraint = (first..numbering.first_electric()).contains(&row);
+        if !is_constraint || column >= first {
             continue;
         }
         let (node, place) = (column / NODE_UNKNOWNS, column % NODE_UNKNOWNS);

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+pub use electric::Settling;
 use layout::Layout;
 pub use layout::Workspace;
 pub use loops::Loop;
@@ -9,10 +10,11 @@ pub use sharing::{Contradiction, Sharing, Slack};
 
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
-use crate::elements::{Element, Local, LocalJacobian, Observations};
+use crate::elements::{Electric, ElectricUnknown, Element, Local, LocalJacobian, Observations};
 use crate::model::{Conditions, Node, NodeMotion, Numbering, State};
 
 mod constraints;
+mod electric;
 mod growth;
 mod layout;
 mod loops;
@@ -29,10 +31,12 @@ pub struct System {
     nodes: Vec<Node>,
     elements: Vec<Arc<dyn Element>>,
     numbering: Numbering,
+    /// Electric unknowns by their numbers.
+    electric: Vec<ElectricUnknown>,
     pattern: Arc<Pattern>,
     /// Places of each element.
     layouts: Vec<Layout>,
-    /// Numbers of nodes and of multipliers that elements have.
+    /// Numbers of nodes and of rows of their own that elements have.
     sizes: Vec<(usize, usize)>,
     /// Loops in which constraints share their loads, and their compliance [m/N].
     loops: Vec<Loop>,
@@ -72,7 +76,8 @@ impl System {
     /// The system of all its elements, the balances of the nodes first.
     fn of(nodes: Vec<Node>, elements: Vec<Arc<dyn Element>>) -> Self {
         let counts = elements.iter().map(|element| element.multipliers());
-        let numbering = Numbering::new(nodes.len(), counts);
+        let electric = electric::numbered(&elements);
+        let numbering = Numbering::new(nodes.len(), counts).with_electric(electric.len());
         let mut system = Self {
             pattern: Arc::new(Pattern::new(0, Vec::new())),
             layouts: Vec::new(),
@@ -82,6 +87,7 @@ impl System {
             nodes,
             elements,
             numbering,
+            electric,
         };
         system.find_pattern();
         system
@@ -97,7 +103,7 @@ impl System {
         let mut evaluated = Vec::with_capacity(self.elements.len());
         for (index, element) in self.elements.iter().enumerate() {
             let nodes = self.motions(index, &state);
-            let mut jacobian = LocalJacobian::new(nodes.len(), element.multipliers());
+            let mut jacobian = LocalJacobian::new(nodes.len(), element.own_rows());
             let at = self.seen_by(index, &nodes, &state, &conditions);
             element.jacobian(&at, &mut jacobian);
             let rows = Layout::rows(element.as_ref(), index, &self.numbering);
@@ -110,13 +116,16 @@ impl System {
         entries.extend(self.shared_entries());
         let pattern = Pattern::new(n, entries);
         for (element, (rows, jacobian)) in self.elements.iter().zip(evaluated) {
-            let size = (element.nodes().len(), element.multipliers());
+            let size = (element.nodes().len(), element.own_rows());
             let known = self.sizes.iter().position(|other| *other == size);
             let room = known.unwrap_or(self.sizes.len());
             if known.is_none() {
                 self.sizes.push(size);
             }
-            let layout = Layout::new(rows, size.0, room, &jacobian, &pattern);
+            let electric = element.electric().iter().map(|&i| &self.electric[i]);
+            let has_rate: Vec<_> = electric.map(ElectricUnknown::has_rate).collect();
+            let sizes = (size.0, &has_rate[..]);
+            let layout = Layout::new(rows, sizes, room, &jacobian, &pattern);
             self.layouts.push(layout);
         }
         self.pattern = Arc::new(pattern);
@@ -163,6 +172,10 @@ impl System {
         Local {
             nodes,
             multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
+            electric: Electric {
+                values: &state.electric,
+                rates: &state.electric_rates,
+            },
             frame: &conditions.frame,
             loading: &conditions.loading,
         }

@@ -75,6 +75,13 @@ pub enum Quantity {
         /// The part of it.
         part: Part,
     },
+    /// What is asked of an electrode.
+    Electrode {
+        /// Its number.
+        electrode: usize,
+        /// What of it.
+        quantity: ElectrodeQuantity,
+    },
     /// The value of a drive \[its unit\].
     Drive(Drive),
     /// Energy of the model \[J\].
@@ -156,6 +163,17 @@ pub enum SpringVector {
     Moment,
 }
 
+/// What is asked of an electrode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ElectrodeQuantity {
+    /// Against ground \[V\].
+    Voltage,
+    /// Free charge \[C\].
+    Charge,
+    /// That flows to it \[A\].
+    Current,
+}
+
 /// A part of a vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
@@ -187,6 +205,8 @@ pub enum EnergyPart {
     Elastic,
     /// Potential of gravity.
     Gravity,
+    /// Of electric fields and inductances.
+    Electric,
     /// The sum of them.
     Total,
 }

@@ -81,6 +81,8 @@ pub struct Energy {
     pub elastic: f64,
     /// Potential of gravity, zero at the origin [J].
     pub gravity: f64,
+    /// Energy of the electric fields at the voltages that there are, and of inductances [J].
+    pub electric: f64,
 }
 
 impl std::ops::AddAssign for Energy {
@@ -88,5 +90,6 @@ impl std::ops::AddAssign for Energy {
         self.kinetic += other.kinetic;
         self.elastic += other.elastic;
         self.gravity += other.gravity;
+        self.electric += other.electric;
     }
 }

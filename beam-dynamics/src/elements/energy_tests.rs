@@ -12,7 +12,7 @@ use super::bodies::{RigidBody, RigidInertia};
 use super::joints::{Hinge, HingeSpring};
 use super::laws::{Cubic, Driven, Law, LawKind, Term};
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
-use super::{Element, Energy, Local, LocalResidual};
+use super::{Electric, Element, Energy, Local, LocalResidual};
 use crate::model::{Conditions, Drive, Harmonic, NODE_UNKNOWNS, Node, NodeMotion};
 
 const STEP: f64 = 1e-5;
@@ -78,6 +78,7 @@ fn local<'a>(
     Local {
         nodes: motion,
         multipliers: &NONE[..element.multipliers()],
+        electric: Electric::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     }

@@ -19,11 +19,12 @@ use super::loads::{
     Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
-use super::{Element, Local, LocalJacobian, LocalResidual};
+use super::{Electric, Element, Local, LocalJacobian, LocalResidual};
 use crate::model::{
     Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable,
 };
 
+mod piezo;
 mod sensing;
 
 const STEP: f64 = 1e-6;
@@ -114,9 +115,15 @@ fn vary(node: &mut NodeMotion, variable: Variable, axis: usize, step: f64) {
 fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
     for _ in 0..5 {
         let motion: Vec<_> = undeformed.iter().map(|node| moved(random, node)).collect();
-        let multipliers: Vec<_> = (0..element.multipliers())
-            .map(|_| random.number())
-            .collect();
+        let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect();
+        let multipliers: Vec<_> = numbers(element.multipliers());
+        let count = element.electric().iter().max().map_or(0, |last| last + 1);
+        let (electric, electric_rates) = (numbers(count), numbers(count));
+        let own = Own {
+            multipliers,
+            electric,
+            electric_rates,
+        };
         let conditions = Conditions {
             frame: TurningFrame {
                 angular_velocity: random.vector(1.0),
@@ -130,25 +137,38 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
                 turns: 1.0,
             },
         };
-        check_at(element, &motion, &multipliers, &conditions);
+        check_at(element, &motion, &own, &conditions);
     }
 }
 
-fn check_at(
-    element: &dyn Element,
-    motion: &[NodeMotion],
-    multipliers: &[f64],
-    conditions: &Conditions,
-) {
-    let mut jacobian = LocalJacobian::new(motion.len(), multipliers.len());
-    let at = Local {
-        nodes: motion,
-        multipliers,
-        frame: &conditions.frame,
-        loading: &conditions.loading,
-    };
-    element.jacobian(&at, &mut jacobian);
-    let [by_unknowns, by_rates] = differences(element, motion, multipliers, conditions);
+/// What an element sees beside its nodes.
+#[derive(Clone)]
+struct Own {
+    multipliers: Vec<f64>,
+    /// Those of the whole model.
+    electric: Vec<f64>,
+    electric_rates: Vec<f64>,
+}
+
+impl Own {
+    fn seen<'a>(&'a self, nodes: &'a [NodeMotion], conditions: &'a Conditions) -> Local<'a> {
+        Local {
+            nodes,
+            multipliers: &self.multipliers,
+            electric: Electric {
+                values: &self.electric,
+                rates: &self.electric_rates,
+            },
+            frame: &conditions.frame,
+            loading: &conditions.loading,
+        }
+    }
+}
+
+fn check_at(element: &dyn Element, motion: &[NodeMotion], own: &Own, conditions: &Conditions) {
+    let mut jacobian = LocalJacobian::new(motion.len(), element.own_rows());
+    element.jacobian(&own.seen(motion, conditions), &mut jacobian);
+    let [by_unknowns, by_rates] = differences(element, motion, own, conditions);
     for (exact, difference) in [
         (jacobian.by_unknowns(), &by_unknowns),
         (jacobian.by_rates(), &by_rates),
@@ -157,7 +177,7 @@ fn check_at(
         let error = (exact - difference).amax() / scale;
         assert!(error < TOLERANCE, "{}: {error:e}", element.label());
     }
-    check_factor(element, motion, multipliers, conditions);
+    check_factor(element, motion, own, conditions);
     // Nothing that changes is outside the declared pattern.
     let sizes = by_unknowns.abs() + by_rates.abs();
     for (size, touched) in sizes.iter().zip(jacobian.touched()) {
@@ -170,22 +190,12 @@ fn check_at(
 }
 
 /// The derivative by the factor of the proportional loads, by central differences.
-fn check_factor(
-    element: &dyn Element,
-    motion: &[NodeMotion],
-    multipliers: &[f64],
-    conditions: &Conditions,
-) {
+fn check_factor(element: &dyn Element, motion: &[NodeMotion], own: &Own, conditions: &Conditions) {
     let evaluate = |step: f64, derivative: bool| {
-        let mut loading = conditions.loading;
-        loading.proportional += step;
-        let at = Local {
-            nodes: motion,
-            multipliers,
-            frame: &conditions.frame,
-            loading: &loading,
-        };
-        let mut out = LocalResidual::new(motion.len(), multipliers.len());
+        let mut conditions = *conditions;
+        conditions.loading.proportional += step;
+        let at = own.seen(motion, &conditions);
+        let mut out = LocalResidual::new(motion.len(), element.own_rows());
         match derivative {
             true => element.by_factor(&at, &mut out),
             false => element.residual(&at, &mut out),
@@ -202,21 +212,16 @@ fn check_factor(
 fn differences(
     element: &dyn Element,
     motion: &[NodeMotion],
-    multipliers: &[f64],
+    own: &Own,
     conditions: &Conditions,
 ) -> [DMatrix<f64>; 2] {
-    let residual = |nodes: &[NodeMotion], multipliers: &[f64]| {
-        let mut out = LocalResidual::new(nodes.len(), multipliers.len());
-        let at = Local {
-            nodes,
-            multipliers,
-            frame: &conditions.frame,
-            loading: &conditions.loading,
-        };
-        element.residual(&at, &mut out);
+    let residual = |nodes: &[NodeMotion], own: &Own| {
+        let mut out = LocalResidual::new(nodes.len(), element.own_rows());
+        element.residual(&own.seen(nodes, conditions), &mut out);
         nalgebra::DVector::from_column_slice(out.values())
     };
-    let n = NODE_UNKNOWNS * motion.len() + multipliers.len();
+    let first = NODE_UNKNOWNS * motion.len();
+    let n = first + element.own_rows();
     let mut by = [DMatrix::zeros(n, n), DMatrix::zeros(n, n)];
     for node in 0..motion.len() {
         for (variable, axis) in Variable::ALL
@@ -226,21 +231,31 @@ fn differences(
             let at = |step: f64| {
                 let mut nodes = motion.to_vec();
                 vary(&mut nodes[node], variable, axis, step);
-                residual(&nodes, multipliers)
+                residual(&nodes, own)
             };
             let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
             let place = NODE_UNKNOWNS * node + variable.column() + axis;
             by[usize::from(variable.is_rate())].set_column(place, &column);
         }
     }
-    for i in 0..multipliers.len() {
+    let difference = |vary: &dyn Fn(&mut Own, f64)| {
         let at = |step: f64| {
-            let mut changed = multipliers.to_vec();
-            changed[i] += step;
+            let mut changed = own.clone();
+            vary(&mut changed, step);
             residual(motion, &changed)
         };
-        let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
-        by[0].set_column(NODE_UNKNOWNS * motion.len() + i, &column);
+        (at(STEP) - at(-STEP)) / (2.0 * STEP)
+    };
+    for i in 0..own.multipliers.len() {
+        let column = difference(&|own, step| own.multipliers[i] += step);
+        by[0].set_column(first + i, &column);
+    }
+    for (k, &number) in element.electric().iter().enumerate() {
+        let place = first + own.multipliers.len() + k;
+        let column = difference(&|own, step| own.electric[number] += step);
+        by[0].set_column(place, &column);
+        let column = difference(&|own, step| own.electric_rates[number] += step);
+        by[1].set_column(place, &column);
     }
     by
 }

@@ -6,7 +6,8 @@ use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 
 mod removal;
 
-/// Residual of one element: twelve rows a node, then one a constraint.
+/// Residual of one element: twelve rows a node, then one a constraint, then one an electric
+/// unknown.
 #[derive(Debug, Clone)]
 pub struct LocalResidual {
     nodes: usize,
@@ -15,9 +16,9 @@ pub struct LocalResidual {
 }
 
 impl LocalResidual {
-    /// Zero, for an element of `nodes` nodes and `multipliers` constraints.
-    pub fn new(nodes: usize, multipliers: usize) -> Self {
-        let rows = NODE_UNKNOWNS * nodes + multipliers;
+    /// Zero, for an element of `nodes` nodes and `own` further rows.
+    pub fn new(nodes: usize, own: usize) -> Self {
+        let rows = NODE_UNKNOWNS * nodes + own;
         Self {
             nodes,
             values: vec![0.0; rows],
@@ -33,7 +34,8 @@ impl LocalResidual {
         }
     }
 
-    /// Adds to a constraint equation of the element.
+    /// Adds to a constraint equation of the element, or to an electric one, whose numbers
+    /// follow those of the constraints.
     pub fn add_constraint(&mut self, constraint: usize, value: f64) {
         self.add_at(NODE_UNKNOWNS * self.nodes + constraint, value);
     }
@@ -63,7 +65,9 @@ impl LocalResidual {
 
 /// Jacobian of one element, by the unknowns and by their rates.
 ///
-/// Rows as in [`LocalResidual`]; columns: twelve a node, then the multipliers.
+/// Rows as in [`LocalResidual`]; columns: twelve a node, then the multipliers, then the
+/// electric unknowns, which count on from these where methods speak of multipliers and
+/// constraints.
 #[derive(Debug, Clone)]
 pub struct LocalJacobian {
     nodes: usize,
@@ -75,18 +79,18 @@ pub struct LocalJacobian {
 }
 
 impl LocalJacobian {
-    /// Zero, for an element of `nodes` nodes and `multipliers` constraints.
-    pub fn new(nodes: usize, multipliers: usize) -> Self {
-        let n = NODE_UNKNOWNS * nodes + multipliers;
+    /// Zero, for an element of `nodes` nodes and `own` further rows.
+    pub fn new(nodes: usize, own: usize) -> Self {
+        let n = NODE_UNKNOWNS * nodes + own;
         Self {
             touched: DMatrix::from_element(n, n, false),
-            ..Self::unmarked(nodes, multipliers)
+            ..Self::unmarked(nodes, own)
         }
     }
 
     /// As [`Self::new`], without notes of what is touched.
-    pub fn unmarked(nodes: usize, multipliers: usize) -> Self {
-        let n = NODE_UNKNOWNS * nodes + multipliers;
+    pub fn unmarked(nodes: usize, own: usize) -> Self {
+        let n = NODE_UNKNOWNS * nodes + own;
         Self {
             nodes,
             by_unknowns: DMatrix::zeros(n, n),
@@ -153,6 +157,12 @@ impl LocalJacobian {
         for j in 0..3 {
             self.add_column((place, first_column + j), &[row[j]], column.1.is_rate());
         }
+    }
+
+    /// Adds `d electric equation / d electric unknown`, or by its rate.
+    pub fn add_electric(&mut self, row: usize, column: usize, value: f64, rate: bool) {
+        let first = NODE_UNKNOWNS * self.nodes;
+        self.add_column((first + row, first + column), &[value], rate);
     }
 
     /// Adds the difference of two Jacobians of one element.

@@ -12,7 +12,7 @@ use shared_geom::rotation::vector;
 use super::jacobian_tests::{Random, nodes};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
 use super::loads::{Imposed, ImposedMotion, LoadFactor};
-use super::{ConstraintRates, Element, Level, Local, LocalJacobian, LocalResidual};
+use super::{ConstraintRates, Electric, Element, Level, Local, LocalJacobian, LocalResidual};
 use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion, Variable};
 
 const STEP: f64 = 1e-3;
@@ -82,6 +82,7 @@ fn found(
     let at = Local {
         nodes: &motions,
         multipliers: &vec![0.0; count],
+        electric: Electric::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

@@ -1,7 +1,7 @@
 //! Section properties along a beam, as its elements want them.
 
 use nalgebra::Matrix6;
-use shared_geom::section::{CubicTable, among_six};
+use shared_geom::section::{CubicTable, Piezo, among_six};
 
 use super::curved::Curved;
 use super::heat::{Acting, Heat};
@@ -22,6 +22,8 @@ pub(super) struct Along {
     prestress: Option<[CubicTable; 2]>,
     /// What heat and imposed strains add to the forces there.
     heat: Vec<Acting>,
+    /// Electrodes along the whole beam; `None` without.
+    pub piezo: Option<Piezo>,
     /// What the section was solved for; `None` for a straight beam, and where a blade
     /// file has compared it with its line.
     pub curved: Option<Curved>,
@@ -44,6 +46,7 @@ impl Along {
             law: properties.law.clone(),
             prestress: properties.prestress.map(|third| [third; 2]),
             heat: properties.heat.acting().to_vec(),
+            piezo: properties.piezo.clone(),
             curved: properties.curved.clone(),
             mass: vec![(0.0, properties.mass)],
             breaks: Vec::new(),
@@ -65,6 +68,7 @@ impl Along {
             law: None,
             prestress: None,
             heat: Vec::new(),
+            piezo: None,
             curved: None,
             breaks: inside.filter(|xi| xi.abs() < 1.0).collect(),
             mass,
@@ -88,6 +92,7 @@ impl Along {
             heat: Heat::default(),
             prestress: None,
             torsional_buckling: None,
+            piezo: None,
             curved: None,
         });
         Self {
@@ -149,6 +154,11 @@ impl Along {
         &self.heat
     }
 
+    /// Whether a table of prestress is used, or a law that stands in its place.
+    pub fn knows_prestress(&self) -> bool {
+        self.prestress.is_some() || self.law.is_some()
+    }
+
     /// Calls `user` with the mass along the beam.
     pub fn with_mass<T>(&self, user: impl FnOnce(&MassAlong<'_>) -> T) -> T {
         user(&MassAlong {
@@ -196,6 +206,7 @@ mod tests {
             heat: Heat::default(),
             prestress: None,
             torsional_buckling: None,
+            piezo: None,
             curved: None,
         };
         let constant = Along::constant(&properties);

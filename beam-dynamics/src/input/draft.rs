@@ -12,7 +12,6 @@ use shared_geom::error::nearest_name;
 use super::along::Along;
 use super::drives;
 use super::frames::Frames;
-use super::heat;
 use super::hub::Hub;
 use super::joints::HingeCard;
 use super::problem::InputProblem;
@@ -29,8 +28,12 @@ use crate::elements::joints::{Clamp, Hinge, RigidConnection};
 use crate::model::{Drive, Node};
 
 mod blades;
+mod electrodes;
 mod given;
 mod lookup;
+mod remarks;
+
+pub(super) use electrodes::{ElectrodeCard, names as electrode_names};
 
 /// How the mass of a beam moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -92,6 +95,7 @@ pub(super) struct Draft {
     /// Hinges, rigid connections and supports.
     joints: Vec<Box<dyn Element>>,
     loads: Vec<Box<dyn Element>>,
+    electrodes: Vec<ElectrodeCard>,
     /// Node of a hub that is not held by the frame.
     hub_node: Option<usize>,
     blades: Vec<BladeNodes>,
@@ -123,6 +127,7 @@ impl Draft {
             bodies: Vec::new(),
             joints: Vec::new(),
             loads: Vec::new(),
+            electrodes: Vec::new(),
             hub_node: None,
             blades: Vec::new(),
             remarks,
@@ -411,24 +416,19 @@ impl Draft {
             .with_mass(|mass| lumped_bodies(&beam.geometry, ends, mass))
     }
 
-    /// Adds what the reader must know of a file that was read.
-    pub fn add_remarks(&mut self, remarks: Vec<String>) {
-        self.remarks.extend(remarks);
-    }
-
-    /// What the reader must know of the files that were read.
-    pub fn remarks(&self, of_buckling: bool) -> Vec<String> {
-        let heat = heat::told(self.beams.iter().map(|beam| beam.along.heat()));
-        let buckling = of_buckling.then(|| self.properties.of_buckling());
-        [self.remarks.clone(), heat, buckling.unwrap_or_default()].concat()
-    }
-
     /// The checked model.
     pub fn model(self, name: String, spin: Spin) -> Option<Model> {
         let naming = self.naming()?;
         let mut elements = Vec::new();
-        for beam in &self.beams {
-            elements.extend(self.beam_elements(beam));
+        for (index, beam) in self.beams.iter().enumerate() {
+            let mut of_beam = self.beam_elements(beam).into_iter();
+            // The first has the stiffness.
+            elements.extend(
+                of_beam
+                    .next()
+                    .map(|first| self.with_electrodes(index, first)),
+            );
+            elements.extend(of_beam);
         }
         for (label, node, inertia) in &self.bodies {
             elements.push(boxed(RigidBody::new(label, *node, *inertia)));
@@ -437,6 +437,7 @@ impl Draft {
             let label = format!("clamp of {}", self.nodes[node].label);
             elements.push(boxed(Clamp::new(label, node, &self.nodes[node])));
         }
+        elements.extend(self.circuits());
         elements.extend(self.joints);
         elements.extend(self.loads);
         Some(Model {

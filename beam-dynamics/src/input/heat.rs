@@ -162,6 +162,25 @@ pub(super) fn told<'a>(beams: impl Iterator<Item = &'a [Acting]>) -> Vec<String>
     known.iter().map(line).collect()
 }
 
+/// A remark on what heat and imposed strains would do to the stiffness of beams that do not
+/// use tables of prestress; given is what acts on each of these.
+pub(super) fn unused_stiffness<'a>(beams: impl Iterator<Item = &'a [Acting]>) -> Vec<String> {
+    let mut cards: Vec<&str> = Vec::new();
+    let acting = beams.flatten().filter(|state| state.stiffness.is_some());
+    for state in acting {
+        if !cards.contains(&state.card.as_str()) {
+            cards.push(&state.card);
+        }
+    }
+    let remark = |card: &str| {
+        format!(
+            "what heat and imposed strains of {card} do to the stiffness is left out, as the table \
+             of prestress of the property file is not used: add prestress = true"
+        )
+    };
+    cards.into_iter().map(remark).collect()
+}
+
 /// Whether the same acts, whatever the cards are called.
 fn same(a: &[Acting], b: &[Acting]) -> bool {
     let pairs = || a.iter().zip(b);

@@ -15,6 +15,7 @@ use crate::model::Drive;
 mod along_beams;
 mod problem;
 
+pub(super) use along_beams::beams;
 pub use problem::LoadProblem;
 
 /// Reads `[gravity]`: zero without; and what it is multiplied by.

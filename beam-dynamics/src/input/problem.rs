@@ -79,16 +79,6 @@ pub enum InputProblem {
         /// Both curvatures.
         mismatch: Box<CurvatureMismatch>,
     },
-    /// Properties with something that this program would leave out.
-    #[error("properties \"{name}\" have {what}, which this program does not use yet")]
-    NotUsed {
-        /// Name of the properties.
-        name: String,
-        /// What they have, in words.
-        what: &'static str,
-        /// The field of the property file to remove.
-        field: &'static str,
-    },
     /// Prestress is asked for, and the file has none.
     #[error(
         "properties \"{name}\" ask for the effect of prestress, and \"{file}\" has no table of it"
@@ -390,11 +380,6 @@ impl Explain for InputProblem {
             Self::Unsound { problem, .. } => return problem.help(),
             Self::OtherCurvature { mismatch, .. } => return mismatch.help(),
             Self::Document(problem) => return problem.help(),
-            Self::NotUsed { field, .. } => {
-                return Some(format!(
-                    "remove \"{field}\" from the property file to go without"
-                ));
-            }
             Self::NoPrestress { .. } => {
                 "put prestress = \"biot\" into the section file and analyze it again, or remove \
                  \"prestress\" to go without"

@@ -6,7 +6,7 @@ use nalgebra::Matrix6;
 use shared_geom::blade::{section_remark, written_section_remark};
 use shared_geom::document::Table;
 use shared_geom::files::names_beside;
-use shared_geom::section::{self, CubicTable, Damping, SectionProperties};
+use shared_geom::section::{self, CubicTable, Damping, Piezo, SectionProperties};
 use shared_geom::units::Dimension;
 
 use super::curved::Curved;
@@ -38,6 +38,8 @@ pub(super) struct Properties {
     /// Why critical loads know nothing of torsional buckling, in words; `None` where they
     /// do, and for numbers in place.
     pub torsional_buckling: Option<&'static str>,
+    /// Electrodes; `None` without.
+    pub piezo: Option<Piezo>,
     /// What the section was solved for; `None` for a straight beam.
     pub curved: Option<Curved>,
 }
@@ -258,8 +260,7 @@ fn property_files_beside(path: &Path) -> Vec<String> {
     names
 }
 
-/// The matrices of sound properties; notes under `key` what is unsound, and what
-/// would be left out.
+/// The matrices of sound properties; notes under `key` what is unsound.
 pub(super) fn usable(
     name: &str,
     table: &Table<'_>,
@@ -271,18 +272,7 @@ pub(super) fn usable(
         let (name, problem) = (name.to_owned(), problem.clone());
         table.note(key, &InputProblem::Unsound { name, problem });
     }
-    let has_piezo = properties.piezo.is_some();
-    if has_piezo {
-        table.note(
-            key,
-            &InputProblem::NotUsed {
-                name: name.to_owned(),
-                what: "a piezoelectric coupling",
-                field: "piezo",
-            },
-        );
-    }
-    (problems.is_empty() && !has_piezo).then(|| Properties {
+    problems.is_empty().then(|| Properties {
         curved: None,
         stiffness: properties.stiffness,
         mass: properties.mass,
@@ -294,5 +284,6 @@ pub(super) fn usable(
         heat: Heat::of(properties),
         prestress: None,
         torsional_buckling: None,
+        piezo: properties.piezo.clone(),
     })
 }

@@ -144,13 +144,14 @@ impl Variable {
 }
 
 /// Order of the unknowns: twelve a node (position, rotation, momentum, angular
-/// momentum), then the multipliers of each element in turn. The equations stand in
-/// the same order.
+/// momentum), then the multipliers of each element in turn, then the electric ones. The
+/// equations stand in the same order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Numbering {
     nodes: usize,
     /// First multiplier of each element, and the end.
     first_multiplier: Vec<usize>,
+    electric: usize,
 }
 
 impl Numbering {
@@ -164,12 +165,19 @@ impl Numbering {
         Self {
             nodes,
             first_multiplier,
+            electric: 0,
         }
+    }
+
+    /// The same with `electric` unknowns of circuits.
+    #[must_use]
+    pub fn with_electric(self, electric: usize) -> Self {
+        Self { electric, ..self }
     }
 
     /// Number of unknowns.
     pub fn unknowns(&self) -> usize {
-        NODE_UNKNOWNS * self.nodes + self.multipliers()
+        NODE_UNKNOWNS * self.nodes + self.multipliers() + self.electric
     }
 
     /// Number of nodes.
@@ -180,6 +188,16 @@ impl Numbering {
     /// Number of multipliers.
     pub fn multipliers(&self) -> usize {
         self.first_multiplier.last().copied().unwrap_or(0)
+    }
+
+    /// Number of electric unknowns.
+    pub fn electric(&self) -> usize {
+        self.electric
+    }
+
+    /// Place of the first electric unknown.
+    pub fn first_electric(&self) -> usize {
+        NODE_UNKNOWNS * self.nodes + self.multipliers()
     }
 
     /// Place of the first unknown of a node.

@@ -251,7 +251,8 @@ impl<'a> EigenProblem<'a> {
             .factorize_complex(by_unknowns, beside, by_rates)
             .and_then(|matrix| self.iterate(&matrix, count));
         // Where the inversion overflows there is no vector: the mode moves nothing.
-        let nothing = || (vec![vec![c64::new(0.0, 0.0); self.size]; count], Vec::new());
+        let all = by_rates.pattern().size();
+        let nothing = || (vec![vec![c64::new(0.0, 0.0); all]; count], Vec::new());
         let (vectors, factors) = solved.unwrap_or_else(nothing);
         let mut values: Vec<_> = factors.iter().map(|factor| beside - factor.inv()).collect();
         values.resize(count, beside);
@@ -262,8 +263,8 @@ impl<'a> EigenProblem<'a> {
         let pair = |(vector, s): (Vec<c64>, c64)| Eigenpair {
             growth: s.re,
             angular_frequency: s.im,
-            real: vector.iter().map(|v| v.re).collect(),
-            imaginary: vector.iter().map(|v| v.im).collect(),
+            real: vector[..self.size].iter().map(|v| v.re).collect(),
+            imaginary: vector[..self.size].iter().map(|v| v.im).collect(),
             residual: self.inverse.residual(s, &vector),
         };
         vectors.into_iter().zip(values).map(pair).collect()
@@ -299,9 +300,6 @@ impl<'a> EigenProblem<'a> {
             factors = projected.eigenvalues().unwrap_or_default();
             orthonormalize(&mut vectors, self.size);
         }
-        vectors
-            .iter_mut()
-            .for_each(|vector| vector.truncate(self.size));
         let sound = |factor: &c64| factor.is_finite() && factor.norm() > 0.0;
         factors.retain(sound);
         Some((vectors, factors))

@@ -9,9 +9,12 @@
 //! positive real axis, so that a shift of the order of the lowest frequency costs no
 //! digits, and motions without stiffness, `F_y q = 0`, are eigenvalues as any other.
 //!
-//! Unknowns of T are positions and rotations q, momenta and angular momenta p; the
-//! multipliers have no rates and drop out. p is scaled so that the blocks `T_qp` and
-//! `T_pq` are of the same size.
+//! Unknowns of T are positions and rotations q, momenta and angular momenta p, and what has
+//! rates beside them: charges and currents e of circuits. Multipliers have no rates and drop
+//! out. p is scaled so that the blocks `T_qp` and `T_pq` are of the same size, and e
+//! likewise against both.
+
+use std::collections::BTreeSet;
 
 use faer::{Mat, c64};
 
@@ -33,33 +36,46 @@ const INFINITE: f64 = 1e-7;
 const ROUGH_BLOCK: usize = 4;
 const ROUGH_STEPS: usize = 6;
 
-/// The operator T on the unknowns of the nodes, with scaled momenta.
+/// The operator T on the unknowns that have rates, scaled.
 #[derive(Debug)]
 pub(super) struct Inverse {
     factorization: Factorization,
-    /// Entries (row, column, value) of `F_y'` that are not zero.
+    /// Entries of `F_y'` that are not zero: row, column among the unknowns of T, value.
     rates: Vec<(usize, usize, f64)>,
-    size: usize,
+    /// Number of unknowns of the nodes, which come first.
+    of_nodes: usize,
+    /// Places of the others in the system.
+    others: Vec<usize>,
     shift: f64,
     /// Scale of each unknown: value = scale times scaled value.
     scale: Vec<f64>,
 }
 
 impl Inverse {
-    /// T on the first `size` unknowns, for a factorization at `shift`; `None` when it is
-    /// not finite.
+    /// T on the first `of_nodes` unknowns and all others with a rate, for a factorization at
+    /// `shift`; `None` when it is not finite.
     pub fn new(
         factorization: Factorization,
         by_rates: &Sparse,
-        size: usize,
+        of_nodes: usize,
         shift: f64,
     ) -> Option<Self> {
+        let entries = || by_rates.triplets().filter(|entry| entry.2 != 0.0);
+        let others = entries().map(|entry| entry.1);
+        let others: BTreeSet<_> = others.filter(|column| *column >= of_nodes).collect();
+        let others: Vec<_> = others.into_iter().collect();
+        let column = |place: usize| match others.binary_search(&place) {
+            Ok(number) => of_nodes + number,
+            Err(_) => place,
+        };
+        let rates = entries().map(|(row, place, value)| (row, column(place), value));
         let mut inverse = Self {
             factorization,
-            rates: by_rates.triplets().filter(|entry| entry.2 != 0.0).collect(),
-            size,
+            rates: rates.collect(),
+            of_nodes,
+            scale: vec![1.0; of_nodes + others.len()],
+            others,
             shift,
-            scale: vec![1.0; size],
         };
         inverse.balance()?;
         Some(inverse)
@@ -72,7 +88,7 @@ impl Inverse {
 
     /// A rough view of the eigenvalues s nearest to the shift.
     pub fn coarse(&self) -> Vec<c64> {
-        let inverted = match self.size <= DENSE {
+        let inverted = match self.scale.len() <= DENSE {
             true => self.all(),
             false => rough(self, ROUGH_BLOCK, ROUGH_STEPS),
         };
@@ -85,7 +101,7 @@ impl Inverse {
         // One more pair, so that none is cut apart; the others only lead the iteration.
         let sure = 2 * count + 2;
         let wanted = sure + 8;
-        let inverted = if self.size <= DENSE.max(3 * wanted) {
+        let inverted = if self.scale.len() <= DENSE.max(3 * wanted) {
             self.all()
         } else {
             largest(self, wanted, sure, copies)
@@ -114,37 +130,45 @@ impl Inverse {
         }
     }
 
-    /// Scales the momenta by the sizes of the two blocks that couple them with the
-    /// positions, estimated with one vector; `None` when T is not finite.
+    /// Scales the momenta, and then what is not of nodes, by the sizes of the two blocks that
+    /// couple them with the rest, estimated with one vector; `None` when T is not finite.
     fn balance(&mut self) -> Option<()> {
-        let is_momentum = |i: usize| i % NODE_UNKNOWNS >= NODE_UNKNOWNS / 2;
-        let norm = |x: &[f64], momenta: bool| {
-            let part = x
-                .iter()
-                .enumerate()
-                .filter(|(i, _)| is_momentum(*i) == momenta);
-            part.map(|(_, value)| value * value).sum::<f64>().sqrt()
+        let of_nodes = self.of_nodes;
+        let is_momentum = |i: usize| i < of_nodes && i % NODE_UNKNOWNS >= NODE_UNKNOWNS / 2;
+        self.balance_part(is_momentum)?;
+        match self.others.is_empty() {
+            true => Some(()),
+            false => self.balance_part(|i| i >= of_nodes),
+        }
+    }
+
+    /// Scales the unknowns that are in a part.
+    fn balance_part(&mut self, is_in_part: impl Fn(usize) -> bool) -> Option<()> {
+        let norm = |x: &[f64], part: bool| {
+            let of_part = x.iter().enumerate();
+            let of_part = of_part.filter(|(i, _)| is_in_part(*i) == part);
+            of_part.map(|(_, value)| value * value).sum::<f64>().sqrt()
         };
-        let size_of_block = |from_momenta: bool| {
+        let size_of_block = |from_part: bool| {
             let value = |i: usize| {
-                if is_momentum(i) == from_momenta {
+                if is_in_part(i) == from_part {
                     start_value(i)
                 } else {
                     0.0
                 }
             };
-            let mut x: Vec<_> = (0..self.size).map(value).collect();
-            let before = norm(&x, from_momenta);
+            let mut x: Vec<_> = (0..self.scale.len()).map(value).collect();
+            let before = norm(&x, from_part);
             self.multiply_one(&mut x);
-            norm(&x, !from_momenta) / before
+            norm(&x, !from_part) / before
         };
-        let (q_by_p, p_by_q) = (size_of_block(true), size_of_block(false));
-        if !(q_by_p.is_finite() && p_by_q.is_finite()) {
+        let (rest_by_part, part_by_rest) = (size_of_block(true), size_of_block(false));
+        if !(rest_by_part.is_finite() && part_by_rest.is_finite()) {
             return None;
         }
-        if q_by_p > 0.0 && p_by_q > 0.0 {
-            let scale = (p_by_q / q_by_p).sqrt();
-            for i in (0..self.size).filter(|&i| is_momentum(i)) {
+        if rest_by_part > 0.0 && part_by_rest > 0.0 {
+            let scale = (part_by_rest / rest_by_part).sqrt();
+            for i in (0..self.scale.len()).filter(|&i| is_in_part(i)) {
                 self.scale[i] = scale;
             }
         }
@@ -153,18 +177,20 @@ impl Inverse {
 
     /// All eigenvalues of T; empty when the iteration fails.
     fn all(&self) -> Vec<c64> {
-        let mut matrix = Mat::zeros(self.size, self.size);
+        let mut matrix = Mat::zeros(self.scale.len(), self.scale.len());
         matrix.diagonal_mut().fill(1.0);
         self.multiply(&mut matrix);
         eigenvalues(matrix.as_ref())
     }
 
-    /// `|T v - v / (s - sigma)|` relative to `|v / (s - sigma)|`, v in the unknowns of the nodes: about 1e-12
-    /// for a well-conditioned model.
+    /// `|T v - v / (s - sigma)|` relative to `|v / (s - sigma)|`, v in all unknowns of the
+    /// system: about 1e-12 for a well-conditioned model.
     pub fn residual(&self, s: c64, vector: &[c64]) -> f64 {
         let scaled = |part: fn(&c64) -> f64| -> Vec<f64> {
-            vector
+            let others = self.others.iter().map(|&place| &vector[place]);
+            vector[..self.of_nodes]
                 .iter()
+                .chain(others)
                 .zip(&self.scale)
                 .map(|(v, scale)| part(v) / scale)
                 .collect()
@@ -189,7 +215,7 @@ impl Inverse {
 
 impl Operator for Inverse {
     fn size(&self) -> usize {
-        self.size
+        self.scale.len()
     }
 
     fn multiply(&self, x: &mut Mat<f64>) {
@@ -205,8 +231,9 @@ impl Operator for Inverse {
             product.fill(f64::NAN);
         }
         for j in 0..x.ncols() {
-            for i in 0..self.size {
-                x[(i, j)] = product[(i, j)] / self.scale[i];
+            let others = self.others.iter().copied();
+            for (i, place) in (0..self.of_nodes).chain(others).enumerate() {
+                x[(i, j)] = product[(place, j)] / self.scale[i];
             }
         }
     }

@@ -174,16 +174,23 @@ impl Arrangement {
         marks: &[(Vector3<f64>, RGBColor)],
     ) -> Result<(), FigureProblem> {
         for (view, panel) in &self.panels {
-            draw_view(canvas, *view, &panel.moved(corner), strokes, marks)?;
+            let seen = (*view, &lengths(*view));
+            draw_view(canvas, seen, &panel.moved(corner), strokes, marks)?;
         }
         Ok(())
     }
 }
 
-/// Draws strokes and marks as they are seen in a view, with its axes.
+/// What the axes of a view are called where they are lengths.
+pub(super) fn lengths(view: View) -> [String; 2] {
+    view.map(|axis| format!("{} [m]", AXES[axis]))
+}
+
+/// Draws strokes and marks as they are seen in a view, with its axes and what these are
+/// called.
 pub(super) fn draw_view<B: DrawingBackend>(
     canvas: &Canvas<B>,
-    view: View,
+    (view, names): (View, &[String; 2]),
     panel: &Panel,
     strokes: &[Stroke],
     marks: &[(Vector3<f64>, RGBColor)],
@@ -195,26 +202,25 @@ pub(super) fn draw_view<B: DrawingBackend>(
     for (mark, color) in marks {
         canvas.disc(panel.place(view.map(|i| mark[i])), 7.0, *color)?;
     }
-    draw_axes(canvas, view, panel)
+    draw_axes(canvas, names, panel)
 }
 
 fn draw_axes<B: DrawingBackend>(
     canvas: &Canvas<B>,
-    view: View,
+    [right, upward]: &[String; 2],
     panel: &Panel,
 ) -> Result<(), FigureProblem> {
     let ticks = |length: f64, each: f64| ((length / each).round() as usize).clamp(1, 10);
     let across = ticks(panel.right - panel.left, 170.0);
     let up = ticks(panel.bottom - panel.top, 110.0);
     panel.draw_frame(canvas, [across, up], true)?;
-    let [right, upward] = view.map(|axis| format!("{} [m]", AXES[axis]));
     let middle = [
         0.5 * (panel.left + panel.right),
         0.5 * (panel.top + panel.bottom),
     ];
     let title = Label::new(0.5 * (TEXT + SMALL)).anchored(Anchor::Middle);
-    canvas.text(&right, [middle[0], panel.bottom + 78.0], title)?;
-    canvas.text(&upward, [panel.left - 122.0, middle[1]], title.upward())
+    canvas.text(right, [middle[0], panel.bottom + 78.0], title)?;
+    canvas.text(upward, [panel.left - 122.0, middle[1]], title.upward())
 }
 
 /// Pixels a meter of views arranged below each other (`along` 0) or beside (1).

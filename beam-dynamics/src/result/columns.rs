@@ -7,10 +7,10 @@ use shared_geom::rotation::vector;
 
 use super::Moment;
 use crate::case::{
-    Axes, Column, EnergyPart, JointMotion, Model, NodeQuantity, NodeVector, OutputQuestion, Part,
-    Quantity, SpringVector,
+    Axes, Column, ElectrodeQuantity, EnergyPart, JointMotion, Model, NodeQuantity, NodeVector,
+    OutputQuestion, Part, Quantity, SpringVector,
 };
-use crate::elements::{Energy, Observations, Reaction, SectionState};
+use crate::elements::{ElectrodeState, Energy, Observations, Reaction, SectionState};
 use crate::model::{NodeMotion, State};
 
 /// Finds the numbers of columns. Only elements that some column needs are asked.
@@ -24,6 +24,8 @@ pub struct ColumnValues<'a> {
     direct: Vec<usize>,
     /// Columns of energy.
     energy: Vec<usize>,
+    /// Columns of electrodes.
+    electrodes: Vec<usize>,
     observed: Observations,
     /// Angles of joints with their full turns at the latest moment, by name [rad].
     angles: BTreeMap<String, f64>,
@@ -46,6 +48,7 @@ impl<'a> ColumnValues<'a> {
             asked: Vec::new(),
             direct: Vec::new(),
             energy: Vec::new(),
+            electrodes: Vec::new(),
             observed: Observations::default(),
             angles: BTreeMap::new(),
         };
@@ -58,6 +61,7 @@ impl<'a> ColumnValues<'a> {
                     values.ask(label, index);
                 }
                 Quantity::Energy(_) => values.energy.push(index),
+                Quantity::Electrode { .. } => values.electrodes.push(index),
                 _ => values.direct.push(index),
             }
         }
@@ -129,6 +133,7 @@ impl<'a> ColumnValues<'a> {
                 }
             }
         }
+        self.evaluate_electrodes(moment, out);
         for asked in &self.asked {
             self.observed.sections.clear();
             self.observed.reactions.clear();
@@ -160,6 +165,25 @@ impl<'a> ColumnValues<'a> {
         }
     }
 
+    fn evaluate_electrodes(&self, moment: &Moment<'_>, out: &mut [f64]) {
+        if self.electrodes.is_empty() {
+            return;
+        }
+        let found = (self.model.system).electrodes(moment.state, moment.conditions);
+        for &index in &self.electrodes {
+            let Quantity::Electrode {
+                electrode,
+                quantity,
+            } = self.columns[index].quantity
+            else {
+                continue;
+            };
+            if let Some(found) = found.get(electrode) {
+                out[index] = of_electrode(found, quantity);
+            }
+        }
+    }
+
     /// A number that needs no element, in SI units.
     fn direct_value(&self, quantity: &Quantity, moment: &Moment<'_>) -> f64 {
         let state = moment.state;
@@ -184,6 +208,7 @@ impl<'a> ColumnValues<'a> {
             | Quantity::Reaction { .. }
             | Quantity::Joint { .. }
             | Quantity::Spring { .. }
+            | Quantity::Electrode { .. }
             | Quantity::Energy(_) => f64::NAN,
         }
     }
@@ -308,12 +333,21 @@ fn told(quantity: &Quantity, observed: &Observations, state: &State) -> Option<f
     }
 }
 
+fn of_electrode(electrode: &ElectrodeState, quantity: ElectrodeQuantity) -> f64 {
+    match quantity {
+        ElectrodeQuantity::Voltage => electrode.voltage,
+        ElectrodeQuantity::Charge => electrode.charge,
+        ElectrodeQuantity::Current => electrode.current,
+    }
+}
+
 fn energy_part(energy: &Energy, part: EnergyPart) -> f64 {
     match part {
         EnergyPart::Kinetic => energy.kinetic,
         EnergyPart::Elastic => energy.elastic,
         EnergyPart::Gravity => energy.gravity,
-        EnergyPart::Total => energy.kinetic + energy.elastic + energy.gravity,
+        EnergyPart::Electric => energy.electric,
+        EnergyPart::Total => energy.kinetic + energy.elastic + energy.gravity + energy.electric,
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::case::BladeNodes;
-use crate::elements::{Reaction, SectionState};
+use crate::elements::{ElectrodeState, Reaction, SectionState};
 use crate::model::Node;
 
 /// The equilibrium at one factor of the proportional loads.
@@ -23,6 +23,8 @@ pub struct StaticStep {
     pub sections: Vec<SectionState>,
     /// What holds the model: forces and moments of the joints on their nodes.
     pub reactions: Vec<Reaction>,
+    /// Voltages and charges of the electrodes.
+    pub electrodes: Vec<ElectrodeState>,
 }
 
 /// A load path: equilibria in the order in which they were reached.

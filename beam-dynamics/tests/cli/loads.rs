@@ -224,7 +224,7 @@ const WRONG_LOADS: &[(&str, &str)] = &[
     ),
     (
         "[[distributed_load]]\nforce = [0, 0, 1]\n",
-        "the load has neither \"blade\" nor \"beams\", expected one of them",
+        "the card has neither \"blade\" nor \"beams\", expected one of them",
     ),
     (
         "[[distributed_load]]\nblade = \"blad\"\nforce = [0, 0, 1]\n",
@@ -244,7 +244,7 @@ const WRONG_LOADS: &[(&str, &str)] = &[
     ),
     (
         "[[distributed_load]]\nbeams = []\nforce = [0, 0, 1]\n",
-        "\"beams\" is empty, expected the names of beams along which the load acts",
+        "\"beams\" is empty, expected the names of beams",
     ),
     (
         "[[distributed_load]]\nblade = \"blade\"\nat = [0, 0.5]\nforce = [0, 0, 1]\n",

@@ -5,6 +5,7 @@
 
 mod blades;
 mod curvature;
+mod electrodes;
 mod exchange;
 mod keys;
 
@@ -12,9 +13,9 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use nalgebra::{DMatrix, Matrix6, Vector2, Vector6};
+use nalgebra::{Matrix6, Vector2, Vector6};
 use shared_geom::section::{
-    self, Centers, Change, Piezo, PrincipalAxes, Provenance, SectionProperties, Step,
+    self, Centers, Change, PrincipalAxes, Provenance, SectionProperties, Step,
 };
 use tempfile::TempDir;
 
@@ -332,25 +333,6 @@ fn a_property_file_with_a_history_is_read() {
     });
     assert!(section::write(&moved).contains("\"version\": 2,"));
     assert_eq!(frequencies(&moved), frequencies(&plain));
-}
-
-#[test]
-fn what_would_be_left_out_is_refused() {
-    let folder = Folder::new();
-    let mut properties = strip();
-    properties.piezo = Some(Piezo {
-        electrodes: vec!["top".to_owned()],
-        coupling: DMatrix::zeros(6, 1),
-        capacitance: DMatrix::from_element(1, 1, 1e-9),
-    });
-    folder.write("strip.properties.json", &section::write(&properties));
-    let line = |what: &str, field: &str| {
-        format!(
-            "error: a.dynamics.toml:3: properties \"strip\" have {what}, which this program does \
-             not use yet\n  help: remove \"{field}\" from the property file to go without"
-        )
-    };
-    folder.refuses(BLADE, &line("a piezoelectric coupling", "piezo"));
 }
 
 #[test]

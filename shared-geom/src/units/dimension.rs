@@ -94,6 +94,10 @@ impl Dimension {
     pub const CHARGE_PER_AREA: Self = Self::of(-2, 0, 1, 0).of_current(1);
     /// Capacitance, in F inside.
     pub const CAPACITANCE: Self = Self::of(-2, -1, 4, 0).of_current(2);
+    /// Resistance, in ohms inside.
+    pub const RESISTANCE: Self = Self::of(2, 1, -3, 0).of_current(-2);
+    /// Inductance, in H inside.
+    pub const INDUCTANCE: Self = Self::of(2, 1, -2, 0).of_current(-2);
     /// Permittivity, in F/m inside.
     pub const PERMITTIVITY: Self = Self::of(-3, -1, 4, 0).of_current(2);
     /// Strain per electric field, in m/V inside.
@@ -173,6 +177,8 @@ impl fmt::Display for Dimension {
             Self::CHARGE_PER_LENGTH => "a charge per length",
             Self::CHARGE_PER_AREA => "a charge per area (stress per electric field)",
             Self::CAPACITANCE => "a capacitance",
+            Self::RESISTANCE => "a resistance",
+            Self::INDUCTANCE => "an inductance",
             Self::PERMITTIVITY => "a permittivity",
             Self::STRAIN_PER_FIELD => "a strain per electric field",
             _ => return self.write_units(f),

@@ -13,7 +13,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::assembly::{Sharing, System};
+use crate::assembly::{Settling, Sharing, System};
 use crate::case::Model;
 use crate::elements::{Element, Level};
 use crate::integrator::{Corner, Renewal};
@@ -82,8 +82,9 @@ pub(super) fn jump(
         return Some(Jump::Rates(rates));
     }
     let of_force = |row: usize| row % NODE_UNKNOWNS >= Equation::Force.row();
-    let mut forces = (0..first).filter(|row| of_force(*row));
-    let is_felt = forces.any(|row| {
+    let forces = (0..first).filter(|row| of_force(*row));
+    let circuits = system.numbering().first_electric()..earlier.values.len();
+    let is_felt = forces.chain(circuits).any(|row| {
         let least = UNFELT * earlier.sizes[row].max(later.sizes[row]);
         (later.values[row] - earlier.values[row]).abs() > least
     });
@@ -290,6 +291,7 @@ impl Multibody<'_> {
         if let Some(moved) = moved {
             self.states[0] = moved;
         }
+        system.settle_circuits(&mut self.states[0], &after, Settling::InMotion);
         match consistent_rates(system, &self.states[0], &after) {
             Some(state) => {
                 self.states[0] = state;

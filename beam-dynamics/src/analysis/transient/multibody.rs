@@ -109,8 +109,9 @@ impl<'a> Multibody<'a> {
             variations: vec![variation; nodes],
             own_axes: own_axes::find(system, &rest.nodes, &tangent),
             work: system.workspace(),
-            algebraic: (0..numbering.unknowns())
-                .map(|place| place >= NODE_UNKNOWNS * nodes)
+            algebraic: std::iter::repeat_n(false, NODE_UNKNOWNS * nodes)
+                .chain(std::iter::repeat_n(true, numbering.multipliers()))
+                .chain(system.electric_rates().map(|has_rate| !has_rate))
                 .collect(),
             is_simplified,
             size: rest.size(),
@@ -162,10 +163,19 @@ fn attitude(node: &NodeMotion) -> Attitude {
     }
 }
 
-/// Numbers of all nodes, twelve each, and of the multipliers.
+/// Numbers of all nodes, twelve each, and of the multipliers and the electric unknowns.
 fn split(values: &[f64], nodes: usize) -> (std::slice::Chunks<'_, f64>, &[f64]) {
     let (of_nodes, of_multipliers) = values.split_at(NODE_UNKNOWNS * nodes);
     (of_nodes.chunks(NODE_UNKNOWNS), of_multipliers)
+}
+
+/// Multipliers and electric unknowns of `base`, moved.
+fn move_own(state: &mut State, base: &State, changes: &[f64]) {
+    let bases = base.multipliers.iter().chain(&base.electric);
+    let numbers = state.multipliers.iter_mut().chain(&mut state.electric);
+    for ((number, base), change) in numbers.zip(bases).zip(changes) {
+        *number = base + change;
+    }
 }
 
 /// One step of Newton's iteration for the polar factor: takes away the round-off of many
@@ -265,11 +275,15 @@ impl Dae for Multibody<'_> {
             write(node, origin, own.as_ref(), out);
         }
         let multipliers = then.multipliers.iter().zip(&latest.multipliers);
+        let electric = then.electric.iter().zip(&latest.electric);
         let first = NODE_UNKNOWNS * nodes;
-        for (value, (now, origin)) in y[first..].iter_mut().zip(multipliers) {
+        let changes = multipliers.chain(electric);
+        for (value, (now, origin)) in y[first..].iter_mut().zip(changes) {
             *value = now - origin;
         }
-        rates[first..].fill(0.0);
+        let (of_multipliers, of_electric) = rates[first..].split_at_mut(then.multipliers.len());
+        of_multipliers.fill(0.0);
+        of_electric.copy_from_slice(&then.electric_rates);
     }
 
     fn renew(&mut self, corner: &Corner, step: f64) -> Renewal {
@@ -280,7 +294,7 @@ impl Dae for Multibody<'_> {
         let latest = &self.states[0];
         let trial = &mut self.trials[stage];
         trial.conditions = self.model.conditions_at(time);
-        let ((y, multipliers), (rates, _)) = (
+        let ((y, own), (rates, own_rates)) = (
             split(y, latest.nodes.len()),
             split(rates, latest.nodes.len()),
         );
@@ -299,10 +313,9 @@ impl Dae for Multibody<'_> {
             let axes = own.as_ref().map(|own| (own, &node.rotation));
             *base = moved((node, 0.0), &turned, axes, numbers);
         }
-        let old = latest.multipliers.iter().zip(multipliers);
-        for (base, (latest, change)) in trial.base.multipliers.iter_mut().zip(old) {
-            *base = latest + change;
-        }
+        move_own(&mut trial.base, latest, own);
+        let first = latest.multipliers.len();
+        (trial.base.electric_rates).copy_from_slice(&own_rates[first..]);
         trial.state.copy_from(&trial.base);
         for turn in &mut trial.turns {
             turn.parameters.fill(0.0);
@@ -315,7 +328,7 @@ impl Dae for Multibody<'_> {
     fn correct(&mut self, stage: usize, y: &[f64], rates: &[f64]) {
         let trial = &mut self.trials[stage];
         let nodes = trial.base.nodes.len();
-        let ((y, multipliers), (rates, _)) = (split(y, nodes), split(rates, nodes));
+        let ((y, own), (rates, own_rates)) = (split(y, nodes), split(rates, nodes));
         let origins = self.own_axes.iter().zip(&self.states[0].nodes);
         let bases = trial.base.nodes.iter().zip(origins).zip(y.zip(rates));
         let states = trial.state.nodes.iter_mut().zip(&mut trial.turns);
@@ -326,8 +339,10 @@ impl Dae for Multibody<'_> {
             let axes = own.as_ref().map(|own| (own, &origin.rotation));
             *state = moved((base, 1.0), &turned, axes, numbers);
         }
-        let bases = trial.base.multipliers.iter().zip(multipliers);
-        for (state, (base, change)) in trial.state.multipliers.iter_mut().zip(bases) {
+        move_own(&mut trial.state, &trial.base, own);
+        let changes = &own_rates[trial.base.multipliers.len()..];
+        let bases = trial.base.electric_rates.iter().zip(changes);
+        for (state, (base, change)) in trial.state.electric_rates.iter_mut().zip(bases) {
             *state = base + change;
         }
     }
@@ -392,8 +407,10 @@ impl Dae for Multibody<'_> {
     }
 
     fn worst(&self, residual: &Residual) -> Worst {
-        let nodes = self.model.system.nodes().len();
-        worst(residual, nodes, self.size / nodes.max(1) as f64)
+        let numbering = self.model.system.numbering();
+        let nodes = numbering.nodes();
+        let places = (nodes, numbering.first_electric());
+        worst(residual, places, self.size / nodes.max(1) as f64)
     }
 
     fn size(&self, correction: &[f64]) -> f64 {

@@ -85,7 +85,10 @@ impl Accelerated {
         let masses = masses(nodes, tangent);
         let mut saddle = Saddle::default();
         saddle.entries.extend(&masses);
-        saddle.entries.extend(multiplier_columns(nodes, tangent));
+        saddle.entries.extend(multiplier_columns(
+            [nodes, state.multipliers.len()],
+            tangent,
+        ));
         let first = MOTION * nodes;
         let rows = constraint_rows(system, tangent, By::Velocities);
         let rows = rows.into_iter().map(|(i, j, value)| (first + i, j, value));
@@ -144,11 +147,15 @@ fn is_momentum_by_motion(nodes: usize, row: usize, column: usize) -> bool {
 }
 
 /// `-F_lambda`.
-fn multiplier_columns(nodes: usize, tangent: &Tangent) -> Vec<(usize, usize, f64)> {
+fn multiplier_columns(
+    [nodes, multipliers]: [usize; 2],
+    tangent: &Tangent,
+) -> Vec<(usize, usize, f64)> {
     let first = NODE_UNKNOWNS * nodes;
+    let multipliers = first..first + multipliers;
     let entries = tangent.by_unknowns.triplets();
     let is_force = |&(row, column, _): &(usize, usize, f64)| {
-        column >= first && row < first && row % NODE_UNKNOWNS >= Equation::Force.row()
+        multipliers.contains(&column) && row < first && row % NODE_UNKNOWNS >= Equation::Force.row()
     };
     entries
         .filter(is_force)

@@ -54,7 +54,9 @@ fn numbers(state: &State) -> Vec<f64> {
         numbers
     };
     let of_nodes = state.nodes.iter().flat_map(of_node);
-    of_nodes.chain(state.multipliers.iter().copied()).collect()
+    let rest = [&state.multipliers, &state.electric, &state.electric_rates];
+    let rest = rest.into_iter().flatten().copied();
+    of_nodes.chain(rest).collect()
 }
 
 /// The two accepted states of a snapshot of this model, the latest first.
@@ -64,10 +66,12 @@ pub(super) fn states(model: &Model, snapshot: &Snapshot) -> Result<[State; 2], T
         return Err(mismatch(reason));
     }
     let nodes = model.system.nodes().len();
-    let length = OF_NODE * nodes + model.system.numbering().multipliers();
+    let numbering = model.system.numbering();
+    let own = [numbering.multipliers(), numbering.electric()];
+    let length = OF_NODE * nodes + own[0] + 2 * own[1];
     match &snapshot.states[..] {
         [latest, before] if latest.len() == length && before.len() == length => {
-            Ok([latest, before].map(|numbers| state(numbers, nodes)))
+            Ok([latest, before].map(|numbers| state(numbers, nodes, own)))
         }
         _ => Err(mismatch("its states are incomplete".to_owned())),
     }
@@ -90,8 +94,11 @@ pub fn difference(model: &Model, snapshot: &Snapshot) -> Option<String> {
         .then(|| format!("its joints have {found} constraints, those of the model {expected}"))
 }
 
-fn state(numbers: &[f64], nodes: usize) -> State {
-    let (of_nodes, multipliers) = numbers.split_at(OF_NODE * nodes);
+/// The state of so many nodes, multipliers and electric unknowns.
+fn state(numbers: &[f64], nodes: usize, [multipliers, electric]: [usize; 2]) -> State {
+    let (of_nodes, rest) = numbers.split_at(OF_NODE * nodes);
+    let (multipliers, rest) = rest.split_at(multipliers);
+    let (electric, electric_rates) = rest.split_at(electric);
     let of_node = |numbers: &[f64]| {
         let vector = |first: usize| Vector3::from_column_slice(&numbers[first..first + 3]);
         NodeMotion {
@@ -108,5 +115,7 @@ fn state(numbers: &[f64], nodes: usize) -> State {
     State {
         nodes: of_nodes.chunks(OF_NODE).map(of_node).collect(),
         multipliers: multipliers.to_vec(),
+        electric: electric.to_vec(),
+        electric_rates: electric_rates.to_vec(),
     }
 }

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use crate::analysis::steady::equilibrium;
-use crate::assembly::System;
+use crate::assembly::{Settling, System};
 use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
 use crate::elements::Level;
 use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
@@ -134,6 +134,11 @@ pub(super) fn start(
     };
     let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;
     let changes = changes(model, &given, &state);
+    if question.start == Start::Given {
+        // Circuits begin at rest: without current.
+        system.settle_circuits(&mut state, &conditions, Settling::AtRest);
+    }
+    system.settle_circuits(&mut state, &conditions, Settling::InMotion);
     find_momenta(system, &mut state, &conditions);
     let mut started = Started {
         state,

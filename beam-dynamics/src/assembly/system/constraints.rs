@@ -29,7 +29,8 @@ impl System {
             };
             let entries = matrix.triplets().filter(|&(row, column, _)| {
                 let moves = column % NODE_UNKNOWNS < Variable::Momentum.column();
-                row >= first && column < first && moves && levels[row - first] == *level
+                let own = row.checked_sub(first).and_then(|row| levels.get(row));
+                column < first && moves && own == Some(level)
             });
             rows.extend(entries.map(|(row, column, value)| (row - first, column, value)));
         }

@@ -15,7 +15,7 @@ impl System {
         let mut sum = vec![0.0; self.numbering.unknowns()];
         for (index, element) in self.elements.iter().enumerate() {
             let nodes = self.motions(index, state);
-            let mut local = LocalResidual::new(nodes.len(), element.multipliers());
+            let mut local = LocalResidual::new(nodes.len(), element.own_rows());
             let at = self.seen_by(index, &nodes, state, conditions);
             element.by_factor(&at, &mut local);
             self.layouts[index].add_vector(local.values(), &mut sum);
@@ -40,13 +40,15 @@ impl System {
                     [part(0), part(3)]
                 })
                 .collect();
-            let multipliers = &places[NODE_UNKNOWNS * nodes.len()..];
-            let multipliers: Vec<_> = multipliers.iter().map(|&place| along[place]).collect();
+            let own = &places[NODE_UNKNOWNS * nodes.len()..];
+            let own: Vec<_> = own.iter().map(|&place| along[place]).collect();
+            let (multipliers, electric) = own.split_at(element.multipliers());
             let along = Along {
                 nodes: &moved,
-                multipliers: &multipliers,
+                multipliers,
+                electric,
             };
-            let mut local = LocalJacobian::new(nodes.len(), element.multipliers());
+            let mut local = LocalJacobian::new(nodes.len(), element.own_rows());
             element.prestress(&at, &along, &mut local);
             layout.add_matrix(local.by_unknowns(), sum.values_mut());
         }

@@ -24,8 +24,10 @@ pub(super) struct Layout {
     nodes: usize,
     /// Entries in the columns of nodes.
     of_nodes: Vec<Run>,
-    /// Entries in the columns of multipliers.
+    /// Entries in the columns of multipliers, and of electric unknowns without rate.
     of_multipliers: Vec<Run>,
+    /// Entries in the columns of electric unknowns with a rate.
+    of_electric: Vec<Run>,
 }
 
 /// Entries that follow each other in a column of the local Jacobian, and in the pattern.
@@ -39,23 +41,27 @@ struct Run {
 }
 
 impl Layout {
-    /// Rows of element number `index`: those of its nodes, then its multipliers.
+    /// Rows of element number `index`: those of its nodes, then its multipliers, then its
+    /// electric unknowns.
     pub fn rows(element: &dyn Element, index: usize, numbering: &Numbering) -> Vec<usize> {
         let of_nodes = element.nodes().iter().flat_map(|&node| {
             let first = numbering.node(node);
             first..first + NODE_UNKNOWNS
         });
         let first = numbering.first_multiplier_of(index);
+        let electric = element.electric().iter();
         of_nodes
             .chain(first..first + element.multipliers())
+            .chain(electric.map(|number| numbering.first_electric() + number))
             .collect()
     }
 
-    /// The layout of an element of `nodes` nodes on the rows `places`, which touched the
-    /// entries of `jacobian`.
+    /// The layout of an element of `nodes` nodes on the rows `places`, the last of which are
+    /// of electric unknowns that have rates or have none; it touched the entries of
+    /// `jacobian`.
     pub fn new(
         places: Vec<usize>,
-        nodes: usize,
+        (nodes, has_rate): (usize, &[bool]),
         room: usize,
         jacobian: &LocalJacobian,
         pattern: &Pattern,
@@ -65,9 +71,19 @@ impl Layout {
         let follows = |(at, first): (usize, &usize)| *first == places[0] + NODE_UNKNOWNS * at;
         let consecutive = nodes > 0 && firsts().enumerate().all(follows);
         let runs = |columns| runs(&places, columns, jacobian.touched(), pattern);
+        let first_electric = places.len() - has_rate.len();
+        let (mut of_multipliers, mut of_electric) = (Vec::new(), Vec::new());
+        of_multipliers.extend(runs(columns_of_nodes..first_electric));
+        for (column, has_rate) in (first_electric..).zip(has_rate) {
+            match has_rate {
+                true => of_electric.extend(runs(column..column + 1)),
+                false => of_multipliers.extend(runs(column..column + 1)),
+            }
+        }
         Self {
             of_nodes: runs(0..columns_of_nodes),
-            of_multipliers: runs(columns_of_nodes..places.len()),
+            of_multipliers,
+            of_electric,
             room,
             rates: jacobian.touches_rates(),
             consecutive: consecutive.then(|| places[0] / NODE_UNKNOWNS),
@@ -100,10 +116,11 @@ impl Layout {
     pub fn add_matrix(&self, local: &DMatrix<f64>, sum: &mut [f64]) {
         add_runs(&self.of_nodes, 1.0, local, sum);
         add_runs(&self.of_multipliers, 1.0, local, sum);
+        add_runs(&self.of_electric, 1.0, local, sum);
     }
 
-    /// Adds `by_unknowns F_y + by_rates F_y'` in the columns of nodes and
-    /// `by_algebraic F_y` in those of multipliers.
+    /// Adds `by_unknowns F_y + by_rates F_y'` in the columns of nodes and of electric unknowns
+    /// with a rate, and `by_algebraic F_y` in those of all others.
     pub fn add_weighted(
         &self,
         local: &LocalJacobian,
@@ -111,8 +128,10 @@ impl Layout {
         sum: &mut [f64],
     ) {
         add_runs(&self.of_nodes, by_unknowns, local.by_unknowns(), sum);
+        add_runs(&self.of_electric, by_unknowns, local.by_unknowns(), sum);
         if self.rates {
             add_runs(&self.of_nodes, by_rates, local.by_rates(), sum);
+            add_runs(&self.of_electric, by_rates, local.by_rates(), sum);
         }
         let multipliers = &self.of_multipliers;
         add_runs(multipliers, by_algebraic, local.by_unknowns(), sum);
@@ -191,12 +210,12 @@ pub(super) struct Room {
 }
 
 impl Workspace {
-    /// Room for elements of the given numbers of nodes and multipliers.
+    /// Room for elements of the given numbers of nodes and of rows of their own.
     pub(super) fn new(sizes: &[(usize, usize)]) -> Self {
         let nodes = sizes.iter().map(|size| size.0).max().unwrap_or(0);
-        let room = |&(nodes, multipliers): &(usize, usize)| Room {
-            residual: LocalResidual::new(nodes, multipliers),
-            jacobian: LocalJacobian::unmarked(nodes, multipliers),
+        let room = |&(nodes, own): &(usize, usize)| Room {
+            residual: LocalResidual::new(nodes, own),
+            jacobian: LocalJacobian::unmarked(nodes, own),
         };
         Self {
             motions: Vec::with_capacity(nodes),

@@ -1,7 +1,7 @@
 //! What the unknowns and equations of a system are called, and their units.
 
 use super::System;
-use crate::elements::ConstraintWords;
+use crate::elements::{ConstraintWords, ElectricUnknown};
 use crate::model::{Equation, NODE_UNKNOWNS, Name, Variable};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -13,6 +13,10 @@ impl System {
             let equation = Equation::ALL[row / 3];
             let what = format!("{} {}", equation.words(), AXES[row % 3]);
             return Name::of_node(what, node, equation.unit());
+        }
+        if let Some(electric) = self.of_circuit(place) {
+            let what = electric.kind.equation().to_owned();
+            return Name::of_element(what, &electric.electrode, "V");
         }
         match self.of_constraint(place) {
             Some((label, words)) => Name::of_element(words.held, label, words.unit),
@@ -27,6 +31,10 @@ impl System {
             let what = format!("{} {}", variable.words(), AXES[column % 3]);
             return Name::of_node(what, node, variable.unit());
         }
+        if let Some(electric) = self.of_circuit(place) {
+            let what = electric.kind.words().to_owned();
+            return Name::of_element(what, &electric.electrode, electric.kind.unit());
+        }
         match self.of_constraint(place) {
             Some((label, words)) => Name::of_element(words.reaction, label, words.reaction_unit),
             None => Name::of_system(format!("unknown {place}"), "-"),
@@ -37,6 +45,12 @@ impl System {
     fn of_node(&self, place: usize) -> Option<(&str, usize)> {
         let node = self.nodes.get(place / NODE_UNKNOWNS)?;
         Some((&node.label, place % NODE_UNKNOWNS))
+    }
+
+    /// The electric unknown at a place.
+    fn of_circuit(&self, place: usize) -> Option<&ElectricUnknown> {
+        self.electric
+            .get(place.checked_sub(self.numbering.first_electric())?)
     }
 
     /// The label of the element to which the constraint at a place belongs, and its words.

@@ -36,8 +36,8 @@ impl System {
         let nodes = self.motions(element, state);
         let at = self.seen_by(element, &nodes, state, conditions);
         let element = &self.elements[element];
-        let mut residual = LocalResidual::new(nodes.len(), element.multipliers());
-        let mut jacobian = LocalJacobian::unmarked(nodes.len(), element.multipliers());
+        let mut residual = LocalResidual::new(nodes.len(), element.own_rows());
+        let mut jacobian = LocalJacobian::unmarked(nodes.len(), element.own_rows());
         element.residual(&at, &mut residual);
         element.jacobian(&at, &mut jacobian);
         let derivatives = jacobian

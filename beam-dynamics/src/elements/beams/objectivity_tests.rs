@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
 
 use super::{BeamGeometry, BeamNode, ElasticBeam, ViscousBeam};
-use crate::elements::{Element, Local, LocalResidual};
+use crate::elements::{Electric, Element, Local, LocalResidual};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion};
 
 /// A curved, twisted beam with offsets.
@@ -77,6 +77,7 @@ fn nodal_forces_balance() {
     let at = Local {
         nodes: &motion,
         multipliers: &[],
+        electric: Electric::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

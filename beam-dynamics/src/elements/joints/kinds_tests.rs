@@ -10,7 +10,7 @@ use super::samples::{Setting, all, settings};
 use super::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::elements::jacobian_tests::{Random, nodes};
 use crate::elements::{
-    Element, JointState, Local, LocalJacobian, LocalResidual, Observations, ReactionAxes,
+    Electric, Element, JointState, Local, LocalJacobian, LocalResidual, Observations, ReactionAxes,
 };
 use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion};
 
@@ -30,6 +30,7 @@ fn seen<T>(
         &Local {
             nodes: motions,
             multipliers,
+            electric: Electric::NONE,
             frame: &conditions.frame,
             loading: &loading,
         },

@@ -5,7 +5,7 @@ use shared_geom::rotation::vector;
 
 use super::{Hinge, HingeSpring};
 use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
-use crate::elements::{Along, Element, Local, LocalJacobian, Observations};
+use crate::elements::{Along, Electric, Element, Local, LocalJacobian, Observations};
 use crate::model::{Conditions, Drive, Node, NodeMotion};
 
 fn node(x: f64) -> Node {
@@ -28,6 +28,7 @@ fn tangent(
     let at = Local {
         nodes,
         multipliers,
+        electric: Electric::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };
@@ -36,7 +37,12 @@ fn tangent(
         None => element.jacobian(&at, &mut out),
         Some(nodes) => {
             let multipliers = &vec![0.0; multipliers.len()];
-            element.prestress(&at, &Along { nodes, multipliers }, &mut out);
+            let along = Along {
+                nodes,
+                multipliers,
+                electric: &[],
+            };
+            element.prestress(&at, &along, &mut out);
         }
     }
     out.by_unknowns().clone()
@@ -114,6 +120,7 @@ fn the_relaxed_angle_of_a_spring_follows_a_drive() {
     let at = Local {
         nodes: &motion,
         multipliers: &[0.0; 5],
+        electric: Electric::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

@@ -7,7 +7,7 @@ use shared_geom::rotation::vector;
 
 use super::samples::freedoms;
 use super::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
-use crate::elements::{Element, Level, Local, LocalResidual};
+use crate::elements::{Electric, Element, Level, Local, LocalResidual};
 use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion};
 
 /// A small motion: what is left of second order is its square.
@@ -19,6 +19,7 @@ fn constraints(joint: &ConstraintJoint, motions: &[NodeMotion]) -> Vec<f64> {
     let at = Local {
         nodes: motions,
         multipliers: &vec![0.0; count],
+        electric: Electric::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

@@ -7,7 +7,7 @@ use shared_geom::rotation::{skew, vector};
 use super::{End, Measure, Rod, Spring, SpringLaw};
 use crate::elements::laws::{Cubic, Driven, Law, LawKind, Term};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
-use crate::elements::{Element, Local, LocalResidual, Observations, Signal};
+use crate::elements::{Electric, Element, Local, LocalResidual, Observations, Signal};
 use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Ramp, TurningFrame};
 
 fn nodes() -> Vec<Node> {
@@ -57,6 +57,7 @@ fn local<'a>(motion: &'a [NodeMotion], conditions: &'a Conditions) -> Local<'a> 
     Local {
         nodes: motion,
         multipliers: &[],
+        electric: Electric::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     }

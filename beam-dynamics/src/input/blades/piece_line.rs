@@ -132,6 +132,7 @@ mod tests {
             heat: crate::input::heat::Heat::default(),
             prestress: None,
             torsional_buckling: None,
+            piezo: None,
             curved: None,
         };
         PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))

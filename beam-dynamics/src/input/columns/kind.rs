@@ -2,7 +2,7 @@
 
 use shared_geom::units::{Dimension, UnitProblem, parse_as};
 
-use crate::case::{EnergyPart, JointMotion, NodeVector, SpringVector};
+use crate::case::{ElectrodeQuantity, EnergyPart, JointMotion, NodeVector, SpringVector};
 
 /// A word under `quantity`, where its numbers come from, what they measure (of beams
 /// their first three components), and their unit unless one is given.
@@ -32,6 +32,8 @@ pub(super) enum Source {
     Joint(JointMotion),
     /// What a rod or a spring tells.
     Spring(SpringVector),
+    /// What is asked of an electrode.
+    Electrode(ElectrodeQuantity),
     /// Value of a drive; what it measures is that of its unit.
     Drive,
     /// Energy of the model.
@@ -71,7 +73,7 @@ pub(super) fn unit_factor(unit: &str, dimension: Dimension) -> Result<f64, UnitP
 }
 
 /// All quantities.
-pub(super) const KINDS: [Kind; 31] = [
+pub(super) const KINDS: [Kind; 35] = [
     (
         "position",
         Source::Node(NodeVector::Position),
@@ -216,6 +218,24 @@ pub(super) const KINDS: [Kind; 31] = [
         Dimension::MOMENT,
         "N*m",
     ),
+    (
+        "voltage",
+        Source::Electrode(ElectrodeQuantity::Voltage),
+        Dimension::VOLTAGE,
+        "V",
+    ),
+    (
+        "charge",
+        Source::Electrode(ElectrodeQuantity::Charge),
+        Dimension::CHARGE,
+        "C",
+    ),
+    (
+        "current",
+        Source::Electrode(ElectrodeQuantity::Current),
+        Dimension::CURRENT,
+        "A",
+    ),
     ("drive", Source::Drive, Dimension::NUMBER, "1"),
     (
         "kinetic_energy",
@@ -232,6 +252,12 @@ pub(super) const KINDS: [Kind; 31] = [
     (
         "gravity_energy",
         Source::Energy(EnergyPart::Gravity),
+        Dimension::MOMENT,
+        "J",
+    ),
+    (
+        "electric_energy",
+        Source::Energy(EnergyPart::Electric),
         Dimension::MOMENT,
         "J",
     ),

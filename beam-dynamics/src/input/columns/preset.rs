@@ -1,7 +1,9 @@
 //! Columns of a file that asks for none.
 
 use super::column::is_name;
-use crate::case::{Axes, Column, EnergyPart, NodeQuantity, NodeVector, Part, Quantity};
+use crate::case::{
+    Axes, Column, ElectrodeQuantity, EnergyPart, NodeQuantity, NodeVector, Part, Quantity,
+};
 use crate::input::draft::Draft;
 
 /// Nodes with columns of their own.
@@ -32,12 +34,18 @@ pub(super) fn columns(draft: &Draft) -> Vec<Column> {
             });
         }
     }
+    columns.extend(of_electrodes(draft));
+    let electric = ("electric_energy", EnergyPart::Electric);
+    let electric = (!draft.electrodes().is_empty()).then_some(electric);
     for (name, part) in [
         ("kinetic_energy", EnergyPart::Kinetic),
         ("elastic_energy", EnergyPart::Elastic),
         ("gravity_energy", EnergyPart::Gravity),
         ("energy", EnergyPart::Total),
-    ] {
+    ]
+    .into_iter()
+    .chain(electric)
+    {
         columns.push(Column {
             name: name.to_owned(),
             unit: "J".to_owned(),
@@ -47,6 +55,29 @@ pub(super) fn columns(draft: &Draft) -> Vec<Column> {
         });
     }
     columns
+}
+
+/// Voltage, charge and current of every electrode.
+fn of_electrodes(draft: &Draft) -> Vec<Column> {
+    const QUANTITIES: [(&str, ElectrodeQuantity, &str); 3] = [
+        ("voltage", ElectrodeQuantity::Voltage, "V"),
+        ("charge", ElectrodeQuantity::Charge, "C"),
+        ("current", ElectrodeQuantity::Current, "A"),
+    ];
+    let cards = draft.electrodes().iter().enumerate();
+    let columns = cards.flat_map(|(electrode, card)| {
+        QUANTITIES.map(|(word, quantity, unit)| Column {
+            name: format!("{word}_{}", as_name(&card.label)),
+            unit: unit.to_owned(),
+            factor: 1.0,
+            words: format!("{word} of electrode {}", card.label),
+            quantity: Quantity::Electrode {
+                electrode,
+                quantity,
+            },
+        })
+    });
+    columns.collect()
 }
 
 /// The label of a node as a name of a column.

@@ -8,7 +8,9 @@ use shared_geom::wrench::COMPONENTS;
 
 use super::kind::{CURVATURE, Kind, Source};
 use super::problem::ColumnProblem;
-use crate::case::{Axes, JointMotion, NodeQuantity, NodeVector, Part, Quantity, SpringVector};
+use crate::case::{
+    Axes, ElectrodeQuantity, JointMotion, NodeQuantity, NodeVector, Part, Quantity, SpringVector,
+};
 use crate::input::draft::Draft;
 use crate::input::drives;
 
@@ -82,6 +84,7 @@ impl Reading<'_> {
             Source::Reaction { is_moment } => self.of_joint(kind, is_moment),
             Source::Joint(motion) => self.of_motion(kind, motion),
             Source::Spring(vector) => self.of_spring(kind, vector),
+            Source::Electrode(quantity) => self.of_electrode(kind, quantity),
             Source::Drive => self.of_drive(),
             Source::Energy(part) => one(Quantity::Energy(part)),
             Source::StepLength => one(Quantity::StepLength),
@@ -362,6 +365,22 @@ impl Reading<'_> {
             unit: kind.3,
         });
         Some(found.collect())
+    }
+
+    fn of_electrode(&self, kind: &Kind, quantity: ElectrodeQuantity) -> Option<Vec<Found>> {
+        let (name, electrode) = self.of("the name of an [[electrode]]", |name| {
+            (self.draft).look_up_electrode(name, self.table, "of", self.user)
+        })?;
+        Some(vec![Found {
+            word: "",
+            words: format!("{} of electrode {name}", kind.0),
+            quantity: Quantity::Electrode {
+                electrode,
+                quantity,
+            },
+            dimension: kind.2,
+            unit: kind.3,
+        }])
     }
 
     /// A drive by its name, or written in place; its numbers are those of its unit.

@@ -61,6 +61,26 @@ impl Draft {
         is_known
     }
 
+    /// Number of the electrode called `name`; notes it where there is none.
+    pub fn look_up_electrode(
+        &self,
+        name: &str,
+        table: &Table<'_>,
+        key: &str,
+        user: &str,
+    ) -> Option<usize> {
+        let mut cards = self.electrodes.iter();
+        let found = cards.position(|card| card.label == name);
+        if found.is_none() && !self.is_taken("electrode", name) {
+            // Those that are wrong too.
+            let labels = self.labels.keys();
+            let known = labels.filter(|(kind, _)| *kind == "electrode");
+            let known = known.map(|(_, name)| name.clone()).collect();
+            note_unknown("electrode", name, user, known, (table, key));
+        }
+        found
+    }
+
     /// The nodes of the joint, clamp, support or imposed motion called `name`; notes it
     /// where there is none.
     pub fn look_up_joint(

@@ -4,7 +4,7 @@
 
 use nalgebra::Vector3;
 
-use crate::elements::Local;
+use crate::elements::{Electric, Local};
 use crate::input::Input;
 use crate::input::test_files::read_beside;
 use crate::model::{Conditions, NodeMotion};
@@ -53,6 +53,7 @@ fn on_tip(input: &Input, label: &str, moved: impl Fn(&mut NodeMotion)) -> [Vecto
     let at = Local {
         nodes: &nodes,
         multipliers: &[],
+        electric: Electric::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

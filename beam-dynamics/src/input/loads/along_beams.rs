@@ -146,8 +146,8 @@ fn course(
     Some(Course::Table(places.iter().copied().zip(rows).collect()))
 }
 
-/// The beams of a load, in order along it.
-fn beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usize>> {
+/// The beams of a card, in order along it.
+pub(in crate::input) fn beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usize>> {
     match (table.has("blade"), table.has("beams")) {
         (false, false) => table.note("", &LoadProblem::NoLine),
         (true, true) => table.note("beams", &LoadProblem::BladeAndBeams),

@@ -28,10 +28,10 @@ pub enum LoadProblem {
         line: String,
     },
     /// A load along nothing.
-    #[error("the load has neither \"blade\" nor \"beams\", expected one of them")]
+    #[error("the card has neither \"blade\" nor \"beams\", expected one of them")]
     NoLine,
     /// A load along a blade and along beams.
-    #[error("the load has \"blade\" and \"beams\", expected one of them")]
+    #[error("the card has \"blade\" and \"beams\", expected one of them")]
     BladeAndBeams,
     /// A name of no beam or blade.
     #[error("unknown {kind} \"{name}\" in \"{user}\"")]
@@ -46,7 +46,7 @@ pub enum LoadProblem {
         known: Vec<String>,
     },
     /// No beam.
-    #[error("\"beams\" is empty, expected the names of beams along which the load acts")]
+    #[error("\"beams\" is empty, expected the names of beams")]
     NoBeams,
     /// A beam twice along one load.
     #[error("\"beams\" lists \"{name}\" twice, expected each beam once")]

@@ -11,7 +11,7 @@ use super::fields::{base, displaced, turned};
 use crate::input::short_number;
 use crate::output::panel::{GRAY, SMALL, draw_legend, draw_title};
 use crate::output::structure::Structure;
-use crate::output::views::{Extent, MARGINS, Stroke, View, draw_view};
+use crate::output::views::{Extent, MARGINS, Stroke, View, draw_view, lengths};
 use crate::result::{BucklingMode, BucklingResult};
 
 /// Shapes that are shown.
@@ -37,6 +37,8 @@ pub struct BucklingPlot {
 struct Shown {
     title: String,
     view: View,
+    /// What its axes are called.
+    names: [String; 2],
     strokes: Vec<Stroke>,
     extent: Extent,
 }
@@ -68,6 +70,7 @@ impl BucklingPlot {
             Shown {
                 title: title(index, mode, about),
                 view,
+                names: names(view, about),
                 extent: Extent::around(&strokes, &[]),
                 strokes,
             }
@@ -124,6 +127,16 @@ fn title(index: usize, mode: &BucklingMode, about: Option<usize>) -> String {
     format!("{}: factor {factor}{turns}", index + 1)
 }
 
+/// What the axes of a view are called: lengths, but for that along which a rotation is drawn.
+fn names(view: View, about: Option<usize>) -> [String; 2] {
+    let mut names = lengths(view);
+    if let Some(axis) = about {
+        let turn = format!("rotation about {}", ["x", "y", "z"][axis % 3]);
+        names[usize::from(across(view, axis) == view[1])] = turn;
+    }
+    names
+}
+
 /// The axis of a view across which a rotation about another axis is drawn.
 fn across([first, second]: View, about: usize) -> usize {
     match second == about {
@@ -177,7 +190,8 @@ impl Drawing for BucklingPlot {
                 let panel = mode.extent.panel(mode.view, [left, top + TITLE], frame);
                 let label = Label::new(SMALL).bold();
                 canvas.text(&mode.title, [left, top + 0.5 * TITLE], label)?;
-                draw_view(canvas, mode.view, &panel, &mode.strokes, &[])?;
+                let seen = (mode.view, &mode.names);
+                draw_view(canvas, seen, &panel, &mode.strokes, &[])?;
             }
             top += height;
         }
@@ -213,6 +227,7 @@ mod tests {
         let plot = BucklingPlot::new(&torsion).unwrap();
         assert_eq!(plot.modes[0].view, [0, 2]);
         assert_eq!(plot.modes[0].title, "1: factor 2.4674, rotation about x");
+        assert_eq!(plot.modes[0].names, ["x [m]", "rotation about x"]);
         // the rotation of the tip is drawn across the bar
         let tip = plot.modes[0].strokes.last().unwrap().points.last().unwrap();
         assert!(tip.z > 0.1, "{tip}");

@@ -67,6 +67,7 @@ fn step(factor: f64) -> StaticStep {
         iterations: 4,
         residual: 2e-13,
         sections,
+        electrodes: Vec::new(),
         reactions: vec![Reaction {
             joint: "clamp of n0".to_owned(),
             node: 0,

@@ -7,8 +7,8 @@ use shared_geom::vtk::Series;
 
 use super::fields::step_grid;
 use super::{
-    DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,
-    reaction_csv, static_text,
+    DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, electrode_csv,
+    force_csv, reaction_csv, static_text,
 };
 use crate::output::Written;
 use crate::output::folder::Results;
@@ -19,6 +19,7 @@ const TEXT: &str = "static.txt";
 const DISPLACEMENTS: &str = "displacements.csv";
 const FORCES: &str = "forces.csv";
 const REACTIONS: &str = "reactions.csv";
+const ELECTRODES: &str = "electrodes.csv";
 const DEFORMED: [&str; 2] = ["deformed.png", "deformed.svg"];
 const ALONG: [&str; 2] = ["forces.png", "forces.svg"];
 const PATH: [&str; 2] = ["path.png", "path.svg"];
@@ -27,7 +28,7 @@ const SERIES: &str = "static.pvd";
 const FIELDS: &str = "static";
 
 /// Writes `NAME.static.txt`, `NAME.displacements.csv`, `NAME.forces.csv`,
-/// `NAME.reactions.csv`, the plots `NAME.deformed`, `NAME.forces` and, of three
+/// `NAME.reactions.csv`, with electrodes `NAME.electrodes.csv`, the plots `NAME.deformed`, `NAME.forces` and, of three
 /// equilibria or more, `NAME.path`, each as PNG and SVG, and the field files
 /// `NAME.static.pvd` with a grid a step in the folder `NAME.static`, all into `folder`,
 /// which is made when it does not exist. Those that an earlier run left there and this
@@ -42,7 +43,7 @@ pub fn write_static(
 ) -> Result<Written, OutputProblem> {
     make_folder(folder)?;
     let mut results = Results::new(folder, name);
-    results.remove([TEXT, DISPLACEMENTS, FORCES, REACTIONS, SERIES]);
+    results.remove([TEXT, DISPLACEMENTS, FORCES, REACTIONS, ELECTRODES, SERIES]);
     results.remove([DEFORMED, ALONG, PATH].into_iter().flatten());
     results.remove_fields(FIELDS);
 
@@ -51,6 +52,9 @@ pub fn write_static(
     results.text(DISPLACEMENTS, &displacement_csv(result))?;
     results.text(FORCES, &force_csv(result))?;
     results.text(REACTIONS, &reaction_csv(result))?;
+    if result.steps.iter().any(|step| !step.electrodes.is_empty()) {
+        results.text(ELECTRODES, &electrode_csv(result))?;
+    }
     if let Some(plot) = DeformedPlot::new(result) {
         results.figures(DEFORMED, |path| plot.save(path))?;
     }

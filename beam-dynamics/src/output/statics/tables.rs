@@ -1,4 +1,5 @@
-//! Tables of a load path for programs: displacements, internal forces, reactions.
+//! Tables of a load path for programs: displacements, internal forces, reactions,
+//! electrodes.
 
 use shared_geom::rotation::vector;
 
@@ -13,6 +14,7 @@ const FORCES: &str = "step,factor,member,beam,xi,arc_m,x_m,y_m,z_m,axial_n,shear
     strain_torsion_per_m,strain_bending_y_per_m,strain_bending_z_per_m";
 const REACTIONS: &str = "step,factor,joint,node,force_x_n,force_y_n,force_z_n,moment_x_nm,\
     moment_y_nm,moment_z_nm";
+const ELECTRODES: &str = "step,factor,electrode,voltage_v,charge_c";
 
 /// Number and factor of each step, with the step.
 fn steps(result: &StaticResult) -> impl Iterator<Item = ([String; 2], &StaticStep)> {
@@ -74,6 +76,19 @@ pub fn reaction_csv(result: &StaticResult) -> String {
         })
     });
     csv_text(REACTIONS, rows)
+}
+
+/// A row a step and electrode: its voltage against ground and its free charge.
+pub fn electrode_csv(result: &StaticResult) -> String {
+    let rows = steps(result).flat_map(|(lead, step)| {
+        step.electrodes.iter().map(move |electrode| {
+            let mut row = lead.to_vec();
+            row.push(electrode.name.clone());
+            row.extend([electrode.voltage, electrode.charge].map(number));
+            row
+        })
+    });
+    csv_text(ELECTRODES, rows)
 }
 
 #[cfg(test)]

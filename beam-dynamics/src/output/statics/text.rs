@@ -5,7 +5,7 @@ use shared_geom::rotation::vector;
 use shared_geom::wrench::COMPONENTS;
 
 use super::floors::{Floors, ROUND_OFF, clean, clean_vector};
-use crate::elements::SectionState;
+use crate::elements::{ElectrodeState, SectionState};
 use crate::input::short_number;
 use crate::output::structure::Structure;
 use crate::output::text::{RPM, aligned};
@@ -29,10 +29,12 @@ Convention
   rotation        rotation vector from the undeformed attitude
   internal force  what the outer part of the beam exerts on the inner one
   reaction        what a joint exerts on its node, moments about the node
+  voltage         of an electrode against ground
+  charge          free charge of an electrode
   s               arc position along the undeformed blade or line of beams, from its root
 ";
 
-/// Steps, displacements, largest internal forces, reactions, remarks; see
+/// Steps, displacements, largest internal forces, electrodes, reactions, remarks; see
 /// [`STATIC_CONVENTION`].
 pub fn static_text(result: &StaticResult) -> String {
     let at_speed = match result.speed {
@@ -50,6 +52,10 @@ pub fn static_text(result: &StaticResult) -> String {
         if !last.sections.is_empty() {
             let table = force_table(&structure, (last, &floors));
             text.push_str(&format!("\nLargest internal forces {at}\n\n{table}"));
+        }
+        if !last.electrodes.is_empty() {
+            let table = electrode_table(&last.electrodes);
+            text.push_str(&format!("\nElectrodes {at}\n\n{table}"));
         }
         if !last.reactions.is_empty() {
             let table = reaction_table(result, (last, &floors));
@@ -197,6 +203,18 @@ fn force_table(structure: &Structure, (step, floors): (&StaticStep, &Floors)) ->
             ]);
         }
     }
+    aligned(&rows)
+}
+
+fn electrode_table(electrodes: &[ElectrodeState]) -> String {
+    let mut rows = vec![
+        cells(&["electrode", "voltage", "charge"]),
+        cells(&["", "[V]", "[C]"]),
+    ];
+    rows.extend(electrodes.iter().map(|electrode| {
+        let numbers = [electrode.voltage, electrode.charge].map(short);
+        [vec![electrode.name.clone()], numbers.to_vec()].concat()
+    }));
     aligned(&rows)
 }
 

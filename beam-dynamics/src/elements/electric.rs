@@ -1,0 +1,192 @@
+//! Electric unknowns: what circuits add to the unknowns of nodes and joints.
+//!
+//! The voltage of an electrode whose charge is held, or that discharges through a resistor,
+//! is an unknown of the model. It is shared by all beams of the electrode, so that it
+//! belongs to no element: elements name the unknowns that they use by their numbers, as
+//! they do with nodes.
+
+use nalgebra::{DMatrix, DVector};
+
+/// The electric unknowns of a state, by their numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Electric<'a> {
+    /// Their values [unit of each].
+    pub values: &'a [f64],
+    /// Rates of those that have one, else zero [unit of each/s].
+    pub rates: &'a [f64],
+}
+
+impl Electric<'_> {
+    /// A model without circuits.
+    pub const NONE: Self = Self {
+        values: &[],
+        rates: &[],
+    };
+}
+
+/// What an electric unknown is; the equation that stands in the same place counts in volts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ElectricKind {
+    /// The voltage of an electrode, without rate; the equation is that of its charge.
+    Voltage,
+    /// The charge of an electrode; the equation is that of the voltages in its circuit, or
+    /// says that its rate is the current where that is an unknown.
+    Charge,
+    /// The current through an inductance; the equation is that of the voltages.
+    Current,
+}
+
+impl ElectricKind {
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Voltage => "voltage",
+            Self::Charge => "charge",
+            Self::Current => "current",
+        }
+    }
+
+    /// The equation in the same place, in words.
+    pub fn equation(self) -> &'static str {
+        match self {
+            Self::Voltage => "charge over capacitance",
+            Self::Charge => "voltages, or rate of charge,",
+            Self::Current => "voltages",
+        }
+    }
+
+    /// In which unit it counts.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Voltage => "V",
+            Self::Charge => "C",
+            Self::Current => "A",
+        }
+    }
+}
+
+/// An electric unknown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ElectricUnknown {
+    /// Name of the electrode.
+    pub electrode: String,
+    /// What it is.
+    pub kind: ElectricKind,
+}
+
+impl ElectricUnknown {
+    /// Whether its rate stands in the equations.
+    pub fn has_rate(&self) -> bool {
+        self.kind != ElectricKind::Voltage
+    }
+}
+
+/// What drives the charge of an electrode.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Flow {
+    /// Its voltage is given: the rate of that [V/s].
+    Voltage(f64),
+    /// Its current is known [A].
+    Current(f64),
+}
+
+/// The circuit of an electrode at a state.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CircuitState {
+    /// Number of the electrode.
+    pub number: usize,
+    /// Its name.
+    pub name: String,
+    /// Its voltage [V].
+    pub voltage: f64,
+    /// What drives its charge.
+    pub flow: Flow,
+}
+
+/// An electrode at a state.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ElectrodeState {
+    /// Its name.
+    pub name: String,
+    /// Its voltage against ground [V].
+    pub voltage: f64,
+    /// Its free charge [C].
+    pub charge: f64,
+    /// The current that flows to it: the rate of the charge [A].
+    pub current: f64,
+}
+
+/// What the elements know of electrodes, summed over them.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Charges {
+    /// Numbers of two electrodes, and a part of the charge of the first for one volt on the
+    /// second [F].
+    pub capacitance: Vec<(usize, usize, f64)>,
+    /// Number of an electrode, a part of its charge by strains, and of its rate [C, A].
+    pub by_strain: Vec<(usize, f64, f64)>,
+    /// The circuits.
+    pub circuits: Vec<CircuitState>,
+}
+
+impl Charges {
+    /// The electrodes, in the order of their numbers. With s the part of the currents by
+    /// rates of strain, h the electrodes whose voltage is given and f the others,
+    ///
+    /// ```text
+    /// Q = -Theta' eps + C V          I = s + C V'
+    /// C_ff V'_f = I_f - s_f - C_fh V'_h                                        (D-268)
+    /// ```
+    pub fn electrodes(&self) -> Vec<ElectrodeState> {
+        if self.circuits.is_empty() {
+            return Vec::new();
+        }
+        let mut circuits: Vec<_> = self.circuits.iter().collect();
+        circuits.sort_by_key(|circuit| circuit.number);
+        let place = |number: usize| circuits.iter().position(|own| own.number == number);
+        let n = circuits.len();
+        let mut capacitance = DMatrix::zeros(n, n);
+        for (i, j, part) in &self.capacitance {
+            if let (Some(i), Some(j)) = (place(*i), place(*j)) {
+                capacitance[(i, j)] += part;
+            }
+        }
+        let (mut by_strain, mut currents) = (DVector::zeros(n), DVector::zeros(n));
+        for (i, charge, rate) in &self.by_strain {
+            if let Some(i) = place(*i) {
+                by_strain[i] += charge;
+                currents[i] += rate;
+            }
+        }
+        let voltages = DVector::from_iterator(n, circuits.iter().map(|own| own.voltage));
+        let charges = by_strain + &capacitance * voltages;
+        let flows: Vec<_> = circuits.iter().map(|circuit| circuit.flow).collect();
+        currents += &capacitance * rates(&flows, &capacitance, &currents);
+        let of = |(i, circuit): (usize, &&CircuitState)| ElectrodeState {
+            name: circuit.name.clone(),
+            voltage: circuit.voltage,
+            charge: charges[i],
+            current: match circuit.flow {
+                Flow::Current(current) => current,
+                Flow::Voltage(_) => currents[i],
+            },
+        };
+        circuits.iter().enumerate().map(of).collect()
+    }
+}
+
+/// Rates of all voltages, given the currents `strained` by rates of strain.
+fn rates(flows: &[Flow], capacitance: &DMatrix<f64>, strained: &DVector<f64>) -> DVector<f64> {
+    let mut matrix = capacitance.clone();
+    let mut right = DVector::zeros(flows.len());
+    for (i, flow) in flows.iter().enumerate() {
+        match flow {
+            Flow::Voltage(rate) => {
+                matrix.row_mut(i).fill(0.0);
+                matrix[(i, i)] = 1.0;
+                right[i] = *rate;
+            }
+            Flow::Current(current) => right[i] = current - strained[i],
+        }
+    }
+    matrix.lu().solve(&right).unwrap_or(right)
+}

@@ -1,0 +1,82 @@
+//! Beams with electrodes, and circuits.
+
+use nalgebra::{DMatrix, Vector6};
+
+use super::{Random, check, geometry, nodes};
+use crate::elements::Element;
+use crate::elements::beams::{BeamElectrode, ElasticBeam, LawBeam, PiezoBeam, Potential};
+use crate::elements::circuits::{Circuit, Electrode};
+use crate::elements::laws::Law;
+use crate::model::Drive;
+
+fn coupling(random: &mut Random) -> Vector6<f64> {
+    Vector6::from_fn(|_, _| random.number())
+}
+
+/// A symmetric matrix of unit size.
+fn capacitance(random: &mut Random, count: usize) -> DMatrix<f64> {
+    let any = DMatrix::from_fn(count, count, |_, _| random.number());
+    &any * any.transpose() + DMatrix::identity(count, count)
+}
+
+#[test]
+fn beams_with_electrodes_of_all_kinds() {
+    let mut random = Random(60);
+    for is_law in [false, true] {
+        let nodes = nodes(&mut random, 3);
+        let geometry = geometry(&mut random);
+        let stiffness = [random.stiffness(), random.stiffness()];
+        let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
+        let on = [0, 1, 2];
+        let beam: Box<dyn Element> = match is_law {
+            false => Box::new(ElasticBeam::new(
+                "beam", on, geometry, undeformed, stiffness,
+            )),
+            true => {
+                let laws = stiffness.map(Law::linear);
+                Box::new(LawBeam::new("beam", on, geometry, undeformed, laws))
+            }
+        };
+        let held = Drive::Constant(0.7).scaled(random.number());
+        let potentials = [
+            Potential::Free { unknown: 4 },
+            Potential::Held(held),
+            Potential::Free { unknown: 1 },
+        ];
+        let electrodes = potentials.into_iter().enumerate();
+        let electrodes = electrodes.map(|(number, potential)| BeamElectrode {
+            number,
+            potential,
+            coupling: [coupling(&mut random), coupling(&mut random)],
+            capacitance: 1.0 + number as f64,
+        });
+        let electrodes: Vec<_> = electrodes.collect();
+        let capacitance = [capacitance(&mut random, 3), capacitance(&mut random, 3)];
+        let piezo = PiezoBeam::new(beam, geometry, undeformed, electrodes, capacitance);
+        assert_eq!(piezo.electric(), [4, 1]);
+        check(&piezo, &nodes, &mut random);
+    }
+}
+
+#[test]
+fn circuits() {
+    let mut random = Random(61);
+    let source = || Drive::Constant(0.4);
+    for circuit in [
+        Circuit::Held(source()),
+        Circuit::Open { charge: 0.3 },
+        Circuit::Shunt {
+            source: source(),
+            resistance: 0.8,
+            inductance: 0.0,
+        },
+        Circuit::Shunt {
+            source: source(),
+            resistance: 0.8,
+            inductance: 0.6,
+        },
+    ] {
+        let electrode = Electrode::new("electrode", 0, circuit, 2, 0.5);
+        check(&electrode, &[], &mut random);
+    }
+}

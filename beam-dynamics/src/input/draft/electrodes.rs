@@ -1,0 +1,124 @@
+//! Electrodes of the model: beams that have them, and their circuits.
+
+use nalgebra::{DMatrix, Vector6};
+use shared_geom::section::Piezo;
+
+use super::{Beam, Draft, boxed};
+use crate::elements::Element;
+use crate::elements::beams::{BeamElectrode, PiezoBeam, Potential};
+use crate::elements::circuits::{Circuit, Electrode};
+
+/// An electrode as its card means it.
+#[derive(Debug)]
+pub(in crate::input) struct ElectrodeCard {
+    /// Its name in the model.
+    pub label: String,
+    /// Numbers of its beams, and its column in the property file of each.
+    pub on: Vec<(usize, usize)>,
+    /// Its circuit.
+    pub circuit: Circuit,
+    /// Line of the card.
+    pub line: usize,
+}
+
+impl ElectrodeCard {
+    /// Its column on a beam.
+    pub(super) fn column(&self, beam: usize) -> Option<usize> {
+        let on = self.on.iter().find(|on| on.0 == beam);
+        on.map(|on| on.1)
+    }
+}
+
+impl Draft {
+    /// Electrodes so far.
+    pub fn electrodes(&self) -> &[ElectrodeCard] {
+        &self.electrodes
+    }
+
+    /// Adds an electrode; its number.
+    pub fn add_electrode(&mut self, card: ElectrodeCard) {
+        self.electrodes.push(card);
+    }
+
+    /// Charge of an electrode, per volt on another, over all the beams of both \[F\].
+    pub fn capacitance(&self, first: &ElectrodeCard, second: &ElectrodeCard) -> f64 {
+        let of_beam = |(beam, column): &(usize, usize)| {
+            let other = second.column(*beam)?;
+            let beam = &self.beams[*beam];
+            let piezo = beam.along.piezo.as_ref()?;
+            let per_length = [piezo.capacitance[(*column, other)]; 2];
+            let ends = self.ends(beam);
+            Some(PiezoBeam::capacitance(&beam.geometry, ends, per_length))
+        };
+        first.on.iter().filter_map(of_beam).sum()
+    }
+
+    /// First electric unknown of an electrode.
+    fn first_unknown(&self, number: usize) -> usize {
+        let before = self.electrodes[..number].iter();
+        before.map(|card| card.circuit.unknowns()).sum()
+    }
+
+    /// The circuits of all electrodes.
+    pub(super) fn circuits(&self) -> Vec<Box<dyn Element>> {
+        let circuit = |(number, card): (usize, &ElectrodeCard)| {
+            let first = self.first_unknown(number);
+            let capacitance = self.capacitance(card, card);
+            let circuit = card.circuit.clone();
+            boxed(Electrode::new(
+                &card.label,
+                number,
+                circuit,
+                first,
+                capacitance,
+            ))
+        };
+        self.electrodes.iter().enumerate().map(circuit).collect()
+    }
+
+    /// What gives stiffness to beam number `index`, with the electrodes that it has.
+    pub(super) fn with_electrodes(
+        &self,
+        index: usize,
+        element: Box<dyn Element>,
+    ) -> Box<dyn Element> {
+        let beam = &self.beams[index];
+        let cards = self.electrodes.iter().enumerate();
+        let on = cards.filter_map(|(number, card)| Some((number, card, card.column(index)?)));
+        let on: Vec<_> = on.collect();
+        let (Some(piezo), false) = (&beam.along.piezo, on.is_empty()) else {
+            return element;
+        };
+        let columns: Vec<_> = on.iter().map(|on| on.2).collect();
+        let capacitance = DMatrix::from_fn(columns.len(), columns.len(), |i, j| {
+            piezo.capacitance[(columns[i], columns[j])]
+        });
+        let electrodes = on.into_iter().map(|(number, card, column)| BeamElectrode {
+            number,
+            potential: match &card.circuit {
+                Circuit::Held(source) => Potential::Held(source.clone()),
+                Circuit::Open { .. } | Circuit::Shunt { .. } => Potential::Free {
+                    unknown: self.first_unknown(number),
+                },
+            },
+            coupling: [Vector6::from_iterator(piezo.coupling.column(column).iter().copied()); 2],
+            capacitance: self.capacitance(card, card),
+        });
+        let ends = self.ends(beam);
+        let capacitance = [capacitance.clone(), capacitance];
+        let electrodes = electrodes.collect();
+        boxed(PiezoBeam::new(
+            element,
+            beam.geometry,
+            ends,
+            electrodes,
+            capacitance,
+        ))
+    }
+}
+
+/// The electrodes of a beam; none without.
+pub(in crate::input) fn names(beam: &Beam) -> &[String] {
+    let piezo: Option<&Piezo> = beam.along.piezo.as_ref();
+    piezo.map_or(&[], |piezo| &piezo.electrodes)
+}

@@ -1,0 +1,101 @@
+//! What the reader must know of a model: what acts on its beams, what was left out.
+
+use super::{Draft, ElectrodeCard};
+use crate::elements::circuits::Circuit;
+use crate::input::along::Along;
+use crate::input::heat;
+use crate::input::number::short_number;
+use crate::model::Drive;
+
+/// Digits of voltages.
+const DIGITS: usize = 6;
+/// Beams that are named.
+const MOST_BEAMS: usize = 3;
+
+impl Draft {
+    /// Adds what the reader must know of a file that was read.
+    pub fn add_remarks(&mut self, remarks: Vec<String>) {
+        self.remarks.extend(remarks);
+    }
+
+    /// What the reader must know of the files that were read.
+    pub fn remarks(&self, of_buckling: bool) -> Vec<String> {
+        let heat = heat::told(self.beams.iter().map(|beam| beam.along.heat()));
+        let buckling = of_buckling.then(|| self.properties.of_buckling());
+        let plain = self.beams.iter().map(|beam| &beam.along);
+        let plain = plain.filter(|along| !along.knows_prestress());
+        let stiffness = heat::unused_stiffness(plain.map(Along::heat));
+        let electrodes = self.electrode_remarks();
+        let remarks = [self.remarks.clone(), heat, stiffness, electrodes];
+        [remarks.concat(), buckling.unwrap_or_default()].concat()
+    }
+
+    /// What the reader must know of electrodes: what acts, and those without a card.
+    pub(super) fn electrode_remarks(&self) -> Vec<String> {
+        let told = self.electrodes.iter().map(told);
+        told.chain(self.unnamed()).collect()
+    }
+
+    /// A remark for each electrode of property files that no card names on some beams.
+    fn unnamed(&self) -> Vec<String> {
+        let mut found: Vec<(&str, Vec<&str>)> = Vec::new();
+        for (index, beam) in self.beams.iter().enumerate() {
+            let names = beam.along.piezo.as_ref().map(|piezo| &piezo.electrodes);
+            for (column, name) in names.into_iter().flatten().enumerate() {
+                let mut cards = self.electrodes.iter();
+                if cards.any(|card| card.column(index) == Some(column)) {
+                    continue;
+                }
+                match found.iter_mut().find(|own| own.0 == name) {
+                    Some(own) => own.1.push(&beam.label),
+                    None => found.push((name, vec![&beam.label])),
+                }
+            }
+        }
+        let remark = |(name, beams): (&str, Vec<&str>)| {
+            let told = beams
+                .iter()
+                .take(MOST_BEAMS)
+                .map(|beam| format!("\"{beam}\""));
+            let told = told.collect::<Vec<_>>().join(", ");
+            let more = match beams.len().saturating_sub(MOST_BEAMS) {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            format!(
+                "no [[electrode]] names electrode \"{name}\" of {told}{more}: its voltage is zero"
+            )
+        };
+        found.into_iter().map(remark).collect()
+    }
+}
+
+/// What an electrode is connected to, in words.
+fn told(card: &ElectrodeCard) -> String {
+    let volts = |source: &Drive| {
+        let now = short_number(source.at(0.0).value, DIGITS);
+        match source {
+            Drive::Constant(_) => format!("{now} V"),
+            _ => format!("{now} V at the time zero"),
+        }
+    };
+    let words = match &card.circuit {
+        Circuit::Held(source) => format!("voltage {}", volts(source)),
+        Circuit::Open { charge } => {
+            format!("open circuit, charge {} C", short_number(*charge, DIGITS))
+        }
+        Circuit::Shunt {
+            source,
+            resistance,
+            inductance,
+        } => {
+            let coil = match *inductance > 0.0 {
+                true => format!(" and {} H", short_number(*inductance, DIGITS)),
+                false => String::new(),
+            };
+            let resistance = short_number(*resistance, DIGITS);
+            format!("{} through {resistance} Ohm{coil}", volts(source))
+        }
+    };
+    format!("electrode \"{}\": {words}", card.label)
+}

@@ -1,0 +1,356 @@
+//! Electrodes of piezoelectric beams and what they are connected to: `[[electrode]]`.
+//!
+//! ```text
+//! voltage = DRIVE                             held
+//! charge = NUMBER                             open circuit
+//! resistance, inductance, voltage = DRIVE     a source, or ground, through both
+//! ```
+
+use nalgebra::DMatrix;
+use shared_geom::document::Table;
+use shared_geom::error::{Explain, nearest_name};
+use shared_geom::units::Dimension;
+
+use super::draft::{Draft, ElectrodeCard, electrode_names};
+use super::drives;
+use super::loads::beams;
+use crate::elements::circuits::Circuit;
+use crate::model::Drive;
+
+/// Keys of a circuit without charge that is held.
+const OF_SOURCE: [&str; 3] = ["voltage", "resistance", "inductance"];
+
+/// A problem of an electrode.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ElectrodeProblem {
+    /// A beam without electrodes.
+    #[error(
+        "beam \"{beam}\" of electrode \"{electrode}\" has no electrodes: its properties have no \"piezo\""
+    )]
+    NoPiezo {
+        /// The electrode of the card.
+        electrode: String,
+        /// The beam.
+        beam: String,
+    },
+    /// A name that a beam does not have.
+    #[error("beam \"{beam}\" has no electrode \"{electrode}\"")]
+    Unknown {
+        /// The name found.
+        electrode: String,
+        /// The beam.
+        beam: String,
+        /// The electrodes of the beam.
+        known: Vec<String>,
+    },
+    /// A blade none of whose beams has the electrode.
+    #[error("no beam of blade \"{blade}\" has an electrode \"{electrode}\"")]
+    NotOnBlade {
+        /// The name found.
+        electrode: String,
+        /// The blade.
+        blade: String,
+        /// The electrodes of its beams.
+        known: Vec<String>,
+    },
+    /// An electrode of a beam in two cards.
+    #[error(
+        "electrode \"{electrode}\" of beam \"{beam}\" belongs to \"{first}\" on {line} already, expected one card"
+    )]
+    Twice {
+        /// Name in the property file.
+        electrode: String,
+        /// The beam.
+        beam: String,
+        /// Name of the card that has it.
+        first: String,
+        /// Its line, in words.
+        line: String,
+    },
+    /// Nothing said of the circuit.
+    #[error(
+        "electrode \"{electrode}\" has no circuit, expected \"voltage\", \"charge\", \"resistance\" or \"inductance\""
+    )]
+    NoCircuit {
+        /// The electrode.
+        electrode: String,
+    },
+    /// A charge that is held, and something through which it would flow.
+    #[error(
+        "\"charge\" holds the charge of electrode \"{electrode}\", and \"{key}\" would let it flow, expected one of them"
+    )]
+    ChargeAnd {
+        /// The electrode.
+        electrode: String,
+        /// The other key.
+        key: &'static str,
+    },
+    /// No resistance and no inductance.
+    #[error(
+        "\"resistance\" of electrode \"{electrode}\" is zero, expected more than zero where there is no \"inductance\""
+    )]
+    NoResistance {
+        /// The electrode.
+        electrode: String,
+    },
+    /// Charge has no place.
+    #[error(
+        "the capacitance of electrode \"{electrode}\", {found:.6e} F with all beams of the card, is not positive"
+    )]
+    Capacitance {
+        /// The electrode.
+        electrode: String,
+        /// What was found \[F\].
+        found: f64,
+    },
+    /// Capacitances that are not those of electrodes.
+    #[error(
+        "the capacitances of electrodes {electrodes} are not positive definite: some voltages on them would gather charge of the opposite sign"
+    )]
+    Indefinite {
+        /// Names of the electrodes whose voltage is unknown.
+        electrodes: String,
+    },
+}
+
+impl Explain for ElectrodeProblem {
+    fn help(&self) -> Option<String> {
+        Some(match self {
+            Self::NoPiezo { .. } => "name beams whose property file has electrodes, or analyze \
+                 the section with electrodes"
+                .to_owned(),
+            Self::Unknown {
+                electrode, known, ..
+            }
+            | Self::NotOnBlade {
+                electrode, known, ..
+            } => match nearest_name(electrode, known.iter().map(String::as_str)) {
+                Some(near) => format!("did you mean \"{near}\"? say electrode = \"{near}\""),
+                None if known.is_empty() => {
+                    "property files with \"piezo\" have electrodes; blades \
+                     from blade files carry none"
+                        .to_owned()
+                }
+                None => format!("those of the property files: {}", known.join(", ")),
+            },
+            Self::Twice { .. } => {
+                "take the beam out of one of the cards, or the card away".to_owned()
+            }
+            Self::NoCircuit { .. } => "voltage = 0 connects it to ground, charge = 0 leaves it \
+                 open, resistance = 1e4 is a resistor to ground"
+                .to_owned(),
+            Self::ChargeAnd { .. } => "without \"charge\", the charge follows from the circuit \
+                 and begins with that of its source"
+                .to_owned(),
+            Self::NoResistance { .. } => {
+                "leave \"resistance\" out: the voltage is then that of the source".to_owned()
+            }
+            Self::Capacitance { .. } | Self::Indefinite { .. } => {
+                "correct \"capacitance\" in the property file, charge per length and volt at \
+                 constant strain; only electrodes with a given voltage do without"
+                    .to_owned()
+            }
+        })
+    }
+}
+
+/// Adds every `[[electrode]]` to the model.
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+    let tables = root.tables("electrode");
+    for (number, table) in tables.iter().enumerate() {
+        let label = table.text("name");
+        let label = label.unwrap_or_else(|| format!("electrode {}", number + 1));
+        let is_new = draft.take_label("electrode", &label, table);
+        let card = card(table, draft, label);
+        table.finish();
+        match card {
+            Some(card) if is_new => draft.add_electrode(card),
+            _ => draft.note_broken(),
+        }
+    }
+    check_capacitances(&tables, draft);
+}
+
+fn card(table: &Table<'_>, draft: &Draft, label: String) -> Option<ElectrodeCard> {
+    // Of the property file; that of the card unless it says otherwise.
+    let name = match table.has("electrode") {
+        true => table.text("electrode"),
+        false => Some(label.clone()),
+    };
+    let circuit = circuit(table, draft, &label);
+    let beams = beams(table, draft, &label)?;
+    let on = on(table, draft, (&name?, &label), &beams)?;
+    Some(ElectrodeCard {
+        label,
+        on,
+        circuit: circuit?,
+        line: table.line_of("name"),
+    })
+}
+
+/// The beams that have an electrode, with its column; a beam named by itself must have it.
+fn on(
+    table: &Table<'_>,
+    draft: &Draft,
+    (name, label): (&str, &str),
+    beams: &[usize],
+) -> Option<Vec<(usize, usize)>> {
+    let names = |beam: usize| electrode_names(&draft.beams()[beam]);
+    let column = |beam: usize| names(beam).iter().position(|own| own == name);
+    let found = beams.iter().map(|&beam| (beam, column(beam)));
+    let (mut on, mut is_sound) = (Vec::new(), true);
+    let of_blade = table.has("blade");
+    for (beam, column) in found {
+        match column {
+            Some(column) => on.push((beam, column)),
+            None if of_blade => {}
+            None => {
+                let own = draft.beams()[beam].label.clone();
+                let electrode = name.to_owned();
+                let problem = match names(beam) {
+                    [] => ElectrodeProblem::NoPiezo {
+                        electrode: label.to_owned(),
+                        beam: own,
+                    },
+                    known => ElectrodeProblem::Unknown {
+                        electrode,
+                        beam: own,
+                        known: known.to_vec(),
+                    },
+                };
+                table.note("beams", &problem);
+                is_sound = false;
+            }
+        }
+    }
+    if on.is_empty() && of_blade {
+        let mut known: Vec<_> = beams
+            .iter()
+            .flat_map(|&beam| names(beam))
+            .cloned()
+            .collect();
+        known.sort();
+        known.dedup();
+        let (electrode, blade) = (name.to_owned(), table.text("blade")?);
+        let problem = ElectrodeProblem::NotOnBlade {
+            electrode,
+            blade,
+            known,
+        };
+        table.note("blade", &problem);
+        return None;
+    }
+    (is_sound && is_first(table, draft, name, &on)).then_some(on)
+}
+
+/// Whether no other card has the electrode of one of the beams; notes the first that has.
+fn is_first(table: &Table<'_>, draft: &Draft, name: &str, on: &[(usize, usize)]) -> bool {
+    let mut others = draft.electrodes().iter();
+    let twice = others.find_map(|card| {
+        let shared = on.iter().find(|own| card.on.contains(own))?;
+        Some((card, shared.0))
+    });
+    let Some((card, beam)) = twice else {
+        return true;
+    };
+    let problem = ElectrodeProblem::Twice {
+        electrode: name.to_owned(),
+        beam: draft.beams()[beam].label.clone(),
+        first: card.label.clone(),
+        line: table.document().line_words(card.line),
+    };
+    table.note("electrode", &problem);
+    false
+}
+
+fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
+    let electrode = label.to_owned();
+    let given = OF_SOURCE.map(|key| table.has(key));
+    if table.has("charge") {
+        let charge = table.quantity("charge", Dimension::CHARGE);
+        if let Some(other) = given.iter().position(|given| *given) {
+            let key = OF_SOURCE[other];
+            table.note(key, &ElectrodeProblem::ChargeAnd { electrode, key });
+            return None;
+        }
+        return charge.map(|charge| Circuit::Open { charge });
+    }
+    if given == [false; 3] {
+        table.note("name", &ElectrodeProblem::NoCircuit { electrode });
+        return None;
+    }
+    let source = match given[0] {
+        true => drives::read(table, "voltage", Dimension::VOLTAGE, draft.drives()),
+        false => Some(Drive::Constant(0.0)),
+    };
+    let resistance = not_negative(table, "resistance", Dimension::RESISTANCE);
+    let inductance = not_negative(table, "inductance", Dimension::INDUCTANCE);
+    let (source, resistance, inductance) = (source?, resistance?, inductance?);
+    if given == [true, false, false] {
+        return Some(Circuit::Held(source));
+    }
+    if resistance == 0.0 && inductance == 0.0 {
+        let key = if given[1] { "resistance" } else { "inductance" };
+        table.note(key, &ElectrodeProblem::NoResistance { electrode });
+        return None;
+    }
+    Some(Circuit::Shunt {
+        source,
+        resistance,
+        inductance,
+    })
+}
+
+/// A number that is not below zero; zero when absent.
+fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
+    if !table.has(key) {
+        return Some(0.0);
+    }
+    let value = table.quantity(key, dimension)?;
+    if value < 0.0 {
+        table.wrong(key, &format!("{dimension}, zero or more"));
+        return None;
+    }
+    Some(value)
+}
+
+/// Notes electrodes with a voltage that would not follow from their charge.
+fn check_capacitances(tables: &[Table<'_>], draft: &mut Draft) {
+    let cards = draft.electrodes().iter();
+    let free = cards.filter(|card| card.circuit.unknowns() > 0);
+    let free: Vec<_> = free.collect();
+    if free.is_empty() {
+        return;
+    }
+    let table = |card: &ElectrodeCard| {
+        let mut tables = tables.iter();
+        tables.find(|table| table.line_of("name") == card.line)
+    };
+    let mut is_sound = true;
+    for card in &free {
+        let found = draft.capacitance(card, card);
+        if found > 0.0 {
+            continue;
+        }
+        is_sound = false;
+        let electrode = card.label.clone();
+        if let Some(table) = table(card) {
+            table.note("name", &ElectrodeProblem::Capacitance { electrode, found });
+        }
+    }
+    let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| {
+        let own = |k: usize| draft.capacitance(free[k], free[k]);
+        draft.capacitance(free[i], free[j]) / (own(i) * own(j)).sqrt()
+    });
+    if is_sound && matrix.cholesky().is_none() {
+        let names = free.iter().map(|card| format!("\"{}\"", card.label));
+        let electrodes = names.collect::<Vec<_>>().join(", ");
+        if let Some(table) = free.first().and_then(|card| table(card)) {
+            table.note("name", &ElectrodeProblem::Indefinite { electrodes });
+        }
+        is_sound = false;
+    }
+    if !is_sound {
+        draft.note_broken();
+    }
+}
