@@ -99,10 +99,10 @@ fn active_twist_section_is_that_of_an_independent_program() {
     assert!(error < 1e-3, "{error:e}");
 }
 
-/// The entries that depend on the mesh approach those of the finest one. Errors that fall
-/// with the square of the size of the cells, to a third of the way to zero, would leave
-/// (16 - 1) / (4 - 1) = 5; those that fall with the size itself (4 - 1) / (2 - 1) = 3; the
-/// edges of plies, where stresses are singular, bring less: more than 2 is asked for.
+/// The entries that depend on the mesh approach those of the finest one. With cells 4, 2
+/// and 1 long, errors that fall with their square leave (16 - 1) / (4 - 1) = 5 between the
+/// differences from the finest mesh, those that fall with the length (4 - 1) / (2 - 1) = 3.
+/// The ends of plies, where stresses are singular, bring somewhat less: more than 2.
 #[test]
 fn active_twist_section_converges() {
     let [coarse, medium, fine] = found();

@@ -70,12 +70,15 @@ fn write_blade(arguments: &BladeArguments, terminal: &mut Terminal<'_>) -> Resul
         );
         return Err(terminal.tell_text(&text, WRONG_INPUT));
     }
+    // both files first: no one may read what is told of them
+    if let Some(section) = section {
+        let text = blade_section(&blade, &name_from(section, out));
+        write_text(section, &text).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+    }
     write_file(&blade.mesh, out, terminal)?;
     let Some(section) = section else {
         return Ok(());
     };
-    let text = blade_section(&blade, &name_from(section, out));
-    write_text(section, &text).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
     writeln!(
         terminal.out,
         "{}: regions and angles; the constants of the materials are still to be written",

@@ -78,15 +78,19 @@ pub(super) fn build(
         intervals: &intervals,
         curve: "contour",
         group: &|ply, _| (blade.skin[ply].name.clone(), blade.skin[ply].has_faces),
-        part: &|part| match part {
-            Part::Upper => "upper",
-            Part::Lower => "lower",
-            _ => "edge",
-        },
+        part: &part_name,
     };
     wall.build(grid);
     let inner = [upper, lower];
     Ok(Skin { inner, edge })
+}
+
+fn part_name(part: Part) -> &'static str {
+    match part {
+        Part::Upper => "upper",
+        Part::Lower => "lower",
+        _ => "edge",
+    }
 }
 
 /// The stations of both surfaces, but for the last one of the lower surface.
