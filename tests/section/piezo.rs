@@ -3,7 +3,7 @@
 //! # References
 //! - The constants and the prototype's numbers: `tests/reference/theory/piezo.json`.
 //! - [Masarati], section 9.1: the coupled section.
-//! - [IEEE176]: coupling factors and the two forms of the law.
+//! - [Ieee1987]: coupling factors and the two forms of the law.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 

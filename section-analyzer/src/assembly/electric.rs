@@ -150,9 +150,6 @@ pub(super) fn electric(
     cells: &mut [DomainCell],
 ) -> Electric {
     let mut electric = Electric::default();
-    if section.electrodes.is_empty() {
-        return electric;
-    }
     let is_dielectric = dielectric_cells(section);
     let nodes = numbering.0.len();
     let (mut has_potential, mut is_structural) = (vec![false; nodes], vec![false; nodes]);

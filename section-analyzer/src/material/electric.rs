@@ -13,7 +13,7 @@
 //! | `epsS`, `epsT` | permittivity at constant strain, at constant stress | F/m | 3x3 |
 //!
 //! # References
-//! - [IEEE176]: the two forms and their symbols.
+//! - [Ieee1987]: the two forms and their symbols.
 
 use nalgebra::{Matrix3, Matrix3x6, Matrix6};
 

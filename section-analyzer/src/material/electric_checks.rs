@@ -1,7 +1,7 @@
 //! Which electric laws can exist: positive energy of the field at constant strain.
 //!
 //! # References
-//! - [IEEE176]: the two forms and the two permittivities.
+//! - [Ieee1987]: the two forms and the two permittivities.
 
 use nalgebra::{Matrix3, Matrix3x6, Matrix6};
 use shared_geom::error::Explain;
