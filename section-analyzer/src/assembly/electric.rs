@@ -6,7 +6,7 @@
 
 use super::domain::{Domain, DomainCell, Scaling, largest, power_of_two};
 use crate::material::{CoupledLaw, coupled_law, material_axes, turned_coupling};
-use crate::section::{CellMaterial, Circuit, ElectrodeShape, FingeredCell, Section};
+use crate::section::{CellMaterial, ElectrodeShape, FingeredCell, Section};
 use nalgebra::Vector6;
 
 /// No potential.
@@ -34,8 +34,6 @@ pub struct DomainElectrode {
     pub nodes: Vec<u32>,
     /// Cells between fingers.
     pub fingered: Vec<Fingered>,
-    /// Whether its voltage is zero at all times.
-    pub is_ground: bool,
 }
 
 /// A cell between fingers in a domain, per volt of its electrode.
@@ -182,10 +180,8 @@ pub(super) fn electric(
         electric.is_structural = is_structural;
     }
     let electrodes = section.electrodes.iter();
-    let in_domain = electrodes.map(|electrode| DomainElectrode {
-        is_ground: electrode.circuit == Circuit::Ground,
-        ..shape(section, scaling, numbering, &electrode.shape)
-    });
+    let in_domain =
+        electrodes.map(|electrode| shape(section, scaling, numbering, &electrode.shape));
     electric.electrodes = in_domain.collect();
     electric
 }
