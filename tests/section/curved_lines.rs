@@ -172,6 +172,7 @@ fn stresses_of_a_ring_are_those_of_golovin() {
         name: "bend".into(),
         force: Vector6::ith(5, 1.0),
         imposed: Vec::new(),
+        voltages: Vec::new(),
     };
     let recovery = recoverer.recover(&bend).expect("stresses that add up");
     assert!(recovery.resultant_error < 1e-12);
@@ -194,6 +195,7 @@ fn stresses_of_a_ring_are_those_of_golovin() {
             name: "unit".into(),
             force: Vector6::ith(component, 1.0),
             imposed: Vec::new(),
+            voltages: Vec::new(),
         };
         let recovery = recoverer.recover(&load).expect("stresses that add up");
         assert!(recovery.resultant_error < 1e-12, "{component}");

@@ -183,6 +183,7 @@ mod tests {
             name: "load".into(),
             force: Vector6::new(1.0, 2.0, -1.0, 0.5, 0.3, -0.2),
             imposed: Vec::new(),
+            voltages: Vec::new(),
         };
         let recovery = recover(&section, &analyze(&section).unwrap(), &load).unwrap();
         let [region] = &region_stresses(&section, &recovery)[..] else {

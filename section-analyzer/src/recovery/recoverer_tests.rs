@@ -8,6 +8,7 @@ fn load(force: [f64; 6]) -> LoadCase {
         name: "load".into(),
         force: Vector6::from(force),
         imposed: Vec::new(),
+        voltages: Vec::new(),
     }
 }
 

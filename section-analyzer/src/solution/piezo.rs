@@ -1,5 +1,6 @@
 //! What voltages on electrodes do to a section.
 
+use crate::failure::Failure;
 use crate::section::Circuit;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
@@ -173,5 +174,37 @@ impl PiezoSolution {
             voltages[electrode] = *voltage;
         }
         Some(voltages)
+    }
+
+    /// Charge per length on each electrode under an internal force and `voltages` of all
+    /// electrodes \[C/m\].
+    ///
+    /// ```text
+    /// q = -Theta' C theta + freecap V
+    /// ```
+    pub fn charges(
+        &self,
+        compliance: &Matrix6<f64>,
+        force: &Vector6<f64>,
+        voltages: &[f64],
+    ) -> Vec<f64> {
+        let strain = compliance * force;
+        let charge = |electrode: usize| {
+            let by_voltage = voltages.iter().enumerate();
+            let by_voltage: f64 = by_voltage
+                .map(|(other, voltage)| self.free_capacitance[(electrode, other)] * voltage)
+                .sum();
+            by_voltage - self.electrodes[electrode].coupling.dot(&strain)
+        };
+        (0..self.electrodes.len()).map(charge).collect()
+    }
+
+    /// That the voltages of its floating electrodes are not determined.
+    pub fn undetermined(&self) -> Failure {
+        let floating = self.electrodes.iter();
+        let floating = floating.filter(|known| known.circuit == Circuit::Floating);
+        Failure::Undetermined {
+            electrodes: floating.map(|known| known.name.clone()).collect(),
+        }
     }
 }
