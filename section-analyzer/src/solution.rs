@@ -97,6 +97,7 @@ pub struct Checks {
     pub smallest_pivot: f64,
 }
 
+mod circuit;
 mod distributed;
 mod end_effects;
 mod piezo;

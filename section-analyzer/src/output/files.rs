@@ -135,6 +135,29 @@ impl OutputFiles {
         self.path("constants.csv")
     }
 
+    /// The table of electrodes.
+    pub fn electrodes(&self) -> PathBuf {
+        self.path("electrodes.csv")
+    }
+
+    /// The figure of the potential at one volt of an electrode.
+    pub fn potential(&self, electrode: &str) -> PathBuf {
+        self.path(&format!("potential_{}.png", in_file(electrode)))
+    }
+
+    /// The figure of the electric field at one volt of an electrode.
+    pub fn field(&self, electrode: &str) -> PathBuf {
+        self.path(&format!("field_{}.png", in_file(electrode)))
+    }
+
+    /// Removes table and figures of the electrodes called `names` of an earlier run.
+    pub fn remove_electrodes<'a>(&self, names: impl IntoIterator<Item = &'a str>) {
+        remove([self.electrodes()]);
+        for name in names {
+            remove([self.potential(name), self.field(name)]);
+        }
+    }
+
     /// The derivatives of the properties.
     pub fn sensitivity(&self) -> PathBuf {
         self.path("sensitivity.json")
@@ -168,6 +191,16 @@ impl OutputFiles {
     pub fn remove_constants(&self) {
         remove([self.constants()]);
     }
+}
+
+/// The name of an electrode in that of a file: letters, digits, `-` and `_` stay, others
+/// are told by their code, so that two names make two files.
+fn in_file(name: &str) -> String {
+    let letter = |letter: char| match letter {
+        'a'..='z' | 'A'..='Z' | '0'..='9' | '-' | '_' => letter.to_string(),
+        other => format!("%{:X}", u32::from(other)),
+    };
+    name.chars().map(letter).collect()
 }
 
 /// Removes files; one that does not exist is no problem.

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::section::Circuit;
-use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix6, Vector6};
 
 /// The electrodes of a section, in its order: about the reference point, in section axes.
 ///
@@ -74,6 +74,20 @@ pub struct InCircuit {
     pub capacitance: DMatrix<f64>,
 }
 
+/// A capacitance whose pivots are less than this part of their entries is that of
+/// electrodes that nothing holds: they may all have any common voltage.
+const UNHELD: f64 = 1e-9;
+
+/// The factors of a capacitance; `None` where it does not determine voltages.
+fn factored(capacitance: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
+    let diagonal = capacitance.diagonal();
+    let factors = capacitance.cholesky()?;
+    let factor = factors.l_dirty().diagonal();
+    let mut pivots = factor.iter().zip(diagonal.iter());
+    let is_held = pivots.all(|(pivot, entry)| pivot * pivot > UNHELD * entry);
+    is_held.then_some(factors)
+}
+
 impl PiezoSolution {
     /// The section of the stiffness `k` at no voltages, with each electrode as `circuit`
     /// says of it: grounded ones at zero, floating ones with their charge per length at zero.
@@ -114,7 +128,7 @@ impl PiezoSolution {
                 electrodes: driven,
             });
         }
-        let own = part(&floating, &floating).cholesky()?;
+        let own = factored(part(&floating, &floating))?;
         let (by_strain, by_voltage) = (
             own.solve(&theta_f.transpose()),
             own.solve(&part(&floating, &driven)),
@@ -169,7 +183,7 @@ impl PiezoSolution {
                 .sum();
             self.electrodes[electrode].coupling.dot(&strain) - by_voltage
         });
-        let found = own.cholesky()?.solve(&asked);
+        let found = factored(own)?.solve(&asked);
         for (&electrode, voltage) in floating.iter().zip(found.iter()) {
             voltages[electrode] = *voltage;
         }
