@@ -22,7 +22,7 @@ use crate::output::{
     constants_csv, end_effects, failure_report, imposed_report, piezo_report, prestress_report,
     properties, report, warping_vtu,
 };
-use crate::properties::RestrainedWarping;
+use crate::properties::{Centers, RestrainedWarping};
 use crate::recovery::Recovery;
 use crate::solution::SectionSolution;
 
@@ -233,7 +233,7 @@ fn solved(
         .and_then(|()| results.text(results.files().report(), &report))
         .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
         .and_then(|()| derivatives.write(input, &mut results))
-        .and_then(|()| write_figures(input, seen, &mut results))
+        .and_then(|()| write_figures(input, (solution, &seen.centers), &mut results))
         .and_then(|()| write_electrodes(input, solution, fields, &mut results))
         .and_then(|()| stresses.write(input, found, &mut results));
 
@@ -298,11 +298,11 @@ fn write_tables(
 /// Writes the figures and field files of the section: a new one is one more line.
 fn write_figures(
     input: &Input,
-    solution: &SectionSolution,
+    (solution, centers): (&SectionSolution, &Centers),
     results: &mut ResultWriter,
 ) -> Result<(), OutputProblem> {
     let files = results.files().clone();
-    draw_section(input, Some(&solution.centers), results)?;
+    draw_section(input, Some(centers), results)?;
     let warping = WarpingPlot::new(&input.section, solution);
     results.figure(files.warping(), warping.size(), &warping)?;
     let fields = warping_vtu(&input.section, solution);
