@@ -142,10 +142,9 @@ fn all_points(
 /// Fields that the cells hold exactly: round-off times a condition of about 1e3.
 const EXACT: f64 = 1e-11;
 
-/// Free: the field is V/h, and no stress. Held: `sigma = -d31/s11 E`, since the sides are
-/// free, and `D = (epsT - d31^2/s11) E`.
+/// The field is V/h, and there is no stress.
 #[test]
-fn a_layer_under_voltage_free_and_held() {
+fn a_free_layer_under_voltage() {
     let (section, volts) = (layer([4, 3]), 150.0);
     let solution = solved(&section);
     let Constants { s, d, epsT } = constants();
@@ -188,7 +187,17 @@ fn a_layer_under_voltage_free_and_held() {
     let expected = eps * WIDTH / HEIGHT * volts;
     assert!((charge[1] / expected - 1.0).abs() < EXACT);
     assert!((charge[0] / expected + 1.0).abs() < EXACT);
+}
 
+/// `sigma = -d31/s11 E`, since the sides are free, and `D = (epsT - d31^2/s11) E`.
+#[test]
+fn a_held_layer_under_voltage() {
+    let (section, volts) = (layer([4, 3]), 150.0);
+    let solution = solved(&section);
+    let Constants { s, d, epsT } = constants();
+    let (s11, d31, eps) = (s[0][0], d[2][0], epsT[2][2]);
+    let field = -volts / HEIGHT;
+    let (held, strain) = (d31 / s11 * field, d31 * field);
     let force = volts * solution.piezo.as_ref().unwrap().electrodes[1].coupling;
     let clamped = recovered(&section, &solution, &load(force, &[("top", volts)]));
     let electric = clamped.electric.as_ref().unwrap();
@@ -307,11 +316,8 @@ fn an_open_electrode_takes_the_voltage_of_no_charge() {
     assert!((psi[0] - points[0].tensors.strain[0]).abs() < EXACT * psi[0].abs());
 }
 
-/// Fingers whose field runs along fiber and poling: free `eps = d33 E` without stress, and
-/// held `sigma = -d33/s33 E`, `D = epsT E + d33 sigma`.
-#[test]
-fn a_field_along_the_fiber_between_fingers() {
-    let (spacing, volts) = (3e-4, 200.0);
+/// The layer poled along the beam, with fingers of a spacing all over it.
+fn fingered(spacing: f64) -> Section {
     let mut section = layer([4, 3]);
     // the poled direction 3 along the beam: axes 1 2 3 called 2 3 1
     let Constants { s, d, epsT } = constants();
@@ -341,6 +347,16 @@ fn a_field_along_the_fiber_between_fingers() {
             cells: fingered.collect(),
         },
     }];
+    section
+}
+
+/// Fingers whose field runs along fiber and poling: free `eps = d33 E` without stress, and
+/// held `sigma = -d33/s33 E`, `D = epsT E + d33 sigma`.
+#[test]
+fn a_field_along_the_fiber_between_fingers() {
+    let (spacing, volts) = (3e-4, 200.0);
+    let section = fingered(spacing);
+    let Constants { s, d, epsT } = constants();
     let solution = solved(&section);
     let (s33, d33, eps) = (s[2][2], d[2][2], epsT[2][2]);
     let field = volts / spacing;
@@ -540,13 +556,8 @@ fn work_of_the_stresses_on_the_voltages_is_that_of_the_charges() {
     }
 }
 
-/// Two layers with opposite poling, their common face ground: the narrow bimorph bends, and
-/// each layer of it carries no force; its field is V/t. Of the bending under voltage the
-/// 1-D form `kappa = M / EI` is some tenths of a percent off, since the layers hold each
-/// other across the width at their common face, on a height of about the width.
-#[test]
-fn a_bimorph_under_voltage_bends_without_force() {
-    let (b, t, volts) = (1e-5, 1e-3, 100.0);
+/// Two layers of width `b` and height `t` with opposite poling, their common face ground.
+fn bimorph(b: f64, t: f64) -> Section {
     let mesh = Rectangle {
         width: b,
         height: 2.0 * t,
@@ -580,6 +591,17 @@ fn a_bimorph_under_voltage_bends_without_force() {
             shape: ElectrodeShape::Conductor { nodes },
         });
     }
+    section
+}
+
+/// Two layers with opposite poling, their common face ground: the narrow bimorph bends, and
+/// each layer of it carries no force; its field is V/t. Of the bending under voltage the
+/// 1-D form `kappa = M / EI` is some tenths of a percent off, since the layers hold each
+/// other across the width at their common face, on a height of about the width.
+#[test]
+fn a_bimorph_under_voltage_bends_without_force() {
+    let (b, t, volts) = (1e-5, 1e-3, 100.0);
+    let section = bimorph(b, t);
     let solution = solved(&section);
     let Constants { s, d, epsT } = constants();
     let (s11, d31) = (s[0][0], d[2][0]);

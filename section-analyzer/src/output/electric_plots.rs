@@ -143,3 +143,69 @@ fn voltages(section: &Section, electric: &ElectricRecovery) -> Vec<String> {
     }
     vec![format!("voltages: {}", told.join(", "))]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::analyze;
+    use crate::recovery::{LoadCase, recover};
+    use crate::section::piezo_samples::{LAYER, bimorph, fingered};
+    use nalgebra::Vector6;
+
+    fn at_one_volt(section: &Section, electrode: &str) -> Recovery {
+        let load = LoadCase {
+            voltages: vec![(electrode.into(), 1.0)],
+            ..LoadCase::at_point("volt", &Vector6::zeros(), [0.0; 2])
+        };
+        recover(section, &analyze(section).unwrap(), &load).unwrap()
+    }
+
+    /// One volt at the top of a bimorph: nodes of the upper face are at one, those of the
+    /// lower one at zero; the field stands on the faces: arrows down, against the potential.
+    #[test]
+    fn potential_and_field_of_a_driven_face() {
+        let section = bimorph();
+        let recovery = at_one_volt(&section, "top");
+        let electric = recovery.electric.as_ref().unwrap();
+        let drawn = potential(&section, electric).unwrap();
+        for (cell, values) in section.mesh.cells.iter().zip(&drawn.values) {
+            for (&node, value) in cell.nodes().iter().zip(values) {
+                let z = section.mesh.nodes[node as usize][1];
+                if z.abs() > 0.99 * LAYER {
+                    assert_eq!(*value, f64::from(u8::from(z > 0.0)));
+                }
+            }
+        }
+        let sizes = magnitude(&recovery, electric);
+        let arrows = sizes.vectors.as_ref().unwrap();
+        for (cell, (sizes, arrows)) in sizes.values.iter().zip(arrows).enumerate() {
+            let above = section.mesh.middle(&section.mesh.cells[cell])[1] > 0.5 * LAYER;
+            // of the other layer, held by this one, the field is a part of 1/LAYER
+            assert!(!above || (arrows[0][1] < -0.5 / LAYER && sizes[0] > 0.5 / LAYER));
+        }
+        assert_eq!(
+            voltages(&section, electric),
+            ["voltages: top 1 V, others 0"]
+        );
+        assert_eq!(sizes.note, "arrows: its mean nearby");
+    }
+
+    /// Fingers over the upper half: a field of `1/LAYER` there and none below, no potential.
+    #[test]
+    fn fields_of_fingers_have_no_potential() {
+        let section = fingered();
+        let recovery = at_one_volt(&section, "fingers");
+        let electric = recovery.electric.as_ref().unwrap();
+        assert!(potential(&section, electric).is_none());
+        let field = magnitude(&recovery, electric);
+        for (cell, sizes) in section.mesh.cells.iter().zip(&field.values) {
+            match section.mesh.middle(cell)[1] > 0.0 {
+                // round-off of the smoothing
+                true => assert!((sizes[0] * LAYER - 1.0).abs() < 1e-12),
+                false => assert!(sizes.iter().all(|size| size.is_nan())),
+            }
+        }
+        assert_eq!(field.note, "arrows: its mean nearby; white: without field");
+        assert_eq!(voltages(&section, electric), ["voltages: fingers 1 V"]);
+    }
+}

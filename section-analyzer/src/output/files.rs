@@ -209,3 +209,22 @@ fn remove<const N: usize>(files: [PathBuf; N]) {
         let _ = std::fs::remove_file(file);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Names that a file system may not take, or take for another, keep files apart.
+    #[test]
+    fn electrodes_of_any_name_have_files_of_their_own() {
+        let files = OutputFiles {
+            folder: PathBuf::from("results"),
+            name: "a".into(),
+        };
+        let shown = |name: &str| files.potential(name).display().to_string();
+        assert_eq!(shown("top_1-b"), "results/a.potential_top_1-b.png");
+        assert_eq!(shown("../b c"), "results/a.potential_%2E%2E%2Fb%20c.png");
+        assert_ne!(files.field("a b"), files.field("a_b"));
+        assert_ne!(files.field("a/b"), files.field("a%2Fb"));
+    }
+}

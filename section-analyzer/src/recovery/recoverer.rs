@@ -205,16 +205,7 @@ impl<'a> Recoverer<'a> {
             if let (Some(side), Some(load)) = (&self.electric, &mut electric) {
                 self.add_fields((side, load), (cell, &theta), &mut points[first..]);
             }
-            let of_cell = &points[first..];
-            let (mean, area) = mean_of(of_cell);
-            for (weights, &node) in grid.extrapolation.rows().zip(&self.cell_nodes[cell]) {
-                let (sum, total) = &mut sums[node as usize];
-                for (weight, point) in weights.iter().zip(of_cell) {
-                    sum.add(area * weight, &point.tensors);
-                }
-                *total += area;
-            }
-            cells.push(mean);
+            cells.push(self.smoothed(cell, &points[first..], &mut sums));
         }
         let about_center = resultant(&points, self.center);
         let held = imposed
@@ -377,6 +368,25 @@ impl<'a> Recoverer<'a> {
             material_strain: strain_in_axes(axes, &strain),
             material_stress: stress_in_axes(axes, &stress),
         }
+    }
+
+    /// The mean of a cell, whose points add to the nodes.
+    fn smoothed(
+        &self,
+        cell: usize,
+        points: &[PointState],
+        sums: &mut [(Tensors, f64)],
+    ) -> CellState {
+        let (mean, area) = mean_of(points);
+        let rows = self.cells[cell].extrapolation.rows();
+        for (weights, &node) in rows.zip(&self.cell_nodes[cell]) {
+            let (sum, total) = &mut sums[node as usize];
+            for (weight, point) in weights.iter().zip(points) {
+                sum.add(area * weight, &point.tensors);
+            }
+            *total += area;
+        }
+        mean
     }
 
     fn nodal_states(&self, sums: &[(Tensors, f64)]) -> Vec<NodalState> {

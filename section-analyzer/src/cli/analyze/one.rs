@@ -22,7 +22,7 @@ use crate::output::{
     constants_csv, end_effects, failure_report, imposed_report, piezo_report, prestress_report,
     properties, report, warping_vtu,
 };
-use crate::properties::{Centers, RestrainedWarping};
+use crate::properties::{Centers, NoRestrainedWarping, RestrainedWarping};
 use crate::recovery::Recovery;
 use crate::solution::SectionSolution;
 
@@ -216,17 +216,8 @@ fn solved(
     } = in_circuit;
     let solution = &found.solution;
     let mut properties = properties(section, solution, &found.imposed, &summary.input_hash);
-    let prestress_part = prestressed(input, found, &mut properties);
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let on_request = [
-        piezo_report(solution, &properties),
-        imposed_report(&properties),
-        prestress_part,
-        derivatives.table(section, solution),
-    ];
-    let mut report = report(section, summary, seen, &restrained, &on_request);
-    let ends = found.end_effects.as_ref().map(end_effects);
-    report.extend(ends.map(|ends| format!("\n{ends}")));
+    let report = told(input, in_circuit, &restrained, &mut properties);
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))
@@ -261,6 +252,28 @@ fn solved(
         properties: Some(properties),
         ..Outcome::new(status)
     }
+}
+
+/// The report; what it says of prestress is added to the `properties`.
+fn told(
+    input: &Input,
+    in_circuit: &InCircuit,
+    restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
+    properties: &mut SectionProperties,
+) -> String {
+    let (section, found) = (&input.section, &in_circuit.found);
+    let prestress_part = prestressed(input, found, properties);
+    let on_request = [
+        piezo_report(&found.solution, properties),
+        imposed_report(properties),
+        prestress_part,
+        in_circuit.derivatives.table(section, &found.solution),
+    ];
+    let seen = &in_circuit.seen;
+    let mut report = report(section, &input.summary, seen, restrained, &on_request);
+    let ends = found.end_effects.as_ref().map(end_effects);
+    report.extend(ends.map(|ends| format!("\n{ends}")));
+    report
 }
 
 /// Adds the effect of prestress to the properties, where it is asked for; gives its part
