@@ -32,7 +32,7 @@ fn voltages(section: &Section, electric: &ElectricRecovery) -> String {
             .charges
             .as_ref()
             .map_or_else(String::new, |charges| {
-                shown(charges[place], largest(charges))
+                shown(charges[place], electric.charge_scale)
             });
         rows.push(vec![
             electrode.name.clone(),
@@ -90,4 +90,41 @@ fn fields(section: &Section, recovery: &Recovery, electric: &ElectricRecovery) -
         "Electric field, its size at integration points\n{}",
         table(&rows, "lr")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::analyze;
+    use crate::recovery::{LoadCase, recover};
+    use crate::section::Circuit;
+    use crate::section::piezo_samples::layer;
+    use nalgebra::Vector6;
+
+    /// A pulled layer, held: a charge and no voltage; open: a voltage, and the charges are
+    /// nothing, not the round-off of what cancels.
+    #[test]
+    fn open_electrodes_have_no_charge() {
+        let mut section = layer();
+        let load = LoadCase::at_point("pull", &Vector6::ith(0, 5.0), [0.0; 2]);
+        let mut words = |circuit| {
+            section.electrodes[1].circuit = circuit;
+            let recovery = recover(&section, &analyze(&section).unwrap(), &load).unwrap();
+            let text = electrodes(&section, &recovery);
+            let row = text.lines().find(|line| line.starts_with("  top")).unwrap();
+            let row: Vec<_> = row.split_whitespace().map(str::to_owned).collect();
+            (row[1].clone(), row[2].clone(), text)
+        };
+        let (voltage, charge, text) = words(Circuit::Driven);
+        assert_eq!(voltage, "0");
+        // -d31 F / h: on the conductor above, whose normal into the layer is -z
+        assert_eq!(charge, "1.37000e-6");
+        assert!(
+            text.contains("Electric field, its size at integration points"),
+            "{text}"
+        );
+        let (voltage, charge, _) = words(Circuit::Floating);
+        assert!(voltage.parse::<f64>().unwrap() < 0.0);
+        assert_eq!(charge, "0");
+    }
 }

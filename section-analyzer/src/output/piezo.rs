@@ -142,9 +142,10 @@ fn stiffnesses(piezo: &PiezoSolution, solution: &SectionSolution) -> String {
             format!("K{0}{0}", i + 1),
             number(short),
             number(open),
-            match factor.abs() <= ZERO {
-                true => "0".to_owned(),
-                false => format!("{factor:.6}"),
+            match factor.abs() {
+                ..=ZERO => "0".to_owned(),
+                ..1e-6 => format!("{factor:.1e}"),
+                _ => format!("{factor:.6}"),
             },
         ]);
     }

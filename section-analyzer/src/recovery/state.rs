@@ -134,6 +134,9 @@ pub struct ElectricRecovery {
     /// Charge per length on each electrode; `None` where imposed states or loads along the
     /// beam act too \[C/m\].
     pub charges: Option<Vec<f64>>,
+    /// The largest part of a charge, by the strain or by a voltage: what is nothing beside it
+    /// is round-off \[C/m\].
+    pub charge_scale: f64,
     /// Potential at the nodes of the mesh, zero at nodes without one \[V\].
     pub potential: DVector<f64>,
     /// Whether each cell of the mesh has an electric field: dielectrics, and what is between

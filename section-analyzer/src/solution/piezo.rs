@@ -213,6 +213,24 @@ impl PiezoSolution {
         (0..self.electrodes.len()).map(charge).collect()
     }
 
+    /// The largest of the parts that [`PiezoSolution::charges`] adds up \[C/m\].
+    pub fn largest_charge(
+        &self,
+        compliance: &Matrix6<f64>,
+        force: &Vector6<f64>,
+        voltages: &[f64],
+    ) -> f64 {
+        let strain = compliance * force;
+        let parts = (0..self.electrodes.len()).flat_map(|electrode| {
+            let by_strain = self.electrodes[electrode].coupling.component_mul(&strain);
+            let by_voltage = voltages.iter().enumerate();
+            by_voltage
+                .map(move |(other, voltage)| self.free_capacitance[(electrode, other)] * voltage)
+                .chain(std::iter::once(by_strain.amax()))
+        });
+        parts.fold(0.0, |most: f64, part| most.max(part.abs()))
+    }
+
     /// That the voltages of its floating electrodes are not determined.
     pub fn undetermined(&self) -> Failure {
         let floating = self.electrodes.iter();

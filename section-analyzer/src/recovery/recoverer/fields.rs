@@ -85,6 +85,7 @@ impl Recoverer<'_> {
         }
         let voltages = of(&load.force)?;
         let charges = is_alone.then(|| piezo.charges(compliance, &load.force, &voltages));
+        let charge_scale = piezo.largest_charge(compliance, &load.force, &voltages);
         let mut at_nodes = &piezo.potential * load.force + &potential;
         for (electrode, by_force) in piezo.electrodes.iter().zip(&electric.by_force) {
             let voltage = (by_force * self.about_center(load)).x;
@@ -95,6 +96,7 @@ impl Recoverer<'_> {
             field_scale: voltages.iter().map(|v| v.abs()).fold(0.0, largest) / self.size,
             voltages,
             charges,
+            charge_scale,
             potential: at_nodes,
             has_field: (0..cells).map(|cell| electric.has_field(cell)).collect(),
             cells: vec![ElectricState::default(); cells],
