@@ -131,13 +131,18 @@ impl Scale {
         }
     }
 
-    /// What is told of a field without extremes.
-    pub fn uniform_words(&self) -> String {
+    /// What is told of a field without extremes, which `is_whole` where all cells have a
+    /// value.
+    pub fn uniform_words(&self, is_whole: bool) -> String {
+        let place = match is_whole {
+            true => "in the whole section",
+            false => "where it is not white",
+        };
         match self.is_zero() {
-            true => "zero in the whole section, up to round-off".to_owned(),
+            true => format!("zero {place}, up to round-off"),
             false => {
                 let value = if self.high > 0.0 { self.high } else { self.low };
-                format!("{} in the whole section", self.shown(value))
+                format!("{} {place}", self.shown(value))
             }
         }
     }
