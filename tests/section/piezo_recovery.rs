@@ -36,14 +36,18 @@ struct Constants {
 }
 
 fn constants() -> Constants {
-    let text = std::fs::read_to_string("tests/reference/theory/piezo.json").unwrap();
-    serde_json::from_str::<Reference>(&text).unwrap().material
+    let text = std::fs::read_to_string("tests/reference/theory/piezo.json").expect("stored");
+    serde_json::from_str::<Reference>(&text)
+        .expect("constants")
+        .material
 }
 
 /// PZT-5H-like, poled along 3.
 fn pzt() -> Material {
     let Constants { s, d, epsT } = constants();
-    let c = Matrix6::from_fn(|i, j| s[i][j]).try_inverse().unwrap();
+    let c = Matrix6::from_fn(|i, j| s[i][j])
+        .try_inverse()
+        .expect("regular");
     let c = 0.5 * (c + c.transpose());
     let d = Matrix3x6::from_fn(|i, j| d[i][j]);
     let at_stress = Matrix3::from_fn(|i, j| epsT[i][j]);
@@ -69,7 +73,7 @@ fn layer(cells: [usize; 2]) -> Section {
         kind: CellKind::Quadrilateral9,
         name: "layer".into(),
     };
-    let mut section = uniform(&mesh.generate().unwrap(), pzt(), 0.0);
+    let mut section = uniform(&mesh.generate().expect("sound measures"), pzt(), 0.0);
     for (name, circuit, z) in [
         ("bottom", Circuit::Ground, -0.5 * HEIGHT),
         ("top", Circuit::Driven, 0.5 * HEIGHT),
@@ -132,7 +136,7 @@ fn all_points(
     let points = recovery.points.iter().enumerate();
     let pairs = points.map(|(k, point)| [value(k), expected(point.place)]);
     let worst = pairs.max_by(|a, b| (a[0] - a[1]).abs().total_cmp(&(b[0] - b[1]).abs()));
-    let [found, expected] = worst.unwrap();
+    let [found, expected] = worst.expect("points");
     let error = ((found - expected) / scale).abs();
     println!("{case}, {quantity}: {found:e} {expected:e} {error:e}");
     record::value(SOURCE, case, quantity, [found, expected], error, EXACT);
@@ -327,10 +331,13 @@ fn fingered(spacing: f64) -> Section {
     let entry = |i: usize| {
         let (a, b) = (axis(pairs[i].0), axis(pairs[i].1));
         let pair = (a.min(b), a.max(b));
-        pairs.iter().position(|known| *known == pair).unwrap()
+        pairs
+            .iter()
+            .position(|known| *known == pair)
+            .expect("a pair")
     };
     let c = Matrix6::from_fn(|i, j| s[entry(i)][entry(j)]);
-    let c = c.try_inverse().unwrap();
+    let c = c.try_inverse().expect("regular");
     let strains = Matrix3x6::from_fn(|i, j| d[axis(i)][entry(j)]);
     let at_stress = Matrix3::from_fn(|i, j| epsT[axis(i)][axis(j)]);
     let c = 0.5 * (c + c.transpose());
@@ -567,9 +574,9 @@ fn bimorph(b: f64, t: f64) -> Section {
         kind: CellKind::Quadrilateral9,
         name: "bimorph".into(),
     };
-    let mut section = uniform(&mesh.generate().unwrap(), pzt(), 0.0);
+    let mut section = uniform(&mesh.generate().expect("sound measures"), pzt(), 0.0);
     let mut turned = pzt();
-    let electric = turned.electric.as_mut().unwrap();
+    let electric = turned.electric.as_mut().expect("electric");
     electric.coupling = -electric.coupling;
     section.materials.push(turned);
     for cell in 0..section.cells.len() {
