@@ -23,7 +23,7 @@ mod voltage;
 pub use distributed::distributed_forces;
 pub(crate) use domain::largest;
 pub use domain::{Domain, DomainCell, Scaling};
-pub use electric::{DomainElectrode, Electric, Fingered, structural_parts};
+pub use electric::{DomainElectrode, Electric, Fingered, dielectric_cells, structural_parts};
 pub use imposed::{ImposedForces, imposed_forces};
 pub use mass::{mass_of_moments, mass_per_length};
 pub use matrices::{Scalar, SectionMatrices};

@@ -11,6 +11,7 @@ mod gradient;
 mod line;
 mod moved;
 mod point;
+mod potential;
 mod side;
 mod strain;
 
@@ -26,6 +27,7 @@ pub use gradient::PointGradient;
 pub use line::{Line, Metric};
 pub use moved::{MovedPoint, NodalForces, NodalState};
 pub use point::{CellPoint, RulePoint, cell_points, rule_points};
+pub use potential::{NodalPotential, gradient_at};
 pub use side::{SidePoint, side_points};
 pub use strain::{
     FACE_STRAINS, NO_COLUMNS, NodalColumns, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS,

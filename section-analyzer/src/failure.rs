@@ -187,6 +187,40 @@ pub enum Failure {
         /// Name of the state.
         state: String,
     },
+    /// A load with a voltage for an electrode that the section does not have.
+    #[error(
+        "load \"{load}\" has a voltage for \"{electrode}\", which is no electrode of the section"
+    )]
+    UnknownElectrode {
+        /// Name of the load case.
+        load: String,
+        /// Name that is not known.
+        electrode: String,
+        /// The name of an electrode that is like it.
+        nearest: Option<String>,
+    },
+    /// A load with a voltage for an electrode that is at ground or open.
+    #[error("load \"{load}\" has a voltage for electrode \"{electrode}\", which is not driven")]
+    NotDriven {
+        /// Name of the load case.
+        load: String,
+        /// Name of the electrode.
+        electrode: String,
+    },
+    /// Open electrodes whose voltages could be any.
+    #[error("the voltages of the open electrodes {} are not determined", .electrodes.join(", "))]
+    Undetermined {
+        /// Names of the open electrodes.
+        electrodes: Vec<String>,
+    },
+    /// Open electrodes under a load of which their charge is not known.
+    #[error(
+        "load \"{load}\": the voltages of open electrodes are not known under imposed strains and loads along the beam"
+    )]
+    FloatingUnder {
+        /// Name of the load case.
+        load: String,
+    },
     /// The search for end effects ended before their rates stood still.
     #[error(
         "the rates of decay of end effects still change by {change:.1e} with {vectors} vectors"
@@ -270,6 +304,16 @@ impl Explain for Failure {
                 "look for moduli many orders of magnitude apart, a shear modulus of nearly zero, and an origin of the mesh far from the section"
             }
             Self::NodesOnOneLine => "a section needs an area: give the wall a thickness",
+            Self::UnknownElectrode { nearest, .. } => {
+                return nearest
+                    .as_ref()
+                    .map(|name| format!("did you mean \"{name}\"?"));
+            }
+            Self::NotDriven { .. } => "only driven electrodes take a voltage: look at its circuit",
+            Self::Undetermined { .. } => {
+                "hold one electrode of each dielectric: as ground, or driven"
+            }
+            Self::FloatingUnder { .. } => "hold these electrodes, or leave out what else acts",
             Self::EndEffects { .. } => "ask for fewer \"end_effects\"",
             Self::OutOfMemory { .. } => "coarsen the mesh, or use a machine with more memory",
             Self::CellsWithoutMaterial { .. }

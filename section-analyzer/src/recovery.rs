@@ -67,6 +67,7 @@
 mod added;
 mod axes;
 mod criteria;
+mod electric;
 mod extrapolate;
 mod extremes;
 mod imposed;
@@ -82,4 +83,6 @@ pub use extremes::{
     region_stresses,
 };
 pub use recoverer::{Recoverer, StressBlock, recover};
-pub use state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};
+pub use state::{
+    CellState, ElectricRecovery, ElectricState, LoadCase, NodalState, PointState, Recovery, Tensors,
+};

@@ -45,6 +45,8 @@ pub struct CellMaterial {
 mod distributed;
 mod outside;
 #[cfg(test)]
+pub(crate) mod piezo_samples;
+#[cfg(test)]
 pub(crate) mod samples;
 
 pub use distributed::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};

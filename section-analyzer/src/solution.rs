@@ -49,6 +49,8 @@ pub struct ImposedSolution {
     /// the mesh \[m\]; zero at nodes without a cell. The rigid part is removed: the
     /// stress of internal forces does no work on it.
     pub warping: DVector<f64>,
+    /// Potential at the nodes of the mesh, with all electrodes at zero \[V\].
+    pub potential: DVector<f64>,
     /// psi_T: generalized strain without internal force (S-92) \[-, 1/m\].
     pub free_strain: Vector6<f64>,
     /// Internal force where the generalized strain is held at zero (S-93) \[N, N m\].
@@ -95,6 +97,7 @@ pub struct Checks {
     pub smallest_pivot: f64,
 }
 
+mod circuit;
 mod distributed;
 mod end_effects;
 mod piezo;

@@ -17,6 +17,7 @@ mod line_features;
 mod lines;
 mod outside_matrices;
 mod piezo;
+mod piezo_recovery;
 mod prestress;
 mod quads;
 mod random_sections;

@@ -104,6 +104,9 @@ impl Analysis<'_> {
         DistributedState {
             warping: scaling.length * self.solved.on_mesh(&solved.x, case),
             rate: self.solved.on_mesh(&solved.rate, case),
+            potential: scaling.potential * self.solved.potential_on_mesh(&solved.x, case),
+            potential_rate: scaling.potential / scaling.length
+                * self.solved.potential_on_mesh(&solved.rate, case),
             strain: wrench::shift_matrix(&t).transpose() * strain,
             force_per_length: wrench::shift_matrix(&-t) * force,
             pressure: self.pressure(load),

@@ -121,6 +121,7 @@ impl Analysis<'_> {
         ImposedSolution {
             state: state.clone(),
             warping: scaling.length * self.solved.on_mesh(&solved.x, case),
+            potential: scaling.potential * self.solved.potential_on_mesh(&solved.x, case),
             free_strain,
             restrained_force: -(self.solution.stiffness * free_strain),
             error: largest(error, 0.0),

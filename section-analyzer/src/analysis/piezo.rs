@@ -263,7 +263,7 @@ impl Solved<'_> {
     }
 
     /// A column of the potentials of a field of the domain at the nodes of the mesh.
-    fn potential_on_mesh(&self, field: &DMatrix<f64>, column: usize) -> DVector<f64> {
+    pub(super) fn potential_on_mesh(&self, field: &DMatrix<f64>, column: usize) -> DVector<f64> {
         let mut on_mesh = DVector::zeros(self.section.mesh.nodes.len());
         for (node, &mesh_node) in self.domain.mesh_nodes.iter().enumerate() {
             if let Some(unknown) = self.domain.potential_unknown(node) {

@@ -8,9 +8,11 @@ use super::arguments::AnalyzeArguments;
 use super::{DONE, Stop, Terminal, WRONG_INPUT, list};
 use crate::input;
 
+mod electrodes;
 mod lines;
 mod many;
 mod one;
+mod open;
 mod overlap;
 mod progress;
 mod sensitivity;
@@ -48,6 +50,8 @@ struct Run {
     /// Numbers of the nodes whose coordinates are parameters of the derivatives; `None`
     /// where no derivatives are asked for.
     sensitivity: Option<Vec<u64>>,
+    /// Driven electrodes that are open.
+    open: Vec<String>,
 }
 
 /// Analyzes sections and writes their results.
@@ -74,6 +78,7 @@ pub(super) fn analyze_files(
         sensitivity: arguments
             .sensitivity
             .then(|| arguments.sensitivity_nodes.clone()),
+        open: arguments.open.clone(),
     };
     match &jobs[..] {
         [job] => show(analyze_one(job, &run), terminal),

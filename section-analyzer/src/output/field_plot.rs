@@ -235,7 +235,8 @@ impl<'a> FieldPlot<'a> {
             canvas.text(&text, [LEFT + 50.0, y], label)?;
         }
         if self.extremes.is_none() {
-            canvas.text(&self.scale.uniform_words(), [LEFT, top], label)?;
+            let is_whole = !self.field.values.iter().any(|values| values[0].is_nan());
+            canvas.text(&self.scale.uniform_words(is_whole), [LEFT, top], label)?;
         }
         Ok(())
     }

@@ -135,6 +135,29 @@ impl OutputFiles {
         self.path("constants.csv")
     }
 
+    /// The table of electrodes.
+    pub fn electrodes(&self) -> PathBuf {
+        self.path("electrodes.csv")
+    }
+
+    /// The figure of the potential at one volt of an electrode.
+    pub fn potential(&self, electrode: &str) -> PathBuf {
+        self.path(&format!("potential_{}.png", in_file(electrode)))
+    }
+
+    /// The figure of the electric field at one volt of an electrode.
+    pub fn field(&self, electrode: &str) -> PathBuf {
+        self.path(&format!("field_{}.png", in_file(electrode)))
+    }
+
+    /// Removes table and figures of the electrodes called `names` of an earlier run.
+    pub fn remove_electrodes<'a>(&self, names: impl IntoIterator<Item = &'a str>) {
+        remove([self.electrodes()]);
+        for name in names {
+            remove([self.potential(name), self.field(name)]);
+        }
+    }
+
     /// The derivatives of the properties.
     pub fn sensitivity(&self) -> PathBuf {
         self.path("sensitivity.json")
@@ -170,9 +193,38 @@ impl OutputFiles {
     }
 }
 
+/// The name of an electrode in that of a file: letters, digits, `-` and `_` stay, others
+/// are told by their code, so that two names make two files.
+fn in_file(name: &str) -> String {
+    let letter = |letter: char| match letter {
+        'a'..='z' | 'A'..='Z' | '0'..='9' | '-' | '_' => letter.to_string(),
+        other => format!("%{:X}", u32::from(other)),
+    };
+    name.chars().map(letter).collect()
+}
+
 /// Removes files; one that does not exist is no problem.
 fn remove<const N: usize>(files: [PathBuf; N]) {
     for file in files {
         let _ = std::fs::remove_file(file);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Names that a file system may not take, or take for another, keep files apart.
+    #[test]
+    fn electrodes_of_any_name_have_files_of_their_own() {
+        let files = OutputFiles {
+            folder: PathBuf::from("results"),
+            name: "a".into(),
+        };
+        let shown = |name: &str| files.potential(name).display().to_string();
+        assert_eq!(shown("top_1-b"), "results/a.potential_top_1-b.png");
+        assert_eq!(shown("../b c"), "results/a.potential_%2E%2E%2Fb%20c.png");
+        assert_ne!(files.field("a b"), files.field("a_b"));
+        assert_ne!(files.field("a/b"), files.field("a%2Fb"));
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 use shared_geom::section::{
-    Centers, ImposedState, InitialCurvature, PrincipalAxes, Provenance, SectionProperties,
+    Centers, ImposedState, InitialCurvature, Piezo, PrincipalAxes, Provenance, SectionProperties,
     StrainMeasure,
 };
 
@@ -20,9 +20,12 @@ pub(super) struct Source<'a> {
     pub input_hash: &'a str,
 }
 
-/// The properties of `section`, with the fingerprint of what they were made from.
+/// The properties of `section`, with the fingerprint of what they were made from. They are those
+/// in the circuit of its electrodes, [`SectionSolution::in_circuit`]; floating electrodes
+/// whose voltages that cannot determine stay at zero.
 ///
-/// The reference point is the origin of the mesh. A section without mass has its
+/// What a kelvin and imposed states do to a section with floating electrodes is not known,
+/// and left out. The reference point is the origin of the mesh. A section without mass has its
 /// center of mass, of no consequence, at the reference point.
 pub fn properties(
     section: &Section,
@@ -37,11 +40,33 @@ pub fn properties(
         initial_curvature: section.initial_curvature,
         input_hash,
     };
+    let known = match solution.has_open_electrodes() {
+        true => &ImposedSolutions::default(),
+        false => imposed,
+    };
     SectionProperties {
-        thermal_force: imposed.per_kelvin.as_ref().map(|one| one.restrained_force),
-        imposed: imposed.states.iter().map(imposed_state).collect(),
-        ..properties_of(&source, solution)
+        thermal_force: known.per_kelvin.as_ref().map(|one| one.restrained_force),
+        imposed: known.states.iter().map(imposed_state).collect(),
+        piezo: piezo(solution),
+        ..properties_of(
+            &source,
+            &solution.in_circuit().unwrap_or_else(|_| solution.clone()),
+        )
     }
+}
+
+/// Driven electrodes with the others at ground or open; `None` without any.
+fn piezo(solution: &SectionSolution) -> Option<Piezo> {
+    let piezo = solution.piezo.as_ref()?;
+    let circuit = |electrode: usize| piezo.electrodes[electrode].circuit;
+    let driven = piezo.in_circuit(&solution.stiffness, circuit)?;
+    let names = driven.electrodes.iter();
+    let names: Vec<_> = names.map(|&k| piezo.electrodes[k].name.clone()).collect();
+    (!names.is_empty()).then_some(Piezo {
+        electrodes: names,
+        coupling: driven.coupling,
+        capacitance: driven.capacitance,
+    })
 }
 
 /// Adds to `properties` of `section` how internal forces and imposed states change the

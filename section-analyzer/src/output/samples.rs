@@ -130,5 +130,6 @@ pub(super) fn recovery(
         cell_nodes,
         resultant: force,
         resultant_error: 0.0,
+        electric: None,
     }
 }

@@ -158,6 +158,12 @@ fn load_words(recovery: &Recovery) -> Vec<String> {
     }
     let states = recovery.load.imposed.iter();
     parts.extend(states.map(|state| format!("imposed strain \"{state}\"")));
+    let voltages = recovery.load.voltages.iter();
+    let voltages = voltages.filter(|(_, voltage)| *voltage != 0.0);
+    parts.extend(voltages.map(|(name, voltage)| {
+        let value = tick_label(*voltage, 0.0);
+        format!("electrode \"{name}\" {value} V")
+    }));
     parts.extend(
         recovery
             .is_distributed
@@ -197,12 +203,13 @@ mod tests {
         assert_eq!(words([0.0; 6]), ["load case \"gust\": no internal force"]);
         let mut heated = recovery(&section, "sun", Vector6::zeros(), |_, _| Vector6::zeros());
         heated.load.imposed = vec!["hot".into(), "cure".into()];
+        heated.load.voltages = vec![("top".into(), 150.0), ("bottom".into(), 0.0)];
         heated.is_distributed = true;
         assert_eq!(
             load_words(&heated),
             [
                 "load case \"sun\": no internal force, imposed strain \"hot\", imposed strain \"cure\",",
-                "load along the beam"
+                "electrode \"top\" 150 V, load along the beam"
             ]
         );
         let lines = words([-20123.0, 1234.5, -123450.0, 12345.0, -23456.0, -34567.0]);

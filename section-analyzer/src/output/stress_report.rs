@@ -4,6 +4,7 @@
 use nalgebra::Vector6;
 use shared_geom::wrench::COMPONENTS;
 
+use super::electric_states::electrodes;
 use super::strengths::strengths;
 use super::text::{ZERO, coordinate, number, table};
 use crate::material::{ElasticLaw, MaterialLimits};
@@ -32,6 +33,7 @@ pub fn stress_report(section: &Section, limits: &[MaterialLimits], recovery: &Re
         CONVENTION.to_owned(),
         strengths(&section.materials, limits),
         load(recovery, size(section)),
+        electrodes(section, recovery),
         stresses(section, recovery),
         failures(section, limits, recovery),
     ];

@@ -2,7 +2,9 @@
 //! node of a region. All values are in SI units, which the columns name.
 
 use crate::material::MaterialLimits;
-use crate::recovery::{FailureIndex, Recovery, Tensors, criteria_of, failure_indices};
+use crate::recovery::{
+    ElectricRecovery, ElectricState, FailureIndex, Recovery, Tensors, criteria_of, failure_indices,
+};
 use crate::section::Section;
 
 const SECTION_AXES: [&str; 6] = ["xx", "yy", "zz", "yz", "xz", "xy"];
@@ -17,10 +19,12 @@ pub fn stress_points_csv(
     recovery: &Recovery,
 ) -> String {
     let criteria = criteria_of(limits);
+    let electric = recovery.electric.as_ref();
     let mut heading: Vec<String> = ["cell", "region", "y [m]", "z [m]", "area [m^2]"]
         .map(str::to_owned)
         .to_vec();
     heading.extend(tensor_columns());
+    heading.extend(electric.into_iter().flat_map(|_| electric_columns()));
     heading.extend(criteria.iter().flat_map(|criterion| {
         let key = criterion.key();
         [
@@ -29,11 +33,16 @@ pub fn stress_points_csv(
             format!("{key}_mode"),
         ]
     }));
-    let rows = recovery.points.iter().map(|point| {
+    let rows = recovery.points.iter().enumerate().map(|(index, point)| {
         let cell = &section.mesh.cells[point.cell];
         let mut row = place_columns(cell.tag, &section.mesh.groups[cell.group], point.place);
         row.push(number(point.area));
         row.extend(tensor_values(&point.tensors));
+        row.extend(
+            electric
+                .into_iter()
+                .flat_map(|e| electric_values(&e.points[index])),
+        );
         let material = section.cells[point.cell].material;
         let found = failure_indices(&limits[material], &point.tensors);
         row.extend(criteria.iter().flat_map(|criterion| {
@@ -48,32 +57,75 @@ pub fn stress_points_csv(
 /// The means of the cells: cell, region, centroid, stress and strain in section and in
 /// material axes, von Mises stress of the mean.
 pub fn stress_cells_csv(section: &Section, recovery: &Recovery) -> String {
-    let cells = section.mesh.cells.iter().zip(&recovery.cells);
-    let rows = cells.map(|(cell, state)| {
+    let electric = recovery.electric.as_ref();
+    let cells = section.mesh.cells.iter().zip(&recovery.cells).enumerate();
+    let rows = cells.map(|(index, (cell, state))| {
         let region = &section.mesh.groups[cell.group];
         let mut row = place_columns(cell.tag, region, state.centroid);
         row.extend(tensor_values(&state.tensors));
+        row.extend(
+            electric
+                .into_iter()
+                .flat_map(|e| electric_values(&e.cells[index])),
+        );
         row
     });
-    table(heading("cell"), rows)
+    table(heading("cell", electric), rows)
 }
 
 /// The smoothed nodes, those on a border between regions once for each: node, region,
-/// place, stress and strain in section and in material axes, von Mises stress.
+/// place, stress and strain in section and in material axes, von Mises stress. With
+/// electrodes all tables have electric field and displacement, and this one the potential.
 pub fn stress_nodes_csv(section: &Section, recovery: &Recovery) -> String {
-    let rows = recovery.nodes.iter().map(|state| {
+    let electric = recovery.electric.as_ref();
+    let rows = recovery.nodes.iter().enumerate().map(|(index, state)| {
         let mesh = &section.mesh;
         let region = &mesh.groups[state.group];
         let mut row = place_columns(mesh.node_tag(state.node), region, mesh.nodes[state.node]);
         row.extend(tensor_values(&state.tensors));
+        row.extend(
+            electric
+                .into_iter()
+                .flat_map(|e| electric_values(&e.nodes[index])),
+        );
+        row.extend(electric.map(|electric| number(electric.potential[state.node])));
         row
     });
-    table(heading("node"), rows)
+    let potential = electric.map(|_| "potential [V]".to_owned());
+    let heading = heading("node", electric).into_iter().chain(potential);
+    table(heading.collect(), rows)
 }
 
-fn heading(what: &str) -> Vec<String> {
+fn heading(what: &str, electric: Option<&ElectricRecovery>) -> Vec<String> {
     let place = [what, "region", "y [m]", "z [m]"].map(str::to_owned);
-    place.into_iter().chain(tensor_columns()).collect()
+    let electric = electric.into_iter().flat_map(|_| electric_columns());
+    place
+        .into_iter()
+        .chain(tensor_columns())
+        .chain(electric)
+        .collect()
+}
+
+/// Electric field and displacement in section and in material axes.
+fn electric_columns() -> Vec<String> {
+    let mut names = Vec::new();
+    for axes in [["x", "y", "z"], ["1", "2", "3"]] {
+        names.extend(axes.map(|axis| format!("electric_field_{axis} [V/m]")));
+        names.extend(axes.map(|axis| format!("electric_displacement_{axis} [C/m^2]")));
+    }
+    names
+}
+
+fn electric_values(state: &ElectricState) -> impl Iterator<Item = String> {
+    let parts = [
+        state.field,
+        state.displacement,
+        state.material_field,
+        state.material_displacement,
+    ];
+    parts
+        .into_iter()
+        .flat_map(|part| [part.x, part.y, part.z].map(number))
 }
 
 fn tensor_columns() -> Vec<String> {

@@ -19,6 +19,8 @@ use crate::solution::ImposedSolution;
 pub(super) struct Imposed {
     /// x: rows ux, uy, uz of each node of the mesh \[m\].
     warping: DVector<f64>,
+    /// At each node of the mesh \[V\].
+    pub potential: DVector<f64>,
     /// psi_T, about the reference point \[-, 1/m\].
     pub strain: Vector6<f64>,
     /// Free strain of each cell.
@@ -40,6 +42,7 @@ impl Imposed {
         }
         let mut sum = Self {
             warping: DVector::zeros(3 * section.mesh.nodes.len()),
+            potential: DVector::zeros(section.mesh.nodes.len()),
             strain: Vector6::zeros(),
             cells: vec![FreeStrain::default(); section.cells.len()],
         };
@@ -52,6 +55,7 @@ impl Imposed {
                 });
             };
             sum.warping += &found.warping;
+            sum.potential += &found.potential;
             sum.strain += found.free_strain;
             for (sum, own) in sum.cells.iter_mut().zip(&found.state.cells) {
                 sum.at_origin += own.at_origin;

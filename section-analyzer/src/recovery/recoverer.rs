@@ -22,21 +22,26 @@
 //! - \[Giavotto1983\]: stresses of the central solutions.
 
 mod batch;
+mod fields;
+mod place;
 
 pub use batch::StressBlock;
 
+use fields::ElectricLoad;
+
 use super::axes::{strain_in_axes, stress_in_axes};
+use super::electric::ElectricSide;
 use super::extrapolate::Extrapolation;
 use super::imposed::Imposed;
-use super::locate::{Located, locate};
 use super::resultant::{centroid_and_size, resultant, resultant_error};
 use super::state::{CellState, LoadCase, NodalState, PointState, Recovery, Tensors};
+use crate::assembly::largest;
 use crate::element::{CellPoint, Line, NO_COLUMNS, NodalColumns, cell_points, strain_at};
 use crate::failure::Failure;
 use crate::material::{material_axes, section_stiffness};
 use crate::section::Section;
 use crate::solution::{DistributedState, ImposedSolution, SectionSolution};
-use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix3x6, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
 /// Largest error of the resultants of the recovered stress. It is that of the analysis
@@ -46,7 +51,7 @@ const RESULTANT_LIMIT: f64 = 1e-6;
 
 /// Where each component of the order xx yy zz yz xz xy stands in the order of
 /// [`strain_at`], yz yy zz xx xy xz.
-const USUAL_ORDER: [usize; 6] = [3, 1, 2, 0, 5, 4];
+pub(super) const USUAL_ORDER: [usize; 6] = [3, 1, 2, 0, 5, 4];
 
 /// What the recoveries of a section share.
 #[derive(Debug, Clone)]
@@ -71,6 +76,8 @@ pub struct Recoverer<'a> {
     laws: Vec<OrientedLaw>,
     law_of_cell: Vec<usize>,
     cells: Vec<CellGrid>,
+    /// What electrodes do; `None` without any.
+    electric: Option<ElectricSide<'a>>,
     /// Pairs of region and node, ascending.
     nodes: Vec<(usize, usize)>,
     cell_nodes: Vec<Vec<u32>>,
@@ -90,6 +97,9 @@ struct OrientedLaw {
 struct CellGrid {
     /// G of each point with its place from the centroid \[m\] and area \[m^2\].
     points: Vec<(Matrix6<f64>, [f64; 2], f64)>,
+    /// Electric field of each point per unit force about the centroid, rows x y z \[V/m/N,
+    /// V/m/(N m)\]; empty in cells without field.
+    fields: Vec<Matrix3x6<f64>>,
     extrapolation: Extrapolation,
 }
 
@@ -126,9 +136,11 @@ impl<'a> Recoverer<'a> {
             laws,
             law_of_cell,
             cells: Vec::new(),
+            electric: ElectricSide::new(section, solution, &back),
             nodes,
             cell_nodes,
         };
+        recoverer.add_floating();
         recoverer.cells = (0..section.mesh.cells.len())
             .map(|cell| recoverer.grid(cell))
             .collect();
@@ -171,6 +183,7 @@ impl<'a> Recoverer<'a> {
     ) -> Result<Recovery, Failure> {
         let theta = self.about_center(load);
         let imposed = Imposed::of_load(self.section, self.imposed, load)?;
+        let mut electric = self.electric_load(load, imposed.as_ref(), added)?;
         let mut points = Vec::with_capacity(self.cells.iter().map(|c| c.points.len()).sum());
         let mut cells = Vec::with_capacity(self.cells.len());
         let mut sums = vec![(Tensors::default(), 0.0); self.nodes.len()];
@@ -189,22 +202,17 @@ impl<'a> Recoverer<'a> {
             if let Some(imposed) = &imposed {
                 self.add_imposed(imposed, cell, &mut points[first..]);
             }
-            let of_cell = &points[first..];
-            let (mean, area) = mean_of(of_cell);
-            for (weights, &node) in grid.extrapolation.rows().zip(&self.cell_nodes[cell]) {
-                let (sum, total) = &mut sums[node as usize];
-                for (weight, point) in weights.iter().zip(of_cell) {
-                    sum.add(area * weight, &point.tensors);
-                }
-                *total += area;
+            if let (Some(side), Some(load)) = (&self.electric, &mut electric) {
+                self.add_fields((side, load), (cell, &theta), &mut points[first..]);
             }
-            cells.push(mean);
+            cells.push(self.smoothed(cell, &points[first..], &mut sums));
         }
         let about_center = resultant(&points, self.center);
         let held = imposed
             .as_ref()
             .map_or(0.0, |imposed| self.held(imposed, &points));
-        let least = held + added.map_or(0.0, |state| self.size_of(state, &points));
+        let fields = electric.as_ref().map(|load| load.held).unwrap_or_default();
+        let least = held + fields.force + added.map_or(0.0, |state| self.size_of(state, &points));
         let error = resultant_error(&about_center, &theta, self.size, least);
         self.require(load, error)?;
         let scales = self.scales(imposed.as_ref(), added, &points);
@@ -212,9 +220,10 @@ impl<'a> Recoverer<'a> {
             load: load.clone(),
             generalized_strain: self.solution.strain * load.force
                 + imposed.map_or_else(Vector6::zeros, |imposed| imposed.strain)
-                + added.map_or_else(Vector6::zeros, |state| state.strain),
+                + added.map_or_else(Vector6::zeros, |state| state.strain)
+                + self.electric_strain(load, electric.as_ref()),
             is_distributed: added.is_some(),
-            stress_scale: scales.stress,
+            stress_scale: largest(scales.stress, fields.stress),
             strain_scale: scales.strain,
             nodes: self.nodal_states(&sums),
             points,
@@ -222,47 +231,8 @@ impl<'a> Recoverer<'a> {
             cell_nodes: self.cell_nodes.clone(),
             resultant: self.back * about_center,
             resultant_error: error,
+            electric: electric.map(ElectricLoad::finish),
         })
-    }
-
-    /// Strain and stress under `load` at the place (y, z) \[m\], and the index of the
-    /// cell that holds it (the first of several on a common side); `None` outside the
-    /// section.
-    ///
-    /// It is the strain of the cell's own displacement there, without smoothing. Imposed
-    /// states whose solution was not given are left out.
-    pub fn at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, Tensors)> {
-        self.tensors_at(load, None, place)
-    }
-
-    /// As [`Recoverer::at`], with what a load distributed along the beam adds.
-    pub fn at_with(
-        &self,
-        load: &LoadCase,
-        added: &DistributedState,
-        place: [f64; 2],
-    ) -> Option<(usize, Tensors)> {
-        self.tensors_at(load, Some(added), place)
-    }
-
-    fn tensors_at(
-        &self,
-        load: &LoadCase,
-        added: Option<&DistributedState>,
-        place: [f64; 2],
-    ) -> Option<(usize, Tensors)> {
-        let Located { cell, r, s } = locate(&self.section.mesh, place)?;
-        let kind = self.section.mesh.cells[cell].kind;
-        let point = CellPoint::at(kind, &self.places(cell), r, s, 1.0);
-        let mut strain = self.unit_strain(cell, &point) * self.about_center(load);
-        let imposed = Imposed::of_load(self.section, self.imposed, load);
-        if let Some(imposed) = imposed.ok().flatten() {
-            strain += self.imposed_strain(&imposed, cell, &point);
-        }
-        if let Some(state) = added {
-            strain += self.added_strain(cell, state, &point);
-        }
-        Some((cell, self.tensors(cell, &strain)))
     }
 
     /// Adds what imposed states strain and stress at the points of a cell.
@@ -337,7 +307,16 @@ impl<'a> Recoverer<'a> {
         let (rate, warping) = self.columns(cell);
         let strain = &self.generalized;
         let unit = |p: &CellPoint| strain_at(&self.line, p, Some(&rate), Some(&warping), strain);
+        let side = self.electric.as_ref();
+        let side = side.filter(|side| side.has_field(cell));
+        let fields = side.map_or_else(Vec::new, |side| {
+            let fields = points
+                .iter()
+                .map(|point| self.unit_field(side, cell, point));
+            fields.collect()
+        });
         CellGrid {
+            fields,
             extrapolation: Extrapolation::new(kind, &places, &points),
             points: points
                 .iter()
@@ -370,6 +349,9 @@ impl<'a> Recoverer<'a> {
                 * self.back;
             warping[i] = x;
             rate[i] = x * self.equilibrium;
+            if let Some(electric) = &self.electric {
+                warping[i] += electric.floating_warping(node as usize);
+            }
         }
         (rate, warping)
     }
@@ -386,6 +368,25 @@ impl<'a> Recoverer<'a> {
             material_strain: strain_in_axes(axes, &strain),
             material_stress: stress_in_axes(axes, &stress),
         }
+    }
+
+    /// The mean of a cell, whose points add to the nodes.
+    fn smoothed(
+        &self,
+        cell: usize,
+        points: &[PointState],
+        sums: &mut [(Tensors, f64)],
+    ) -> CellState {
+        let (mean, area) = mean_of(points);
+        let rows = self.cells[cell].extrapolation.rows();
+        for (weights, &node) in rows.zip(&self.cell_nodes[cell]) {
+            let (sum, total) = &mut sums[node as usize];
+            for (weight, point) in weights.iter().zip(points) {
+                sum.add(area * weight, &point.tensors);
+            }
+            *total += area;
+        }
+        mean
     }
 
     fn nodal_states(&self, sums: &[(Tensors, f64)]) -> Vec<NodalState> {

@@ -1,9 +1,9 @@
 //! Recovered strain and stress as values.
 
-use nalgebra::{Vector3, Vector6};
+use nalgebra::{DVector, Vector3, Vector6};
 use shared_geom::wrench;
 
-/// A named internal force, alone or together with imposed states.
+/// A named internal force, alone or together with imposed states and voltages.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCase {
     /// Name, as the input gives it.
@@ -31,7 +31,8 @@ impl LoadCase {
 }
 
 /// Strain and stress at one place, in both systems of axes. The strain is that of the
-/// stress: free strains of imposed states are not part of it.
+/// stress: free strains of imposed states are not part of it; what voltages strain is, and
+/// the stress is that of strain and electric field together.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tensors {
     /// Strain in section axes, order xx yy zz yz xz xy \[-\].
@@ -100,6 +101,60 @@ pub struct NodalState {
     pub tensors: Tensors,
 }
 
+/// Electric field and displacement at one place of a dielectric or between fingers, in
+/// both systems of axes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ElectricState {
+    /// Electric field in section axes x y z \[V/m\].
+    pub field: Vector3<f64>,
+    /// Electric displacement in section axes x y z \[C/m^2\].
+    pub displacement: Vector3<f64>,
+    /// Electric field in material axes 1 2 3 \[V/m\].
+    pub material_field: Vector3<f64>,
+    /// Electric displacement in material axes 1 2 3 \[C/m^2\].
+    pub material_displacement: Vector3<f64>,
+}
+
+impl ElectricState {
+    /// Adds `factor` times `other`.
+    pub(super) fn add(&mut self, factor: f64, other: &Self) {
+        self.field += factor * other.field;
+        self.displacement += factor * other.displacement;
+        self.material_field += factor * other.material_field;
+        self.material_displacement += factor * other.material_displacement;
+    }
+}
+
+/// The electric side of a recovery.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ElectricRecovery {
+    /// Voltages of the electrodes of the section, in its order: those of the load, and
+    /// those that floating electrodes take \[V\].
+    pub voltages: Vec<f64>,
+    /// Charge per length on each electrode; `None` where imposed states or loads along the
+    /// beam act too \[C/m\].
+    pub charges: Option<Vec<f64>>,
+    /// The largest part of a charge, by the strain or by a voltage: what is nothing beside it
+    /// is round-off \[C/m\].
+    pub charge_scale: f64,
+    /// Potential at the nodes of the mesh, zero at nodes without one \[V\].
+    pub potential: DVector<f64>,
+    /// Whether each cell of the mesh has an electric field: dielectrics, and what is between
+    /// fingers.
+    pub has_field: Vec<bool>,
+    /// At the integration points, parallel to those of the recovery; zero in cells without
+    /// field.
+    pub points: Vec<ElectricState>,
+    /// Means of the cells; zero in cells without field.
+    pub cells: Vec<ElectricState>,
+    /// At the smoothed nodes, parallel to those of the recovery; zero where no cell of the
+    /// region has a field.
+    pub nodes: Vec<ElectricState>,
+    /// The largest field, or that of the voltages over the size of the section: what is
+    /// nothing beside it is round-off \[V/m\].
+    pub field_scale: f64,
+}
+
 /// Strain and stress of the whole section under one internal force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recovery {
@@ -127,4 +182,6 @@ pub struct Recovery {
     /// Largest difference of `resultant` from the load, relative to the load: moments
     /// and forces made comparable by the size of the section \[-\].
     pub resultant_error: f64,
+    /// Electric fields; `None` for a section without electrodes.
+    pub electric: Option<ElectricRecovery>,
 }

@@ -14,6 +14,10 @@ pub struct DistributedState {
     /// w': rate of the warping along the beam, beside that of the internal force at the
     /// section, rows as those of `warping` \[-\].
     pub rate: DVector<f64>,
+    /// Potential at the nodes of the mesh, with all electrodes at zero \[V\].
+    pub potential: DVector<f64>,
+    /// Rate of the potential along the beam, as that of the warping \[V/m\].
+    pub potential_rate: DVector<f64>,
     /// y: generalized strain \[-, 1/m\].
     pub strain: Vector6<f64>,
     /// Force and moment per length \[N/m, N\].

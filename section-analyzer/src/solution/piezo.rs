@@ -1,7 +1,8 @@
 //! What voltages on electrodes do to a section.
 
+use crate::failure::Failure;
 use crate::section::Circuit;
-use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix6, Vector6};
 
 /// The electrodes of a section, in its order: about the reference point, in section axes.
 ///
@@ -73,6 +74,20 @@ pub struct InCircuit {
     pub capacitance: DMatrix<f64>,
 }
 
+/// A capacitance whose pivots are less than this part of their entries is that of
+/// electrodes that nothing holds: they may all have any common voltage.
+const UNHELD: f64 = 1e-9;
+
+/// The factors of a capacitance; `None` where it does not determine voltages.
+fn factored(capacitance: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
+    let diagonal = capacitance.diagonal();
+    let factors = capacitance.cholesky()?;
+    let factor = factors.l_dirty().diagonal();
+    let mut pivots = factor.iter().zip(diagonal.iter());
+    let is_held = pivots.all(|(pivot, entry)| pivot * pivot > UNHELD * entry);
+    is_held.then_some(factors)
+}
+
 impl PiezoSolution {
     /// The section of the stiffness `k` at no voltages, with each electrode as `circuit`
     /// says of it: grounded ones at zero, floating ones with their charge per length at zero.
@@ -113,7 +128,7 @@ impl PiezoSolution {
                 electrodes: driven,
             });
         }
-        let own = part(&floating, &floating).cholesky()?;
+        let own = factored(part(&floating, &floating))?;
         let (by_strain, by_voltage) = (
             own.solve(&theta_f.transpose()),
             own.solve(&part(&floating, &driven)),
@@ -168,10 +183,60 @@ impl PiezoSolution {
                 .sum();
             self.electrodes[electrode].coupling.dot(&strain) - by_voltage
         });
-        let found = own.cholesky()?.solve(&asked);
+        let found = factored(own)?.solve(&asked);
         for (&electrode, voltage) in floating.iter().zip(found.iter()) {
             voltages[electrode] = *voltage;
         }
         Some(voltages)
+    }
+
+    /// Charge per length on each electrode under an internal force and `voltages` of all
+    /// electrodes \[C/m\].
+    ///
+    /// ```text
+    /// q = -Theta' C theta + freecap V
+    /// ```
+    pub fn charges(
+        &self,
+        compliance: &Matrix6<f64>,
+        force: &Vector6<f64>,
+        voltages: &[f64],
+    ) -> Vec<f64> {
+        let strain = compliance * force;
+        let charge = |electrode: usize| {
+            let by_voltage = voltages.iter().enumerate();
+            let by_voltage: f64 = by_voltage
+                .map(|(other, voltage)| self.free_capacitance[(electrode, other)] * voltage)
+                .sum();
+            by_voltage - self.electrodes[electrode].coupling.dot(&strain)
+        };
+        (0..self.electrodes.len()).map(charge).collect()
+    }
+
+    /// The largest of the parts that [`PiezoSolution::charges`] adds up \[C/m\].
+    pub fn largest_charge(
+        &self,
+        compliance: &Matrix6<f64>,
+        force: &Vector6<f64>,
+        voltages: &[f64],
+    ) -> f64 {
+        let strain = compliance * force;
+        let parts = (0..self.electrodes.len()).flat_map(|electrode| {
+            let by_strain = self.electrodes[electrode].coupling.component_mul(&strain);
+            let by_voltage = voltages.iter().enumerate();
+            by_voltage
+                .map(move |(other, voltage)| self.free_capacitance[(electrode, other)] * voltage)
+                .chain(std::iter::once(by_strain.amax()))
+        });
+        parts.fold(0.0, |most: f64, part| most.max(part.abs()))
+    }
+
+    /// That the voltages of its floating electrodes are not determined.
+    pub fn undetermined(&self) -> Failure {
+        let floating = self.electrodes.iter();
+        let floating = floating.filter(|known| known.circuit == Circuit::Floating);
+        Failure::Undetermined {
+            electrodes: floating.map(|known| known.name.clone()).collect(),
+        }
     }
 }

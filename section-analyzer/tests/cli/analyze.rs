@@ -374,3 +374,28 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
         assert!(!place.path(&format!("results/a.{file}")).exists(), "{file}");
     }
 }
+
+/// Electrodes to open are those of the section; all wrong names are told at once.
+#[test]
+fn open_electrodes_are_electrodes_of_the_section() {
+    let place = Workplace::with(&[], &[]);
+    let run = place.run(&[
+        "analyze",
+        "a.section.toml",
+        "--open",
+        "top",
+        "--open",
+        "all",
+    ]);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    assert_eq!(
+        run.err.lines().collect::<Vec<_>>(),
+        [
+            "error: a.section.toml: --open top: the section has no such electrode",
+            "  help: the section has no electrodes",
+            "error: a.section.toml: --open all: the section has no such electrode",
+            "  help: the section has no electrodes",
+        ]
+    );
+    assert!(!place.path("results").exists());
+}

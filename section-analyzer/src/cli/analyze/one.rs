@@ -7,6 +7,8 @@ use shared_geom::files::OutputProblem;
 use shared_geom::hash::sha256_of;
 use shared_geom::section::{self, SectionProperties};
 
+use super::electrodes::{fields_per_volt, write_electrodes};
+use super::open::open;
 use super::sensitivity::{Sensitivities, analyzed, parameters};
 use super::{Job, Run};
 use crate::cli::figures::draw_section;
@@ -17,10 +19,11 @@ use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
     AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, add_prestress, areas_csv,
-    constants_csv, end_effects, failure_report, imposed_report, prestress_report, properties,
-    report, warping_vtu,
+    constants_csv, end_effects, failure_report, imposed_report, piezo_report, prestress_report,
+    properties, report, warping_vtu,
 };
-use crate::properties::RestrainedWarping;
+use crate::properties::{Centers, NoRestrainedWarping, RestrainedWarping};
+use crate::recovery::Recovery;
 use crate::solution::SectionSolution;
 
 /// How the analysis of a section ended.
@@ -108,10 +111,13 @@ impl Outcome {
 /// Reads, solves and writes one section, unless nothing has changed since it was
 /// written.
 pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
-    let input = match input::read(&job.file) {
+    let mut input = match input::read(&job.file) {
         Ok(input) => input,
         Err(problems) => return Outcome::wrong_input(problems.to_string()),
     };
+    if let Err(problems) = open(&mut input, &run.open) {
+        return Outcome::wrong_input(problems);
+    }
     let parameters = match parameters(&input, run) {
         Ok(parameters) => parameters,
         Err(problems) => return Outcome::wrong_input(problems),
@@ -127,14 +133,8 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
     };
     let solve = || {
         let results = ResultWriter::new(files);
-        match analyzed(&input, parameters) {
-            Ok((found, derivatives)) => solved(
-                job,
-                &input,
-                (&found, &derivatives),
-                results,
-                made_from.as_deref(),
-            ),
+        match analyzed(&input, parameters).and_then(|found| InCircuit::new(&input, found)) {
+            Ok(found) => solved(job, &input, &found, results, made_from.as_deref()),
             Err(failure) => failed(job, &input, &failure, results),
         }
     };
@@ -154,6 +154,8 @@ fn made_from(input: &Input, run: &Run) -> Option<String> {
     let asked = run.sensitivity.as_ref();
     let asked = asked.map(|nodes| format!("sensitivity {nodes:?}"));
     parts.extend(asked.as_ref().map(|asked| asked.as_bytes()));
+    let open = format!("open {:?}", run.open);
+    parts.extend((!run.open.is_empty()).then_some(open.as_bytes()));
     Some(sha256_of(&parts))
 }
 
@@ -172,35 +174,58 @@ fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
     })
 }
 
+/// What was found of a section, and how its circuit shows it.
+#[derive(Debug)]
+struct InCircuit {
+    found: Solved,
+    derivatives: Sensitivities,
+    /// With open electrodes at no charge.
+    seen: SectionSolution,
+    /// At one volt of each driven electrode.
+    fields: Vec<(String, Recovery)>,
+}
+
+impl InCircuit {
+    /// # Errors
+    /// Voltages that the circuit leaves undetermined, fields that do not add up.
+    fn new(input: &Input, (found, derivatives): (Solved, Sensitivities)) -> Result<Self, Failure> {
+        Ok(Self {
+            seen: found.solution.in_circuit()?,
+            fields: fields_per_volt(input, &found.solution)?,
+            found,
+            derivatives,
+        })
+    }
+}
+
 fn solved(
     job: &Job,
     input: &Input,
-    (found, derivatives): (&Solved, &Sensitivities),
+    in_circuit: &InCircuit,
     mut results: ResultWriter,
     made_from: Option<&str>,
 ) -> Outcome {
     let Input {
         section, summary, ..
     } = input;
+    let InCircuit {
+        found,
+        derivatives,
+        seen,
+        fields,
+    } = in_circuit;
     let solution = &found.solution;
     let mut properties = properties(section, solution, &found.imposed, &summary.input_hash);
-    let prestress_part = prestressed(input, found, &mut properties);
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let on_request = [
-        imposed_report(&properties),
-        prestress_part,
-        derivatives.table(section, solution),
-    ];
-    let mut report = report(section, summary, solution, &restrained, &on_request);
-    let ends = found.end_effects.as_ref().map(end_effects);
-    report.extend(ends.map(|ends| format!("\n{ends}")));
+    let report = told(input, in_circuit, &restrained, &mut properties);
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))
         .and_then(|()| results.text(results.files().report(), &report))
         .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
         .and_then(|()| derivatives.write(input, &mut results))
-        .and_then(|()| write_figures(input, solution, &mut results))
+        .and_then(|()| write_figures(input, (solution, &seen.centers), &mut results))
+        .and_then(|()| write_electrodes(input, solution, fields, &mut results))
         .and_then(|()| stresses.write(input, found, &mut results));
 
     let failed = stresses.problems(&job.file);
@@ -227,6 +252,28 @@ fn solved(
         properties: Some(properties),
         ..Outcome::new(status)
     }
+}
+
+/// The report; what it says of prestress is added to the `properties`.
+fn told(
+    input: &Input,
+    in_circuit: &InCircuit,
+    restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
+    properties: &mut SectionProperties,
+) -> String {
+    let (section, found) = (&input.section, &in_circuit.found);
+    let prestress_part = prestressed(input, found, properties);
+    let on_request = [
+        piezo_report(&found.solution, properties),
+        imposed_report(properties),
+        prestress_part,
+        in_circuit.derivatives.table(section, &found.solution),
+    ];
+    let seen = &in_circuit.seen;
+    let mut report = report(section, &input.summary, seen, restrained, &on_request);
+    let ends = found.end_effects.as_ref().map(end_effects);
+    report.extend(ends.map(|ends| format!("\n{ends}")));
+    report
 }
 
 /// Adds the effect of prestress to the properties, where it is asked for; gives its part
@@ -264,11 +311,11 @@ fn write_tables(
 /// Writes the figures and field files of the section: a new one is one more line.
 fn write_figures(
     input: &Input,
-    solution: &SectionSolution,
+    (solution, centers): (&SectionSolution, &Centers),
     results: &mut ResultWriter,
 ) -> Result<(), OutputProblem> {
     let files = results.files().clone();
-    draw_section(input, Some(&solution.centers), results)?;
+    draw_section(input, Some(centers), results)?;
     let warping = WarpingPlot::new(&input.section, solution);
     results.figure(files.warping(), warping.size(), &warping)?;
     let fields = warping_vtu(&input.section, solution);
@@ -279,6 +326,9 @@ fn write_figures(
 fn failed(job: &Job, input: &Input, failure: &Failure, mut results: ResultWriter) -> Outcome {
     let written = write_failure(input, failure, &mut results);
     results.files().remove_results();
+    let electrodes = input.section.electrodes.iter();
+    let names = electrodes.map(|known| known.name.as_str());
+    results.files().remove_electrodes(names);
     for load in &input.loads {
         results.files().remove_stresses(&load.name);
     }

@@ -18,6 +18,9 @@ once, solves, prints the report, and writes into the folder DIR:
   NAME.fibers.png        wall directions and fiber angles, if a material has directions
   NAME.warping.png       the warping under each unit internal force
   NAME.warping.vtu       the same as fields on the mesh, for ParaView
+  NAME.electrodes.csv    with electrodes: coupling, free strain and capacitance per volt
+  NAME.potential_ELECTRODE.png, NAME.field_ELECTRODE.png
+                         potential and electric field at one volt of a driven electrode
   NAME.sensitivity.json  with --sensitivity: derivatives of stiffness, mass and centers
   NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE
   NAME.analysis.json     what the files above were made from
@@ -36,6 +39,7 @@ Examples:
   section-analyzer analyze blade/root.section.toml --out blade/results
   section-analyzer analyze blade/*.section.toml --threads 2
   section-analyzer analyze box.section.toml --sensitivity --sensitivity-nodes 12,40
+  section-analyzer analyze patch.section.toml --open sensor
 
 The exit code of several sections is 2 if the input of any is wrong, else 1 if any
 could not be solved or written, else 0.";
@@ -83,4 +87,8 @@ pub(in crate::cli) struct AnalyzeArguments {
         requires = "sensitivity"
     )]
     pub sensitivity_nodes: Vec<u64>,
+    /// Driven electrode that is open in this run, at no charge instead of a voltage; may be
+    /// given more than once, or as "all"
+    #[arg(long, value_name = "ELECTRODE")]
+    pub open: Vec<String>,
 }

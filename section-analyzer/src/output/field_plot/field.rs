@@ -15,6 +15,10 @@ pub(in crate::output) enum Quantity {
     Stress,
     /// A failure index [-].
     Index,
+    /// An electric potential [V].
+    Potential,
+    /// The size of an electric field [V/m].
+    ElectricField,
 }
 
 /// A field over the cells of a section.

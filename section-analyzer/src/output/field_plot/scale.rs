@@ -29,6 +29,20 @@ const UNITS: [(f64, f64, &str); 4] = [
     (0.0, 1.0, "Pa"),
 ];
 
+/// Units of potential and of electric field, as those of stress [V], [V/m].
+const POTENTIALS: [(f64, f64, &str); 4] = [
+    (1e4, 1e3, "kV"),
+    (1e-1, 1.0, "V"),
+    (1e-4, 1e-3, "mV"),
+    (0.0, 1e-6, "uV"),
+];
+const FIELDS: [(f64, f64, &str); 4] = [
+    (1e6, 1e6, "MV/m"),
+    (1e3, 1e3, "kV/m"),
+    (1e-1, 1.0, "V/m"),
+    (0.0, 1e-3, "mV/m"),
+];
+
 /// How values become colors and numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scale {
@@ -49,12 +63,16 @@ impl Scale {
             true => (lowest.min(0.0), highest.max(0.0)),
             false => (0.0, 0.0),
         };
+        let of = |units: [(f64, f64, &'static str); 4]| {
+            let mut known = units.into_iter();
+            let found = known.find(|(from, _, _)| largest >= *from);
+            found.unwrap_or(units[3])
+        };
         let (_, factor, unit) = match quantity {
             Quantity::Index => (0.0, 1.0, ""),
-            _ => UNITS
-                .into_iter()
-                .find(|(from, _, _)| largest >= *from)
-                .unwrap_or(UNITS[3]),
+            Quantity::Potential => of(POTENTIALS),
+            Quantity::ElectricField => of(FIELDS),
+            Quantity::SignedStress | Quantity::Stress => of(UNITS),
         };
         Self {
             quantity,
@@ -90,8 +108,10 @@ impl Scale {
             return NOTHING;
         }
         match self.quantity {
-            Quantity::SignedStress => diverging(value / self.largest()),
-            Quantity::Stress | Quantity::Index => sequential(value / self.high),
+            Quantity::SignedStress | Quantity::Potential => diverging(value / self.largest()),
+            Quantity::Stress | Quantity::Index | Quantity::ElectricField => {
+                sequential(value / self.high)
+            }
         }
     }
 
@@ -111,13 +131,18 @@ impl Scale {
         }
     }
 
-    /// What is told of a field without extremes.
-    pub fn uniform_words(&self) -> String {
+    /// What is told of a field without extremes, which `is_whole` where all cells have a
+    /// value.
+    pub fn uniform_words(&self, is_whole: bool) -> String {
+        let place = match is_whole {
+            true => "in the whole section",
+            false => "where it is not white",
+        };
         match self.is_zero() {
-            true => "zero in the whole section, up to round-off".to_owned(),
+            true => format!("zero {place}, up to round-off"),
             false => {
                 let value = if self.high > 0.0 { self.high } else { self.low };
-                format!("{} in the whole section", self.shown(value))
+                format!("{} {place}", self.shown(value))
             }
         }
     }

@@ -104,7 +104,8 @@ impl Surface {
                 values: triangle.map(|corner| values[corner][0]),
             });
         }
-        let Some(vectors) = vectors else {
+        // a cell without a value has no arrows, and takes their place from none
+        let Some(vectors) = vectors.filter(|_| !values[0][0].is_nan()) else {
             return;
         };
         let vectors = pattern.at(vectors);

@@ -1,10 +1,10 @@
 //! Strain and stress of a load case as a field file.
 
-use nalgebra::Vector6;
+use nalgebra::{Vector3, Vector6};
 use shared_geom::vtk::FieldFile;
 
 use super::grid::section_grid;
-use crate::recovery::{Recovery, Tensors};
+use crate::recovery::{ElectricState, Recovery, Tensors};
 use crate::section::Section;
 use crate::solution::SectionSolution;
 
@@ -21,8 +21,9 @@ const SYMMETRIC: [usize; 6] = [0, 1, 2, 5, 3, 4];
 /// the cells; and `failure`, for each criterion its name and the index of each cell,
 /// not a number in cells without strengths.
 ///
-/// The displacement is the warping under the internal force, `u = X theta`: the
-/// rigid motion of the section is that of the beam.
+/// The displacement is the warping under the internal force and voltages,
+/// `u = X theta + X_V V`: the rigid motion of the section is that of the beam. Sections with
+/// electrodes have potential, electric field and displacement too.
 pub fn stress_vtu(
     section: &Section,
     solution: &SectionSolution,
@@ -37,7 +38,12 @@ pub fn stress_vtu(
     let states = || recovery.nodes.iter();
     file.point_numbers("tag", states().map(|state| tag(state.node)).collect());
     file.point_numbers("region", states().map(|state| state.group as i64).collect());
-    let displacement = &solution.warping * recovery.load.force;
+    let mut displacement = &solution.warping * recovery.load.force;
+    if let (Some(piezo), Some(electric)) = (&solution.piezo, &recovery.electric) {
+        for (electrode, voltage) in piezo.electrodes.iter().zip(&electric.voltages) {
+            displacement.axpy(*voltage, &electrode.warping, 1.0);
+        }
+    }
     let of_node = |node: usize| [0, 1, 2].map(|axis| displacement[3 * node + axis]);
     let vectors = states().flat_map(|state| of_node(state.node)).collect();
     file.point_values("displacement", 3, vectors);
@@ -48,10 +54,32 @@ pub fn stress_vtu(
     let means: Vec<_> = recovery.cells.iter().map(|cell| cell.tensors).collect();
     let add = |name: &str, components, values| file.cell_values_short(name, components, values);
     add_tensors(&means, "mean_", add);
+    if let Some(electric) = &recovery.electric {
+        let potential = states().map(|state| electric.potential[state.node]);
+        file.point_values("potential", 1, potential.collect());
+        let add = |name: &str, values| file.point_values_short(name, 3, values);
+        add_fields(&electric.nodes, "", add);
+        let add = |name: &str, values| file.cell_values_short(name, 3, values);
+        add_fields(&electric.cells, "mean_", add);
+    }
     for (criterion, indices) in failure {
         file.cell_values(&format!("failure_{criterion}"), 1, indices.clone());
     }
     file
+}
+
+/// Adds electric field and displacement as vectors x y z.
+fn add_fields(states: &[ElectricState], prefix: &str, mut add: impl FnMut(&str, Vec<f32>)) {
+    type Take = fn(&ElectricState) -> Vector3<f64>;
+    let kinds: [(&str, Take); 2] = [
+        ("electric_field", |state| state.field),
+        ("electric_displacement", |state| state.displacement),
+    ];
+    for (name, take) in kinds {
+        let vector = |state| -> [f32; 3] { take(state).map(|value| value as f32).into() };
+        let values = states.iter().flat_map(vector);
+        add(&format!("{prefix}{name}"), values.collect());
+    }
 }
 
 /// Adds each component of stress and strain in both systems of axes, the tensors in

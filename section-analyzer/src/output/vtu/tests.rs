@@ -8,6 +8,8 @@ use vtkio::xml::VTKFile;
 use super::*;
 use crate::analysis::analyze;
 use crate::output::samples::{bending, rectangle};
+use crate::recovery::{LoadCase, recover};
+use crate::section::piezo_samples::{LAYER, layer};
 
 /// Rounding to single precision: half of 2^-23.
 const SHORT: f64 = 6e-8;
@@ -164,4 +166,47 @@ fn tensors_are_in_the_order_of_vtk_with_half_the_engineering_shears() {
     assert_eq!(values(cell, "mean_stress_xy").1[0], 6.0);
     assert_eq!(values(cell, "mean_strain_xz").1[0], 5.0);
     assert_eq!(values(cell, "mean_stress_23").1[0], 40.0);
+}
+
+/// Potential, field and displacement of a layer at two volts: V/h everywhere, and the
+/// potential between 0 and 2.
+#[test]
+fn electric_fields_are_vectors_beside_the_stresses() {
+    let section = layer();
+    let solution = analyze(&section).unwrap();
+    let load = LoadCase {
+        voltages: vec![("top".into(), 2.0)],
+        ..LoadCase::at_point("volts", &nalgebra::Vector6::zeros(), [0.0; 2])
+    };
+    let recovery = recover(&section, &solution, &load).unwrap();
+    let grid = read_back(stress_vtu(&section, &solution, &recovery, &[]));
+    let (components, fields) = values(&grid.data.point, "electric_field");
+    assert_eq!(components, 3);
+    for field in fields.chunks(3) {
+        assert!((field[2] * LAYER / -2.0 - 1.0).abs() < SHORT, "{field:?}");
+        assert!(field[0].abs().max(field[1].abs()) < 1e-9 / LAYER);
+    }
+    let (_, means) = values(&grid.data.cell, "mean_electric_displacement");
+    assert_eq!(means.len(), 3 * section.mesh.cells.len());
+    let (_, potential) = values(&grid.data.point, "potential");
+    for (state, potential) in recovery.nodes.iter().zip(&potential) {
+        let z = section.mesh.nodes[state.node][1];
+        assert!((potential - (1.0 + 2.0 * z / LAYER)).abs() < 1e-11);
+    }
+    let (_, displacement) = values(&grid.data.point, "displacement");
+    let expected = 2.0
+        * solution.piezo.as_ref().unwrap().electrodes[1].warping[3 * recovery.nodes[3].node + 1];
+    assert!((displacement[3 * 3 + 1] - expected).abs() <= 1e-14 * expected.abs());
+
+    let grid = read_back(warping_vtu(&section, &solution));
+    let (_, unit) = values(&grid.data.point, "potential_per_volt_top");
+    let size = section
+        .mesh
+        .nodes
+        .iter()
+        .zip(&unit)
+        .map(|([_, z], v)| (v - 0.5 - z / LAYER).abs());
+    assert!(size.fold(0.0, f64::max) < 1e-11);
+    assert_eq!(values(&grid.data.point, "warping_per_volt_bottom").0, 3);
+    assert_eq!(values(&grid.data.point, "potential_bending_y").0, 1);
 }

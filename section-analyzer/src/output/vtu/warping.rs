@@ -6,7 +6,7 @@ use shared_geom::wrench::COMPONENTS;
 
 use super::grid::section_grid;
 use crate::section::{OutsideSection, Section};
-use crate::solution::SectionSolution;
+use crate::solution::{PiezoSolution, SectionSolution};
 
 /// The warping under each unit internal force and each unit generalized strain, as
 /// vectors (x, y, z) at the nodes; what the cells are made of.
@@ -14,12 +14,18 @@ use crate::solution::SectionSolution;
 /// ```text
 /// warping_NAME = X        warping_per_strain_NAME = X K
 /// ```
+///
+/// With electrodes, at constant voltage, the potential under each unit internal force, and
+/// warping and potential at one volt of each electrode, the others at zero.
 pub fn warping_vtu(section: &Section, solution: &SectionSolution) -> FieldFile {
     let mesh = &section.mesh;
     let mut file = section_grid(section, mesh.nodes.iter().copied(), |cell| {
         mesh.cells[cell].nodes().to_vec()
     });
     add_warping(&mut file, &mesh.node_tags, solution);
+    if let Some(piezo) = &solution.piezo {
+        add_potentials(&mut file, piezo);
+    }
     file
 }
 
@@ -39,6 +45,21 @@ fn add_warping(file: &mut FieldFile, tags: &[u64], solution: &SectionSolution) {
         &solution.warping * DMatrix::from_column_slice(6, 6, solution.stiffness.as_slice());
     add_columns(file, "warping", solution.warping.as_view());
     add_columns(file, "warping_per_strain", per_strain.as_view());
+}
+
+/// Potentials of forces, warping and potentials of electrodes.
+fn add_potentials(file: &mut FieldFile, piezo: &PiezoSolution) {
+    for (component, column) in COMPONENTS.iter().zip(piezo.potential.column_iter()) {
+        let name = format!("potential_{}", component.replace(' ', "_"));
+        file.point_values(&name, 1, column.iter().copied().collect());
+    }
+    for electrode in &piezo.electrodes {
+        let name = electrode.name.replace(' ', "_");
+        let warping = electrode.warping.as_slice().to_vec();
+        file.point_values(&format!("warping_per_volt_{name}"), 3, warping);
+        let potential = electrode.potential.as_slice().to_vec();
+        file.point_values(&format!("potential_per_volt_{name}"), 1, potential);
+    }
 }
 
 /// Adds the columns of `warping` (3n x 6), each as an array of vectors.

@@ -41,7 +41,8 @@ impl<'a> StressBlock<'a> {
 impl Recoverer<'_> {
     /// Finds the stresses at all integration points under each of `forces` (6 x k, about
     /// the reference point, order of [`wrench::COMPONENTS`]) \[N, N m\], and shows them to
-    /// `see` block by block.
+    /// `see` block by block. Driven electrodes are at zero volt, floating ones where their
+    /// charge is zero.
     pub fn each_stress(&self, forces: &Matrix6xX<f64>, mut see: impl FnMut(&StressBlock<'_>)) {
         let shifted = wrench::shift_matrix(&self.offset()) * forces;
         let theta = DMatrix::from_column_slice(6, forces.ncols(), shifted.as_slice());
@@ -60,9 +61,12 @@ impl Recoverer<'_> {
         for (cell, grid) in self.cells.iter().enumerate() {
             let law = &self.laws[self.law_of_cell[cell]].stiffness;
             let law = Matrix6::from_fn(|i, j| law[(USUAL_ORDER[i], j)]);
-            for (unit, ..) in &grid.points {
+            for (point, (unit, ..)) in grid.points.iter().enumerate() {
                 let mut rows = operators.fixed_view_mut::<6, 6>(6 * count, 0);
                 rows.copy_from(&(law * unit));
+                if let (Some(electric), Some(field)) = (&self.electric, grid.fields.get(point)) {
+                    rows -= electric.stress_per_field(cell, field);
+                }
                 count += 1;
                 if count == BLOCK {
                     flush(&operators, first, count);

@@ -1,0 +1,64 @@
+//! Tables and figures of the electrodes of a section.
+
+use shared_geom::files::OutputProblem;
+
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{ResultWriter, electric_plots, electrodes_csv};
+use crate::recovery::{LoadCase, Recoverer, Recovery};
+use crate::section::Circuit;
+use crate::solution::SectionSolution;
+use nalgebra::Vector6;
+
+/// Fields at one volt of each driven electrode, with its name.
+///
+/// # Errors
+/// As [`Recoverer::recover`].
+pub(super) fn fields_per_volt(
+    input: &Input,
+    solution: &SectionSolution,
+) -> Result<Vec<(String, Recovery)>, Failure> {
+    let driven = input.section.electrodes.iter();
+    let driven: Vec<_> = driven
+        .filter(|known| known.circuit == Circuit::Driven)
+        .collect();
+    if driven.is_empty() {
+        return Ok(Vec::new());
+    }
+    let recoverer = Recoverer::new(&input.section, solution);
+    let fields = driven.into_iter().map(|electrode| {
+        let load = LoadCase {
+            voltages: vec![(electrode.name.clone(), 1.0)],
+            ..LoadCase::at_point(electrode.name.clone(), &Vector6::zeros(), [0.0; 2])
+        };
+        Ok((electrode.name.clone(), recoverer.recover(&load)?))
+    });
+    fields.collect()
+}
+
+/// Writes the table of the electrodes, and the figures of `fields` at one volt of each.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(super) fn write_electrodes(
+    input: &Input,
+    solution: &SectionSolution,
+    fields: &[(String, Recovery)],
+    results: &mut ResultWriter,
+) -> Result<(), OutputProblem> {
+    let Some(piezo) = &solution.piezo else {
+        return Ok(());
+    };
+    let files = results.files().clone();
+    results.text(files.electrodes(), &electrodes_csv(piezo))?;
+    for (name, recovery) in fields {
+        let Some(plots) = electric_plots(&input.section, &input.summary, recovery) else {
+            continue;
+        };
+        if let Some(potential) = &plots.potential {
+            results.figure(files.potential(name), potential.size(), potential)?;
+        }
+        results.figure(files.field(name), plots.field.size(), &plots.field)?;
+    }
+    Ok(())
+}

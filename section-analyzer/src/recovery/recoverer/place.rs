@@ -1,0 +1,65 @@
+//! Strain, stress and electric field at any place.
+
+use super::Recoverer;
+use crate::element::CellPoint;
+use crate::recovery::imposed::Imposed;
+use crate::recovery::locate::{Located, locate};
+use crate::recovery::state::{ElectricState, LoadCase, Tensors};
+use crate::solution::DistributedState;
+
+impl Recoverer<'_> {
+    /// Strain and stress under `load` at the place (y, z) \[m\], and the index of the
+    /// cell that holds it (the first of several on a common side); `None` outside the
+    /// section, and for a load whose voltages are not known.
+    ///
+    /// It is the strain of the cell's own displacement there, without smoothing. Imposed
+    /// states whose solution was not given are left out.
+    pub fn at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, Tensors)> {
+        let (cell, tensors, _) = self.state_at(load, None, place)?;
+        Some((cell, tensors))
+    }
+
+    /// As [`Recoverer::at`], with what a load distributed along the beam adds.
+    pub fn at_with(
+        &self,
+        load: &LoadCase,
+        added: &DistributedState,
+        place: [f64; 2],
+    ) -> Option<(usize, Tensors)> {
+        let (cell, tensors, _) = self.state_at(load, Some(added), place)?;
+        Some((cell, tensors))
+    }
+
+    /// Electric field and displacement, as [`Recoverer::at`]; zero in cells without field.
+    pub fn electric_at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, ElectricState)> {
+        let (cell, _, electric) = self.state_at(load, None, place)?;
+        Some((cell, electric))
+    }
+
+    fn state_at(
+        &self,
+        load: &LoadCase,
+        added: Option<&DistributedState>,
+        place: [f64; 2],
+    ) -> Option<(usize, Tensors, ElectricState)> {
+        let Located { cell, r, s } = locate(&self.section.mesh, place)?;
+        let kind = self.section.mesh.cells[cell].kind;
+        let point = CellPoint::at(kind, &self.places(cell), r, s, 1.0);
+        let theta = self.about_center(load);
+        let mut strain = self.unit_strain(cell, &point) * theta;
+        let imposed = Imposed::of_load(self.section, self.imposed, load);
+        let imposed = imposed.ok().flatten();
+        if let Some(imposed) = &imposed {
+            strain += self.imposed_strain(imposed, cell, &point);
+        }
+        if let Some(state) = added {
+            strain += self.added_strain(cell, state, &point);
+        }
+        let mut tensors = self.tensors(cell, &strain);
+        let electric = self.electric_load(load, imposed.as_ref(), added).ok()?;
+        let field = electric.map_or_else(ElectricState::default, |load| {
+            self.take_field(&load, (cell, &theta), &point, &mut tensors)
+        });
+        Some((cell, tensors, field))
+    }
+}
