@@ -4,6 +4,7 @@
 
 mod bimetal;
 mod composite_axes;
+mod piezo;
 mod pretwisted;
 mod princeton;
 #[path = "../common/record.rs"]
