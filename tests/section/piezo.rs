@@ -5,6 +5,8 @@
 //! - [Masarati], section 9.1: the coupled section.
 //! - [Ieee1987]: coupling factors and the two forms of the law.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use nalgebra::{Matrix3, Matrix3x6, Matrix6, Vector3};
