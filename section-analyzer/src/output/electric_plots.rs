@@ -98,7 +98,7 @@ fn magnitude(recovery: &Recovery, electric: &ElectricRecovery) -> Field {
         vectors.push(arrows);
     }
     let note = match (along > NEGLIGIBLE * across, across > NEGLIGIBLE * along) {
-        (true, true) => "arrows: the part in the section, its mean nearby",
+        (true, true) => "arrows: in the section, mean nearby",
         (true, false) => "along the beam",
         _ => "arrows: its mean nearby",
     };
@@ -110,7 +110,7 @@ fn magnitude(recovery: &Recovery, electric: &ElectricRecovery) -> Field {
         vectors: (across > NEGLIGIBLE * along).then_some(vectors),
         negligible: NEGLIGIBLE * electric.field_scale,
     };
-    tell_white(&mut field, "without field");
+    tell_white(&mut field, "no field");
     field
 }
 
@@ -205,7 +205,7 @@ mod tests {
                 false => assert!(sizes.iter().all(|size| size.is_nan())),
             }
         }
-        assert_eq!(field.note, "arrows: its mean nearby; white: without field");
+        assert_eq!(field.note, "arrows: its mean nearby; white: no field");
         assert_eq!(voltages(&section, electric), ["voltages: fingers 1 V"]);
     }
 }
