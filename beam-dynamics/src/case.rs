@@ -114,6 +114,7 @@ impl Model {
                 proportional,
                 time: 0.0,
                 turns: 1.0,
+                voltages: 1.0,
             },
         }
     }

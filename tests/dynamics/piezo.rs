@@ -185,6 +185,23 @@ fn a_voltage_bends_a_cantilever_to_a_circle() {
     }
 }
 
+/// A voltage that bends the cantilever to a quarter of a circle: its equilibrium is far from
+/// the undeformed beam, and is found by raising the voltage. The fourth power of the angle
+/// of an element, 0.2, over some hundreds.
+#[test]
+fn a_voltage_bends_a_cantilever_to_a_quarter_of_a_circle() {
+    let angle = std::f64::consts::FRAC_PI_2;
+    let volts = -angle / LENGTH * SOFT[4] / BEND;
+    let card = electrode("bend", &format!("voltage = {volts}"));
+    let step = equilibrium(&soft(), 8, &card);
+    let turn = vector::from_rotation(step.rotations.last().unwrap());
+    let case = "cantilever bent to a quarter of a circle";
+    check(case, "tip rotation [rad]", [turn.y, angle], 1e-6);
+    let tip = step.positions.last().unwrap();
+    let height = -(1.0 - angle.cos()) * LENGTH / angle;
+    check(case, "tip deflection [m]", [tip.z, height], 1e-5);
+}
+
 /// Free twist `-theta V / GJ`, and with everything coupled the strain `-K^-1 theta V` at
 /// every point and its twist along the blade, from several electrodes at once.
 #[test]

@@ -90,6 +90,7 @@ fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
             proportional: mix(a.proportional, b.proportional),
             time: to.loading.time,
             turns: to.loading.turns,
+            voltages: mix(a.voltages, b.voltages),
         },
     }
 }
@@ -100,7 +101,34 @@ fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
 ///
 /// # Errors
 /// [`NoEquilibrium`] with the worst equation of the smallest step tried.
+///
+/// Voltages act in full from the start, as time and temperature do. Where that leads nowhere
+/// they are raised from zero, together with all else.
 pub fn equilibrium(
+    model: &Model,
+    solver: &LinearSolver,
+    from: (&Conditions, &State),
+    to: &Conditions,
+) -> Result<Equilibrium, Box<NoEquilibrium>> {
+    directly(model, solver, from, to).or_else(|failure| {
+        let mut nothing = Conditions::turning(TurningFrame {
+            center: to.frame.center,
+            ..TurningFrame::at_rest()
+        });
+        let rest = model.system.rest();
+        let with = model.system.residual(&rest, &nothing).values;
+        nothing.loading.voltages = 0.0;
+        let is_driven = model.system.residual(&rest, &nothing).values != with;
+        let raised = is_driven.then(|| {
+            let balance = Balance::new(&model.system, solver, *to, rest);
+            advance(&balance, &nothing, to)
+        });
+        raised.and_then(Result::ok).ok_or(failure)
+    })
+}
+
+/// [`equilibrium`] with all voltages from the start.
+fn directly(
     model: &Model,
     solver: &LinearSolver,
     from: (&Conditions, &State),

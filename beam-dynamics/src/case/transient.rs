@@ -127,6 +127,7 @@ impl Model {
                 proportional: 1.0,
                 time,
                 turns: 1.0,
+                voltages: 1.0,
             },
         }
     }

@@ -114,7 +114,9 @@ impl Electrode {
 
     fn source(&self, at: &Local<'_>) -> f64 {
         let source = self.circuit.source();
-        source.map_or(0.0, |source| source.at(at.loading.time).value)
+        source.map_or(0.0, |source| {
+            at.loading.voltages * source.at(at.loading.time).value
+        })
     }
 }
 

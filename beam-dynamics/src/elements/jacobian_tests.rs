@@ -135,6 +135,7 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
                 proportional: random.number(),
                 time: random.number(),
                 turns: 1.0,
+                voltages: 1.0,
             },
         };
         check_at(element, &motion, &own, &conditions);

@@ -56,6 +56,7 @@ fn conditions(time: f64) -> Conditions {
             proportional: 1.0,
             time,
             turns: 1.0,
+            voltages: 1.0,
         },
     }
 }

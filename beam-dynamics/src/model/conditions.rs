@@ -18,6 +18,9 @@ pub struct Loading {
     /// Part of the driven rotations that is applied: one, but while places are made to
     /// fulfill the constraints \[-\].
     pub turns: f64,
+    /// Part of the given voltages that is applied: one, but on the way to an equilibrium that
+    /// is not found otherwise \[-\].
+    pub voltages: f64,
 }
 
 impl Loading {
@@ -29,6 +32,7 @@ impl Loading {
             proportional: 0.0,
             time: 0.0,
             turns: 1.0,
+            voltages: 1.0,
         }
     }
 }

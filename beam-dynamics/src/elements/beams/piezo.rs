@@ -140,7 +140,7 @@ impl PiezoBeam {
         let mut rows = self.beam.multipliers()..;
         let of = |electrode: &BeamElectrode| match &electrode.potential {
             Potential::Held(drive) => Voltage {
-                value: drive.at(at.loading.time).value,
+                value: at.loading.voltages * drive.at(at.loading.time).value,
                 row: None,
             },
             Potential::Free { unknown } => Voltage {

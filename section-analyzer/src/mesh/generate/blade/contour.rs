@@ -239,7 +239,13 @@ impl Contour {
         halve(self.range(half), |u| {
             let place = self.offset(u, depth);
             let inside = [0, 1].map(|i| (place[i] - line.point[i]) * line.inward[i]);
-            inside[0] + inside[1] - gap
+            let off = inside[0] + inside[1] - gap;
+            // the line through an end meets it there, whatever round-off says
+            if off.abs() < 1e-12 * self.chord {
+                0.0
+            } else {
+                off
+            }
         })
     }
 
