@@ -86,7 +86,9 @@ pub(super) fn read(root: &Table<'_>) -> WrittenElectrodes {
     for table in &tables {
         let electrode = read_one(table);
         let is_same = |other: &&WrittenElectrode| {
-            let names = [&other.name, &electrode.name].map(|name| name.as_ref().map(|n| &n.text));
+            // figures are files of their names, which may not know capitals
+            let names = [&other.name, &electrode.name]
+                .map(|name| name.as_ref().map(|written| written.text.to_lowercase()));
             names[0].is_some() && names[0] == names[1]
         };
         if let Some(other) = electrodes.iter().find(is_same) {
@@ -128,13 +130,18 @@ fn read_one(table: &Table<'_>) -> WrittenElectrode {
 
 fn name(table: &Table<'_>) -> Option<Written> {
     let text = table.require_text("name", "a name of its own")?;
-    if text.trim().is_empty() || text.contains(char::is_control) {
-        table.wrong("name", "a text of one line, without control characters");
+    let is_sound = !text.trim().is_empty() && !text.contains(char::is_control);
+    if !is_sound || text.chars().count() > LONGEST_NAME {
+        let expected = "a text of one line, without control characters, of 100 letters at most";
+        table.wrong("name", expected);
         return None;
     }
     let line = table.line_of("name");
     Some(Written { text, line })
 }
+
+/// Letters of a name at most: names are parts of file names.
+const LONGEST_NAME: usize = 100;
 
 const PLACES: [&str; 4] = ["curve", "region", "point", "interdigitated"];
 

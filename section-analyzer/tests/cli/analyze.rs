@@ -392,9 +392,9 @@ fn open_electrodes_are_electrodes_of_the_section() {
         run.err.lines().collect::<Vec<_>>(),
         [
             "error: a.section.toml: --open top: the section has no such electrode",
-            "  help: the section has no electrodes",
+            "  help: the section has no driven electrodes",
             "error: a.section.toml: --open all: the section has no such electrode",
-            "  help: the section has no electrodes",
+            "  help: the section has no driven electrodes",
         ]
     );
     assert!(!place.path("results").exists());

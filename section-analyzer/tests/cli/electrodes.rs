@@ -389,6 +389,7 @@ name = \"b\"
             "  help: did you mean \"circuit\"?",
             "error: a.section.toml:41: electrode \"top\" has the name of that on line 36, expected \
          one of its own",
+            "  help: capitals make no difference: names are parts of file names",
             "error: a.section.toml:43: the electrode has \"curve\" and \"region\", expected one of \
          them",
             "  help: a conductor is on curves, fills regions or is in points of the mesh; fingers \

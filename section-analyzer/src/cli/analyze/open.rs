@@ -29,8 +29,8 @@ impl Explain for OpenProblem {
                 let nearest = nearest_name(name, known.iter().map(String::as_str));
                 Some(match nearest {
                     Some(nearest) => format!("did you mean \"{nearest}\"?"),
-                    None if known.is_empty() => "the section has no electrodes".to_owned(),
-                    None => format!("the electrodes are {}", known.join(", ")),
+                    None if known.is_empty() => "the section has no driven electrodes".to_owned(),
+                    None => format!("those that can be open are {}", known.join(", ")),
                 })
             }
             Self::None { .. } => Some("leave --open out".to_owned()),
@@ -82,7 +82,11 @@ fn open_one(input: &mut Input, name: &str) -> Result<(), OpenProblem> {
     }
     if opened.is_empty() {
         let name = written();
-        return Err(match is_all && !known.is_empty() {
+        let of_use = electrodes
+            .iter()
+            .filter(|known| known.circuit != Circuit::Ground);
+        let known: Vec<_> = of_use.map(|known| known.name.clone()).collect();
+        return Err(match is_all && !electrodes.is_empty() {
             true => OpenProblem::None { name },
             false => OpenProblem::Unknown { name, known },
         });

@@ -238,7 +238,8 @@ impl Explain for ElectrodeProblem {
                  floating electrode follows"
             }
             Self::NotWithElectrodes { .. } => "remove it, or the electrodes",
-            Self::NameTwice { .. } | Self::FingersTwice { .. } => return None,
+            Self::NameTwice { .. } => "capitals make no difference: names are parts of file names",
+            Self::FingersTwice { .. } => return None,
         };
         Some(text.to_owned())
     }
