@@ -103,7 +103,7 @@ fn rectangle(width: f64, height: f64, cells: [usize; 2]) -> Mesh {
 }
 
 /// A conductor on the nodes at the places that `is_there` takes.
-fn conductor(
+pub fn conductor(
     section: &Section,
     name: &str,
     circuit: Circuit,

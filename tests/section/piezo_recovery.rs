@@ -17,6 +17,7 @@ use shared_geom::error::Explain;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::InitialCurvature;
 
+use crate::piezo::conductor;
 use crate::record;
 use crate::sections::{solved, uniform};
 
@@ -78,14 +79,9 @@ fn layer(cells: [usize; 2]) -> Section {
         ("bottom", Circuit::Ground, -0.5 * HEIGHT),
         ("top", Circuit::Driven, 0.5 * HEIGHT),
     ] {
-        let places = section.mesh.nodes.iter().enumerate();
-        let there = places.filter(|(_, place)| (place[1] - z).abs() < 1e-9 * HEIGHT);
-        let nodes = there.map(|(node, _)| node as u32).collect();
-        section.electrodes.push(Electrode {
-            name: name.into(),
-            circuit,
-            shape: ElectrodeShape::Conductor { nodes },
-        });
+        let there = |place: [f64; 2]| (place[1] - z).abs() < 1e-9 * HEIGHT;
+        let electrode = conductor(&section, name, circuit, there);
+        section.electrodes.push(electrode);
     }
     section
 }
@@ -590,14 +586,9 @@ fn bimorph(b: f64, t: f64) -> Section {
         ("top", Circuit::Driven, t),
         ("bottom", Circuit::Driven, -t),
     ] {
-        let places = section.mesh.nodes.iter().enumerate();
-        let there = places.filter(|(_, place)| (place[1] - z).abs() < 1e-9 * t);
-        let nodes = there.map(|(node, _)| node as u32).collect();
-        section.electrodes.push(Electrode {
-            name: name.into(),
-            circuit,
-            shape: ElectrodeShape::Conductor { nodes },
-        });
+        let there = |place: [f64; 2]| (place[1] - z).abs() < 1e-9 * t;
+        let electrode = conductor(&section, name, circuit, there);
+        section.electrodes.push(electrode);
     }
     section
 }
