@@ -12,7 +12,7 @@ use beam_dynamics::analysis::steady::equilibrium;
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
-use beam_dynamics::elements::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
+use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
 use beam_dynamics::elements::joints::Clamp;
 use beam_dynamics::model::{Conditions, Node};
 use beam_dynamics::modes::EigenProblem;
@@ -36,19 +36,17 @@ fn model(elements: usize) -> Model {
         rotation: vector::to_rotation(&Vector3::new(0.35 * (1.0 - part(i)), 0.0, 0.0)),
     };
     let nodes: Vec<_> = (0..count).map(node).collect();
-    let geometry = BeamGeometry {
-        nodes: [BeamNode::aligned(); 3],
-    };
+    let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
     let stiffness = Matrix6::from_diagonal(&Vector6::new(1e6, 1e5, 1e5, 0.5, 1.0, 20.0));
     let mass = Matrix6::from_diagonal(&Vector6::new(1.0, 1.0, 1.0, 1e-4, 1e-5, 9e-5));
     let mut parts: Vec<Box<dyn Element>> = vec![Box::new(Clamp::new("root", 0, &nodes[0]))];
     for e in 0..elements {
         let on = [2 * e, 2 * e + 1, 2 * e + 2];
         let at = on.map(|i| &nodes[i]);
-        let law = ElasticBeam::evaluation_points()
+        let law = Beam::evaluation_points()
             .map(|xi| (1.0 - 0.25 * (part(2 * e + 1) * 2.0 + xi / elements as f64)) * stiffness);
-        parts.push(Box::new(ElasticBeam::new("beam", on, geometry, at, law)));
-        let inertia = BeamInertia::new("beam", on, geometry, at, |_| mass);
+        parts.push(Box::new(Beam::elastic("beam", on, geometry, at, law)));
+        let inertia = BeamInertia::new("beam", on, geometry, at, &MassAlong::smooth(&|_| mass));
         parts.push(Box::new(inertia));
     }
     Model::new("blade", System::new(nodes, parts))

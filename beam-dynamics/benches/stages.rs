@@ -8,7 +8,7 @@ use beam_dynamics::analysis::steady::equilibrium;
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
-use beam_dynamics::elements::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
+use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
 use beam_dynamics::elements::joints::Clamp;
 use beam_dynamics::model::{Conditions, Node};
 use beam_dynamics::modes::EigenProblem;
@@ -28,25 +28,27 @@ fn system() -> System {
         rotation: Matrix3::identity(),
     };
     let nodes: Vec<_> = (0..=2 * ELEMENTS).map(node).collect();
-    let geometry = BeamGeometry {
-        nodes: [BeamNode::aligned(); 3],
-    };
+    let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
     let stiffness = Matrix6::from_diagonal(&Vector6::new(1e6, 1e5, 1e5, 0.5, 1.0, 20.0));
     let mass = Matrix6::from_diagonal(&Vector6::new(1.0, 1.0, 1.0, 1e-4, 1e-5, 9e-5));
     let mut elements: Vec<Box<dyn Element>> = vec![Box::new(Clamp::new("root", 0, &nodes[0]))];
     for e in 0..ELEMENTS {
         let on = [2 * e, 2 * e + 1, 2 * e + 2];
         let at = on.map(|i| &nodes[i]);
-        elements.push(Box::new(ElasticBeam::new(
+        elements.push(Box::new(Beam::elastic(
             "beam",
             on,
             geometry,
             at,
             [stiffness; 2],
         )));
-        elements.push(Box::new(BeamInertia::new("beam", on, geometry, at, |_| {
-            mass
-        })));
+        elements.push(Box::new(BeamInertia::new(
+            "beam",
+            on,
+            geometry,
+            at,
+            &MassAlong::smooth(&|_| mass),
+        )));
     }
     System::new(nodes, elements)
 }

@@ -1,5 +1,6 @@
 //! Analyses: each reads as its method, one call a step.
 
+mod bending;
 pub mod buckling;
 mod critical;
 mod first_order;
@@ -13,3 +14,6 @@ mod arc;
 mod balance;
 mod path;
 mod settling;
+
+#[cfg(test)]
+mod slow_charge_tests;

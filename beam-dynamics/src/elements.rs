@@ -28,6 +28,8 @@ mod energy_tests;
 mod jacobian_tests;
 #[cfg(test)]
 mod rates_tests;
+#[cfg(test)]
+mod symmetry_tests;
 
 pub use constraint::{ConstraintRates, ConstraintWords, Energy, Level, PlaceJump};
 pub use electric::{
@@ -118,15 +120,27 @@ pub trait Element: Debug + Send + Sync {
         self.multipliers() == 0
     }
 
+    /// The longest arm from a node to a point at which the element acts in the undeformed
+    /// model, or distance between two such points \[m\].
+    fn reach(&self) -> f64 {
+        0.0
+    }
+
+    /// All that it is given over time.
+    fn drives(&self) -> Vec<&Drive> {
+        Vec::new()
+    }
+
     /// The first time after `time` at which a drive of the element has a corner or a
     /// jump \[s\]; infinite when there is none.
-    fn next_corner(&self, _time: f64) -> f64 {
-        f64::INFINITY
+    fn next_corner(&self, time: f64) -> f64 {
+        let corners = self.drives().into_iter().map(|one| one.next_corner(time));
+        corners.fold(f64::INFINITY, f64::min)
     }
 
     /// The first and the last time at which all drives of the element have a value \[s\].
     fn domain(&self) -> [f64; 2] {
-        Drive::ALWAYS
+        Drive::common_domain(self.drives().into_iter())
     }
 
     /// Whether it acts on what it senses of nodes.

@@ -33,6 +33,7 @@ mod drives;
 mod electrodes;
 mod elsewhere;
 mod ends;
+mod formulation;
 mod frames;
 mod heat;
 mod hub;
@@ -62,6 +63,8 @@ mod transient;
 mod frame_tests;
 #[cfg(test)]
 mod joint_tests;
+#[cfg(test)]
+mod robust_tests;
 #[cfg(test)]
 mod test_files;
 #[cfg(test)]

@@ -15,6 +15,7 @@ mod lengths;
 mod limits;
 mod prediction;
 mod scheme;
+mod speeds;
 
 pub use advance::{Integrator, Progress, Stepped};
 pub use counters::Counters;

@@ -13,7 +13,7 @@ pub use axes::NamingAxes;
 pub use conditions::{Conditions, Loading};
 pub use drive::{
     BandNoise, Doublet, Drive, DriveTable, DriveValue, Formula, Harmonic, Interpolation, Outside,
-    Ramp, Step, SteppedNoise, TableProblem,
+    Pace, Ramp, Step, SteppedNoise, TableProblem,
 };
 pub use frame::TurningFrame;
 pub use name::Name;

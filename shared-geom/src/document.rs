@@ -20,6 +20,7 @@ mod item;
 mod parameters;
 mod problem;
 mod repeat;
+mod syntax;
 mod table;
 mod tree;
 
@@ -28,11 +29,8 @@ pub use problem::DocumentProblem;
 pub use table::Table;
 
 use parameters::Parameters;
+use syntax::syntax_problems;
 use tree::{Entry, Lines};
-
-/// Errors of syntax that are told one by one: one slip makes a few of them, and a file
-/// of another kind has one on every line.
-const SYNTAX_SHOWN: usize = 8;
 
 /// A TOML file, its name, the units that it declares, and its problems.
 #[derive(Debug)]
@@ -63,7 +61,7 @@ impl Document {
     pub fn parse(text: &str, file: &str) -> Result<Self, Diagnostics> {
         let lines = Lines::of(text);
         let (root, errors) = DeTable::parse_recoverable(text);
-        let problems = syntax_problems(&errors, &lines, text, file);
+        let problems = syntax_problems((root.get_ref(), &errors), &lines, text, file);
         let entries = tree::entries(root.get_ref(), &lines);
         problems.into_result(Self::of(entries, vec![file.to_owned()]))
     }
@@ -134,12 +132,7 @@ impl Document {
         problems.sort_by_line();
         match value {
             Some(value) => problems.into_result(value),
-            None => {
-                if problems.is_empty() {
-                    problems.push(Place::file(&self.files[0]), &DocumentProblem::Incomplete);
-                }
-                Err(problems)
-            }
+            None => Err(problems.explained(&self.files[0], "the file")),
         }
     }
 
@@ -175,48 +168,6 @@ impl Document {
     /// SI units in one declared unit of `dimension` [SI unit of the dimension].
     pub fn factor(&self, dimension: Dimension) -> f64 {
         self.units.borrow().factor(dimension)
-    }
-}
-
-/// The errors of syntax, each with its line; of many, the first.
-fn syntax_problems(
-    errors: &[toml::de::Error],
-    lines: &Lines,
-    text: &str,
-    file: &str,
-) -> Diagnostics {
-    let mut problems = Diagnostics::new();
-    if let Some(what) = other_format(text).filter(|_| !errors.is_empty()) {
-        problems.push(Place::file(file), &DocumentProblem::OtherFormat { what });
-        return problems;
-    }
-    for error in errors.iter().take(SYNTAX_SHOWN) {
-        let line = lines.at(error.span().map_or(0, |span| span.start));
-        let reason = error.message().to_owned();
-        problems.push(Place::line(file, line), &DocumentProblem::Syntax { reason });
-    }
-    if let Some(error) = errors.get(SYNTAX_SHOWN) {
-        let line = lines.at(error.span().map_or(0, |span| span.start));
-        let count = errors.len() - SYNTAX_SHOWN;
-        problems.push(
-            Place::line(file, line),
-            &DocumentProblem::MoreSyntax { count },
-        );
-    }
-    problems
-}
-
-/// What a text without TOML is, told from its first letter that is no space.
-fn other_format(text: &str) -> Option<&'static str> {
-    let text = text.trim_start();
-    if text.starts_with("$MeshFormat") {
-        Some("a gmsh mesh")
-    } else if text.starts_with('{') {
-        Some("a JSON file, as property files are")
-    } else if text.starts_with('<') {
-        Some("an XML file")
-    } else {
-        None
     }
 }
 

@@ -19,6 +19,20 @@ pub trait Explain: std::error::Error {
     }
 }
 
+/// A reader that gives nothing and has noted no problem.
+#[derive(Debug, thiserror::Error)]
+#[error("{what} is refused, and no reason was noted")]
+struct Unexplained {
+    what: String,
+}
+
+impl Explain for Unexplained {
+    fn help(&self) -> Option<String> {
+        let text = "this is a fault of Helicoid, not of the file: please report it with the file";
+        Some(text.to_owned())
+    }
+}
+
 /// Where a problem stands: a file, and a line or a byte of it where known.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
@@ -168,6 +182,16 @@ impl Diagnostics {
         self
     }
 
+    /// The same problems, for a reader that gives no value; where there are none, that
+    /// `what` in `file` is refused without a reason, so that nobody takes it for a success.
+    pub fn explained(mut self, file: &str, what: &str) -> Self {
+        if self.is_empty() {
+            let what = what.to_owned();
+            self.push(Place::file(file), &Unexplained { what });
+        }
+        self
+    }
+
     /// Whether no problem was found.
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()
@@ -272,6 +296,18 @@ mod tests {
              error: b.toml: unknown key \"zzz\""
         );
         assert!(all.into_result(()).is_err());
+    }
+
+    #[test]
+    fn a_refusal_without_a_reason_is_told_as_a_fault_of_the_program() {
+        let told = Diagnostics::new().explained("a.htc", "the HAWC2 structural file");
+        assert_eq!(
+            told.to_string(),
+            "error: a.htc: the HAWC2 structural file is refused, and no reason was noted\n  help: \
+             this is a fault of Helicoid, not of the file: please report it with the file"
+        );
+        let one = Diagnostics::one(Place::file("a"), &Unknown("b".into()));
+        assert_eq!(one.clone().explained("a", "the file"), one);
     }
 
     #[test]

@@ -10,6 +10,7 @@ use crate::blade::Blade;
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
 use crate::line::LineProblem;
+use crate::section::unusable;
 
 mod beamdyn;
 mod csv;
@@ -55,6 +56,19 @@ impl Reading {
             places: Vec::new(),
             frame: None,
         }
+    }
+
+    /// Refuses numbers with which nobody can compute, and that cannot be described either.
+    fn check_numbers(&self, file: &Path) -> Result<(), Diagnostics> {
+        let mut problems = Diagnostics::new();
+        for (number, station) in self.blade.stations.iter().enumerate() {
+            if let Some(problem) = unusable(&station.stiffness, &station.mass) {
+                let whole = || Place::file(file.display().to_string());
+                let place = self.places.get(number).cloned().unwrap_or_else(whole);
+                problems.push(place, &problem);
+            }
+        }
+        problems.into_result(())
     }
 
     /// Checks the blade that was read from `file`.
@@ -375,7 +389,12 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Read
         };
         Diagnostics::one(Place::file(path.display().to_string()), &problem)
     })?;
-    let mut reading = read(text, path, options)?;
+    let refused = |problems: Diagnostics| {
+        let what = format!("the {}", door.format.title());
+        problems.explained(&path.display().to_string(), &what)
+    };
+    let mut reading = read(text, path, options).map_err(refused)?;
+    reading.check_numbers(path)?;
     // Readers of our own files know the units too, and have told them.
     if door.format != Format::Helicoid {
         let remarks = reading.blade.remarks();

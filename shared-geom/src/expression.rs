@@ -29,8 +29,10 @@ use functions::Operation;
 pub struct Expression {
     text: String,
     program: Vec<Operation>,
-    /// Which variables stand in it.
+    /// Which variables stand in it, up to the last that does.
     used: Vec<bool>,
+    /// Names of the known numbers that stand in it.
+    known: Vec<String>,
 }
 
 impl Expression {
@@ -45,6 +47,11 @@ impl Expression {
     /// The text from which it was read.
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// Names of the known numbers that were put in, each as often as it stands there.
+    pub fn known(&self) -> &[String] {
+        &self.known
     }
 
     /// Whether variable number `index` stands in it.

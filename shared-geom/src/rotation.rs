@@ -1,4 +1,5 @@
-//! Finite rotations: matrices, the skew operator, and two ways to parameterize.
+//! Finite rotations: matrices, the skew operator, and two ways to parameterize;
+//! [`parameters`] holds derivatives of the maps of both in one set of formulas.
 //!
 //! [`gibbs`] holds the Gibbs-Rodrigues parameters in which the multibody nodes
 //! are integrated (rational formulas, singular at half a turn); [`vector`] holds
@@ -16,6 +17,7 @@
 //!   1, 1978.
 
 pub mod gibbs;
+pub mod parameters;
 pub mod vector;
 
 use nalgebra::{Matrix3, Vector3};

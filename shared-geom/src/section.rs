@@ -19,8 +19,8 @@ mod history;
 pub(crate) mod json;
 mod prestress;
 
-pub(crate) use check::matrix_problems;
 pub use check::{PropertyProblem, least_eigenvalue, mass_problems};
+pub(crate) use check::{matrix_problems, unusable};
 pub use curvature::{Agreement, CurvatureMismatch};
 pub use engineering::Engineering;
 pub use file::{VERSION, parse, read, write};

@@ -115,11 +115,12 @@ fn masses_on_the_line_are_bodies_on_nodes() {
     );
     let bodies =
         format!("{strip}[[body]]\nnode = \"b/tip\"\n{keys}[[body]]\nnode = \"b/4\"\n{keys}{MODES}");
-    // In a blade of pieces the nearest node carries it: 2.3 m is 0.3 m from that at 2 m.
-    let near = keys.replace("[0, ", "[0.3, ");
+    // In a blade of pieces the nearest node carries it: 2.3 m is 0.2 m from the middle of an
+    // element at 2.5 m.
+    let near = keys.replace("[0, ", "[-0.2, ");
     let [off, shifted] = [
         format!("{strip}[[blade.mass]]\nat = 2.3\n{keys}{MODES}"),
-        format!("{strip}[[body]]\nnode = \"b/4\"\n{near}{MODES}"),
+        format!("{strip}[[body]]\nnode = \"b/5\"\n{near}{MODES}"),
     ];
     let [file, bodies, off, shifted] =
         [&file, &bodies, &off, &shifted].map(|cards| table(&blade, cards));

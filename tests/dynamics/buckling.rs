@@ -8,10 +8,11 @@ use std::f64::consts::PI;
 use beam_dynamics::analysis::buckling::{BucklingFailure, buckling};
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::case::{BucklingQuestion, ModesQuestion};
+use beam_dynamics::elements::beams::Formulation;
 use beam_dynamics::elements::loads::{ImposedMotion, NodalForce, Turning};
 use nalgebra::{Vector3, Vector6};
 
-use crate::chain::{Chain, DEAD, FREE};
+use crate::chain::{Chain, DEAD, FREE, VOLUMES};
 use crate::record;
 
 const CLOSED: &str = "closed form, Timoshenko and Gere";
@@ -53,8 +54,15 @@ const SHEAR: f64 = 1e6;
 
 /// A column along x under the tip force `sign` along x.
 fn column(elements: usize, sign: f64) -> Chain {
+    column_by(Formulation::Variational, elements, sign)
+}
+
+fn column_by(formulation: Formulation, elements: usize, sign: f64) -> Chain {
     let stiffness = Vector6::new(1e7, SHEAR, SHEAR, 1.0, 1.0, 1.0);
-    let mut chain = Chain::new();
+    let mut chain = Chain {
+        formulation,
+        ..Chain::new()
+    };
     let ends = [Vector3::zeros(), Vector3::x()];
     let on = chain.straight(None, elements, &stiffness, ends, Vector3::z());
     chain.clamp(0);
@@ -69,27 +77,36 @@ fn without_shear(load: f64) -> f64 {
     load * (1.0 + load / SHEAR)
 }
 
-/// One element has `6 (5 -+ sqrt 21) EI / L^2`, derived by hand: round-off, 1e-9. Two and
-/// four elements as an independent script gives them, whose prestress comes from
-/// difference quotients: six digits; four within 1e-4 of
-/// `pi^2 EI / 4 L^2`. Both bending directions give way at the same load.
+/// One element has `6 (5 -+ sqrt 21) EI / L^2` in both formulations, derived by hand:
+/// round-off, 1e-9. Two and four finite volumes as an independent script gives them, whose
+/// prestress comes from difference quotients: six digits. Two and four variational elements
+/// with the errors listed in `variational_beam`, three digits of them; four are within 1e-4
+/// of `pi^2 EI / 4 L^2`. Both bending directions give way at the same load.
 #[test]
 fn a_clamped_column_of_few_elements() {
     let root = 21.0_f64.sqrt();
     let script = "same elements in an independent script, beam_static.json";
     let formula = "one element, 6 (5 -+ sqrt 21)";
-    for (elements, source, tolerance, expected) in [
-        (1, formula, 1e-9, [6.0 * (5.0 - root), 6.0 * (5.0 + root)]),
-        (2, script, 1e-6, [2.469_922, 23.767_537]),
-        (4, script, 2e-6, [2.467_559, 22.317_134]),
+    let one = [6.0 * (5.0 - root), 6.0 * (5.0 + root)];
+    for (formulation, elements, source, tolerance, expected) in [
+        (Formulation::Variational, 1, formula, 1e-9, one),
+        (VOLUMES, 1, formula, 1e-9, one),
+        (VOLUMES, 2, script, 1e-6, [2.469_922, 23.767_537]),
+        (VOLUMES, 4, script, 2e-6, [2.467_559, 22.317_134]),
     ] {
-        let found = factors(column(elements, -1.0), 4);
+        let found = factors(column_by(formulation, elements, -1.0), 4);
         for (pair, expected) in found.chunks(2).zip(expected) {
             let case = format!("column of {elements} elements, {expected:.3}");
             for &load in pair {
                 check(source, &case, [without_shear(load), expected], tolerance);
             }
         }
+    }
+    for (elements, listed) in [(2, 1.020_986_957e-3), (4, 6.547_605_6e-5)] {
+        let load = without_shear(factors(column(elements, -1.0), 1)[0]);
+        let expected = PI * PI / 4.0 * (1.0 + listed);
+        let case = format!("column of {elements} variational elements");
+        check("variational_beam", &case, [load, expected], 1e-2 * listed);
     }
     let load = without_shear(factors(column(4, -1.0), 1)[0]);
     check(CLOSED, "column of 4 elements", [load, PI * PI / 4.0], 1e-4);

@@ -4,7 +4,7 @@ use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, StaticQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
-    BeamGeometry, BeamNode, DistributedLoad, ElasticBeam, LineLoad,
+    Beam, BeamGeometry, BeamNode, DistributedLoad, Formulation, LineLoad,
 };
 use beam_dynamics::elements::joints::Clamp;
 use beam_dynamics::elements::loads::{
@@ -13,6 +13,7 @@ use beam_dynamics::elements::loads::{
 use beam_dynamics::model::Node;
 use beam_dynamics::result::{StaticResult, StaticStep};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use shared_geom::rotation::parameters::Parametrization;
 
 /// A plain force or moment, dead and proportional.
 pub const DEAD: NodalForce = NodalForce {
@@ -36,7 +37,12 @@ pub struct Chain {
     pub nodes: Vec<Node>,
     pub elements: Vec<Box<dyn Element>>,
     pub beams: Vec<[usize; 3]>,
+    /// Of the beams that are added.
+    pub formulation: Formulation,
 }
+
+/// The beam of the thesis.
+pub const VOLUMES: Formulation = Formulation::FiniteVolume(Parametrization::Gibbs);
 
 impl Chain {
     pub fn new() -> Self {
@@ -44,6 +50,7 @@ impl Chain {
             nodes: Vec::new(),
             elements: Vec::new(),
             beams: Vec::new(),
+            formulation: Formulation::Variational,
         }
     }
 
@@ -77,16 +84,15 @@ impl Chain {
                 let (_, axes) = place(i as f64 / (2 * count) as f64);
                 self.nodes[on[i]].rotation.transpose() * axes
             };
-            let geometry = BeamGeometry {
-                nodes: std::array::from_fn(|k| BeamNode {
-                    offset: Vector3::zeros(),
-                    orientation: section(2 * e + k),
-                }),
-            };
+            let geometry = BeamGeometry::new(std::array::from_fn(|k| BeamNode {
+                offset: Vector3::zeros(),
+                orientation: section(2 * e + k),
+            }))
+            .formulated(self.formulation);
             let undeformed = nodes.map(|i| &self.nodes[i]);
             let stiffness = [Matrix6::from_diagonal(stiffness); 2];
             let label = format!("beam {}", self.beams.len());
-            let beam = ElasticBeam::new(label, nodes, geometry, undeformed, stiffness);
+            let beam = Beam::elastic(label, nodes, geometry, undeformed, stiffness);
             self.elements.push(Box::new(beam));
             self.beams.push(nodes);
         }
@@ -126,9 +132,7 @@ impl Chain {
     /// The same load per length on all beams, proportional.
     pub fn load_beams(&mut self, turning: Turning, load: LineLoad) {
         for nodes in &self.beams {
-            let geometry = BeamGeometry {
-                nodes: [BeamNode::aligned(); 3],
-            };
+            let geometry = BeamGeometry::new([BeamNode::aligned(); 3]).formulated(self.formulation);
             let undeformed = nodes.map(|i| &self.nodes[i]);
             let kind = (turning, LoadFactor::Proportional);
             let load =

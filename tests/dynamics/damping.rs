@@ -4,10 +4,9 @@ use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
-use beam_dynamics::elements::beams::{
-    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, ViscousBeam,
-};
+use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
 use beam_dynamics::elements::joints::Clamp;
+use beam_dynamics::elements::laws::{Law, LawKind};
 use beam_dynamics::model::Node;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
@@ -24,19 +23,22 @@ fn damped_modes(stiffness: &Matrix6<f64>, damping: &Matrix6<f64>) -> Vec<(String
         rotation: Matrix3::identity(),
     };
     let nodes: Vec<_> = (0..count).map(node).collect();
-    let geometry = BeamGeometry {
-        nodes: [BeamNode::aligned(); 3],
-    };
+    let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
     let mass = Matrix6::from_diagonal(&Vector6::new(1.0, 1.0, 1.0, 3e-3, 1e-3, 2e-3));
     let mut elements: Vec<Box<dyn Element>> = vec![Box::new(Clamp::new("root", 0, &nodes[0]))];
     for e in 0..BEAMS {
         let on = [2 * e, 2 * e + 1, 2 * e + 2];
         let ends = on.map(|i| &nodes[i]);
-        let elastic = ElasticBeam::new("beam", on, geometry, ends, [*stiffness; 2]);
-        elements.push(Box::new(elastic));
-        let viscous = ViscousBeam::new("beam", on, geometry, ends, [*damping; 2]);
-        elements.push(Box::new(viscous));
-        let inertia = BeamInertia::new("beam", on, geometry, ends, |_| mass);
+        let law: Law<6> = LawKind::Viscoelastic {
+            stiffness: *stiffness,
+            viscosity: *damping,
+        }
+        .into();
+        let beam = Beam::new("beam", on, geometry, ends, [law.clone(), law]);
+        elements.push(Box::new(beam));
+        let along = |_| mass;
+        let mass = MassAlong::smooth(&along);
+        let inertia = BeamInertia::new("beam", on, geometry, ends, &mass);
         elements.push(Box::new(inertia));
     }
     let model = Model::new("damped beam", System::new(nodes, elements));

@@ -173,7 +173,7 @@ fn what_hawc2_cannot_carry_is_told_and_small() {
 /// shortest half wave on five elements (NREL 5MW) and three (IEA 15 MW, where it is
 /// short only in the stiff directions).
 ///
-/// Our elements with lumped inertia are the same model, built from the blade and not from
+/// Our finite volumes are the same model, built from the blade and not from
 /// the file, but for the last interval of the table, over which the stiffness falls by a
 /// hundred and which our elements divide: they agree to what lumping costs there, for the
 /// short interval of NREL 5MW (0.5 % of the blade) 1e-6, for that of IEA 15 MW (5 %)
@@ -187,7 +187,7 @@ fn what_mbdyn_cannot_carry_is_told_and_small() {
         let found = mbdyn_model::frequencies(&writing.files[0].1, COUNT);
         let case = format!("{name}, model for MBDyn");
         compare(&case, &found, &frequencies(&blade, ""), tolerance);
-        let lumped = frequencies(&blade, "inertia = \"lumped\"");
+        let lumped = frequencies(&blade, "formulation = \"finite-volume\"");
         compare(
             &format!("{case}, beside lumped elements"),
             &found,

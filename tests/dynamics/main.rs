@@ -44,4 +44,5 @@ mod superposed;
 mod swinging;
 mod tm4760;
 mod uniform_beam;
+mod variational_beam;
 mod wind_blades;

@@ -10,11 +10,13 @@ use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
-use beam_dynamics::elements::beams::{BeamGeometry, BeamNode, ElasticBeam};
+use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamNode};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::Clamp;
 use beam_dynamics::model::Node;
 use nalgebra::{Matrix3, Matrix6, Vector3};
+
+use crate::chain::VOLUMES;
 
 /// Statements by their keyword, each as its words between commas.
 struct Statements(BTreeMap<String, Vec<Vec<String>>>);
@@ -83,11 +85,9 @@ fn body(words: &[String]) -> (usize, RigidInertia) {
 }
 
 /// A beam whose nodes have the section axes, with the stiffness at both points.
-fn beam(words: &[String], nodes: &[Node]) -> ElasticBeam {
+fn beam(words: &[String], nodes: &[Node]) -> Beam {
     let on = [1, 3, 5].map(|k| words[k].parse::<usize>().unwrap() - 1);
-    let geometry = BeamGeometry {
-        nodes: [BeamNode::aligned(); 3],
-    };
+    let geometry = BeamGeometry::new([BeamNode::aligned(); 3]).formulated(VOLUMES);
     let mut at = 7;
     let stiffness = [0, 1].map(|_| {
         assert_eq!(words[at + 2], "matr");
@@ -96,7 +96,7 @@ fn beam(words: &[String], nodes: &[Node]) -> ElasticBeam {
         at += 35;
         matrix
     });
-    ElasticBeam::new(&words[0], on, geometry, on.map(|i| &nodes[i]), stiffness)
+    Beam::elastic(&words[0], on, geometry, on.map(|i| &nodes[i]), stiffness)
 }
 
 /// The lowest frequencies of the model of `text`, clamped and at rest \[Hz\].

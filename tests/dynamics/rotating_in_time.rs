@@ -1,7 +1,7 @@
 //! A rotating beam that flaps about its equilibrium, by steps in time.
 //!
-//! Source: `tests/reference/dynamics/rotating_beam_in_time.json`: a beam of two elements with
-//! lumped mass, clamped to a hub that is driven at eta = 6, from its equilibrium with the
+//! Source: `tests/reference/dynamics/rotating_beam_in_time.json`: a beam of two finite-volume
+//! elements, clamped to a hub that is driven at eta = 6, from its equilibrium with the
 //! velocity of the first flap mode; the frequency fitted to the tip, and that of the modes.
 
 use beam_dynamics::analysis::modes::modes;
@@ -42,7 +42,7 @@ HUB
 name = "beam"
 hub_radius = 0
 properties = "beam"
-inertia = "lumped"
+formulation = "finite-volume"
 
 [[blade.piece]]
 length = 1

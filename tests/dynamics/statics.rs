@@ -6,11 +6,12 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use beam_dynamics::analysis::statics::{PathEnd, StaticFailure, statics};
+use beam_dynamics::elements::beams::Formulation;
 use beam_dynamics::elements::loads::{ImposedMotion, NodalForce, Turning};
 use nalgebra::{Matrix3, Rotation3, Vector3, Vector6};
 use serde_json::Value;
 
-use crate::chain::{Chain, DEAD, FREE, up_to};
+use crate::chain::{Chain, DEAD, FREE, VOLUMES, up_to};
 use crate::record;
 
 const EXACT: &str = "shooting on the same rod, exact_static_beams.json";
@@ -36,7 +37,20 @@ fn check(source: &str, case: &str, [found, expected]: [Vector3<f64>; 2], toleran
 
 /// A beam along x from a clamped root, and its tip.
 pub fn cantilever(elements: usize, length: f64, stiffness: &Vector6<f64>) -> (Chain, usize) {
-    let mut chain = Chain::new();
+    cantilever_by(Formulation::Variational, elements, length, stiffness)
+}
+
+/// The same in a formulation.
+fn cantilever_by(
+    formulation: Formulation,
+    elements: usize,
+    length: f64,
+    stiffness: &Vector6<f64>,
+) -> (Chain, usize) {
+    let mut chain = Chain {
+        formulation,
+        ..Chain::new()
+    };
     let ends = [Vector3::zeros(), Vector3::x() * length];
     let on = chain.straight(None, elements, stiffness, ends, Vector3::z());
     chain.clamp(0);
@@ -48,7 +62,16 @@ pub const ROLLED: Vector6<f64> = Vector6::new(1e4, 1e4, 1e4, 1.0, 1.0, 1.0);
 
 /// Tip of a beam bent by the moment `moment` about z, and its angle.
 pub fn rolled(elements: usize, moment: f64, turning: Turning) -> (Vector3<f64>, f64) {
-    let (mut chain, tip) = cantilever(elements, 1.0, &ROLLED);
+    rolled_by(Formulation::Variational, elements, moment, turning)
+}
+
+fn rolled_by(
+    formulation: Formulation,
+    elements: usize,
+    moment: f64,
+    turning: Turning,
+) -> (Vector3<f64>, f64) {
+    let (mut chain, tip) = cantilever_by(formulation, elements, 1.0, &ROLLED);
     let load = NodalForce {
         moment: Vector3::z() * moment,
         turning,
@@ -60,20 +83,21 @@ pub fn rolled(elements: usize, moment: f64, turning: Turning) -> (Vector3<f64>, 
     (last.positions[tip], axes[(1, 0)].atan2(axes[(0, 0)]))
 }
 
-/// Digits of the file: six; dead and follower moments in the plane are the same.
+/// Finite volumes. Digits of the file: six; dead and follower moments in the plane are the
+/// same.
 #[test]
-fn a_beam_rolls_up_under_a_tip_moment() {
+fn a_beam_of_volumes_rolls_up_under_a_tip_moment() {
     let file = &reference("beam_static.json")["roll_up"];
     for elements in [2, 4, 8] {
         let expected = vector(&file["tip_full_circle"][elements.to_string()]);
-        let (found, _) = rolled(elements, 2.0 * PI, Turning::Dead);
+        let (found, _) = rolled_by(VOLUMES, elements, 2.0 * PI, Turning::Dead);
         let case = format!("full circle, {elements} elements");
         check(SCRIPT, &case, [found, expected], 1e-4);
     }
     let exact = Vector3::new(2.0 / PI, 2.0 / PI, 0.0);
     let mut errors = Vec::new();
     for elements in [2, 4, 8] {
-        let (tip, angle) = rolled(elements, FRAC_PI_2, Turning::Follower);
+        let (tip, angle) = rolled_by(VOLUMES, elements, FRAC_PI_2, Turning::Follower);
         let error = tip - exact;
         let name = elements.to_string();
         let expected = vector(&file["tip_error_quarter"][&name]);
@@ -97,9 +121,17 @@ fn fourth_order(case: &str, errors: &[f64]) {
 
 /// The 45-degree bend of Bathe and Bolourchi: tip under a force along z. `shear` and
 /// `twist` are GA and the torsion constant of the unit square.
-fn bent(elements: usize, force: f64, [shear, twist]: [f64; 2]) -> Vector3<f64> {
+fn bent(
+    formulation: Formulation,
+    elements: usize,
+    force: f64,
+    [shear, twist]: [f64; 2],
+) -> Vector3<f64> {
     let stiffness = Vector6::new(1e7, shear, shear, 5e6 * twist, 1e7 / 12.0, 1e7 / 12.0);
-    let mut chain = Chain::new();
+    let mut chain = Chain {
+        formulation,
+        ..Chain::new()
+    };
     let on = chain.line(None, elements, &stiffness, |part| {
         let angle = FRAC_PI_4 * part;
         let position = 100.0 * Vector3::new(angle.sin(), 1.0 - angle.cos(), 0.0);
@@ -113,7 +145,8 @@ fn bent(elements: usize, force: f64, [shear, twist]: [f64; 2]) -> Vector3<f64> {
     chain.last().positions[tip]
 }
 
-/// Digits of the script's values: seven, with 1e-6 for the last of them. Sixteen elements
+/// Finite volumes to the digits of the script's values, seven, with 1e-6 for the last of
+/// them. Sixteen variational elements
 /// within 1e-4 of the exact rod, as `models.md` of the reference asks; order 4.
 #[test]
 fn the_bend_of_45_degrees() {
@@ -124,7 +157,7 @@ fn the_bend_of_45_degrees() {
         let expected = vector(&exact[format!("J=1/6,ks=1,P={force}")]["tip"]);
         let mut errors = Vec::new();
         for elements in [1, 2, 4, 8] {
-            let found = bent(elements, force, square);
+            let found = bent(VOLUMES, elements, force, square);
             let listed = vector(&script[format!("tip_{force}")][elements.to_string()]);
             let case = format!("45-degree bend, {force} lb, {elements} elements");
             check(SCRIPT, &case, [found, listed], 1e-6);
@@ -140,7 +173,12 @@ fn the_bend_of_45_degrees() {
     ] {
         for force in [300, 450, 600] {
             let expected = vector(&exact[format!("{key},P={force}")]["tip"]);
-            let found = bent(16, f64::from(force), [shear, twist]);
+            let found = bent(
+                Formulation::Variational,
+                16,
+                f64::from(force),
+                [shear, twist],
+            );
             let case = format!("45-degree bend, {key}, {force} lb, 16 elements");
             check(EXACT, &case, [found, expected], 1e-4);
         }

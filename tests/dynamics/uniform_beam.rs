@@ -5,18 +5,23 @@ use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
-    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, MassAlong, lumped_bodies,
+    Beam, BeamGeometry, BeamInertia, BeamNode, Formulation, MassAlong, lumped_bodies,
 };
 use beam_dynamics::elements::bodies::RigidBody;
 use beam_dynamics::elements::joints::Clamp;
 use beam_dynamics::model::Node;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
+use crate::chain::VOLUMES;
+
 /// How the mass of the elements moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Inertia {
+    /// Bodies by nodal weights.
     Lumped,
     Consistent,
+    /// Bodies of portions, on beams by finite volumes.
+    Portions,
 }
 
 /// Length one, mass per length one, bending stiffness one; extension and shear so
@@ -24,6 +29,7 @@ pub enum Inertia {
 pub struct UniformBeam {
     pub elements: usize,
     pub inertia: Inertia,
+    pub formulation: Formulation,
     /// Whether the root is held.
     pub clamped: bool,
     pub stiffness: Vector6<f64>,
@@ -35,6 +41,10 @@ impl UniformBeam {
         Self {
             elements,
             inertia,
+            formulation: match inertia {
+                Inertia::Portions => VOLUMES,
+                _ => Formulation::Variational,
+            },
             clamped: true,
             stiffness: Vector6::new(1e8, 1e8, 1e8, 1.0, 1.0, 1.0),
             mass: Vector6::new(1.0, 1.0, 1.0, 2e-8, 1e-8, 1e-8),
@@ -60,9 +70,7 @@ impl UniformBeam {
 
     /// The elements on `nodes`.
     pub fn elements(&self, nodes: &[Node]) -> Vec<Box<dyn Element>> {
-        let geometry = BeamGeometry {
-            nodes: [BeamNode::aligned(); 3],
-        };
+        let geometry = BeamGeometry::new([BeamNode::aligned(); 3]).formulated(self.formulation);
         let stiffness = Matrix6::from_diagonal(&self.stiffness);
         let mass = Matrix6::from_diagonal(&self.mass);
         let mut elements: Vec<Box<dyn Element>> = Vec::new();
@@ -73,7 +81,7 @@ impl UniformBeam {
             let on = [2 * e, 2 * e + 1, 2 * e + 2];
             let undeformed = on.map(|i| &nodes[i]);
             let name = format!("beam {e}");
-            elements.push(Box::new(ElasticBeam::new(
+            elements.push(Box::new(Beam::elastic(
                 &name,
                 on,
                 geometry,
@@ -86,11 +94,11 @@ impl UniformBeam {
                     on,
                     geometry,
                     undeformed,
-                    |_| mass,
+                    &MassAlong::smooth(&|_| mass),
                 ))),
-                Inertia::Lumped => {
+                Inertia::Lumped | Inertia::Portions => {
                     let bodies =
-                        lumped_bodies(&geometry, undeformed, &MassAlong::smooth(&|_| mass));
+                        lumped_bodies(&geometry, undeformed, &MassAlong::smooth(&|_| mass)).bodies;
                     for (node, body) in on.into_iter().zip(bodies) {
                         elements.push(Box::new(RigidBody::new(&name, node, body)));
                     }

@@ -4,7 +4,7 @@ use beam_dynamics::assembly::System;
 use beam_dynamics::case::Model;
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
-    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, MassAlong, lumped_bodies,
+    Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong, lumped_bodies,
 };
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::{
@@ -71,9 +71,7 @@ impl Parts {
             let along = length * i as f64 / (2 * beams) as f64;
             self.node(from + along * axes.column(0), *axes);
         }
-        let geometry = BeamGeometry {
-            nodes: [BeamNode::aligned(); 3],
-        };
+        let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
         let stiffness = Matrix6::from_diagonal(&Vector6::from(section.stiffness));
         let (m, [x, y, z]) = (section.mass, section.moments);
         let mass = Matrix6::from_diagonal(&Vector6::new(m, m, m, x, y, z));
@@ -81,13 +79,15 @@ impl Parts {
         for beam in 0..beams {
             let on = [0, 1, 2].map(|i| first + 2 * beam + i);
             let at = on.map(|i| &nodes[i]);
-            let elastic = ElasticBeam::new("beam", on, geometry, at, [stiffness; 2]);
+            let elastic = Beam::elastic("beam", on, geometry, at, [stiffness; 2]);
             self.add(elastic);
             if section.inertia == Inertia::Consistent {
-                self.add(BeamInertia::new("inertia", on, geometry, at, |_| mass));
+                let mass = |_| mass;
+                let mass = MassAlong::smooth(&mass);
+                self.add(BeamInertia::new("inertia", on, geometry, at, &mass));
                 continue;
             }
-            let bodies = lumped_bodies(&geometry, at, &MassAlong::smooth(&|_| mass));
+            let bodies = lumped_bodies(&geometry, at, &MassAlong::smooth(&|_| mass)).bodies;
             for (node, inertia) in on.into_iter().zip(bodies) {
                 self.add(RigidBody::new("portion", node, inertia));
             }

@@ -34,7 +34,7 @@ impl<'a> Balance<'a> {
             solver,
             conditions,
             state,
-            size: system.rest().size(),
+            size: system.size(),
         }
     }
 

@@ -21,6 +21,7 @@ use crate::result::{BucklingMode, BucklingResult};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
+use super::bending::bending;
 use super::critical::critical_part;
 use super::first_order::first_order;
 use super::statics::{base, static_step};
@@ -105,7 +106,8 @@ pub fn buckling(model: &Model, question: &BucklingQuestion) -> BucklingOutcome {
     let base = result.base.as_ref();
     let place = "under rotation and constant loads";
     let remark = base.and_then(|step| first_order(&step.sections, place));
-    result.remarks.extend(remark);
+    let bent = base.and_then(|step| bending(&step.sections, place));
+    result.remarks.extend([bent, remark].into_iter().flatten());
     BucklingOutcome { result, failure }
 }
 

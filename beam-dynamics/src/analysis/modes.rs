@@ -12,6 +12,7 @@ use crate::modes::{
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
 
+use super::bending::bending;
 use super::first_order::first_order;
 use super::modal_damping;
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
@@ -155,16 +156,19 @@ fn run(
         table.remarks.extend(remarks(case, &now, last.is_none()));
         last = Some(now);
     }
-    let fastest = equilibria.last().and_then(|(speed, steady)| {
+    let fastest = equilibria.last().map(|(speed, steady)| {
         let conditions = case.model.conditions(*speed, 1.0, 1.0);
         let sections = case
             .model
             .system
             .observe(&steady.state, &conditions)
             .sections;
-        first_order(&sections, &format!("at {}", rpm(*speed)))
+        let place = format!("at {}", rpm(*speed));
+        [bending(&sections, &place), first_order(&sections, &place)]
     });
-    table.remarks.extend(fastest);
+    table
+        .remarks
+        .extend(fastest.into_iter().flatten().flatten());
     failure.map_or(Ok(()), Err)
 }
 

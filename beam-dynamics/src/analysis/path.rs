@@ -67,6 +67,16 @@ pub enum PathEnd {
         /// The motion in words, if it is known.
         motion: Option<String>,
     },
+    /// An element has no value beyond.
+    #[error("no equilibrium beyond the load factor {factor:.6}: \"{element}\": {why}")]
+    WithoutValue {
+        /// The last factor reached [-].
+        factor: f64,
+        /// Name of the element.
+        element: String,
+        /// Why, in words.
+        why: String,
+    },
     /// The iteration fails however short the step.
     #[error(
         "no equilibrium beyond the load factor {factor:.6}: {reason}; worst equation: {equation}"
@@ -250,8 +260,28 @@ impl<'a> Walker<'a> {
         (there, report)
     }
 
+    /// An element without a value a little further along the path, with its name.
+    fn without_value(&self, here: &Here) -> Option<(String, String)> {
+        let further = 2.0 * SMALLEST * self.to;
+        let mut balance = self.at(here.factor + further, &here.state);
+        let change: Vec<_> = here.rate.iter().map(|rate| further * rate).collect();
+        balance.correct(&change);
+        let conditions = self.conditions(here.factor + further);
+        let system = self.balance.system;
+        let (element, why) = system.first_without_value(&balance.state, &conditions)?;
+        Some((element.label().to_owned(), why))
+    }
+
     fn end(&self, here: &Here, rates: &Rates, report: &NewtonReport) -> PathEnd {
         let equation = worst_equation(self.balance.system, &report.worst);
+        if let Some((element, why)) = self.without_value(here) {
+            let factor = here.factor;
+            return PathEnd::WithoutValue {
+                factor,
+                element,
+                why,
+            };
+        }
         if let Some(factor) = rates.limit() {
             return PathEnd::LimitPoint { factor, equation };
         }

@@ -7,6 +7,7 @@ use crate::result::{StaticResult, StaticStep};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
+use super::bending::bending;
 use super::critical::critical_part;
 use super::first_order::first_order;
 use super::path::{Point, Walker};
@@ -37,6 +38,9 @@ impl StaticFailure {
             }
             Self::Path(PathEnd::OutOfSteps { .. }) => {
                 "raise \"most_steps\" in [static], or lower \"to\""
+            }
+            Self::Path(PathEnd::WithoutValue { .. }) => {
+                "use more elements where the beam bends, or look for the load that is too large"
             }
             Self::Path(PathEnd::Stuck { .. }) => {
                 "look at the last equilibrium; smaller \"steps\" or arc_length = true may help"
@@ -85,6 +89,11 @@ pub fn statics(model: &Model, question: &StaticQuestion) -> StaticOutcome {
         Some(StaticFailure::Path(PathEnd::LimitPoint { .. }))
     );
     let doubt = remark.is_some() && is_limit;
+    let bent = result.last().and_then(|step| {
+        let place = format!("at factor {:.6}", step.factor);
+        bending(&step.sections, &place)
+    });
+    result.remarks.extend(bent);
     result.remarks.extend(remark);
     result
         .remarks

@@ -9,7 +9,7 @@ use crate::assembly::Slack;
 use crate::assembly::massless;
 use crate::assembly::redundancy::Redundant;
 use crate::case::{Model, TransientQuestion};
-use crate::integrator::{Corner, Counters, Integrator, Progress};
+use crate::integrator::{Corner, Counters, Integrator, Progress, Scheme, Stepping};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
@@ -39,6 +39,15 @@ use start::{Started, start};
 /// Rotation of a node in a step above which it is told: half a percent of a rotation is then
 /// left to the error of the formula \[rad\].
 const FAR_TURN: f64 = 0.3;
+
+/// Rotation of a node in a step above which it is told \[rad\]: with two steps of a radius near
+/// one, also that whose square is more than what alternates from step to step decays by.
+fn farthest_turn(scheme: &Scheme) -> f64 {
+    match *scheme {
+        Scheme::TwoStep { radius } if radius < 1.0 => FAR_TURN.min((1.0 - radius).sqrt()),
+        _ => FAR_TURN,
+    }
+}
 
 /// What a run in time came to; its steps are with the recorder.
 #[derive(Debug)]
@@ -174,7 +183,10 @@ fn run<'a>(
     question: &'a TransientQuestion,
     states: [State; 2],
 ) -> Result<Run<'a>, TransientFailure> {
-    let dae = Multibody::new(model, states, question.simplified_jacobian);
+    let mut dae = Multibody::new(model, states, question.simplified_jacobian);
+    if matches!(question.stepping, Stepping::Variable(_)) {
+        dae.pace = model.pace([question.from, question.to]);
+    }
     let TransientQuestion {
         scheme,
         stepping,
@@ -279,9 +291,13 @@ impl Run<'_> {
         redundant::contradicting(&self.model.system, self.redundant, at)
     }
 
-    /// What acts at the latest accepted state.
+    /// What acts at the latest accepted state; at a corner what acted up to it, as all of the
+    /// state is of the motion before.
     fn conditions(&self) -> Conditions {
-        self.model.conditions_at(self.integrator.time())
+        let corner = self.integrator.corner().map(|corner| corner.before);
+        let time = self.integrator.time();
+        self.model
+            .conditions_at(corner.map_or(time, |before| before.min(time)))
     }
 
     /// No driven rotation must have come to be held half a turn off.
@@ -317,13 +333,14 @@ impl Run<'_> {
         }
         let nodes = self.dae.state().nodes.iter();
         let turns = nodes.map(|node| length * node.angular_velocity.norm());
-        let far = turns.enumerate().find(|(_, turn)| *turn > FAR_TURN);
+        let farthest = farthest_turn(&self.question.scheme);
+        let far = turns.enumerate().find(|(_, turn)| *turn > farthest);
         let time = self.integrator.time();
         self.far_turn = far.map(|(node, turn)| {
             let label = &self.model.system.nodes()[node].label;
             format!(
                 "node \"{label}\" turns by {turn:.2} rad in a step at t = {time} s: take steps of \
-                 {FAR_TURN} rad at most, the error of rotations grows with the square"
+                 {farthest:.2} rad at most, the error of rotations grows with the square"
             )
         });
     }

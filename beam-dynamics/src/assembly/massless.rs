@@ -99,7 +99,7 @@ fn scale(size: f64) -> Vector6<f64> {
 pub fn find(system: &System) -> Vec<MasslessNode> {
     let rest = system.rest();
     let tangent = system.tangent(&rest, &Conditions::at_rest());
-    let size = rest.size();
+    let size = system.size();
     let motions = without_mass(system, &tangent, size);
     if motions.iter().all(|basis| basis.ncols() == 0) {
         return Vec::new();

@@ -308,7 +308,7 @@ fn describe(system: &System, part: &Part, motions: &DMatrix<f64>) -> Mechanism {
 mod tests {
     use super::*;
     use crate::elements::Element;
-    use crate::elements::beams::{BeamGeometry, BeamNode, ElasticBeam};
+    use crate::elements::beams::{Beam, BeamGeometry, BeamNode};
     use crate::elements::joints::{Clamp, Hinge, HingeSpring};
     use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
     use crate::model::Node;
@@ -323,12 +323,10 @@ mod tests {
     }
 
     fn beam(nodes: &[Node]) -> Box<dyn Element> {
-        let geometry = BeamGeometry {
-            nodes: [BeamNode::aligned(); 3],
-        };
+        let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let stiffness = [Matrix6::identity() * 1e9; 2];
-        Box::new(ElasticBeam::new(
+        Box::new(Beam::elastic(
             "beam",
             [0, 1, 2],
             geometry,

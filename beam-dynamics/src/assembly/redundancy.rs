@@ -8,8 +8,7 @@
 //! ```
 //!
 //! Its multiplier and those of the others then share a load in no unique way, and the
-//! equations are singular. Rotations are scaled by the size of the model, or by the longest
-//! arm at which a constraint holds a node, and each row to
+//! equations are singular. Rotations are scaled by the size of the model, and each row to
 //! one. In the order of the elements, each row is reduced by the rows before it, as the
 //! columns of `Phi_y^T` in a sparse LU decomposition with partial pivoting (pivots of at least
 //! `PIVOT` of the largest entry, in the column with fewest entries, which keeps it sparse):
@@ -193,7 +192,7 @@ fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
             rows[constraint].entries.push((column, value));
         }
     }
-    let lever = lever(&rows, state.size());
+    let lever = system.size();
     for row in &mut rows {
         let turns = row.entries.iter_mut().filter(|entry| is_turn(entry.0));
         turns.for_each(|entry| entry.1 /= lever);
@@ -206,23 +205,6 @@ fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
 /// Whether an unknown of a node is one of its rotation.
 fn is_turn(column: usize) -> bool {
     column % NODE_UNKNOWNS >= Variable::Rotation.column()
-}
-
-/// What rotations are scaled by: the size of the model, or the longest arm at which a
-/// constraint holds a node \[m\].
-fn lever(rows: &[Row], size: f64) -> f64 {
-    let largest = |row: &Row, of_turns: bool| {
-        let of_kind = row
-            .entries
-            .iter()
-            .filter(|entry| is_turn(entry.0) == of_turns);
-        of_kind.map(|entry| entry.1.abs()).fold(0.0, f64::max)
-    };
-    let arms = rows.iter().filter_map(|row| {
-        let along = largest(row, false);
-        (along > 0.0).then(|| largest(row, true) / along)
-    });
-    arms.fold(size, f64::max)
 }
 
 /// What the entries are divided by for the largest to be of size one.

@@ -7,6 +7,7 @@ use layout::Layout;
 pub use layout::Workspace;
 pub use loops::Loop;
 pub use sharing::{Contradiction, Sharing, Slack};
+use size::Lengths;
 
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
@@ -22,6 +23,7 @@ mod names;
 mod rates;
 mod removal;
 mod sharing;
+mod size;
 mod step;
 mod told;
 
@@ -41,6 +43,8 @@ pub struct System {
     /// Loops in which constraints share their loads, and their compliance [m/N].
     loops: Vec<Loop>,
     compliance: f64,
+    /// Size of the model [m].
+    size: f64,
 }
 
 /// Residual, and what each equation is to be measured against.
@@ -84,6 +88,7 @@ impl System {
             sizes: Vec::new(),
             loops: Vec::new(),
             compliance: 0.0,
+            size: 1.0,
             nodes,
             elements,
             numbering,
@@ -101,11 +106,13 @@ impl System {
         // The diagonal is always stored: the factorization may shift it.
         let mut entries: Vec<_> = (0..n).map(|i| (i, i)).collect();
         let mut evaluated = Vec::with_capacity(self.elements.len());
+        let mut lengths = Lengths::default();
         for (index, element) in self.elements.iter().enumerate() {
             let nodes = self.motions(index, &state);
             let mut jacobian = LocalJacobian::new(nodes.len(), element.own_rows());
             let at = self.seen_by(index, &nodes, &state, &conditions);
             element.jacobian(&at, &mut jacobian);
+            lengths.add(element.as_ref(), &jacobian);
             let rows = Layout::rows(element.as_ref(), index, &self.numbering);
             let marks = jacobian.touched().iter().enumerate();
             let marked = marks.filter(|(_, touched)| **touched);
@@ -113,6 +120,7 @@ impl System {
             entries.extend(marked.map(place));
             evaluated.push((rows, jacobian));
         }
+        self.size = self.size_with(&lengths);
         entries.extend(self.shared_entries());
         let pattern = Pattern::new(n, entries);
         for (element, (rows, jacobian)) in self.elements.iter().zip(evaluated) {

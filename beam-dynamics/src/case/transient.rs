@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::Model;
 use crate::integrator::{Scheme, StepLimits, Stepping};
-use crate::model::{Conditions, Loading, TurningFrame};
+use crate::model::{Conditions, Loading, Pace, TurningFrame};
 
 /// How a node moves at the start, as far as it is said.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -130,6 +130,12 @@ impl Model {
                 voltages: 1.0,
             },
         }
+    }
+
+    /// How long steps may be for what is given over time in a run \[s\].
+    pub fn pace(&self, run: [f64; 2]) -> Pace {
+        let drives = self.system.elements().flat_map(|element| element.drives());
+        Pace::new(drives.chain([&self.gravity_drive]), run)
     }
 
     /// The first time after `time` at which something that acts has a corner \[s\].

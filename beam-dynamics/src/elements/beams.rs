@@ -1,23 +1,24 @@
-//! Geometrically exact three-node beam by finite volumes, and its inertia.
+//! Geometrically exact three-node beams, their inertia and loads along them.
 
-mod constitutive;
+mod beam;
 mod distributed;
-mod elastic;
+mod electrodes;
+mod formulation;
 mod geometry;
 mod inertia;
 mod interpolation;
-mod piezo;
+mod mass;
 mod portions;
-mod strain_rate;
-mod viscous;
+mod strain;
+mod variational;
 
 #[cfg(test)]
 mod objectivity_tests;
 
-pub use constitutive::LawBeam;
+pub use beam::Beam;
 pub use distributed::{DistributedLoad, LineLoad};
-pub use elastic::ElasticBeam;
+pub use electrodes::{BeamElectrode, Potential};
+pub use formulation::Formulation;
 pub use geometry::{BeamGeometry, BeamNode};
-pub use inertia::{BeamInertia, MassAlong, lumped_bodies};
-pub use piezo::{BeamElectrode, PiezoBeam, Potential};
-pub use viscous::ViscousBeam;
+pub use inertia::BeamInertia;
+pub use mass::{LumpedMass, MassAlong, lumped_bodies};

@@ -1,6 +1,6 @@
 //! Electrodes of the model and the circuits that they are in.
 //!
-//! With the charge Q that the beams tell of ([`super::beams::PiezoBeam`]), C the capacitance
+//! With the charge Q that the beams report ([`super::beams::Beam`]), C the capacitance
 //! of the electrode over all beams and E a voltage that is given, the circuits are
 //!
 //! ```text
@@ -146,13 +146,8 @@ impl Element for Electrode {
         self.unknowns.iter().zip(KINDS).map(unknown).collect()
     }
 
-    fn domain(&self) -> [f64; 2] {
-        Drive::common_domain(self.circuit.source().into_iter())
-    }
-
-    fn next_corner(&self, time: f64) -> f64 {
-        let source = self.circuit.source();
-        source.map_or(f64::INFINITY, |source| source.next_corner(time))
+    fn drives(&self) -> Vec<&Drive> {
+        self.circuit.source().into_iter().collect()
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

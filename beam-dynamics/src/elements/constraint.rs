@@ -85,6 +85,13 @@ pub struct Energy {
     pub electric: f64,
 }
 
+impl Energy {
+    /// The sum of all parts [J].
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.elastic + self.gravity + self.electric
+    }
+}
+
 impl std::ops::AddAssign for Energy {
     fn add_assign(&mut self, other: Self) {
         self.kinetic += other.kinetic;

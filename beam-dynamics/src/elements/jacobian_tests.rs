@@ -5,12 +5,13 @@
 //! largest entry; 2e-8 leaves a factor for the third derivatives.
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
+use shared_geom::rotation::parameters::Parametrization;
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::section::CubicTable;
 use shared_geom::wrench;
 
 use super::beams::{
-    BeamGeometry, BeamInertia, BeamNode, DistributedLoad, ElasticBeam, LawBeam, ViscousBeam,
+    Beam, BeamGeometry, BeamInertia, BeamNode, DistributedLoad, Formulation, MassAlong,
 };
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
@@ -55,7 +56,7 @@ impl Random {
     }
 
     /// A symmetric positive definite 6x6 of unit size.
-    fn stiffness(&mut self) -> Matrix6<f64> {
+    pub(super) fn stiffness(&mut self) -> Matrix6<f64> {
         let a = Matrix6::from_fn(|_, _| self.number());
         a * a.transpose() + Matrix6::identity()
     }
@@ -81,6 +82,17 @@ pub(super) fn nodes(random: &mut Random, count: usize) -> Vec<Node> {
             rotation: random.rotation(1.0),
         })
         .collect()
+}
+
+/// Undeformed nodes of a beam, which no rotation of [`moved`] brings to half a turn against
+/// each other.
+fn beam_nodes(random: &mut Random) -> Vec<Node> {
+    let axes = random.rotation(2.0);
+    let mut nodes = nodes(random, 3);
+    for node in &mut nodes {
+        node.rotation = random.rotation(0.4) * axes;
+    }
+    nodes
 }
 
 fn moved(random: &mut Random, node: &Node) -> NodeMotion {
@@ -261,13 +273,15 @@ fn differences(
     by
 }
 
-fn geometry(random: &mut Random) -> BeamGeometry {
-    BeamGeometry {
-        nodes: std::array::from_fn(|_| BeamNode {
-            offset: random.vector(0.1),
-            orientation: random.rotation(0.5),
-        }),
-    }
+/// Arbitrary attachments, in every formulation.
+fn geometries(random: &mut Random) -> [BeamGeometry; 3] {
+    let geometry = BeamGeometry::new(std::array::from_fn(|_| BeamNode {
+        offset: random.vector(0.1),
+        orientation: random.rotation(0.5),
+    }));
+    let volumes = [Parametrization::Gibbs, Parametrization::RotationVector];
+    let volumes = volumes.map(|of| geometry.formulated(Formulation::FiniteVolume(of)));
+    [geometry, volumes[0], volumes[1]]
 }
 
 #[test]
@@ -297,12 +311,13 @@ fn clamp() {
 fn elastic_beam_with_offsets_and_turned_sections() {
     let mut random = Random(4);
     for _ in 0..4 {
-        let nodes = nodes(&mut random, 3);
-        let geometry = geometry(&mut random);
+        let nodes = beam_nodes(&mut random);
         let stiffness = [random.stiffness(), random.stiffness()];
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
-        let beam = ElasticBeam::new("beam", [0, 1, 2], geometry, undeformed, stiffness);
-        check(&beam, &nodes, &mut random);
+        for geometry in geometries(&mut random) {
+            let beam = Beam::elastic("beam", [0, 1, 2], geometry, undeformed, stiffness);
+            check(&beam, &nodes, &mut random);
+        }
     }
 }
 
@@ -310,12 +325,13 @@ fn elastic_beam_with_offsets_and_turned_sections() {
 fn consistent_inertia_with_offsets_and_turned_sections() {
     let mut random = Random(5);
     for _ in 0..4 {
-        let nodes = nodes(&mut random, 3);
-        let geometry = geometry(&mut random);
+        let nodes = beam_nodes(&mut random);
+        let [geometry, ..] = geometries(&mut random);
         let (root, tip) = (random.mass(), random.mass());
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let mass = |xi: f64| 0.5 * (1.0 - xi) * root + 0.5 * (1.0 + xi) * tip;
-        let inertia = BeamInertia::new("inertia", [0, 1, 2], geometry, undeformed, mass);
+        let mass = MassAlong::smooth(&mass);
+        let inertia = BeamInertia::new("inertia", [0, 1, 2], geometry, undeformed, &mass);
         check(&inertia, &nodes, &mut random);
     }
 }
@@ -378,12 +394,14 @@ fn supports_that_turn_with_the_frame_and_that_stand_in_the_world() {
 fn viscous_beam_with_offsets_and_turned_sections() {
     let mut random = Random(10);
     for _ in 0..4 {
-        let nodes = nodes(&mut random, 3);
-        let geometry = geometry(&mut random);
+        let nodes = beam_nodes(&mut random);
         let damping = [random.stiffness(), random.stiffness()];
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
-        let beam = ViscousBeam::new("beam", [0, 1, 2], geometry, undeformed, damping);
-        check(&beam, &nodes, &mut random);
+        for geometry in geometries(&mut random) {
+            let laws = damping.map(|viscosity| LawKind::Viscous { viscosity }.into());
+            let beam = Beam::new("beam", [0, 1, 2], geometry, undeformed, laws);
+            check(&beam, &nodes, &mut random);
+        }
     }
 }
 
@@ -420,15 +438,16 @@ fn loads_on_nodes() {
 fn loads_along_beams_with_offsets_and_turned_sections() {
     let mut random = Random(7);
     for (turning, factor) in kinds() {
-        let nodes = nodes(&mut random, 3);
-        let geometry = geometry(&mut random);
+        let nodes = beam_nodes(&mut random);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let [a, b, c, d] = [(); 4].map(|()| random.vector(1.0));
         let load = |xi: f64| [a + b * xi, c + d * (xi - 0.2).max(0.0)];
         let kind = (turning, factor);
-        let load =
-            DistributedLoad::new("load", [0, 1, 2], geometry, undeformed, kind, &[0.2], load);
-        check(&load, &nodes, &mut random);
+        for geometry in geometries(&mut random) {
+            let load =
+                DistributedLoad::new("load", [0, 1, 2], geometry, undeformed, kind, &[0.2], load);
+            check(&load, &nodes, &mut random);
+        }
     }
 }
 
@@ -556,12 +575,14 @@ fn beams_of_any_law_with_offsets_and_turned_sections() {
     let mut random = Random(13);
     let [elastic, viscous] = laws(&mut random);
     for law in [elastic, viscous, driven_law(&mut random)] {
-        let nodes = nodes(&mut random, 3);
-        let geometry = geometry(&mut random);
+        let nodes = beam_nodes(&mut random);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let stiff = Law::linear(random.stiffness());
-        let beam = LawBeam::new("beam", [0, 1, 2], geometry, undeformed, [law, stiff]);
-        check(&beam, &nodes, &mut random);
+        for geometry in geometries(&mut random) {
+            let laws = [law.clone(), stiff.clone()];
+            let beam = Beam::new("beam", [0, 1, 2], geometry, undeformed, laws);
+            check(&beam, &nodes, &mut random);
+        }
     }
 }
 
@@ -589,11 +610,11 @@ fn prestressed_law(random: &mut Random) -> Law<6> {
 fn beams_of_prestressed_sections() {
     let mut random = Random(21);
     for _ in 0..3 {
-        let nodes = nodes(&mut random, 3);
-        let geometry = geometry(&mut random);
+        let nodes = beam_nodes(&mut random);
+        let [geometry, ..] = geometries(&mut random);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let laws = [prestressed_law(&mut random), prestressed_law(&mut random)];
-        let beam = LawBeam::new("beam", [0, 1, 2], geometry, undeformed, laws);
+        let beam = Beam::new("beam", [0, 1, 2], geometry, undeformed, laws);
         check(&beam, &nodes, &mut random);
     }
 }

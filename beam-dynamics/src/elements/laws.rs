@@ -185,13 +185,6 @@ impl<const N: usize> Law<N> {
             _ => &[],
         })
     }
-
-    /// The first time after `time` at which a drive has a corner or a jump \[s\];
-    /// infinite when there is none.
-    pub fn next_corner(&self, time: f64) -> f64 {
-        let next = self.drives().map(|drive| drive.next_corner(time));
-        next.fold(f64::INFINITY, f64::min)
-    }
 }
 
 impl Law<6> {

@@ -51,6 +51,12 @@ impl LocalResidual {
         self.sizes.fill(0.0);
     }
 
+    /// A vector equation of a node.
+    pub fn of(&self, node: usize, equation: Equation) -> Vector3<f64> {
+        let row = NODE_UNKNOWNS * node + equation.row();
+        Vector3::from_column_slice(&self.values[row..row + 3])
+    }
+
     /// The residual [unit of each equation].
     pub fn values(&self) -> &[f64] {
         &self.values

@@ -20,6 +20,9 @@ pub struct SectionState {
     /// Least and largest change of the stiffness by prestress, as parts of the stiffness
     /// without; `None` where no table of prestress is used [-].
     pub change_of_stiffness: Option<[f64; 2]>,
+    /// The larger rotation of the two outer sections of the element against its middle one
+    /// [rad].
+    pub turn: f64,
 }
 
 /// What a joint exerts on a node.

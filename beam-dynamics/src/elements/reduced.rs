@@ -8,7 +8,7 @@ use super::{
     Along, ConstraintRates, ConstraintWords, Element, Energy, Level, Local, LocalJacobian,
     LocalResidual, Motion, Observations, PlaceJump,
 };
-use crate::model::{Loading, NodeMotion};
+use crate::model::{Drive, Loading, NodeMotion};
 
 /// Number of multipliers of all but unusual elements.
 const FEW: usize = 16;
@@ -79,6 +79,14 @@ impl Element for ReducedElement {
 
     fn senses(&self) -> bool {
         self.element.senses()
+    }
+
+    fn reach(&self) -> f64 {
+        self.element.reach()
+    }
+
+    fn drives(&self) -> Vec<&Drive> {
+        self.element.drives()
     }
 
     fn domain(&self) -> [f64; 2] {

@@ -277,11 +277,11 @@ impl Signal {
         }
     }
 
-    /// The first and the last time at which it has a value \[s\].
-    pub fn domain(&self) -> [f64; 2] {
+    /// The drive that it is, where it senses nothing.
+    pub fn drive(&self) -> Option<&Drive> {
         match self {
-            Self::Drive(drive) => drive.domain(),
-            Self::Sensing(_) => Drive::ALWAYS,
+            Self::Drive(drive) => Some(drive),
+            Self::Sensing(_) => None,
         }
     }
 

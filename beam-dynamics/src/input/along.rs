@@ -101,17 +101,15 @@ impl Along {
         }
     }
 
-    /// The laws at the evaluation points; `None` for those of stiffness and damping alone.
+    /// The laws at the evaluation points.
     ///
     /// ```text
     /// f = K e + D e' + sum theta_i c_i + 1/2 T q q + sum c_i T_i q ,
     /// q = e - sum c_i psi_i ,  psi_i = - K^-1 theta_i        (D-241), (D-250), (D-252)
     /// ```
-    pub fn laws(&self) -> Option<[Law<6>; 2]> {
-        let is_plain = self.law.is_none() && self.prestress.is_none() && self.heat.is_empty();
+    pub fn laws(&self) -> [Law<6>; 2] {
         let forces = || self.heat.iter().map(|state| state.force.clone());
-        let heated = |point| self.law_at(point).prestressed(forces());
-        (!is_plain).then(|| std::array::from_fn(heated))
+        std::array::from_fn(|point| self.law_at(point).prestressed(forces()))
     }
 
     /// The law at an evaluation point without the forces of heat.

@@ -9,8 +9,9 @@ use shared_geom::units::Dimension;
 use super::along::Along;
 use super::beam_check::BeamCheck;
 use super::curved;
-use super::draft::{Beam, Draft, Inertia};
+use super::draft::{Beam, Draft};
 use super::drives::Catalog;
+use super::formulation;
 use super::heat;
 use super::laws::{self, Components, LawProblem};
 use super::problem::InputProblem;
@@ -47,14 +48,15 @@ fn beam(table: &Table<'_>, draft: &mut Draft, label: String) -> Option<Beam> {
     let words = format!("beam \"{label}\"");
     let nodes = nodes(table, draft, &words);
     let along = along(table, draft, &words);
-    let inertia = Inertia::read(table);
+    let formulation = formulation::read(table);
     let geometry = geometry(table);
+    let (formulation, inertia) = formulation?;
     Some(Beam {
         label,
         nodes: nodes?,
-        geometry: geometry?,
+        geometry: geometry?.formulated(formulation),
         along: along?,
-        inertia: inertia?,
+        inertia,
     })
 }
 
@@ -163,15 +165,13 @@ fn geometry(table: &Table<'_>) -> Option<BeamGeometry> {
     let offsets = vectors(table, "offsets", Dimension::LENGTH);
     let turns = vectors(table, "section_axes", Dimension::ANGLE);
     let (offsets, turns) = (offsets?, turns?);
-    Some(BeamGeometry {
-        nodes: std::array::from_fn(|k| BeamNode {
-            offset: offsets[k],
-            orientation: match turns[k] == Vector3::zeros() {
-                true => Matrix3::identity(),
-                false => vector::to_rotation(&turns[k]),
-            },
-        }),
-    })
+    Some(BeamGeometry::new(std::array::from_fn(|k| BeamNode {
+        offset: offsets[k],
+        orientation: match turns[k] == Vector3::zeros() {
+            true => Matrix3::identity(),
+            false => vector::to_rotation(&turns[k]),
+        },
+    })))
 }
 
 /// One vector for each node, in SI units; zeros when absent.

@@ -4,9 +4,10 @@ use nalgebra::Vector3;
 use shared_geom::document::Table;
 
 use super::beam_check::BeamCheck;
-use super::draft::{Beam, Draft, Inertia};
+use super::draft::{Beam, Draft};
+use super::formulation::{self, Inertia};
 use crate::case::BladeNodes;
-use crate::elements::beams::{BeamGeometry, BeamNode};
+use crate::elements::beams::{BeamGeometry, BeamNode, Formulation};
 use crate::elements::bodies::RigidInertia;
 use crate::model::Node;
 
@@ -46,7 +47,7 @@ enum Root {
 struct Card {
     seats: Vec<Seat>,
     laid: Laid,
-    inertia: Inertia,
+    formulation: (Formulation, Inertia),
     root: Root,
     /// Number of the node that carries it, and the inertia about that node.
     masses: Vec<(usize, RigidInertia)>,
@@ -89,15 +90,15 @@ fn card(table: &Table<'_>, draft: &mut Draft, places: Option<&seats::Places>) ->
         false => String::new(),
     };
     let seats = seats::read(table, draft, places);
-    let inertia = Inertia::read(table);
+    let formulation = formulation::read(table);
     let root = root(table, &name, draft);
     let masses = masses::read(table);
     let source = source::read(table, draft, &name)?;
-    let (laid, masses) = lay(&source, &masses?, table)?;
+    let (laid, masses) = lay(&source, &masses?, table, &name, draft)?;
     Some(Card {
         seats: seats?,
         laid,
-        inertia: inertia?,
+        formulation: formulation?,
         root: root?,
         masses,
     })
@@ -108,6 +109,8 @@ fn lay(
     source: &Source,
     masses: &[PointMass],
     table: &Table<'_>,
+    name: &str,
+    draft: &mut Draft,
 ) -> Option<(Laid, Vec<(usize, RigidInertia)>)> {
     let length = source.length();
     let places: Vec<_> = masses
@@ -117,6 +120,10 @@ fn lay(
     let places: Vec<f64> = places.into_iter().collect::<Option<_>>()?;
     let laid = source.lay(&places, table)?;
     let on_nodes = masses.iter().zip(&places);
+    let remarks = on_nodes.clone().enumerate();
+    let remarks =
+        remarks.filter_map(|(number, (mass, place))| mass.remark(*place, &laid, number, name));
+    draft.add_remarks(remarks.collect());
     let on_nodes = on_nodes.map(|(mass, place)| mass.on_node(*place, source, &laid));
     let masses = on_nodes.collect();
     Some((laid, masses))
@@ -211,18 +218,18 @@ fn add_beams(
     draft: &mut Draft,
 ) -> bool {
     let key = if table.has("piece") { "piece" } else { "file" };
+    let (formulation, inertia) = card.formulation;
     for (number, laid) in card.laid.beams.iter().enumerate() {
         let beam = Beam {
             label: format!("{}/beam {}", seat.name, number + 1),
             nodes: std::array::from_fn(|k| nodes[2 * number + k]),
-            geometry: BeamGeometry {
-                nodes: laid.orientations.map(|orientation| BeamNode {
-                    offset: Vector3::zeros(),
-                    orientation,
-                }),
-            },
+            geometry: BeamGeometry::new(laid.orientations.map(|orientation| BeamNode {
+                offset: Vector3::zeros(),
+                orientation,
+            }))
+            .formulated(formulation),
             along: laid.along.clone(),
-            inertia: card.inertia,
+            inertia,
         };
         let words = format!("blade \"{}\"{}", seat.name, laid.part);
         if !BeamCheck::new(&words, &beam, draft.nodes()).note_on(table, key) {

@@ -16,7 +16,7 @@ use shared_geom::section::{Agreement, CurvatureMismatch, InitialCurvature, Secti
 
 use super::draft::{Beam, Draft};
 use super::problem::InputProblem;
-use crate::elements::beams::ElasticBeam;
+use crate::elements::beams;
 
 /// A length of the slope that differs from one by less is that of digits.
 const DIGITS: f64 = 1e-6;
@@ -119,7 +119,7 @@ pub(super) fn suits_beam(beam: &Beam, table: &Table<'_>, draft: &mut Draft) -> b
         return true;
     };
     let (geometry, names) = (beam.geometry, beam.nodes);
-    ElasticBeam::evaluation_points().into_iter().all(|xi| {
+    beams::Beam::evaluation_points().into_iter().all(|xi| {
         let nodes = names.map(|node| &draft.nodes()[node]);
         let line = geometry.initial_curvature(&nodes, xi);
         let (place, length) = (geometry.arc_length(&nodes, xi), geometry.length(&nodes));

@@ -11,6 +11,7 @@ use shared_geom::error::nearest_name;
 
 use super::along::Along;
 use super::drives;
+use super::formulation::Inertia;
 use super::frames::Frames;
 use super::hub::Hub;
 use super::joints::HingeCard;
@@ -20,9 +21,7 @@ use super::sensors::Sensors;
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
-use crate::elements::beams::{
-    BeamGeometry, BeamInertia, ElasticBeam, LawBeam, ViscousBeam, lumped_bodies,
-};
+use crate::elements::beams::{self, BeamGeometry, BeamInertia, LumpedMass, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, RigidConnection};
 use crate::model::{Drive, Node};
@@ -34,26 +33,6 @@ mod lookup;
 mod remarks;
 
 pub(super) use electrodes::{ElectrodeCard, names as electrode_names};
-
-/// How the mass of a beam moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Inertia {
-    /// With the interpolated velocities.
-    Consistent,
-    /// Rigidly with the nodes.
-    Lumped,
-}
-
-impl Inertia {
-    /// The word under `inertia` of a card; consistent when there is none.
-    pub fn read(table: &Table<'_>) -> Option<Self> {
-        if !table.has("inertia") {
-            return Some(Self::Consistent);
-        }
-        let word = table.word("inertia", &["consistent", "lumped"])?;
-        Some([Self::Consistent, Self::Lumped][word])
-    }
-}
 
 /// A beam with its properties.
 #[derive(Debug, Clone)]
@@ -400,7 +379,7 @@ impl Draft {
         let of_beams = self
             .beams
             .iter()
-            .flat_map(|beam| self.lumped(beam))
+            .flat_map(|beam| self.lumped(beam).bodies)
             .map(|body| body.mass);
         let of_bodies = self.bodies.iter().map(|body| body.2.mass);
         of_beams.chain(of_bodies).sum()
@@ -410,25 +389,22 @@ impl Draft {
         beam.nodes.map(|node| &self.nodes[node])
     }
 
-    fn lumped(&self, beam: &Beam) -> [RigidInertia; 3] {
+    pub(super) fn lumped(&self, beam: &Beam) -> LumpedMass {
         let ends = self.ends(beam);
         beam.along
             .with_mass(|mass| lumped_bodies(&beam.geometry, ends, mass))
     }
 
-    /// The checked model.
+    /// The checked model; `None` where some card could not be read, whether or not that was
+    /// noted: a model without a part of it is another one.
     pub fn model(self, name: String, spin: Spin) -> Option<Model> {
+        if self.broken {
+            return None;
+        }
         let naming = self.naming()?;
         let mut elements = Vec::new();
         for (index, beam) in self.beams.iter().enumerate() {
-            let mut of_beam = self.beam_elements(beam).into_iter();
-            // The first has the stiffness.
-            elements.extend(
-                of_beam
-                    .next()
-                    .map(|first| self.with_electrodes(index, first)),
-            );
-            elements.extend(of_beam);
+            elements.extend(self.beam_elements(index, beam));
         }
         for (label, node, inertia) in &self.bodies {
             elements.push(boxed(RigidBody::new(label, *node, *inertia)));
@@ -453,7 +429,7 @@ impl Draft {
         })
     }
 
-    fn beam_elements(&self, beam: &Beam) -> Vec<Box<dyn Element>> {
+    fn beam_elements(&self, index: usize, beam: &Beam) -> Vec<Box<dyn Element>> {
         let Beam {
             label,
             nodes,
@@ -461,27 +437,17 @@ impl Draft {
             along,
             inertia,
         } = beam;
-        let mut elements = Vec::new();
         let ends = self.ends(beam);
-        if let Some(laws) = along.laws() {
-            elements.push(boxed(LawBeam::new(label, *nodes, *geometry, ends, laws)));
-        } else {
-            let stiffness = along.stiffness;
-            let elastic = ElasticBeam::new(label, *nodes, *geometry, ends, stiffness);
-            elements.push(boxed(elastic));
-            if let Some(damping) = along.damping {
-                let viscous = ViscousBeam::new(label, *nodes, *geometry, ends, damping);
-                elements.push(boxed(viscous));
-            }
-        }
+        let elastic = beams::Beam::new(label, *nodes, *geometry, ends, along.laws());
+        let mut elements = vec![boxed(self.with_electrodes(index, elastic))];
         match inertia {
             Inertia::Consistent => {
-                let inertia = along
-                    .with_mass(|mass| BeamInertia::along(label, *nodes, *geometry, ends, mass));
+                let inertia =
+                    along.with_mass(|mass| BeamInertia::new(label, *nodes, *geometry, ends, mass));
                 elements.push(boxed(inertia));
             }
             Inertia::Lumped => {
-                for (&node, body) in nodes.iter().zip(self.lumped(beam)) {
+                for (&node, body) in nodes.iter().zip(self.lumped(beam).bodies) {
                     elements.push(boxed(RigidBody::new(label, node, body)));
                 }
             }

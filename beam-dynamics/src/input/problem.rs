@@ -228,6 +228,18 @@ pub enum InputProblem {
         /// The largest angle accepted \[deg\].
         limit: f64,
     },
+    /// Consistent inertia of finite volumes.
+    #[error(
+        "\"consistent\" inertia belongs to the variational beam, expected \"lumped\" beside \
+         formulation = \"finite-volume\""
+    )]
+    PortionsOnly,
+    /// A choice of the interpolation of the variational beam.
+    #[error(
+        "\"interpolation\" is a choice of formulation = \"finite-volume\"; the variational beam \
+         interpolates by rotation vectors"
+    )]
+    OwnInterpolation,
     /// A body with a moment of inertia that no mass has.
     #[error(
         "body \"{body}\" has the inertia {found:?} kg m^2, expected each at most the sum of the others"

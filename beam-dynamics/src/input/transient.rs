@@ -24,6 +24,10 @@ const MOST_STEPS: f64 = 1e9;
 const LEAST_TOLERANCE: f64 = 1e-13;
 /// Where variable steps stop, unless it is said: this part of the first step.
 const LEAST_STEP: f64 = 1e-6;
+/// Radius of the two-step formula below one at most: what alternates from step to step decays
+/// by the radius, and grows in rotations by about the square of the angle of a step, which is
+/// more at steps of 0.1 rad.
+const MOST_RADIUS: f64 = 0.99;
 /// Largest of the variable steps, unless it is said, as a part of the run.
 const MOST_STEP: f64 = 1.0 / 50.0;
 
@@ -78,6 +82,16 @@ pub enum TransientProblem {
         /// What was expected, in words.
         expected: &'static str,
     },
+    /// A radius at which the two-step formula feeds energy into rotations.
+    #[error(
+        "\"radius\" of \"two-step\" is {}, expected at most {MOST_RADIUS}, or 1: nearer to 1 it \
+         feeds energy into rotations",
+        six(*.found)
+    )]
+    UndampedRadius {
+        /// The radius.
+        found: f64,
+    },
     /// A key that the scheme does not use.
     #[error("the scheme \"{scheme}\" has no \"{key}\"")]
     NotOfScheme {
@@ -112,6 +126,10 @@ impl Explain for TransientProblem {
                 "\"radius\" is that of \"two-step\" and \"cubic\""
             }
             Self::NotOfScheme { .. } => "\"zeta\" is that of \"parabolic\"",
+            Self::UndampedRadius { .. } => {
+                "take radius = 0.99, scheme = \"crank-nicolson\", or scheme = \"cubic\" with \
+                 radius = 1, which keeps energies best"
+            }
             Self::IdleSpeed => "say start = \"rotating\", or remove \"speed\"",
             Self::IdleVelocity { .. } => "add [transient] with \"to\" and \"step\", or remove it",
             Self::Range { .. } => return None,
@@ -286,6 +304,11 @@ fn scheme(table: &Table<'_>) -> Option<Scheme> {
         }
     }
     let radius = radius.unwrap_or(0.6);
+    if name == "two-step" && radius > MOST_RADIUS && radius < 1.0 {
+        let problem = TransientProblem::UndampedRadius { found: radius };
+        table.note("radius", &problem);
+        return None;
+    }
     Some(match name {
         "two-step" => Scheme::TwoStep { radius },
         "crank-nicolson" => Scheme::CrankNicolson,

@@ -5,10 +5,15 @@ use serde::{Deserialize, Serialize};
 use super::corrector::{Corrector, Meter};
 use super::formula::{Formula, STAGES};
 use super::lengths::{Accepted, Lengths, Plan, cut_by};
-use super::prediction::{Past, error_of_value};
+use super::prediction::Past;
+use super::speeds::Speeds;
 use super::{
     Corner, Counters, Dae, LocalError, Reason, Renewal, Scheme, StepFailure, StepLimits, Stepping,
 };
+
+mod errors;
+
+pub(super) use errors::counted_constant;
 
 /// An accepted step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +47,7 @@ pub struct Integrator {
 
 /// All that an integrator knows of the steps behind it: with the two latest accepted
 /// states of the system, what a run needs to go on as if it had not been stopped.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Progress {
     /// Time of the latest accepted state [s].
     pub time: f64,
@@ -58,12 +63,10 @@ pub struct Progress {
     #[serde(default)]
     crowded: usize,
     lengths: Lengths,
+    /// Velocities behind the next step, where steps are variable.
+    #[serde(default)]
+    speeds: Speeds,
 }
-
-/// A local error is not thought to have a smaller constant than this, that of the formula
-/// of fourth order: those of higher order than the estimate has are measured as if one
-/// time derivative were one step.
-const LEAST_CONSTANT: f64 = 1.0 / 720.0;
 
 /// Corners crowd when they make steps shorter than this part of what is wanted, so many
 /// times in a row.
@@ -113,6 +116,10 @@ impl Integrator {
     ) -> Option<Self> {
         let n = dae.pattern().size();
         let zero = || vec![0.0; n];
+        let mut speeds = Speeds::default();
+        if matches!(stepping, Stepping::Variable(_)) {
+            speeds.restart(dae, from);
+        }
         Some(Self {
             scheme,
             stepping,
@@ -125,6 +132,7 @@ impl Integrator {
                 corner: None,
                 crowded: 0,
                 lengths: Lengths::new(&stepping, from),
+                speeds,
             },
             corrector: Corrector::new(dae, scheme.formula(1.0).stages, &limits)?,
             past: Past::new(n),
@@ -164,20 +172,22 @@ impl Integrator {
         }
         self.renew(dae);
         loop {
-            let Progress { time, lengths, .. } = self.progress;
+            let (time, lengths) = (self.progress.time, self.progress.lengths);
             let plan = lengths.plan(dae, &self.stepping, time, until);
             let formula = self.formula(plan.length);
             let found = self.attempt(dae, &formula, &plan, clock);
-            let error = found.ok().and_then(|_| self.error(dae, &formula, &plan));
-            let reason = match (found, error) {
+            let errors = found.ok().and_then(|_| self.errors(dae, &formula, &plan));
+            let order = formula.order.min(3);
+            let is_least = plan.length <= lengths.least(&self.stepping);
+            let counted = errors.map(|errors| errors.counted(is_least));
+            let reason = match (found, counted) {
                 (Ok(_), Some(error)) if error > 1.0 || error.is_nan() => Reason::LocalError,
                 (Ok(iterations), _) => {
                     let accepted = Accepted {
                         plan,
                         iterations,
                         was_cut: stepped.rejected > 0,
-                        error,
-                        order: formula.order.min(3),
+                        allowed: errors.map(|errors| errors.allowed(order)),
                     };
                     self.accept(dae, &formula, &accepted);
                     (stepped.time, stepped.length) = (plan.end, plan.length);
@@ -188,10 +198,10 @@ impl Integrator {
             };
             stepped.rejected += 1;
             self.progress.counters.rejected += 1;
-            let by = cut_by(error, formula.order.min(3), &self.stepping);
+            let by = cut_by(counted, order, &self.stepping);
             let lengths = &mut self.progress.lengths;
             if !lengths.cut(&self.stepping, plan.length, by) {
-                return Err(self.failure(dae, (reason, error), plan.length));
+                return Err(self.failure(dae, (reason, counted), plan.length));
             }
         }
     }
@@ -220,11 +230,14 @@ impl Integrator {
             }
         };
         self.progress.lengths.restart(&self.stepping);
+        if matches!(self.stepping, Stepping::Variable(_)) {
+            self.progress.speeds.restart(dae, self.progress.time);
+        }
     }
 
     /// The formula of a step of `length`, by what lies behind it.
     fn formula(&self, length: f64) -> Formula {
-        let Progress { known, .. } = self.progress;
+        let known = self.progress.known;
         let ratio = self.ratio(length);
         if known < 2 {
             return self.scheme.first_formula(known > 0);
@@ -309,44 +322,6 @@ impl Integrator {
         }
     }
 
-    /// The local error of the trial by the tolerance, where steps are variable and the
-    /// past is long enough: from the value y that a polynomial of the same order p
-    /// predicts, with the constants C of the formula and C_p of the polynomial,
-    ///
-    /// ```text
-    /// y(t_n) - y_n = C / (C_p - C) ( y_n - y )                                   (D-116)
-    /// ```
-    fn error(&mut self, dae: &dyn Dae, formula: &Formula, plan: &Plan) -> Option<f64> {
-        let Stepping::Variable(control) = &self.stepping else {
-            return None;
-        };
-        let order = formula.order.min(3);
-        let states = if order == 1 { 1 } else { 2 };
-        if self.progress.known < states {
-            return None;
-        }
-        let ratio = match order {
-            1 => 1.0,
-            _ => self.ratio(plan.length),
-        };
-        let constant = match formula.error.abs() < LEAST_CONSTANT {
-            true => LEAST_CONSTANT,
-            false => formula.error,
-        };
-        let factor = constant / (error_of_value(order, ratio) - constant);
-        let moved = self.corrector.moved().iter().zip(&self.end);
-        for (i, (moved, predicted)) in moved.enumerate() {
-            self.difference[i] = match dae.algebraic()[i] {
-                true => 0.0,
-                false => {
-                    let polynomial = self.past.value(order, plan.length, ratio, i);
-                    factor * (moved + predicted - polynomial)
-                }
-            };
-        }
-        Some(dae.error(&self.difference) / control.tolerance)
-    }
-
     fn accept(&mut self, dae: &mut dyn Dae, formula: &Formula, accepted: &Accepted) {
         dae.accept(formula.stages - 1);
         let Plan {
@@ -359,6 +334,9 @@ impl Integrator {
         progress.time = end;
         progress.length = length;
         progress.known = (progress.known + 1).min(2);
+        if matches!(self.stepping, Stepping::Variable(_)) {
+            progress.speeds.accept(dae, end, length);
+        }
         let is_short = length < CROWDED * self.stepping.wanted();
         progress.crowded = match corner.is_some() && is_short {
             true => progress.crowded + 1,
@@ -421,13 +399,13 @@ impl Integrator {
     /// that starts from the snapshot.
     pub fn snapshot(&mut self) -> Progress {
         self.corrector.forget();
-        self.progress
+        self.progress.clone()
     }
 
     /// What the steps so far are known by, as [`Self::snapshot`], for a run that does not
     /// go on itself.
     pub fn progress(&self) -> Progress {
-        self.progress
+        self.progress.clone()
     }
 
     /// Goes on from a snapshot; the system must have its two latest accepted states of that
@@ -435,8 +413,8 @@ impl Integrator {
     /// stepping begins its grid here.
     pub fn restore(&mut self, progress: &Progress) {
         self.corrector.forget();
-        self.progress = *progress;
-        let Progress { time, length, .. } = *progress;
+        self.progress = progress.clone();
+        let (time, length) = (progress.time, progress.length);
         let lengths = &mut self.progress.lengths;
         lengths.resume(&self.stepping, time, length);
     }

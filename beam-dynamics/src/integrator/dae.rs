@@ -83,6 +83,12 @@ pub trait Dae {
     /// infinite when there is none.
     fn next_corner(&self, time: f64) -> f64;
 
+    /// The longest step from `time` that does not pass over what is given over time, as a
+    /// short pulse \[s\].
+    fn longest_step(&self, _time: f64) -> f64 {
+        f64::INFINITY
+    }
+
     /// The equation that is farthest from being fulfilled, by the largest term of its kind.
     fn worst(&self, residual: &Residual) -> Worst;
 
@@ -91,6 +97,15 @@ pub trait Dae {
 
     /// Size of a local error, of positions and rotations alone [-].
     fn error(&self, difference: &[f64]) -> f64;
+
+    /// Velocities, and what else jumps in its rate where forces or voltages do, of trial
+    /// state `stage`, or of the latest accepted state; in numbers that are smooth as long as
+    /// what acts is.
+    fn speeds(&self, stage: Option<usize>, out: &mut Vec<f64>);
+
+    /// Size of a local error `missed` of these numbers, that of velocities by what they move
+    /// in `time` \[s\]; `now` are the numbers themselves, and the largest so far [-].
+    fn drift(&self, missed: &[f64], now: [&[f64]; 2], time: f64) -> f64;
 
     /// The unknown of the largest local error in words: what, whose, its error, and by what
     /// that is measured.

@@ -93,7 +93,11 @@ impl Lengths {
         let stop = self.stop(dae, time, until);
         match stepping {
             Stepping::Constant { step } => self.towards_grid(*step, time, &stop),
-            Stepping::Variable(_) => self.towards(time, &stop),
+            Stepping::Variable(control) => {
+                let longest = dae.longest_step(time).max(control.least);
+                let wish = self.wish.min(longest);
+                Self { wish, ..*self }.towards(time, &stop)
+            }
         }
     }
 
@@ -221,8 +225,8 @@ impl Lengths {
         } else {
             scheme.growth()
         };
-        let allowed = match accepted.error {
-            Some(error) => accepted.plan.length * factor(error, accepted.order),
+        let allowed = match accepted.allowed {
+            Some(factor) => accepted.plan.length * factor,
             None => self.wish,
         };
         let wish = allowed.min(growth * self.wish).max(LARGEST_CUT * self.wish);
@@ -243,10 +247,8 @@ pub(super) struct Accepted {
     pub iterations: usize,
     /// Whether longer ones were tried before.
     pub was_cut: bool,
-    /// Its local error by the tolerance, where it could be found [-].
-    pub error: Option<f64>,
-    /// Order of its formula.
-    pub order: usize,
+    /// The next step by this one that its local errors allow, where they could be found [-].
+    pub allowed: Option<f64>,
 }
 
 /// The step by the present one that brings the local error to its tolerance:

@@ -87,7 +87,11 @@ impl Scheme {
             Self::ImplicitEuler => Formula::implicit_euler(),
             Self::CrankNicolson => Formula::crank_nicolson(),
             Self::Bdf2 => Formula::two_step(0.0, ratio),
-            Self::TwoStep { radius } => Formula::two_step(radius.clamp(0.0, 1.0), ratio),
+            // At this radius the formula has the factor z + 1 in all its terms: what is left
+            // of it is Crank-Nicolson. With the factor, what alternates from step to step
+            // is not damped, and rotations feed energy into it.
+            Self::TwoStep { radius } if radius >= 1.0 => Formula::crank_nicolson(),
+            Self::TwoStep { radius } => Formula::two_step(radius.max(0.0), ratio),
             Self::Cubic { radius } => Formula::cubic(radius.clamp(0.0, 1.0)),
             Self::Parabolic { zeta } => Formula::parabolic(zeta),
             Self::CubicGauss => Formula::cubic_gauss(),
@@ -117,7 +121,7 @@ impl Scheme {
     pub fn largest_ratio(&self) -> f64 {
         match *self {
             Self::Bdf2 => Formula::largest_ratio(0.0),
-            Self::TwoStep { radius } => Formula::largest_ratio(radius.clamp(0.0, 1.0)),
+            Self::TwoStep { radius } if radius < 1.0 => Formula::largest_ratio(radius.max(0.0)),
             _ => f64::INFINITY,
         }
     }

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 mod formula;
 mod noise;
+mod pace;
 mod shape;
 mod table;
 
@@ -16,6 +17,7 @@ mod tests;
 
 pub use formula::Formula;
 pub use noise::{BandNoise, SteppedNoise};
+pub use pace::Pace;
 pub use shape::{Doublet, Harmonic, Ramp, Step};
 pub use table::{DriveTable, Interpolation, Outside, TableProblem};
 

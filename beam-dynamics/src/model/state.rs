@@ -84,19 +84,6 @@ impl State {
         self.electric_rates.copy_from_slice(&other.electric_rates);
     }
 
-    /// Size of the model: largest distance of a node from the first; one where that is no
-    /// more than round-off of their places \[m\].
-    pub fn size(&self) -> f64 {
-        let places = || self.nodes.iter().map(|node| node.position);
-        let first = places().next().unwrap_or_default();
-        let size = places().map(|place| (place - first).norm());
-        let farthest = places().map(|place| place.amax()).fold(0.0, f64::max);
-        match size.fold(0.0, f64::max) {
-            size if size > 4.0 * f64::EPSILON * farthest => size,
-            _ => 1.0,
-        }
-    }
-
     /// Adds a correction of the unknowns, in the order of the numbering: positions,
     /// momenta, multipliers and electric unknowns by sum, rotations by composition with the
     /// Gibbs-Rodrigues rotation of the correction, `R <- R(g) R`.
@@ -113,31 +100,5 @@ impl State {
         for (number, value) in numbers.zip(of_multipliers) {
             *number += value;
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn of(places: &[[f64; 3]]) -> State {
-        let nodes = places.iter().map(|place| Node {
-            label: String::new(),
-            position: Vector3::from(*place),
-            rotation: Matrix3::identity(),
-        });
-        let nodes: Vec<_> = nodes.collect();
-        State::at_rest(&nodes, &Numbering::new(nodes.len(), std::iter::empty()))
-    }
-
-    // 3, 4, 12 and 13; nodes in one place, and what round-off makes of it far away.
-    #[test]
-    fn a_model_is_as_large_as_its_nodes_are_apart() {
-        let far = of(&[[7.0, 0.0, 0.0], [10.0, 4.0, 12.0], [8.0, 1.0, 0.0]]);
-        assert!((far.size() - 13.0).abs() < 1e-14);
-        assert_eq!(of(&[]).size(), 1.0);
-        assert_eq!(of(&[[2.0, 1.0, 0.0]]).size(), 1.0);
-        assert_eq!(of(&[[1e8, 0.0, 0.0], [1e8 + 1.5e-8, 0.0, 0.0]]).size(), 1.0);
-        assert!((of(&[[1e8, 0.0, 0.0], [1e8, 2.0, 0.0]]).size() - 2.0).abs() < 1e-14);
     }
 }

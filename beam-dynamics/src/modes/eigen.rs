@@ -135,8 +135,8 @@ impl<'a> EigenProblem<'a> {
     /// The `count` eigenpairs of smallest angular frequency, ascending, where there are
     /// so many, those without stiffness first; and the real eigenvalues found on the way.
     pub fn lowest(&self, count: usize) -> (Vec<Eigenpair>, Vec<f64>) {
-        let Sorted { zeros, real, above } = self.sorted(count);
-        let mut pairs = self.free(self.free_motions(zeros, count).min(count));
+        let (free, Sorted { real, above, .. }) = self.sorted(count);
+        let mut pairs = self.free(free.min(count));
         let mut rest = &above[..];
         while let Some(first) = rest.first().filter(|_| pairs.len() < count) {
             let copies = copies_at_front(rest);
@@ -153,16 +153,17 @@ impl<'a> EigenProblem<'a> {
     }
 
     /// The values nearest to the shift, as many as hold `count` oscillations, where real
-    /// ones of overdamped motions do not use up too many.
-    fn sorted(&self, count: usize) -> Sorted {
+    /// ones of overdamped motions do not use up too many; and how many motions without
+    /// stiffness there are.
+    fn sorted(&self, count: usize) -> (usize, Sorted) {
         let mut asked = count;
         loop {
             let values = self.inverse.smallest(asked, self.copies);
             let is_all = values.len() < 2 * asked;
             let sorted = Sorted::new(values, self.zero);
-            let found = sorted.zeros.div_ceil(2) + sorted.above.len();
-            if found >= count || is_all || asked >= MOST * count {
-                return sorted;
+            let free = self.free_motions(sorted.zeros, asked);
+            if free + sorted.above.len() >= count || is_all || asked >= MOST * count {
+                return (free, sorted);
             }
             asked *= 2;
         }
@@ -191,7 +192,11 @@ impl<'a> EigenProblem<'a> {
         if count == 0 {
             return Vec::new();
         }
-        let mut pairs = self.vectors_beside(c64::new(FREE_SHIFT * self.lowest, 0.0), count);
+        // Slow charges lie as near.
+        let alone = self.without_circuits(self.tangent);
+        let alone = alone.as_ref().and_then(|tangent| self.beside(tangent));
+        let problem = alone.as_ref().unwrap_or(self);
+        let mut pairs = problem.vectors_beside(c64::new(FREE_SHIFT * self.lowest, 0.0), count);
         for pair in &mut pairs {
             (pair.growth, pair.angular_frequency, pair.residual) = (0.0, 0.0, 0.0);
         }
@@ -199,24 +204,55 @@ impl<'a> EigenProblem<'a> {
     }
 
     /// Number of motions without stiffness. The zero of one is double, but simple where a
-    /// damper acts on it: they are counted without dampers.
+    /// damper acts on it, and a charge that leaks away slowly is no motion: they are counted
+    /// without dampers and circuits.
     fn free_motions(&self, zeros: usize, count: usize) -> usize {
-        let undamped = if zeros > 0 {
-            undamped(self.tangent)
-        } else {
-            None
+        if zeros == 0 {
+            return 0;
+        }
+        let alone = self.without_circuits(self.tangent);
+        let alone = match undamped(alone.as_ref().unwrap_or(self.tangent)) {
+            Some(undamped) => Some(undamped),
+            None => alone,
         };
-        let zeros = undamped
-            .and_then(|tangent| {
-                let nodes = self.size / NODE_UNKNOWNS;
-                let shift = self.inverse.shift();
-                let problem =
-                    EigenProblem::shifted(self.solver, &tangent, nodes, self.copies, shift)?;
-                let values = problem.inverse.smallest(count, self.copies);
-                Some(values.iter().filter(|s| s.norm() <= self.zero).count())
-            })
-            .unwrap_or(zeros);
-        zeros.div_ceil(2)
+        let counted = alone.as_ref().and_then(|tangent| {
+            let values = self.beside(tangent)?.inverse.smallest(count, self.copies);
+            Some(values.iter().filter(|s| s.norm() <= self.zero).count())
+        });
+        counted.unwrap_or(zeros).div_ceil(2)
+    }
+
+    /// The same question to another system of the same unknowns.
+    fn beside<'b>(&self, tangent: &'b Tangent) -> Option<EigenProblem<'b>>
+    where
+        'a: 'b,
+    {
+        let nodes = self.size / NODE_UNKNOWNS;
+        EigenProblem::shifted(
+            self.solver,
+            tangent,
+            nodes,
+            self.copies,
+            self.inverse.shift(),
+        )
+    }
+
+    /// The same system with circuits as they are for what grows at a rate, the lowest
+    /// frequency: without poles of their own, and never singular, since no circuit grows by
+    /// itself. `None` without circuits that have any.
+    fn without_circuits(&self, tangent: &Tangent) -> Option<Tangent> {
+        let places: Vec<_> = tangent.by_rates.triplets().enumerate().collect();
+        let of_circuits = places
+            .iter()
+            .filter(|(_, (_, column, value))| *column >= self.size && *value != 0.0);
+        let mut result = tangent.clone();
+        let mut has_circuits = false;
+        for (place, (_, _, value)) in of_circuits {
+            result.by_rates.values_mut()[*place] = 0.0;
+            result.by_unknowns.values_mut()[*place] += self.lowest * value;
+            has_circuits = true;
+        }
+        has_circuits.then_some(result)
     }
 
     /// Independent vectors of a value and its copies; of values that lie near each other

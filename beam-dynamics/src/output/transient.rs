@@ -9,6 +9,7 @@ mod effort;
 mod files;
 mod grids;
 mod netcdf_rows;
+mod netcdf_table;
 mod plot;
 mod problem;
 mod restart;

@@ -200,7 +200,8 @@ impl<'a> ColumnValues<'a> {
                 let sum = state.nodes.iter().map(of_node).sum();
                 of_vector(&sum, *part, &Axes::Model, state)
             }
-            Quantity::Drive(drive) => drive.at(moment.time).value,
+            // At a corner the value before it, as all of the row.
+            Quantity::Drive(drive) => drive.at(moment.conditions.loading.time).value,
             Quantity::StepLength => moment.length,
             Quantity::Iterations => moment.iterations as f64,
             // These are those of elements.
@@ -347,7 +348,7 @@ fn energy_part(energy: &Energy, part: EnergyPart) -> f64 {
         EnergyPart::Elastic => energy.elastic,
         EnergyPart::Gravity => energy.gravity,
         EnergyPart::Electric => energy.electric,
-        EnergyPart::Total => energy.kinetic + energy.elastic + energy.gravity + energy.electric,
+        EnergyPart::Total => energy.total(),
     }
 }
 

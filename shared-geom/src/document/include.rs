@@ -6,8 +6,9 @@
 
 use std::path::{Path, PathBuf};
 
+use super::syntax::syntax_problems;
 use super::tree::{self, Entry, Kind, Lines, Value};
-use super::{Document, DocumentProblem, read_text, syntax_problems};
+use super::{Document, DocumentProblem, read_text};
 use crate::error::{Diagnostics, Place};
 use crate::files::names_beside;
 use toml::de::DeTable;
@@ -69,8 +70,8 @@ impl Reader {
         self.files.push(file.to_owned());
         let lines = Lines::of(text);
         let (root, errors) = DeTable::parse_recoverable(text);
-        self.problems
-            .append(syntax_problems(&errors, &lines, text, file));
+        let problems = syntax_problems((root.get_ref(), &errors), &lines, text, file);
+        self.problems.append(problems);
         let mut entries = tree::entries(root.get_ref(), &lines.from(base));
         let Some(place) = entries.iter().position(|entry| entry.key == KEY) else {
             return entries;

@@ -1,7 +1,7 @@
 //! Numbers with names, `[parameters]`, and the expressions of them that may stand in the
 //! place of any number.
 
-use std::collections::BTreeMap;
+use std::cell::Ref;
 
 use super::table::Table;
 use super::tree::{Kind, Value};
@@ -9,14 +9,20 @@ use super::{Document, DocumentProblem};
 use crate::expression::{Expression, Jet, Names, is_name, written};
 use crate::units::parse_any;
 
-/// Parameters by name; those that are wrong are not a number.
+/// Parameters in the order of their names; those that are wrong are not a number.
 pub(super) type Parameters = Vec<(String, f64)>;
 
+/// Names of a cycle that a message lists: it may go through all of them.
+const MOST_SHOWN: usize = 8;
+
 /// A parameter that depends on others.
-struct Open {
-    name: String,
+struct Open<'a> {
+    /// Its number among the parameters.
+    index: usize,
     line: usize,
-    expression: Expression,
+    text: &'a str,
+    /// Numbers of those that it depends on.
+    uses: Vec<usize>,
 }
 
 impl Document {
@@ -30,26 +36,28 @@ impl Document {
         let Some(table) = root.table("parameters") else {
             return;
         };
-        let names = table.keys();
-        let names: Vec<_> = names.iter().map(String::as_str).collect();
-        let mut known = Parameters::new();
+        let mut values: Vec<_> = table.values().collect();
+        values.sort_by_key(|pair| pair.0);
+        let names = values.iter().map(|pair| (pair.0.to_owned(), f64::NAN));
+        let mut known: Parameters = names.collect();
         let mut open = Vec::new();
-        for (name, value) in table.values() {
+        for (index, (name, value)) in values.into_iter().enumerate() {
             if !is_name(name) {
                 let name = name.to_owned();
                 self.note_in(value, &DocumentProblem::ParameterName { name });
             }
-            match self.parameter(name, value, &names) {
-                Some(Parameter::Number(number)) => known.push((name.to_owned(), number)),
-                Some(Parameter::Open(expression)) => open.push(Open {
-                    name: name.to_owned(),
+            match self.parameter(name, value, &known) {
+                Some(Parameter::Number(number)) => known[index].1 = number,
+                Some(Parameter::Open(text, expression)) => open.push(Open {
+                    index,
                     line: value.line,
-                    expression,
+                    text,
+                    uses: numbers(&expression, &known),
                 }),
-                None => known.push((name.to_owned(), f64::NAN)),
+                None => {}
             }
         }
-        self.close(&names, &mut known, open);
+        self.close(&mut known, &open);
         *self.parameters.borrow_mut() = known;
     }
 
@@ -57,22 +65,21 @@ impl Document {
         self.note(value.line, problem);
     }
 
-    fn parameter(&self, name: &str, value: &Value, names: &[&str]) -> Option<Parameter> {
+    /// What stands for a parameter among those of `known`, whose numbers do not count.
+    fn parameter<'a>(
+        &self,
+        name: &str,
+        value: &'a Value,
+        known: &Parameters,
+    ) -> Option<Parameter<'a>> {
         let key = || name.to_owned();
         let found = match &value.kind {
             Kind::Integer(number) => Parameter::Number(*number as f64),
             Kind::Number(number) if number.is_finite() => Parameter::Number(*number),
             Kind::Text(text) => match written(text) {
                 Some(text) => {
-                    let names = Names {
-                        variables: names,
-                        constants: &[],
-                    };
-                    let found = Expression::parse(text, &names).map_err(|problem| {
-                        let key = key();
-                        self.note_in(value, &DocumentProblem::Expression { key, problem });
-                    });
-                    Parameter::Open(found.ok()?)
+                    let found = self.expression(name, value.line, text, &of(known))?;
+                    Parameter::Open(text, found)
                 }
                 None => {
                     let found = parse_any(text).map_err(|problem| {
@@ -96,72 +103,80 @@ impl Document {
         Some(found)
     }
 
-    /// Finds the values of parameters that depend on others, and notes those that depend
-    /// on themselves.
-    fn close(&self, names: &[&str], known: &mut Parameters, mut open: Vec<Open>) {
-        let index = |name: &str| names.iter().position(|own| *own == name);
-        loop {
-            let before = open.len();
-            open.retain(|one| {
-                let value = |i: usize| known.iter().find(|own| own.0 == names[i]);
-                let ready = (0..names.len()).all(|i| !one.expression.uses(i) || value(i).is_some());
-                if !ready {
-                    return true;
-                }
-                let at = |i: usize| Jet::constant(value(i).map_or(f64::NAN, |own| own.1));
-                let number = one.expression.at(at).value;
-                let of_known = (0..names.len())
-                    .filter(|&i| one.expression.uses(i))
-                    .all(|i| !at(i).value.is_nan());
-                if !number.is_finite() && of_known {
-                    let problem = DocumentProblem::WrongValue {
-                        key: one.name.clone(),
-                        found: number.to_string(),
-                        expected: "a finite number".to_owned(),
-                    };
-                    self.note(one.line, &problem);
-                }
-                let number = if number.is_finite() { number } else { f64::NAN };
-                known.push((one.name.clone(), number));
-                false
-            });
-            if open.len() == before {
-                break;
+    /// Finds the values of parameters that depend on others, each once and after those
+    /// that it uses; notes those that depend on themselves.
+    fn close(&self, known: &mut Parameters, open: &[Open<'_>]) {
+        let mut place = vec![None; known.len()];
+        for (at, one) in open.iter().enumerate() {
+            place[one.index] = Some(at);
+        }
+        // For each open one: how many it waits for, and who waits for it.
+        let mut waits = vec![0; open.len()];
+        let mut users = vec![Vec::new(); open.len()];
+        for (at, one) in open.iter().enumerate() {
+            for other in one.uses.iter().filter_map(|&index| place[index]) {
+                waits[at] += 1;
+                users[other].push(at);
             }
         }
-        let next: BTreeMap<&str, &str> = open
-            .iter()
-            .filter_map(|one| {
-                let waits =
-                    |other: &&Open| index(&other.name).is_some_and(|i| one.expression.uses(i));
-                let other = open.iter().find(waits)?;
-                Some((one.name.as_str(), other.name.as_str()))
-            })
-            .collect();
-        for one in &open {
-            known.push((one.name.clone(), f64::NAN));
-            if let Some(chain) = cycle(&one.name, &next) {
-                let name = one.name.clone();
-                self.note(one.line, &DocumentProblem::Cycle { name, chain });
+        let mut ready: Vec<_> = (0..open.len()).filter(|&at| waits[at] == 0).collect();
+        while let Some(at) = ready.pop() {
+            known[open[at].index].1 = self.value(&open[at], known);
+            for &user in &users[at] {
+                waits[user] -= 1;
+                if waits[user] == 0 {
+                    ready.push(user);
+                }
             }
+        }
+        // Of those that are left each waits for another one that is left.
+        let left = |&at: &usize| waits[at] > 0;
+        let next = open.iter().map(|one| {
+            let others = one.uses.iter().filter_map(|&index| place[index]);
+            others.clone().find(left)
+        });
+        for cycle in cycles(&next.collect::<Vec<_>>()) {
+            let name = |at: usize| known[open[at].index].0.clone();
+            let mut chain: Vec<_> = cycle.iter().take(MOST_SHOWN).map(|&at| name(at)).collect();
+            if cycle.len() > MOST_SHOWN {
+                chain.push(format!("({} more)", cycle.len() - MOST_SHOWN));
+            }
+            chain.push(name(cycle[0]));
+            let name = name(cycle[0]);
+            self.note(open[cycle[0]].line, &DocumentProblem::Cycle { name, chain });
         }
     }
 
-    /// The parameters that have been declared, in no order; those that are wrong are not
-    /// a number.
-    pub fn parameters(&self) -> Vec<(String, f64)> {
-        self.parameters.borrow().clone()
+    /// The value of a parameter that depends on known ones; not a number where it has none.
+    fn value(&self, one: &Open<'_>, known: &Parameters) -> f64 {
+        // That it can be read is known.
+        let found = Expression::parse(one.text, &of(known)).ok();
+        let number = found.map_or(f64::NAN, |found| found.at(|_| Jet::default()).value);
+        if number.is_finite() {
+            return number;
+        }
+        if one.uses.iter().all(|&index| !known[index].1.is_nan()) {
+            let problem = DocumentProblem::WrongValue {
+                key: known[one.index].0.clone(),
+                found: number.to_string(),
+                expected: "a finite number".to_owned(),
+            };
+            self.note(one.line, &problem);
+        }
+        f64::NAN
+    }
+
+    /// The parameters that have been declared, in the order of their names; those that are
+    /// wrong are not a number.
+    pub fn parameters(&self) -> Ref<'_, Vec<(String, f64)>> {
+        self.parameters.borrow()
     }
 
     /// The value of an expression of parameters under `key`; what is wrong with it is
     /// noted, unless it was with a parameter.
     pub(super) fn evaluate(&self, key: &str, line: usize, text: &str) -> Option<f64> {
         let constants = self.parameters.borrow();
-        let names = Names {
-            variables: &[],
-            constants: &constants,
-        };
-        let found = self.expression(key, line, written(text)?, &names)?;
+        let found = self.expression(key, line, written(text)?, &of(&constants))?;
         let number = found.at(|_| Jet::default()).value;
         let is_told = number.is_nan() && constants.iter().any(|own| own.1.is_nan());
         (!is_told).then_some(number)
@@ -170,11 +185,7 @@ impl Document {
     /// The value of an expression of parameters; `None` where it has none.
     pub(super) fn quietly(&self, text: &str) -> Option<f64> {
         let constants = self.parameters.borrow();
-        let names = Names {
-            variables: &[],
-            constants: &constants,
-        };
-        let found = Expression::parse(written(text)?, &names).ok()?;
+        let found = Expression::parse(written(text)?, &of(&constants)).ok()?;
         let number = found.at(|_| Jet::default()).value;
         number.is_finite().then_some(number)
     }
@@ -196,21 +207,54 @@ impl Document {
 }
 
 /// What stands for a parameter.
-enum Parameter {
+enum Parameter<'a> {
     Number(f64),
-    Open(Expression),
+    /// An expression and its text.
+    Open(&'a str, Expression),
 }
 
-/// The way from a name back to it, when it comes back.
-fn cycle(name: &str, next: &BTreeMap<&str, &str>) -> Option<Vec<String>> {
-    let mut chain = vec![name.to_owned()];
-    let mut at = name;
-    while chain.len() <= next.len() {
-        at = next.get(at)?;
-        chain.push(at.to_owned());
-        if at == name {
-            return Some(chain);
-        }
+/// The names of parameters, and no variable.
+fn of(known: &Parameters) -> Names<'_> {
+    Names {
+        variables: &[],
+        constants: known,
     }
-    None
+}
+
+/// Numbers of the parameters that stand in an expression, each once.
+fn numbers(expression: &Expression, known: &Parameters) -> Vec<usize> {
+    let names = expression.known().iter();
+    let mut found: Vec<_> = names
+        .filter_map(|name| known.binary_search_by(|own| own.0.cmp(name)).ok())
+        .collect();
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+/// The cycles of a graph in which each point leads to one other at most, in the order in
+/// which they are met; each from the first of its points on.
+fn cycles(next: &[Option<usize>]) -> Vec<Vec<usize>> {
+    const NEVER: usize = usize::MAX;
+    let mut walk_of = vec![NEVER; next.len()];
+    let mut found = Vec::new();
+    for start in 0..next.len() {
+        let mut at = Some(start);
+        while let Some(here) = at.filter(|&here| walk_of[here] == NEVER) {
+            walk_of[here] = start;
+            at = next[here];
+        }
+        // This walk came back to itself, and not to an earlier one.
+        let Some(first) = at.filter(|&here| walk_of[here] == start) else {
+            continue;
+        };
+        let mut cycle = vec![first];
+        while let Some(here) = next[*cycle.last().unwrap_or(&first)].filter(|&here| here != first) {
+            cycle.push(here);
+        }
+        let least = (0..cycle.len()).min_by_key(|&i| cycle[i]).unwrap_or(0);
+        cycle.rotate_left(least);
+        found.push(cycle);
+    }
+    found
 }

@@ -29,6 +29,8 @@ pub enum DocumentProblem {
     Syntax {
         /// The parser's words.
         reason: String,
+        /// The remedy, where one is known.
+        help: Option<String>,
     },
     /// Further errors of syntax.
     #[error("further errors of syntax from here on: {count}")]
@@ -145,9 +147,6 @@ pub enum DocumentProblem {
         /// The largest number accepted.
         limit: usize,
     },
-    /// Something was wrong without a note of its own (a defect of the reader).
-    #[error("the file is incomplete")]
-    Incomplete,
 }
 
 impl Explain for DocumentProblem {
@@ -170,6 +169,7 @@ impl Explain for DocumentProblem {
                 nearest_name(found, known.iter().map(String::as_str))
                     .map(|near| format!("did you mean \"{near}\"?"))
             }
+            Self::Syntax { help, .. } => help.clone(),
             Self::Unit { problem, .. } => problem.help(),
             Self::Expression { problem, .. } => problem.help(),
             Self::NoFile { name, known, .. } => Some(nearest_file(name, known)),

@@ -143,6 +143,116 @@ fn syntax_errors_carry_their_lines() {
     );
 }
 
+// Three numbers of one list make three errors of the parser.
+#[test]
+fn slips_of_syntax_are_told_once_and_with_what_is_meant() {
+    let told = |text: &str| Document::parse(text, "a.toml").unwrap_err().to_string();
+    let shown = told("[a]\ninertia = [.3,.4,.5]\n");
+    assert_eq!(shown.matches("error").count(), 1, "{shown}");
+    assert!(
+        shown.starts_with("error: a.toml:2: not valid TOML: invalid mantissa")
+            && shown.ends_with("a digit on both sides of the point: 0.3"),
+        "{shown}"
+    );
+    for (text, meant) in [
+        ("a = -.5e3", "-0.5e3"),
+        ("a = 5.", "5.0"),
+        ("a = 2.e-3 # x", "2.0e-3"),
+    ] {
+        let shown = told(text);
+        assert!(shown.ends_with(&format!(": {meant}")), "{text}: {shown}");
+    }
+    assert!(!told("a = 0x\nb = = 1\n").contains("help"));
+}
+
+#[test]
+fn keys_that_are_there_twice_are_named_with_the_line_of_the_first() {
+    for (text, expected) in [
+        (
+            "x = 1\n[a]\nx = 2\ny = { x = 3 }\nx = 4\n",
+            "a.toml:5: not valid TOML: duplicate key \"x\", first on line 3",
+        ),
+        (
+            "[a]\nb = 1\n[c]\n[a]\nb = 2\n",
+            "a.toml:4: not valid TOML: duplicate key \"a\", first on line 1",
+        ),
+        (
+            "a = { \"x\" = 1, x = 2 }\n",
+            "a.toml:1: not valid TOML: duplicate key \"x\", first on line 1",
+        ),
+    ] {
+        let shown = Document::parse(text, "a.toml").unwrap_err().to_string();
+        assert!(shown.contains(expected), "{shown}");
+    }
+}
+
+/// The number of a parameter, or what is told.
+fn parameter(text: &str, name: &str) -> Result<f64, String> {
+    let document = Document::parse(text, "a.toml").unwrap();
+    document.declare_parameters(&document.root());
+    let known = document.parameters().clone();
+    let found = known.iter().find(|own| own.0 == name).map(|own| own.1);
+    document
+        .finish(found)
+        .map_err(|problems| problems.to_string())
+}
+
+// Names in an order other than that in which they depend on each other.
+#[test]
+fn parameters_are_found_in_any_order() {
+    let text =
+        "[parameters]\nz = 2\na = \"= b + z*c\"\nc = \"= b^2 - pi + pi\"\nb = \"= 1 + z + z\"\n";
+    assert_eq!(parameter(text, "a"), Ok(5.0 + 2.0 * 25.0));
+    let wrong = parameter("[parameters]\na = \"= 1/b\"\nb = \"= c - 1\"\nc = 1\n", "a");
+    assert!(wrong.unwrap_err().contains("a.toml:2: \"a\" is inf"));
+    let slip = parameter(
+        "[parameters]\na = \"= lenght + b\"\nlength = 1\nb = \"= a\"\n",
+        "a",
+    );
+    let slip = slip.unwrap_err();
+    assert!(slip.contains("did you mean \"length\"?"), "{slip}");
+    // What hangs on a wrong one is not told.
+    assert_eq!(slip.matches("error").count(), 1, "{slip}");
+}
+
+// Two cycles, what leads to one, and what leads to nothing: each cycle is told once.
+#[test]
+fn cycles_of_parameters_are_named() {
+    let text = "[parameters]\nq = \"= p\"\np = \"= r + q\"\nr = 1\ns = \"= s\"\nt = \"= q + r\"\n";
+    let told = parameter(text, "r").unwrap_err();
+    assert!(
+        told.contains("a.toml:3: the parameter \"p\" depends on itself: p -> q -> p"),
+        "{told}"
+    );
+    assert!(
+        told.contains("a.toml:5: the parameter \"s\" depends on itself: s -> s"),
+        "{told}"
+    );
+    assert_eq!(told.matches("error").count(), 2, "{told}");
+    let count = 2000;
+    let ring = |i: usize| format!("p{i} = \"= p{}\"\n", (i + 1) % count);
+    let text: String = (0..count).map(ring).collect();
+    let told = parameter(&format!("[parameters]\n{text}"), "p0").unwrap_err();
+    assert!(
+        told.ends_with("p0 -> p1 -> p2 -> p3 -> p4 -> p5 -> p6 -> p7 -> (1992 more) -> p0"),
+        "{told}"
+    );
+}
+
+// Time that grew with the square would be minutes here, and memory gigabytes.
+#[test]
+fn parameters_may_be_many() {
+    const COUNT: usize = 30_000;
+    let chain = |i: usize| format!("p{i} = \"= p{} + 1\"\n", i + 1);
+    let text: String = (0..COUNT).map(chain).collect();
+    let text = format!("[parameters]\n{text}p{COUNT} = 1\n");
+    assert_eq!(parameter(&text, "p0"), Ok(COUNT as f64 + 1.0));
+    let alone: String = (0..COUNT)
+        .map(|i| format!("p{i} = \"= 2*{i}\"\n"))
+        .collect();
+    assert_eq!(parameter(&format!("[parameters]\n{alone}"), "p7"), Ok(14.0));
+}
+
 #[test]
 fn numbers_must_be_finite() {
     for text in [
@@ -182,7 +292,7 @@ fn errors_of_syntax_are_counted_after_the_first() {
         shown.contains("a.toml:9: further errors of syntax from here on: "),
         "{shown}"
     );
-    assert_eq!(shown.lines().count(), SYNTAX_SHOWN + 1);
+    assert_eq!(shown.lines().count(), super::syntax::SHOWN + 1);
 }
 
 #[test]

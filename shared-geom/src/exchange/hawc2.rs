@@ -13,7 +13,7 @@
 //!   by the tests of [`section`] and by two descriptions of the IEA-15.
 //! - Radii of gyration about the elastic center: also the converter of BECAS.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use nalgebra::{Vector2, Vector3};
 
@@ -35,6 +35,9 @@ mod section;
 mod st;
 mod write;
 
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+mod htc_tests;
 #[cfg(test)]
 mod tests;
 
@@ -82,12 +85,13 @@ pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diag
 fn read_body(text: &str, file: &Path) -> Result<Reading, Diagnostics> {
     let mut remarks = Vec::new();
     let mut problems = Problems::new(&file.display().to_string());
-    let body = htc::blade(text, &mut remarks, &mut problems);
+    let (body, mut texts) = htc::blade(text, file, &mut remarks, &mut problems);
     let companion = body.as_ref().and_then(|body| {
-        let (name, line) = body.st_file.as_ref()?;
-        let found = companion(name, file);
+        let named = body.st_file.as_ref()?;
+        let found = named.find();
         if found.is_none() {
-            problems.push(*line, &no_companion(name));
+            problems.turn_to(&named.by);
+            problems.push(named.line, &named.missing("the st file of the blade"));
         }
         found
     });
@@ -102,33 +106,11 @@ fn read_body(text: &str, file: &Path) -> Result<Reading, Diagnostics> {
             "{count} concentrated masses are not read: add them to the model"
         ));
     }
-    let line = line_of(&body, text, &mut remarks);
-    Ok(assemble(
-        &rows,
-        line,
-        Some(&body),
-        remarks,
-        file,
-        &[text, &st_text],
-    ))
-}
-
-/// The place of the file that `file` names: HAWC2 runs in a folder above that of the htc
-/// file, and names files from there.
-fn companion(name: &str, file: &Path) -> Option<PathBuf> {
-    let name = name.trim_matches('"').replace('\\', "/");
-    let folders = file.ancestors().skip(1).take(3);
-    let mut places = folders.map(|folder| folder.join(&name));
-    places.find(|place| place.is_file())
-}
-
-fn no_companion(name: &str) -> ExchangeProblem {
-    ExchangeProblem::Other {
-        what: "the st file of the blade".to_owned(),
-        found: format!("no file \"{name}\""),
-        expected: "it beside the htc file or seen from one of the two folders above".to_owned(),
-        help: "correct the name in timoschenko_input, or put the file there".to_owned(),
-    }
+    let course = texts.iter().find_map(|text| stated_course(text));
+    let line = line_of(&body, course, &mut remarks);
+    texts.push(st_text);
+    let texts: Vec<_> = texts.iter().map(String::as_str).collect();
+    Ok(assemble(&rows, line, Some(&body), remarks, file, &texts))
 }
 
 /// The rows that the htc file asks for, or the first of an st file alone.
@@ -183,15 +165,15 @@ fn no_set(wanted: Option<(usize, usize, usize)>, names: &[String]) -> ExchangePr
     }
 }
 
-/// The line of `c2_def`, in our axes.
-fn line_of(body: &Body, text: &str, remarks: &mut Vec<String>) -> ReferenceLine {
+/// The line of `c2_def`, in our axes, with the course that is stated.
+fn line_of(body: &Body, course: Option<Course>, remarks: &mut Vec<String>) -> ReferenceLine {
     let axes = Convention::Hawc2.axes();
     let point = |&[x, y, z, twist]: &[f64; 4]| LinePoint {
         position: axes * Vector3::new(x, y, z),
         twist: twist.to_radians(),
     };
     let points: Vec<_> = body.points.iter().map(point).collect();
-    let course = stated_course(text).unwrap_or_else(|| {
+    let course = course.unwrap_or_else(|| {
         let grows = points
             .windows(2)
             .all(|two| two[1].position.x > two[0].position.x);

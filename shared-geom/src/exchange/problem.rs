@@ -172,6 +172,17 @@ impl Problems {
         self.all.push(place, problem);
     }
 
+    /// From here on, lines are those of `file`.
+    pub(super) fn turn_to(&mut self, file: &Path) {
+        self.file = file.display().to_string();
+    }
+
+    /// The value of a good result; notes the problems of a bad one.
+    pub(super) fn keep<T>(&mut self, result: Result<T, Diagnostics>) -> Option<T> {
+        self.count += usize::from(result.is_err());
+        self.all.keep(result)
+    }
+
     /// Notes on a line that there is no file at `path`, which `what` names as `name`;
     /// whether there is one.
     pub(super) fn finds(&mut self, path: &Path, what: &str, name: &str, line: usize) -> bool {

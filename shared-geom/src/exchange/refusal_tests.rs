@@ -329,3 +329,62 @@ fn a_length_that_is_not_used_is_remarked() {
             .all(|remark| !remark.contains("not used"))
     );
 }
+
+// One number of each file at a time, of those that are not small, past what can be squared:
+// it is refused, or, where it is none of a matrix, nothing that is not finite comes of it.
+#[test]
+fn numbers_that_cannot_be_squared_are_refused_in_every_format() {
+    let mut refused = 0;
+    for format in Format::ALL.into_iter().filter(|format| format.is_read()) {
+        let folder = tempfile::tempdir().unwrap();
+        let first = written(&blade(), format, folder.path());
+        for (name, text) in super::write(&blade(), format, "sample").unwrap().files {
+            let is_number = |word: &&str| word.parse::<f64>().is_ok_and(|x| x.abs() > 1e3);
+            let separators = |letter: char| letter.is_whitespace() || ",[]".contains(letter);
+            let words: std::collections::BTreeSet<_> =
+                text.split(separators).filter(is_number).collect();
+            for word in words.into_iter().step_by(7) {
+                let changed = text.replacen(word, "-1e308", 1);
+                std::fs::write(folder.path().join(&name), changed).unwrap();
+                match read_with(&first, &Options::default()) {
+                    Err(problems) => {
+                        assert!(!problems.to_string().contains("no reason was noted"));
+                        refused += 1;
+                    }
+                    Ok((_, reading)) => {
+                        let numbers = reading.blade.stations.iter();
+                        let numbers = numbers.flat_map(|one| one.stiffness.iter().chain(&one.mass));
+                        assert!(
+                            numbers.copied().all(|x| x.abs() <= 1e100),
+                            "{format:?} {word}"
+                        );
+                    }
+                }
+            }
+            std::fs::write(folder.path().join(&name), &text).unwrap();
+        }
+    }
+    assert!(refused > 50, "{refused}");
+    let messages = refused_station(1e308);
+    assert_says(
+        &messages,
+        "stiffness holds 1e308, expected numbers of at most 1e100 in magnitude",
+    );
+    assert_says(
+        &messages,
+        "help: the number may have lost its decimal point",
+    );
+}
+
+/// What is told of a stiffness in the last station of a table.
+fn refused_station(entry: f64) -> String {
+    let mut wrong = blade();
+    if let Some(last) = wrong.stations.last_mut() {
+        last.stiffness[(0, 0)] = entry;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let first = written(&wrong, Format::Csv, folder.path());
+    read_with(&first, &Options::default())
+        .unwrap_err()
+        .to_string()
+}

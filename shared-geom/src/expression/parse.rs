@@ -13,16 +13,19 @@
 use super::functions::{Function, NAMED, Operation};
 use super::run::STACK;
 use super::{Expression, ExpressionProblem, Jet};
+use crate::error::nearest_name;
 
 /// Depth of nesting that is read: more is no expression that a person wrote.
 const DEEPEST: usize = 48;
+/// Names that a message lists: a file may have a hundred thousand.
+const MOST_SHOWN: usize = 20;
 
 /// Names that may stand in an expression.
 #[derive(Debug, Clone, Copy)]
 pub struct Names<'a> {
     /// Names of variables: the number of each is its place in the list.
     pub variables: &'a [&'a str],
-    /// Names of numbers that are known, with the numbers [-].
+    /// Names of numbers that are known, with the numbers [-], in the order of the names.
     pub constants: &'a [(String, f64)],
 }
 
@@ -37,17 +40,36 @@ impl Names<'_> {
         if let Some(index) = self.variables.iter().position(|own| *own == name) {
             return Some(Operation::Variable(index));
         }
-        let own = self.constants.iter().find(|own| own.0 == name);
+        let own = self.constant(name);
         let known = KNOWN.iter().find(|known| known.0 == name);
-        let value = own.map(|own| own.1).or(known.map(|known| known.1));
+        let value = own.or(known.map(|known| known.1));
         value.map(Operation::Constant)
     }
 
-    fn all(&self) -> Vec<String> {
-        let variables = self.variables.iter().map(|&name| name.to_owned());
-        let constants = self.constants.iter().map(|own| own.0.clone());
-        let known = KNOWN.iter().map(|known| known.0.to_owned());
-        variables.chain(constants).chain(known).collect()
+    /// The known number of that name, but for those that every expression knows.
+    fn constant(&self, name: &str) -> Option<f64> {
+        let place = self
+            .constants
+            .binary_search_by(|own| own.0.as_str().cmp(name));
+        place.ok().map(|place| self.constants[place].1)
+    }
+
+    /// What may be meant by a name that stands for nothing: the nearest one, or the first
+    /// of all.
+    fn instead_of(&self, name: &str) -> Vec<String> {
+        let variables = self.variables.iter().copied();
+        let constants = self.constants.iter().map(|own| own.0.as_str());
+        let known = KNOWN.iter().map(|known| known.0);
+        let all = || {
+            variables
+                .clone()
+                .chain(constants.clone())
+                .chain(known.clone())
+        };
+        match nearest_name(name, all()) {
+            Some(near) => vec![near.to_owned()],
+            None => all().take(MOST_SHOWN).map(str::to_owned).collect(),
+        }
     }
 }
 
@@ -78,6 +100,7 @@ pub(super) fn expression(text: &str, names: &Names<'_>) -> Result<Expression, Ex
         rest: text,
         names,
         program: Vec::new(),
+        known: Vec::new(),
         height: 0,
         depth: 0,
     };
@@ -85,16 +108,18 @@ pub(super) fn expression(text: &str, names: &Names<'_>) -> Result<Expression, Ex
     if reader.peek().is_some() {
         return Err(reader.unexpected("an operator or the end"));
     }
-    let mut used = vec![false; names.variables.len()];
+    let mut used = Vec::new();
     for operation in &reader.program {
-        if let Operation::Variable(index) = operation {
-            used[*index] = true;
+        if let Operation::Variable(index) = *operation {
+            used.resize(used.len().max(index + 1), false);
+            used[index] = true;
         }
     }
     Ok(Expression {
         text: text.trim().to_owned(),
         program: reader.program,
         used,
+        known: reader.known,
     })
 }
 
@@ -104,6 +129,7 @@ struct Reader<'a> {
     rest: &'a str,
     names: &'a Names<'a>,
     program: Vec<Operation>,
+    known: Vec<String>,
     /// Numbers that the program leaves so far.
     height: usize,
     depth: usize,
@@ -304,7 +330,12 @@ impl Reader<'_> {
             return self.call(&name, column);
         }
         match self.names.find(&name) {
-            Some(operation) => self.push(operation),
+            Some(operation) => {
+                if self.names.constant(&name).is_some() {
+                    self.known.push(name);
+                }
+                self.push(operation)
+            }
             None if NAMED.iter().any(|function| function.0 == name) => {
                 Err(self.unexpected("\"(\" behind the name of a function"))
             }
@@ -313,8 +344,8 @@ impl Reader<'_> {
                 Err(ExpressionProblem::UnknownName {
                     text: self.text.trim().to_owned(),
                     column,
+                    known: self.names.instead_of(&name),
                     name,
-                    known: self.names.all(),
                 })
             }
         }

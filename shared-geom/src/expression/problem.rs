@@ -27,7 +27,7 @@ pub enum ExpressionProblem {
         column: usize,
         /// The name.
         name: String,
-        /// The names that may stand there.
+        /// The nearest name that may stand there, or some that may where none is near.
         known: Vec<String>,
     },
     /// A function that does not exist.

@@ -6,7 +6,7 @@ use super::{Expression, ExpressionProblem, FUNCTIONS, Jet, Names};
 use crate::error::Explain;
 
 fn parse(text: &str) -> Result<Expression, ExpressionProblem> {
-    let constants = [("length".to_owned(), 3.0), ("half".to_owned(), 0.5)];
+    let constants = [("half".to_owned(), 0.5), ("length".to_owned(), 3.0)];
     let names = Names {
         variables: &["t", "speed"],
         constants: &constants,

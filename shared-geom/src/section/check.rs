@@ -13,6 +13,9 @@ mod imposed;
 const SYMMETRY: f64 = 1e-6;
 /// Largest violation accepted of `M11 = M22 = M33` and `M44 = M55 + M66`, relative.
 const MASS_STRUCTURE: f64 = 1e-6;
+/// Largest magnitude of an entry: squares of larger numbers, and their sums over the
+/// components, come near to what a number can hold. No unit makes a section so stiff.
+const LARGEST: f64 = 1e100;
 /// Smallest eigenvalue of a scaled matrix that still counts as semidefinite:
 /// round-off of a file written with seven digits.
 const SEMIDEFINITE: f64 = -1e-6;
@@ -45,6 +48,14 @@ pub enum PropertyProblem {
     NotFinite {
         /// The field.
         field: &'static str,
+    },
+    /// A number whose square is none.
+    #[error("{field} holds {found:e}, expected numbers of at most 1e100 in magnitude")]
+    TooLarge {
+        /// The field.
+        field: &'static str,
+        /// The number [unit of the field].
+        found: f64,
     },
     /// Two imposed states of one name.
     #[error("two imposed states are called \"{name}\", expected one of this name")]
@@ -165,6 +176,9 @@ impl Explain for PropertyProblem {
             Self::Asymmetric { field, .. } => order(field),
             Self::Polar { .. } | Self::UnequalMass { .. } => order("mass"),
             Self::OfState { problem, .. } => problem.help(),
+            Self::TooLarge { .. } => Some(
+                "the number may have lost its decimal point, or have run into another".to_owned(),
+            ),
             _ => None,
         }
     }
@@ -216,6 +230,26 @@ pub(crate) fn matrix_problems(
     stiffness(stiffness_matrix, &mut found);
     mass(mass_matrix, &mut found);
     found.into_iter().map(|p| p.1).collect()
+}
+
+/// A number of a stiffness or a mass per length with which nobody can compute: not even
+/// what is wrong with the matrices can be told then.
+pub(crate) fn unusable(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<PropertyProblem> {
+    let fields = [("stiffness", stiffness), ("mass", mass)];
+    fields
+        .iter()
+        .find_map(|(field, matrix)| unusable_entry(field, matrix.as_slice()))
+}
+
+fn unusable_entry(field: &'static str, entries: &[f64]) -> Option<PropertyProblem> {
+    let found = entries
+        .iter()
+        .copied()
+        .find(|entry| entry.is_nan() || entry.abs() > LARGEST)?;
+    Some(match found.is_finite() {
+        true => PropertyProblem::TooLarge { field, found },
+        false => PropertyProblem::NotFinite { field },
+    })
 }
 
 /// Everything that is wrong with a mass per length, as [`SectionProperties::problems`].
@@ -408,8 +442,8 @@ fn semidefinite(field: &'static str, matrix: &DMatrix<f64>, found: &mut Vec<Fiel
 
 /// Notes numbers that are not finite and the first asymmetric pair.
 fn symmetric(field: &'static str, a: &DMatrix<f64>, found: &mut Vec<FieldProblem>) -> bool {
-    if a.iter().any(|value| !value.is_finite()) {
-        found.push((field, PropertyProblem::NotFinite { field }));
+    if let Some(problem) = unusable_entry(field, a.as_slice()) {
+        found.push((field, problem));
         return false;
     }
     for i in 0..a.nrows() {

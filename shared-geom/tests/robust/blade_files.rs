@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use shared_geom::error::Diagnostics;
 use shared_geom::exchange::{Format, Options, parse, write};
 
 use crate::mutation::{Random, mutated};
@@ -17,10 +18,19 @@ fn read(folder: &Path, name: &str, bytes: &[u8]) -> bool {
     match parse(&text, &folder.join(name), &options) {
         Ok(_) => true,
         Err(problems) => {
-            assert!(!problems.to_string().is_empty());
+            assert_explained(&problems, name);
             false
         }
     }
+}
+
+/// No reader may refuse a file and not say why.
+fn assert_explained(problems: &Diagnostics, name: &str) {
+    let told = problems.to_string();
+    assert!(
+        !told.is_empty() && !told.contains("no reason was noted"),
+        "{name}: {told}"
+    );
 }
 
 /// What is read is described and, when nothing is wrong with it, written in all formats
@@ -28,10 +38,10 @@ fn read(folder: &Path, name: &str, bytes: &[u8]) -> bool {
 fn use_it(folder: &Path, name: &str, bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     let options = Options { length: Some(3.0) };
-    let Ok((_, reading)) = parse(&text, &folder.join(name), &options) else {
-        return;
+    let blade = match parse(&text, &folder.join(name), &options) {
+        Ok((_, reading)) => reading.blade,
+        Err(problems) => return assert_explained(&problems, name),
     };
-    let blade = reading.blade;
     if !blade.problems().is_empty() {
         return;
     }

@@ -191,6 +191,16 @@ impl<E: Equations> Dae for System<E> {
         sizes.fold(0.0, f64::max)
     }
 
+    fn speeds(&self, stage: Option<usize>, out: &mut Vec<f64>) {
+        let state = stage.map_or(&self.latest, |stage| &self.trials[stage].state);
+        out.clear();
+        out.extend(E::POSITIONS.iter().map(|&i| state.rates[i]));
+    }
+
+    fn drift(&self, missed: &[f64], _now: [&[f64]; 2], time: f64) -> f64 {
+        time * missed.iter().fold(0.0, |a: f64, b| a.max(b.abs()))
+    }
+
     fn name(&self, place: usize) -> Name {
         Name::of_system(format!("equation {place}"), "-")
     }

@@ -1,8 +1,6 @@
 //! What makes a random mechanism.
 
-use beam_dynamics::elements::beams::{
-    BeamGeometry, BeamNode, ElasticBeam, MassAlong, lumped_bodies,
-};
+use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamNode, MassAlong, lumped_bodies};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning};
 use beam_dynamics::elements::laws::{Law, LawKind};
@@ -206,18 +204,18 @@ impl Parts {
             self.add_node(place, attitude * tilt);
         }
         let on = [first, first + 1, first + 2];
-        let geometry = BeamGeometry {
-            nodes: [BeamNode {
+        let geometry = BeamGeometry::new(
+            [BeamNode {
                 offset: Vector3::zeros(),
                 orientation: tilt.transpose(),
             }; 3],
-        };
+        );
         let section = Matrix6::from_diagonal(&Vector6::new(0.4, 0.4, 0.4, 4e-4, 2e-4, 2e-4));
         let stiffness = Matrix6::from_diagonal(&Vector6::new(1e3, 4e2, 4e2, 2.0, 1.5, 3.0));
         let undeformed = on.map(|node| &self.chain.nodes[node]);
         let label = format!("beam {first}");
-        let beam = ElasticBeam::new(label, on, geometry, undeformed, [stiffness; 2]);
-        let bodies = lumped_bodies(&geometry, undeformed, &MassAlong::smooth(&|_| section));
+        let beam = Beam::elastic(label, on, geometry, undeformed, [stiffness; 2]);
+        let bodies = lumped_bodies(&geometry, undeformed, &MassAlong::smooth(&|_| section)).bodies;
         self.chain.elements.push(Box::new(beam));
         for (node, inertia) in on.into_iter().zip(bodies) {
             self.add_mass(node, inertia);

@@ -10,6 +10,7 @@
 //! the change of the least kinetic energy by which the constraints are fulfilled. Where a
 //! drive jumps in what it holds in place, no motion follows it.
 
+use std::cell::Cell;
 use std::fmt;
 use std::ops::Range;
 
@@ -25,6 +26,24 @@ use super::placing::velocity_constraints;
 use super::rates::{Accelerated, consistent_rates};
 use super::saddle::MOTION;
 use super::start::find_momenta;
+
+/// The next corner of what is given over time, which stays what it is until it is reached.
+#[derive(Debug, Clone, Default)]
+pub(super) struct NextCorner(Cell<Option<[f64; 2]>>);
+
+impl NextCorner {
+    /// The first corner of the model after `time` \[s\].
+    pub fn after(&self, model: &Model, time: f64) -> f64 {
+        match self.0.get() {
+            Some([asked, known]) if (asked..known).contains(&time) => known,
+            _ => {
+                let corner = model.next_corner(time);
+                self.0.set(Some([time, corner]));
+                corner
+            }
+        }
+    }
+}
 
 /// What the iteration of a step leaves of places, in sizes of the model and radians: a
 /// velocity that moves less in a step does not count.
@@ -64,7 +83,7 @@ pub(super) fn jump(
     let (by_time_before, left_before) = system.constraint_rates(state, before)?;
     let (by_time_after, left_after) = system.constraint_rates(state, after)?;
     let first = NODE_UNKNOWNS * state.nodes.len();
-    let least = LEFT * state.size().min(1.0) / step;
+    let least = LEFT * system.size().min(1.0) / step;
     let levels = system.levels().into_iter().enumerate();
     let rates = levels.filter(|&(i, level)| {
         let jump = match level {

@@ -26,19 +26,22 @@ use shared_geom::rotation::skew;
 use crate::analysis::balance::{largest_motion, worst};
 use crate::assembly::{Combination, Pattern, Residual, Sharing, Slack, Variation, Workspace};
 use crate::case::Model;
-use crate::elements::Element;
+use crate::elements::{ElectricKind, Element};
 use crate::integrator::{Corner, Dae, Renewal};
-use crate::model::{Conditions, NODE_UNKNOWNS, Name, NodeMotion, State};
+use crate::model::{Conditions, NODE_UNKNOWNS, Name, NodeMotion, Pace, State};
 use crate::solver::Worst;
 
-use super::corner::Impulses;
+use super::corner::{Impulses, NextCorner};
 
 mod own_axes;
-
 use own_axes::OwnAxes;
 
 /// Accepted states that are kept.
 const KEPT: usize = 2;
+/// Numbers of the velocity of a node.
+const MOTION: usize = 6;
+/// Charges that grow by more in a step are not measured by those before.
+const GROWN: f64 = 2.0;
 /// Trial states.
 const STAGES: usize = 3;
 
@@ -75,6 +78,9 @@ pub(super) struct Multibody<'a> {
     size: f64,
     /// The constraint of a loop that gives way most in the latest state.
     slack: Option<Slack>,
+    /// How long variable steps may be for what is given over time, and where it has a corner.
+    pub(super) pace: Pace,
+    corner: NextCorner,
 }
 
 impl<'a> Multibody<'a> {
@@ -114,9 +120,11 @@ impl<'a> Multibody<'a> {
                 .chain(system.electric_rates().map(|has_rate| !has_rate))
                 .collect(),
             is_simplified,
-            size: rest.size(),
+            size: system.size(),
             impulses: Impulses::default(),
             slack: None,
+            pace: Pace::default(),
+            corner: NextCorner::default(),
             states,
         }
     }
@@ -149,6 +157,27 @@ impl<'a> Multibody<'a> {
     pub fn states(&self) -> &[State] {
         &self.states
     }
+}
+
+/// The largest of the errors `missed` of charges and of currents, as parts of the largest of
+/// each so far. While they grow by more than twice in a step there is nothing to measure
+/// them by.
+fn circuit_errors<'a>(
+    kinds: impl Iterator<Item = ElectricKind> + Clone + 'a,
+    [missed, now, largest]: [&[f64]; 3],
+) -> f64 {
+    let of_kind = |kind: ElectricKind, numbers: &[f64]| {
+        let own = kinds.clone().zip(numbers).filter(|own| own.0 == kind);
+        own.fold(0.0, |most: f64, own| most.max(own.1.abs()))
+    };
+    let error = |kind: ElectricKind| {
+        let scale = of_kind(kind, largest);
+        match scale > 0.0 && of_kind(kind, now) <= GROWN * scale {
+            true => of_kind(kind, missed) / scale,
+            false => 0.0,
+        }
+    };
+    error(ElectricKind::Charge).max(error(ElectricKind::Current))
 }
 
 /// The three numbers of a vector variable of a node.
@@ -403,7 +432,11 @@ impl Dae for Multibody<'_> {
     }
 
     fn next_corner(&self, time: f64) -> f64 {
-        self.model.next_corner(time)
+        self.corner.after(self.model, time)
+    }
+
+    fn longest_step(&self, time: f64) -> f64 {
+        self.pace.longest_step(time)
     }
 
     fn worst(&self, residual: &Residual) -> Worst {
@@ -420,6 +453,27 @@ impl Dae for Multibody<'_> {
 
     fn error(&self, difference: &[f64]) -> f64 {
         self.size(difference)
+    }
+
+    fn speeds(&self, stage: Option<usize>, out: &mut Vec<f64>) {
+        let state = stage.map_or(&self.states[0], |stage| &self.trials[stage].state);
+        out.clear();
+        for node in &state.nodes {
+            out.extend(node.velocity.iter());
+            out.extend(node.angular_velocity.iter());
+        }
+        out.extend(&state.electric);
+    }
+
+    fn drift(&self, missed: &[f64], [now, largest]: [&[f64]; 2], time: f64) -> f64 {
+        let first = MOTION * self.states[0].nodes.len();
+        let moved = time * largest_motion(missed[..first].chunks(MOTION), self.size);
+        let kinds = self.model.system.electric_kinds();
+        let circuits = circuit_errors(kinds, [missed, now, largest].map(|all| &all[first..]));
+        match circuits > moved {
+            true => circuits,
+            false => moved,
+        }
     }
 
     fn describe_error(&self, difference: &[f64]) -> String {

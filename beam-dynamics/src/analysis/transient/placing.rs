@@ -143,7 +143,7 @@ fn turns_far(system: &System, state: &State, conditions: &Conditions) -> bool {
     };
     let is_fulfilled = off(1.0)
         .iter()
-        .all(|off| off.abs() <= FULFILLED * state.size().max(1.0));
+        .all(|off| off.abs() <= FULFILLED * system.size().max(1.0));
     let pairs = off(0.0).into_iter().zip(off(0.5));
     let change = pairs.map(|(none, half)| (half - none).abs());
     !is_fulfilled && change.fold(0.0, f64::max) > TURNED
@@ -173,10 +173,10 @@ fn place_at_once(
     let first = NODE_UNKNOWNS * state.nodes.len();
     let start = still(state);
     let off = worst(&values(system, &start, conditions, Level::Position), first);
-    if off.value.abs() <= fulfilled(FULFILLED, state) {
+    if off.value.abs() <= fulfilled(FULFILLED, system, state) {
         return Ok(state.clone());
     }
-    let weights = weights(state.size(), initial, |one| [one.weight; 2]);
+    let weights = weights(system.size(), initial, |one| [one.weight; 2]);
     let search = Search {
         system,
         conditions,
@@ -195,9 +195,9 @@ fn place_at_once(
 }
 
 /// What a constraint may be off by: a part of the size of the model, or round-off \[m\].
-fn fulfilled(part: f64, state: &State) -> f64 {
+fn fulfilled(part: f64, system: &System, state: &State) -> f64 {
     let places = state.nodes.iter().map(|node| node.position.amax());
-    f64::max(part * state.size(), ROUND_OFF * places.fold(1.0, f64::max))
+    f64::max(part * system.size(), ROUND_OFF * places.fold(1.0, f64::max))
 }
 
 /// At rest, without multipliers.
@@ -311,10 +311,10 @@ pub(super) fn set_moving(
             one.velocity_weight.unwrap_or(standard)
         })
     };
-    let weights = weights(state.size(), initial, of);
+    let weights = weights(system.size(), initial, of);
     let mut now = state.clone();
     let mut off = velocity_constraints(system, &now, conditions);
-    let limit = |state: &State| FULFILLED * fastest(state).max(f64::MIN_POSITIVE);
+    let limit = |state: &State| FULFILLED * fastest(system, state).max(f64::MIN_POSITIVE);
     for _ in 0..ITERATIONS {
         if worst(&off, place).value.abs() <= limit(&now) {
             return Ok(now);
@@ -336,7 +336,7 @@ pub(super) fn set_moving(
         off = velocity_constraints(system, &now, conditions);
         let after = worst(&off, place);
         // Round-off of large terms: no step makes it better.
-        let speed = fastest(&now).max(SLOWEST * now.size());
+        let speed = fastest(system, &now).max(SLOWEST * system.size());
         if after.value.abs() <= 1e-9 * speed && after.value.abs() > 0.1 * before {
             return Ok(now);
         }
@@ -345,8 +345,8 @@ pub(super) fn set_moving(
 }
 
 /// Largest velocity, or size of the model times angular velocity \[m/s\].
-fn fastest(state: &State) -> f64 {
-    let size = state.size();
+fn fastest(system: &System, state: &State) -> f64 {
+    let size = system.size();
     let of = state.nodes.iter().map(|node| {
         node.velocity
             .norm()
@@ -370,7 +370,7 @@ pub(super) fn beside(
 ) -> Option<State> {
     let mut now = still(state);
     let nodes = now.nodes.len();
-    let size = state.size();
+    let size = system.size();
     let tangent = system.tangent(&now, conditions);
     let mut saddle = Saddle::default();
     saddle.constraints(system, &tangent, By::Velocities);

@@ -95,7 +95,7 @@ impl Accelerated {
         saddle.entries.extend(rows);
         let heaviest = masses.iter().map(|entry| entry.2.abs()).fold(0.0, f64::max);
         let heaviest = if heaviest > 0.0 { heaviest } else { 1.0 };
-        soften(&mut saddle, system, (state, tangent), heaviest);
+        soften(&mut saddle, system, tangent, heaviest);
         Self {
             saddle,
             masses,
@@ -164,13 +164,8 @@ fn multiplier_columns(
 }
 
 /// Gives a little mass to what has none.
-fn soften(
-    saddle: &mut Saddle,
-    system: &System,
-    (state, tangent): (&State, &Tangent),
-    heaviest: f64,
-) {
-    let size = state.size();
+fn soften(saddle: &mut Saddle, system: &System, tangent: &Tangent, heaviest: f64) {
+    let size = system.size();
     let scale = |i: usize| if i < 3 { 1.0 } else { size };
     for (node, basis) in without_mass(system, tangent, size).iter().enumerate() {
         let mass = NEXT_TO_NOTHING * heaviest * basis * basis.transpose();

@@ -153,7 +153,7 @@ fn broken_beside(
     let mut broken = vec![false; found.len()];
     for state in beside {
         let off = position_values(system, &state, conditions);
-        let limit = BROKEN_BESIDE * state.size();
+        let limit = BROKEN_BESIDE * system.size();
         for (broken, found) in broken.iter_mut().zip(found) {
             *broken |= off[found.constraint].abs() > limit;
         }

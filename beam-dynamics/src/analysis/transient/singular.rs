@@ -44,7 +44,7 @@ impl Passed {
         }
         self.right.clear();
         self.right.resize(first + state.multipliers.len(), 0.0);
-        let off = ROUND_OFF * state.size().min(1.0);
+        let off = ROUND_OFF * system.size().min(1.0);
         for (i, value) in self.right[first..].iter_mut().enumerate() {
             // Signs without a pattern that a mechanism could have.
             let sign = (i.wrapping_mul(2_654_435_761) >> 7) & 1;

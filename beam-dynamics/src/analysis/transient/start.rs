@@ -242,7 +242,7 @@ fn driven_otherwise(
         node.velocity = omega.cross(&(node.position - frame.center));
         node.angular_velocity = omega;
     }
-    let least = FAR * omega.norm() * state.size().max(1.0);
+    let least = FAR * omega.norm() * system.size().max(1.0);
     let off = system.residual(&state, conditions).values;
     let first = NODE_UNKNOWNS * state.nodes.len();
     let mut off = off[first..].iter();
@@ -339,7 +339,7 @@ fn take_rates(state: &mut State, found: &State) {
 
 /// Every component that start-up changed visibly.
 fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
-    let size = given.size();
+    let size = model.system.size();
     let fastest = |state: &State| {
         let of = state.nodes.iter().map(|node| {
             node.velocity
@@ -398,7 +398,7 @@ fn turns_as_a_whole(
     speed: f64,
 ) -> Result<(), TransientFailure> {
     let all = vec![InitialMotion::default(); turning.nodes.len()];
-    let fastest = (speed * turning.size()).abs();
+    let fastest = (speed * model.system.size()).abs();
     let Ok(held) = set_moving(&model.system, turning, conditions, &all) else {
         return Ok(());
     };

@@ -15,4 +15,5 @@ mod rigid;
 mod speeds;
 mod starting;
 mod unknowing;
+mod variable;
 mod winding;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::System;
-use crate::elements::{Charges, ElectricUnknown, ElectrodeState, Element};
+use crate::elements::{Charges, ElectricKind, ElectricUnknown, ElectrodeState, Element};
 use crate::model::{Conditions, State};
 
 /// What is unknown of circuits at a given motion.
@@ -29,6 +29,11 @@ impl System {
     /// Whether each electric unknown has a rate.
     pub fn electric_rates(&self) -> impl Iterator<Item = bool> + '_ {
         self.electric.iter().map(ElectricUnknown::has_rate)
+    }
+
+    /// What each electric unknown is.
+    pub fn electric_kinds(&self) -> impl Iterator<Item = ElectricKind> + Clone + '_ {
+        self.electric.iter().map(|own| own.kind)
     }
 
     /// Voltages, charges and currents of all electrodes.

@@ -105,7 +105,7 @@ impl Sharing {
                 .map(|of| Part::new(system, of))
                 .collect(),
             compliance: system.compliance,
-            size: system.rest().size(),
+            size: system.size(),
         };
         sharing.update(system, state, conditions, &mut system.workspace());
         sharing

@@ -112,7 +112,7 @@ mod tests {
     use super::*;
     use crate::assembly::{Sparse, Variation};
     use crate::elements::Element;
-    use crate::elements::beams::{BeamGeometry, BeamInertia, BeamNode, ElasticBeam};
+    use crate::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
     use crate::elements::joints::Clamp;
     use crate::model::{NODE_UNKNOWNS, Node, TurningFrame};
 
@@ -124,15 +124,15 @@ mod tests {
                 rotation: Matrix3::identity(),
             })
             .collect();
-        let geometry = BeamGeometry {
-            nodes: [BeamNode::aligned(); 3],
-        };
+        let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let stiffness = Matrix6::from_diagonal(&Vector6::new(9.0, 8.0, 7.0, 3.0, 2.0, 4.0));
         let mass = Matrix6::from_diagonal(&Vector6::new(1.0, 1.0, 1.0, 0.3, 0.1, 0.2));
         let on = [0, 1, 2];
-        let beam = ElasticBeam::new("beam", on, geometry, undeformed, [stiffness; 2]);
-        let inertia = BeamInertia::new("beam", on, geometry, undeformed, |_| mass);
+        let beam = Beam::elastic("beam", on, geometry, undeformed, [stiffness; 2]);
+        let mass = |_| mass;
+        let mass = MassAlong::smooth(&mass);
+        let inertia = BeamInertia::new("beam", on, geometry, undeformed, &mass);
         let elements: Vec<Box<dyn Element>> = vec![
             Box::new(Clamp::new("root", 0, &nodes[0])),
             Box::new(beam),

@@ -60,6 +60,19 @@ impl System {
         self.elements[element].without_value(&at)
     }
 
+    /// The first element that can say why it has no value at a state, and why.
+    pub fn first_without_value(
+        &self,
+        state: &State,
+        conditions: &Conditions,
+    ) -> Option<(&dyn Element, String)> {
+        let mut elements = self.elements.iter().enumerate();
+        elements.find_map(|(index, element)| {
+            let why = self.why_without_value(index, state, conditions)?;
+            Some((element.as_ref(), why))
+        })
+    }
+
     /// Energy of all elements at a state.
     pub fn energy(&self, state: &State, conditions: &Conditions) -> Energy {
         let mut sum = Energy::default();

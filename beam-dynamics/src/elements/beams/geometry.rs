@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3, Vector6};
 use shared_geom::section::InitialCurvature;
 
+use super::formulation::Formulation;
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::model::{Node, NodeMotion};
 
@@ -29,11 +30,32 @@ impl BeamNode {
     }
 }
 
-/// Attachment of a three-node beam, and its undeformed nodes.
+/// Attachment of a three-node beam, and how its field is interpolated and tested.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamGeometry {
     /// Attachment to nodes 1, 2, 3.
     pub nodes: [BeamNode; 3],
+    /// Forces, inertia and loads of the beam all follow it.
+    pub formulation: Formulation,
+}
+
+impl BeamGeometry {
+    /// A variational beam.
+    pub fn new(nodes: [BeamNode; 3]) -> Self {
+        Self {
+            nodes,
+            formulation: Formulation::Variational,
+        }
+    }
+
+    /// The same with another formulation.
+    #[must_use]
+    pub fn formulated(self, formulation: Formulation) -> Self {
+        Self {
+            formulation,
+            ..self
+        }
+    }
 }
 
 /// The undeformed beam at one point.
@@ -62,7 +84,7 @@ impl ReferencePoint {
 }
 
 impl BeamGeometry {
-    /// The undeformed beam at xi, with `J0 = |N'_j p_j|`.
+    /// The undeformed beam at xi, with `J0 = |N'_j p_j|`; `nodes` are undeformed.
     pub(super) fn reference_point(&self, nodes: &[&Node; 3], xi: f64) -> ReferencePoint {
         let motion = nodes.map(NodeMotion::at_rest);
         let nodal = NodalKinematics::new(self, &motion);

@@ -1,74 +1,53 @@
-//! Inertia of the three-node finite-volume beam: momenta of its portions.
+//! Consistent inertia of a variational beam: mass that moves with the interpolated velocities.
 //!
-//! Portion k reaches between the evaluation points around node k. *Lumped*: it moves
-//! rigidly with its node ([`lumped_bodies`]; second order). *Consistent*
-//! ([`BeamInertia`]; fourth order): it moves with the interpolated velocities
-//!
-//! ```text
-//! p' = N_j (v_j + omega_j x f_j)          omega = N_j omega_j
-//! h  = m p' + omega x S                   k = S x p' + J omega       (about p)
-//! momentum          - int_k h ds
-//! angular momentum  - int_k [(p - x_k) x h + k] ds
-//! force balance       int_k m a_g ds                       a_g: acceleration of gravity
-//! moment balance      int_k [(p - x_k) x m a_g + S x a_g] ds
-//! kinetic energy    1/2 int (p' . h + omega . k) ds
-//! potential           - int (m p + S) . a_g ds         (zero at the origin)
-//! ```
-//!
-//! with mass m, first moment S and inertia J per length, turned with the section.
-//! The rate of these momenta in the balance of the node is the exact balance of the
-//! portion about the moving node. Variations:
+//! With the velocities in space of the points of the line at the nodes,
+//! `V_j = v_j + omega_j x f_j`, the momenta per length at a point are
 //!
 //! ```text
-//! d p'    = N_j (d v_j - [f_j]x d omega_j - [omega_j]x [f_j]x theta_j)
-//! d h     = m d p' - [S]x d omega - [omega]x [S]x theta
-//! d k     = [p']x [S]x theta + [S]x d p' + (J [omega]x - [J omega]x) theta + J d omega
-//! d[(p - x_k) x m a_g + S x a_g] = -[m a_g]x (d p - d x_k) + [a_g]x [S]x theta
+//! V = N_j V_j          omega = N_j omega_j
+//! h = m V + omega x S  k = S x V + J omega
 //! ```
 //!
-//! The Jacobian takes them from sums over a portion, in [`sums`].
+//! and the momenta of the nodes and the moments that these carry with them
 //!
-//! References: [Masarati], consistent and lumped inertia of the finite-volume beam.
+//! ```text
+//! beta_j  = int N_j h ds
+//! gamma_j = int N_j (f_j x h + k) ds
+//! z_j     = int [ N_j (V_j x h + omega_j x k) - T_j^T (V x h + omega x k) ] ds ,  sum z_j = 0
+//! d beta_j/dt = forces                d gamma_j/dt + v_j x beta_j = moments + z_j
+//! ```
+//!
+//! the Lagrange-Poincare equations of `1/2 int (V . h + omega . k) ds`. Gravity a_g acts on the
+//! line with the force `m a_g` and the moment `S x a_g`. Variations:
+//!
+//! ```text
+//! d V = N_j (d v_j - [f_j]x d omega_j - [omega_j]x [f_j]x theta_j)
+//! d h = m d V - [S]x d omega - [omega]x [S]x theta
+//! d k = [V]x [S]x theta + [S]x d V + (J [omega]x - [J omega]x) theta + J d omega
+//! d(T_j^T sigma): see [`super::variational`]
+//! ```
+//!
+//! Frequencies are of fourth order, with about twice the error of bodies by nodal
+//! weights ([`super::lumped_bodies`]).
 
-use nalgebra::{Matrix3, Matrix6, Vector3};
-use shared_geom::quadrature;
-use shared_geom::rotation::skew;
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
 
-use super::elastic::ElasticBeam;
+use super::formulation::LineForce;
 use super::geometry::BeamGeometry;
-use super::interpolation::{NodalKinematics, PointKinematics, Shape};
-use crate::elements::bodies::RigidInertia;
+use super::interpolation::NodalKinematics;
+use super::mass::{MassAlong, MassPoint, mass_points};
+use super::strain::SectionPoint;
+use super::variational::{add_on_line, add_on_line_variation, moment_variation};
 use crate::elements::{Element, Energy, Local, LocalJacobian, LocalResidual};
-use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
-use crate::model::{Node, NodeMotion, TurningFrame};
+use crate::model::Equation::{AngularMomentum, Moment, Momentum};
+use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 
-mod sums;
+/// Gauss points between two breaks of the mass: exact for a linear mass times two quadratic
+/// shape functions, on straight beams.
+const POINTS: usize = 3;
 
-use sums::Sums;
-
-/// Gauss points a portion: products of two quadratic shape functions, an arm and a
-/// varying property are integrated exactly on straight beams.
-const POINTS: usize = 4;
-
-/// Mass, first moment and inertia per length at a point of the undeformed beam.
-#[derive(Debug, Clone)]
-struct MassPoint {
-    /// Portion, hence node, to which the point belongs.
-    portion: usize,
-    shape: Shape,
-    /// Undeformed length per unit of xi [m].
-    j0: f64,
-    /// Length that the point stands for [m].
-    length: f64,
-    /// Mass per length [kg/m].
-    mass: f64,
-    /// First moment per length, section axes [kg].
-    first_moment: Vector3<f64>,
-    /// Moment of inertia per length about the reference line, section axes [kg m].
-    inertia: Matrix3<f64>,
-}
-
-/// Consistent inertia of a three-node beam.
+/// Consistent inertia of a three-node variational beam.
 #[derive(Debug, Clone)]
 pub struct BeamInertia {
     label: String,
@@ -77,169 +56,24 @@ pub struct BeamInertia {
     points: Vec<MassPoint>,
 }
 
-/// Mass per length along a beam.
-#[derive(Clone, Copy)]
-pub struct MassAlong<'a> {
-    /// 6x6 mass per length at xi, section axes [kg/m, kg, kg m].
-    pub at: &'a dyn Fn(f64) -> Matrix6<f64>,
-    /// Places xi between -1 and 1, ascending, where the mass has a kink or a jump: the
-    /// integrals are taken between them [-].
-    pub breaks: &'a [f64],
-    /// Length of the line for which the beam stands, evenly along xi; `None` for that
-    /// of the curve through the nodes [m].
-    pub length: Option<f64>,
-}
-
-impl std::fmt::Debug for MassAlong<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("MassAlong")
-            .field("breaks", &self.breaks)
-            .field("length", &self.length)
-            .finish_non_exhaustive()
-    }
-}
-
-impl<'a> MassAlong<'a> {
-    /// A mass that is smooth in xi, on the curve through the nodes.
-    pub fn smooth(at: &'a dyn Fn(f64) -> Matrix6<f64>) -> Self {
-        Self {
-            at,
-            breaks: &[],
-            length: None,
-        }
-    }
-}
-
 impl BeamInertia {
-    /// Inertia of a beam on nodes number `nodes`, undeformed at `undeformed`, with
-    /// the 6x6 mass per length as a smooth function of xi, section axes
-    /// [kg/m, kg, kg m].
+    /// Inertia of a beam on nodes number `nodes`, undeformed at `undeformed`. It is that of a
+    /// variational beam, whatever the formulation of `geometry`.
     pub fn new(
-        label: impl Into<String>,
-        nodes: [usize; 3],
-        geometry: BeamGeometry,
-        undeformed: [&Node; 3],
-        mass: impl Fn(f64) -> Matrix6<f64>,
-    ) -> Self {
-        Self::along(
-            label,
-            nodes,
-            geometry,
-            undeformed,
-            &MassAlong::smooth(&mass),
-        )
-    }
-
-    /// As [`BeamInertia::new`], for any mass along the beam.
-    pub fn along(
         label: impl Into<String>,
         nodes: [usize; 3],
         geometry: BeamGeometry,
         undeformed: [&Node; 3],
         mass: &MassAlong<'_>,
     ) -> Self {
+        let geometry = BeamGeometry::new(geometry.nodes);
         Self {
             label: label.into(),
             nodes,
             geometry,
-            points: mass_points(&geometry, &undeformed, mass),
+            points: mass_points(&geometry, &undeformed, mass, POINTS),
         }
     }
-}
-
-/// The pieces of the three portions between the breaks of the mass: number of the
-/// portion, and both ends in xi.
-fn intervals(breaks: &[f64]) -> Vec<(usize, [f64; 2])> {
-    let [first, second] = ElasticBeam::evaluation_points();
-    let limits = [-1.0, first, second, 1.0];
-    let mut found = Vec::with_capacity(3 + breaks.len());
-    for portion in 0..3 {
-        let [mut from, to] = [limits[portion], limits[portion + 1]];
-        for &place in breaks.iter().filter(|xi| **xi < to) {
-            if place > from {
-                found.push((portion, [from, place]));
-                from = place;
-            }
-        }
-        found.push((portion, [from, to]));
-    }
-    found
-}
-
-/// Points and weights of the three portions.
-fn mass_points(
-    geometry: &BeamGeometry,
-    undeformed: &[&Node; 3],
-    mass: &MassAlong<'_>,
-) -> Vec<MassPoint> {
-    let intervals = intervals(mass.breaks);
-    let mut points = Vec::with_capacity(intervals.len() * POINTS);
-    for (portion, [from, to]) in intervals {
-        let half = 0.5 * (to - from);
-        let middle = 0.5 * (to + from);
-        for (abscissa, weight) in quadrature::line(POINTS) {
-            let xi = middle + half * abscissa;
-            let j0 = geometry.reference_point(undeformed, xi).j0;
-            let m = (mass.at)(xi);
-            points.push(MassPoint {
-                portion,
-                shape: Shape::at(xi),
-                j0,
-                length: weight * half * mass.length.map_or(j0, |length| 0.5 * length),
-                mass: m[(0, 0)],
-                // The momentum of a rotation is omega x S = -[S]x omega.
-                first_moment: Vector3::new(0.5 * (m[(1, 5)] - m[(2, 4)]), -m[(0, 5)], m[(0, 4)]),
-                inertia: m.fixed_view::<3, 3>(3, 3).into_owned(),
-            });
-        }
-    }
-    points
-}
-
-/// Lumped inertia: for each of the three nodes the rigid inertia of its portion,
-/// about the node and in its axes.
-pub fn lumped_bodies(
-    geometry: &BeamGeometry,
-    undeformed: [&Node; 3],
-    mass: &MassAlong<'_>,
-) -> [RigidInertia; 3] {
-    let mut bodies = [RigidInertia::zero(); 3];
-    let motion = undeformed.map(NodeMotion::at_rest);
-    let nodal = NodalKinematics::new(geometry, &motion);
-    for point in mass_points(geometry, &undeformed, mass) {
-        let node = undeformed[point.portion];
-        let place = nodal.at(&point.shape, point.j0);
-        let into_node = node.rotation.transpose();
-        let r = into_node * place.r;
-        let b = into_node * (place.p - node.position);
-        let s = r * point.first_moment;
-        let j = r * point.inertia * r.transpose();
-        let (arm, moment) = (skew(&b), skew(&s));
-        let body = &mut bodies[point.portion];
-        body.mass += point.length * point.mass;
-        body.first_moment += point.length * (point.mass * b + s);
-        // int -[b + r]x [b + r]x dm, with int r dm = S and -int [r]x [r]x dm = J.
-        let about_node = j - point.mass * arm * arm - arm * moment - moment * arm;
-        body.inertia += point.length * about_node;
-    }
-    bodies
-}
-
-/// Section momenta at a mass point, in model axes, and what they hang on.
-struct Motion {
-    point: PointKinematics,
-    /// Velocity of the reference line in space [m/s].
-    velocity: Vector3<f64>,
-    /// Angular velocity in space [rad/s].
-    omega: Vector3<f64>,
-    /// First moment per length [kg].
-    s: Vector3<f64>,
-    /// Inertia per length [kg m].
-    j: Matrix3<f64>,
-    /// Momentum per length [kg/s].
-    h: Vector3<f64>,
-    /// Angular momentum per length about the reference line [kg m/s].
-    k: Vector3<f64>,
 }
 
 /// Velocities of the nodes in space.
@@ -262,21 +96,146 @@ impl Velocities {
     }
 }
 
-impl MassPoint {
-    fn motion(&self, nodal: &NodalKinematics, nodes: &Velocities) -> Motion {
-        let point = nodal.at(&self.shape, self.j0);
-        let velocity = self.shape.sum(&nodes.line);
-        let omega = self.shape.sum(&nodes.omega);
-        let s = point.r * self.first_moment;
-        let j = point.r * self.inertia * point.r.transpose();
-        Motion {
-            point,
+/// Momenta at a mass point, model axes, and what they hang on.
+struct Motion<'a> {
+    section: SectionPoint<'a>,
+    mass: f64,
+    /// Velocity of the reference line in space [m/s].
+    velocity: Vector3<f64>,
+    /// Angular velocity in space [rad/s].
+    omega: Vector3<f64>,
+    /// First moment [kg m].
+    s: Vector3<f64>,
+    /// Inertia [kg m^2].
+    j: Matrix3<f64>,
+    /// Momentum [kg m/s].
+    h: Vector3<f64>,
+    /// Angular momentum about the reference line [kg m^2/s].
+    k: Vector3<f64>,
+}
+
+/// Variations by one variable of one node.
+struct Change {
+    velocity: Matrix3<f64>,
+    omega: Matrix3<f64>,
+    h: Matrix3<f64>,
+    k: Matrix3<f64>,
+}
+
+impl<'a> Motion<'a> {
+    fn new(mass: &'a MassPoint, nodal: &'a NodalKinematics, nodes: &Velocities) -> Self {
+        let section = SectionPoint::new(nodal, &mass.shape, mass.j0);
+        let velocity = mass.shape.sum(&nodes.line);
+        let omega = mass.shape.sum(&nodes.omega);
+        let r = &section.point.r;
+        let s = r * mass.first_moment;
+        let j = r * mass.inertia * r.transpose();
+        Self {
+            section,
+            mass: mass.mass,
             velocity,
             omega,
             s,
             j,
-            h: self.mass * velocity + omega.cross(&s),
+            h: mass.mass * velocity + omega.cross(&s),
             k: s.cross(&velocity) + j * omega,
+        }
+    }
+
+    /// `V x h + omega x k`.
+    fn sigma(&self) -> Vector3<f64> {
+        self.velocity.cross(&self.h) + self.omega.cross(&self.k)
+    }
+
+    fn weight(&self, gravity: &Vector3<f64>) -> LineForce {
+        let turned = |theta: &Matrix3<f64>| skew_times(gravity, &skew_times(&self.s, theta));
+        LineForce {
+            force: self.mass * gravity,
+            moment: self.s.cross(gravity),
+            by_rotation: Some([
+                [Matrix3::zeros(); 3],
+                self.section.theta.each_ref().map(turned),
+            ]),
+        }
+    }
+
+    /// Changes of V and omega at a node with one of its variables.
+    fn of_node(
+        at: &Local<'_>,
+        nodal: &NodalKinematics,
+        velocities: &Velocities,
+        (node, variable): (usize, Variable),
+    ) -> [Matrix3<f64>; 2] {
+        let zero = Matrix3::zeros();
+        let f = &nodal.f[node];
+        match variable {
+            Variable::Position => [at.frame.skew(), zero],
+            Variable::Rotation => [-skew_skew(&velocities.omega[node], f), zero],
+            Variable::Velocity => [Matrix3::identity(), zero],
+            _ => [-skew(f), Matrix3::identity()],
+        }
+    }
+
+    /// Changes at the point with a variable of a node, of which `of_node` gives those there.
+    fn change(&self, (node, variable): (usize, Variable), of_node: &[Matrix3<f64>; 2]) -> Change {
+        let [velocity, omega] = of_node.map(|by| self.section.shape.n[node] * by);
+        let mut h = self.mass * velocity - skew_times(&self.s, &omega);
+        let mut k = skew_times(&self.s, &velocity) + self.j * omega;
+        if variable == Variable::Rotation {
+            let s = skew_times(&self.s, &self.section.theta[node]);
+            let turned = times_skew(&self.j, &self.omega) - skew(&(self.j * self.omega));
+            h -= skew_times(&self.omega, &s);
+            k += skew_times(&self.velocity, &s) + turned * self.section.theta[node];
+        }
+        Change {
+            velocity,
+            omega,
+            h,
+            k,
+        }
+    }
+
+    fn add_residual(&self, velocities: &Velocities, out: &mut LocalResidual) {
+        let sigma = self.sigma();
+        for j in 0..3 {
+            let n = self.section.shape.n[j];
+            let angular = self.section.nodal.f[j].cross(&self.h) + self.k;
+            out.add(j, Momentum, &(-n * self.h));
+            out.add(j, AngularMomentum, &(-n * angular));
+            let own = velocities.line[j].cross(&self.h) + velocities.omega[j].cross(&self.k);
+            out.add(j, Moment, &(n * own));
+            out.add(j, Moment, &-self.section.theta[j].tr_mul(&sigma));
+        }
+    }
+
+    /// Adds the variations by a variable of a node.
+    fn add_variation(
+        &self,
+        velocities: &Velocities,
+        (node, variable): (usize, Variable),
+        of_node: &[Matrix3<f64>; 2],
+        out: &mut LocalJacobian,
+    ) {
+        let by = self.change((node, variable), of_node);
+        let sigma = skew_times(&self.velocity, &by.h) - skew_times(&self.h, &by.velocity)
+            + skew_times(&self.omega, &by.k)
+            - skew_times(&self.k, &by.omega);
+        for j in 0..3 {
+            let n = self.section.shape.n[j];
+            let f = &self.section.nodal.f[j];
+            let mut angular = skew_times(f, &by.h) + by.k;
+            let mut own =
+                skew_times(&velocities.line[j], &by.h) + skew_times(&velocities.omega[j], &by.k);
+            if j == node {
+                own -= skew_times(&self.h, &of_node[0]) + skew_times(&self.k, &of_node[1]);
+                if variable == Variable::Rotation {
+                    angular += skew_skew(&self.h, f);
+                }
+            }
+            let moment = n * own - self.section.theta[j].tr_mul(&sigma);
+            out.add((j, Momentum), (node, variable), &(-n * by.h));
+            out.add((j, AngularMomentum), (node, variable), &(-n * angular));
+            out.add((j, Moment), (node, variable), &moment);
         }
     }
 }
@@ -295,11 +254,11 @@ impl Element for BeamInertia {
         let velocities = Velocities::new(&nodal, at.nodes, at.frame);
         let mut sum = Energy::default();
         for mass in &self.points {
-            let motion = mass.motion(&nodal, &velocities);
+            let motion = Motion::new(mass, &nodal, &velocities);
             let twice = motion.velocity.dot(&motion.h) + motion.omega.dot(&motion.k);
-            let moment_of_mass = mass.mass * motion.point.p + motion.s;
-            sum.kinetic += 0.5 * mass.length * twice;
-            sum.gravity -= mass.length * moment_of_mass.dot(&at.loading.gravity);
+            let moment_of_mass = mass.mass * motion.section.point.p + motion.s;
+            sum.kinetic += 0.5 * twice;
+            sum.gravity -= moment_of_mass.dot(&at.loading.gravity);
         }
         sum
     }
@@ -308,29 +267,38 @@ impl Element for BeamInertia {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let velocities = Velocities::new(&nodal, at.nodes, at.frame);
         for mass in &self.points {
-            let motion = mass.motion(&nodal, &velocities);
-            let arm = motion.point.p - nodal.x[mass.portion];
-            let angular = arm.cross(&motion.h) + motion.k;
-            out.add(mass.portion, Momentum, &(-mass.length * motion.h));
-            out.add(mass.portion, AngularMomentum, &(-mass.length * angular));
-            let weight = mass.length * mass.mass * at.loading.gravity;
-            let turning = mass.length * motion.s.cross(&at.loading.gravity);
-            out.add(mass.portion, Force, &weight);
-            out.add(mass.portion, Moment, &(arm.cross(&weight) + turning));
+            let motion = Motion::new(mass, &nodal, &velocities);
+            motion.add_residual(&velocities, out);
+            add_on_line(&motion.section, &motion.weight(&at.loading.gravity), out);
         }
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        const VARIABLES: [Variable; 4] = [
+            Variable::Position,
+            Variable::Rotation,
+            Variable::Velocity,
+            Variable::AngularVelocity,
+        ];
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let velocities = Velocities::new(&nodal, at.nodes, at.frame);
-        let relative = nodal.relative_variation();
-        for portion in 0..3 {
-            let mut sums = Sums::default();
-            for mass in self.points.iter().filter(|mass| mass.portion == portion) {
-                sums.add(mass, &nodal, &mass.motion(&nodal, &velocities));
+        let columns: [_; 12] = std::array::from_fn(|i| {
+            let column = (i / 4, VARIABLES[i % 4]);
+            (column, Motion::of_node(at, &nodal, &velocities, column))
+        });
+        for mass in &self.points {
+            let motion = Motion::new(mass, &nodal, &velocities);
+            for (column, of_node) in &columns {
+                motion.add_variation(&velocities, *column, of_node, out);
             }
-            sums.add_momenta(portion, at, &nodal, &velocities, &relative, out);
-            sums.add_weight(portion, at, &nodal, &relative, out);
+            let by_rotation = moment_variation(&motion.section, &motion.sigma(), &Vector3::zeros());
+            for (j, row) in by_rotation.iter().enumerate() {
+                for (k, block) in row.iter().enumerate() {
+                    out.add((j, Moment), (k, Variable::Rotation), &-block);
+                }
+            }
+            let weight = motion.weight(&at.loading.gravity);
+            add_on_line_variation(&motion.section, &weight, out);
         }
     }
 }

@@ -1,22 +1,23 @@
 //! Objective interpolation of position and rotation along a three-node beam.
 //!
 //! Nodes 1, 2, 3 at xi = -1, 0, 1. Rotations are interpolated relative to the mid
-//! node and in its frame, so that a rigid motion causes no strain:
+//! node and in its frame, so that a rigid motion causes no strain, by parameters psi
+//! (see [`Parametrization`]; T is their tangent):
 //!
 //! ```text
 //! p_j = x_j + R_j f~_j                    A = R_2 R~_2
-//! g~_j = g(A^T R_j R~_j)                  (g~_2 = 0)
+//! psi_j = psi(A^T R_j R~_j)               (psi_2 = 0)
 //! p = N_j p_j                             l = N'_j p_j / J0
-//! g~ = N_j g~_j                           g~' = N'_j g~_j / J0
-//! R = A R(g~)
+//! psi = N_j psi_j                         psi' = N'_j psi_j / J0
+//! R = A R(psi)
 //! ```
 //!
 //! and its variation, with spatial rotations theta_j of the nodes:
 //!
 //! ```text
 //! d p_j = d x_j - [f_j]x theta_j
-//! A_j   = G(g~_j)^-1 A^T                  d g~  = sum_{1,3} N_j  A_j (theta_j - theta_2)
-//! theta = theta_2 + A G(g~) d g~          d g~' = sum_{1,3} N'_j A_j (theta_j - theta_2) / J0
+//! A_j   = T(psi_j)^-1 A^T                 d psi  = sum_{1,3} N_j  A_j (theta_j - theta_2)
+//! theta = theta_2 + A T(psi) d psi        d psi' = sum_{1,3} N'_j A_j (theta_j - theta_2) / J0
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -26,18 +27,28 @@
 //! | R~_j | section axes at node j in the node's axes | - |
 //! | p, R | position and section axes at xi | m, - |
 //! | l | slope of the line, per unit undeformed length | - |
-//! | g~ | Gibbs-Rodrigues parameters of the section relative to the mid one | - |
+//! | psi | parameters of the section's rotation relative to the mid one | rad |
 //! | J0 | undeformed length per unit of xi | m |
 //!
-//! References: [Masarati], the three-node finite-volume beam; the interpolation
-//! relative to the mid node makes it objective.
+//! A constant curvature is exact with rotation vectors, which an element follows until its
+//! ends turn by nearly half a turn against its middle ([`LARGEST`]): beyond, no state is
+//! defined, and the interpolation gives no number.
+//!
+//! References: [Masarati], the three-node finite-volume beam (Gibbs parameters);
+//! [CrisfieldJelenic1999], relative rotation vectors.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::lagrange;
-use shared_geom::rotation::{gibbs, skew};
+use shared_geom::rotation::parameters::{Parametrization, RotationMap};
+use shared_geom::rotation::{skew, vector};
 
 use super::geometry::BeamGeometry;
 use crate::model::NodeMotion;
+
+/// Largest rotation of an outer node against the mid one that is followed by rotation
+/// vectors, 0.95 pi \[rad\]: the next state may be on the other side of half a turn, where
+/// the vector changes its sign.
+pub(super) const LARGEST: f64 = 0.95 * std::f64::consts::PI;
 
 /// Node of the beam at each place along xi, in the gmsh order of `line3`.
 const LINE3_ORDER: [usize; 3] = [0, 2, 1];
@@ -80,8 +91,10 @@ pub(super) struct NodalKinematics {
     pub p: [Vector3<f64>; 3],
     /// Section axes at the mid node.
     pub a: Matrix3<f64>,
-    /// Gibbs-Rodrigues parameters relative to the mid node.
-    pub g: [Vector3<f64>; 3],
+    /// How rotations are interpolated.
+    pub parametrization: Parametrization,
+    /// The rotations of the outer nodes relative to the mid one.
+    pub outer: [RotationMap; 2],
 }
 
 impl NodalKinematics {
@@ -90,36 +103,57 @@ impl NodalKinematics {
         let f = std::array::from_fn(|j| nodes[j].rotation * geometry.nodes[j].offset);
         let section = |j: usize| nodes[j].rotation * geometry.nodes[j].orientation;
         let a = section(1);
-        let relative = |j: usize| gibbs::from_rotation(&(a.transpose() * section(j)));
+        let parametrization = geometry.formulation.parametrization();
+        let relative = |j: usize| {
+            let psi = parametrization.of_rotation(&(a.transpose() * section(j)));
+            let is_beyond = parametrization == Parametrization::RotationVector
+                && psi.norm_squared() > LARGEST * LARGEST;
+            parametrization.at(&match is_beyond {
+                true => Vector3::repeat(f64::NAN),
+                false => psi,
+            })
+        };
         Self {
             x,
             f,
             p: std::array::from_fn(|j| x[j] + f[j]),
             a,
-            g: [relative(0), Vector3::zeros(), relative(2)],
+            parametrization,
+            outer: [relative(0), relative(2)],
         }
+    }
+
+    /// The larger rotation of the two outer sections against the mid one \[rad\].
+    pub fn largest_turn(geometry: &BeamGeometry, nodes: &[NodeMotion]) -> f64 {
+        let section = |j: usize| nodes[j].rotation * geometry.nodes[j].orientation;
+        let turn = |j| vector::from_rotation(&(section(1).transpose() * section(j))).norm();
+        f64::max(turn(0), turn(2))
     }
 
     /// The state at a point with shape functions `shape` and undeformed length
     /// `j0` per unit of xi.
     pub fn at(&self, shape: &Shape, j0: f64) -> PointKinematics {
-        let g = shape.sum(&self.g);
+        let [first, last] = self.outer.map(|outer| outer.psi);
+        let psi = shape.n[0] * first + shape.n[2] * last;
+        let map = self.parametrization.at(&psi);
         PointKinematics {
             p: shape.sum(&self.p),
             l: shape.slope(&self.p) / j0,
-            g,
-            g_prime: shape.slope(&self.g) / j0,
-            r: self.a * gibbs::to_rotation(&g),
+            psi_prime: (shape.d[0] * first + shape.d[2] * last) / j0,
+            r: self.a * map.rotation(),
+            tangent: map.tangent(),
+            map,
         }
     }
 
-    /// `A_j = G(g~_j)^-1 A^T` of the outer nodes.
+    /// `A_j = T(psi_j)^-1 A^T` of the outer nodes.
     pub fn relative_variation(&self) -> [Matrix3<f64>; 2] {
-        [0, 2].map(|j| gibbs::tangent_inverse(&self.g[j]) * self.a.transpose())
+        self.outer
+            .map(|outer| outer.tangent_inverse() * self.a.transpose())
     }
 
     /// Derivatives of the rotation at a point by the rotations of the nodes:
-    /// `theta = sum_j T_j theta_j`, with `B = A G(g~)`,
+    /// `theta = sum_j T_j theta_j`, with `B = A T(psi)`,
     /// `T_1 = N_1 B A_1`, `T_3 = N_3 B A_3`, `T_2 = I - T_1 - T_3`.
     pub fn rotation_variation(
         &self,
@@ -127,7 +161,7 @@ impl NodalKinematics {
         point: &PointKinematics,
         relative: &[Matrix3<f64>; 2],
     ) -> [Matrix3<f64>; 3] {
-        let b = self.a * gibbs::tangent(&point.g);
+        let b = self.a * point.tangent;
         let first = shape.n[0] * b * relative[0];
         let last = shape.n[2] * b * relative[1];
         [first, Matrix3::identity() - first - last, last]
@@ -146,19 +180,20 @@ pub(super) struct PointKinematics {
     pub p: Vector3<f64>,
     /// Slope per undeformed length [-].
     pub l: Vector3<f64>,
-    /// Gibbs-Rodrigues parameters relative to the mid node.
-    pub g: Vector3<f64>,
-    /// Their derivative along the undeformed line [1/m].
-    pub g_prime: Vector3<f64>,
+    /// Rotation relative to the mid node, with its maps.
+    pub map: RotationMap,
+    /// T(psi).
+    pub tangent: Matrix3<f64>,
+    /// Derivative of psi along the undeformed line [1/m].
+    pub psi_prime: Vector3<f64>,
     /// Section axes.
     pub r: Matrix3<f64>,
 }
 
 impl PointKinematics {
-    /// Slope in section axes, `R^T l`, and curvature in section axes, `G(g~)^T g~'`.
+    /// Slope in section axes, `R^T l`, and curvature in section axes, `T(psi)^T psi'`.
     pub fn strain_measures(&self) -> (Vector3<f64>, Vector3<f64>) {
         let slope = self.r.transpose() * self.l;
-        let curvature = gibbs::tangent(&self.g).transpose() * self.g_prime;
-        (slope, curvature)
+        (slope, self.tangent.transpose() * self.psi_prime)
     }
 }

@@ -3,12 +3,12 @@
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
 
-use super::{BeamGeometry, BeamNode, ElasticBeam, ViscousBeam};
+use super::{Beam, BeamGeometry, BeamNode};
 use crate::elements::{Electric, Element, Local, LocalResidual};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion};
 
 /// A curved, twisted beam with offsets.
-fn beam() -> (ElasticBeam, [Node; 3]) {
+fn beam() -> (Beam, [Node; 3]) {
     let nodes = std::array::from_fn(|i| {
         let x = i as f64;
         Node {
@@ -17,15 +17,13 @@ fn beam() -> (ElasticBeam, [Node; 3]) {
             rotation: vector::to_rotation(&Vector3::new(0.2 * x, 0.1, 0.3 * x)),
         }
     });
-    let geometry = BeamGeometry {
-        nodes: std::array::from_fn(|i| BeamNode {
-            offset: Vector3::new(0.0, 0.1, 0.02 * i as f64),
-            orientation: vector::to_rotation(&Vector3::new(0.1, 0.0, -0.1 * i as f64)),
-        }),
-    };
+    let geometry = BeamGeometry::new(std::array::from_fn(|i| BeamNode {
+        offset: Vector3::new(0.0, 0.1, 0.02 * i as f64),
+        orientation: vector::to_rotation(&Vector3::new(0.1, 0.0, -0.1 * i as f64)),
+    }));
     let stiffness = Matrix6::from_diagonal(&Vector6::new(5.0, 2.0, 3.0, 1.0, 1.5, 2.5));
     let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
-    let beam = ElasticBeam::new("beam", [0, 1, 2], geometry, undeformed, [stiffness; 2]);
+    let beam = Beam::elastic("beam", [0, 1, 2], geometry, undeformed, [stiffness; 2]);
     (beam, nodes)
 }
 
@@ -99,24 +97,17 @@ fn nodal_forces_balance() {
     );
 }
 
-fn viscous() -> (ElasticBeam, ViscousBeam, Vec<NodeMotion>) {
-    let (elastic, nodes) = beam();
-    let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
-    let damping = [Matrix6::identity(); 2];
-    let viscous = ViscousBeam::new("beam", [0, 1, 2], elastic.geometry(), undeformed, damping);
-    (elastic, viscous, deformed(&nodes))
-}
-
 /// Rates of order one; the terms that cancel are as large.
 #[test]
 fn a_rigid_velocity_strains_nothing() {
-    let (_, viscous, mut motion) = viscous();
+    let (beam, nodes) = beam();
+    let mut motion = deformed(&nodes);
     let omega = Vector3::new(0.7, -1.1, 0.4);
     for node in &mut motion {
         node.angular_velocity = omega;
         node.velocity = Vector3::new(1.0, 2.0, -0.5) + omega.cross(&node.position);
     }
-    for rate in viscous.strain_rates(&motion) {
+    for rate in beam.strain_rates(&motion) {
         assert!(rate.amax() < 1e-14, "{rate}");
     }
 }
@@ -124,7 +115,8 @@ fn a_rigid_velocity_strains_nothing() {
 /// Central difference with h = 1e-5: truncation h^2 of rates of order one.
 #[test]
 fn the_strain_rate_is_the_derivative_of_the_strain() {
-    let (elastic, viscous, mut motion) = viscous();
+    let (beam, nodes) = beam();
+    let mut motion = deformed(&nodes);
     for (i, node) in motion.iter_mut().enumerate() {
         let i = i as f64;
         node.velocity = Vector3::new(0.3 * i, -0.5, 0.2 * i * i);
@@ -136,10 +128,10 @@ fn the_strain_rate_is_the_derivative_of_the_strain() {
             node.position += time * node.velocity;
             node.rotation = vector::to_rotation(&(time * node.angular_velocity)) * node.rotation;
         }
-        elastic.strains(&moved)
+        beam.strains(&moved)
     };
     let (later, sooner) = (after(1e-5), after(-1e-5));
-    for (i, rate) in viscous.strain_rates(&motion).iter().enumerate() {
+    for (i, rate) in beam.strain_rates(&motion).iter().enumerate() {
         let difference = (later[i] - sooner[i]) / 2e-5;
         assert!(rate.norm() > 0.1);
         assert!((rate - difference).amax() < 1e-9, "{rate} {difference}");

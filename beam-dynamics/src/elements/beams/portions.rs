@@ -1,114 +1,109 @@
-//! Forces at an evaluation point on the two portions that meet there.
+//! The finite-volume beam: balance of the three portions between its evaluation points.
 //!
-//! The force F and the moment M at the point P act with plus on the node before it and
-//! with minus on the node after it, at x each:
+//! The beam is cut at the evaluation points I and II into three portions, each in balance
+//! with its node. The force `F = R F~` and the moment `M = R M~` at the point P act with plus
+//! on the node before it and with minus on the node after it, at x each:
 //!
 //! ```text
 //! force  +- F                     moment  +- [ M + (P - x) x F ]
 //! ```
 //!
-//! Their variations, with `d P = N_j (d x_j - [f_j]x theta_j)`:
+//! with the variations, at fixed F~ and M~ and with `d P = N_j (d x_j - [f_j]x theta_j)`,
 //!
 //! ```text
+//! d F = -[F]x theta        d M = -[M]x theta
 //! d[(P - x) x F] = [P - x]x d F - [F]x (d P - d x)
 //! ```
 //!
-//! References: [Masarati], the three-node finite-volume beam.
+//! A force q and a moment m on a portion give its node q and `(p - x) x q + m`.
+//!
+//! References: [Masarati], the three-node finite-volume beam (5.2-5.4).
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::rotation::{skew, skew_skew, skew_times};
+use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
 
-use super::interpolation::{NodalKinematics, PointKinematics, Shape};
+use super::formulation::{LineForce, Test};
+use super::strain::SectionPoint;
 use crate::elements::{LocalJacobian, LocalResidual};
 use crate::model::Equation::{Force, Moment};
-use crate::model::Variable;
+use crate::model::Variable::{Position, Rotation};
 
-const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
-const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
+/// Nodes whose portions meet at each evaluation point, with the sign of its force.
+const NEIGHBORS: [[(usize, f64); 2]; 2] = [[(0, 1.0), (1, -1.0)], [(1, 1.0), (2, -1.0)]];
 
-/// Nodes whose portions meet at each evaluation point: the force of the point acts
-/// with plus on the first and with minus on the second.
-pub(super) const NEIGHBORS: [(usize, usize); 2] = [(0, 1), (1, 2)];
-
-/// Force and moment at an evaluation point, model axes, and what they hang on.
-pub(super) struct Internal {
-    pub point: PointKinematics,
-    /// Force [N] and moment [N m] in model axes.
-    pub force: Vector3<f64>,
-    pub moment: Vector3<f64>,
+/// W: minus the forces on the nodes by the section force, transposed.
+pub(super) fn test(place: usize, at: &SectionPoint<'_>) -> Test {
+    let rt = at.point.r.transpose();
+    let mut out = Test::zeros();
+    for (node, sign) in NEIGHBORS[place] {
+        let turned = -sign * rt;
+        let arm = at.point.p - at.nodal.x[node];
+        // ([P - x]x R)^T = - R^T [P - x]x
+        let lever = -times_skew(&turned, &arm);
+        out.fixed_view_mut::<3, 3>(0, 6 * node).copy_from(&turned);
+        out.fixed_view_mut::<3, 3>(0, 6 * node + 3)
+            .copy_from(&lever);
+        out.fixed_view_mut::<3, 3>(3, 6 * node + 3)
+            .copy_from(&turned);
+    }
+    out
 }
 
-/// Derivatives of force and moment by position and rotation of one node, or by their
-/// rates.
-#[derive(Clone, Copy)]
-pub(super) struct ByNode {
-    pub force: [Matrix3<f64>; 2],
-    pub moment: [Matrix3<f64>; 2],
+/// Adds the tangent at fixed section forces.
+pub(super) fn add_geometric(
+    place: usize,
+    at: &SectionPoint<'_>,
+    force: &Vector3<f64>,
+    moment: &Vector3<f64>,
+    out: &mut LocalJacobian,
+) {
+    let (force, moment) = (at.point.r * force, at.point.r * moment);
+    for (node, sign) in NEIGHBORS[place] {
+        let by_rotation =
+            [&force, &moment].map(|of| at.theta.map(|theta| -sign * skew_times(of, &theta)));
+        let load = LineForce {
+            force: sign * force,
+            moment: sign * moment,
+            by_rotation: Some(by_rotation),
+        };
+        add_on_line_variation(node, at, &load, out);
+    }
 }
 
-impl Internal {
-    /// Adds force and moment to the two nodes beside the point.
-    pub fn add_forces(
-        &self,
-        nodal: &NodalKinematics,
-        (plus, minus): (usize, usize),
-        out: &mut LocalResidual,
-    ) {
-        for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
-            let arm = self.point.p - nodal.x[node];
-            out.add(node, Force, &(sign * self.force));
-            out.add(node, Moment, &(sign * self.moment));
-            out.add(node, Moment, &(sign * arm.cross(&self.force)));
-        }
-    }
+/// Adds a load on the portion of a node.
+pub(super) fn add_on_line(
+    node: usize,
+    at: &SectionPoint<'_>,
+    load: &LineForce,
+    out: &mut LocalResidual,
+) {
+    let arm = at.point.p - at.nodal.x[node];
+    out.add(node, Force, &load.force);
+    out.add(node, Moment, &load.moment);
+    out.add(node, Moment, &arm.cross(&load.force));
+}
 
-    /// Adds the variations of the forces on the two nodes beside the point by positions
-    /// and rotations.
-    pub fn add_tangent(
-        &self,
-        nodal: &NodalKinematics,
-        shape: &Shape,
-        variation: &[ByNode; 3],
-        (plus, minus): (usize, usize),
-        out: &mut LocalJacobian,
-    ) {
-        let skew_force = skew(&self.force);
-        for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
-            let arm = sign * (self.point.p - nodal.x[node]);
-            for (j, by) in variation.iter().enumerate() {
-                let n = shape.n[j];
-                let own = if j == node { 1.0 } else { 0.0 };
-                // [F]x (d P - d x)
-                let lever = [
-                    sign * (n - own) * skew_force,
-                    (-sign * n) * skew_skew(&self.force, &nodal.f[j]),
-                ];
-                for (k, variable) in UNKNOWNS.into_iter().enumerate() {
-                    let moment = sign * by.moment[k] + skew_times(&arm, &by.force[k]) - lever[k];
-                    out.add((node, Force), (j, variable), &(sign * by.force[k]));
-                    out.add((node, Moment), (j, variable), &moment);
-                }
-            }
+/// Adds the variation of a load on the portion of a node.
+pub(super) fn add_on_line_variation(
+    node: usize,
+    at: &SectionPoint<'_>,
+    load: &LineForce,
+    out: &mut LocalJacobian,
+) {
+    let arm = at.point.p - at.nodal.x[node];
+    for j in 0..3 {
+        let n = at.shape.n[j];
+        let own = if j == node { 1.0 } else { 0.0 };
+        out.add(
+            (node, Moment),
+            (j, Position),
+            &((own - n) * skew(&load.force)),
+        );
+        let mut by_turn: Matrix3<f64> = n * skew_skew(&load.force, &at.nodal.f[j]);
+        if let Some([force, moment]) = &load.by_rotation {
+            out.add((node, Force), (j, Rotation), &force[j]);
+            by_turn += moment[j] + skew_times(&arm, &force[j]);
         }
-    }
-
-    /// Adds the variations by velocities and angular velocities, at a fixed place.
-    pub fn add_rates(
-        &self,
-        nodal: &NodalKinematics,
-        variation: &[ByNode; 3],
-        (plus, minus): (usize, usize),
-        out: &mut LocalJacobian,
-    ) {
-        for (node, sign) in [(plus, 1.0), (minus, -1.0)] {
-            let arm = sign * (self.point.p - nodal.x[node]);
-            for (j, by) in variation.iter().enumerate() {
-                for (k, variable) in RATES.into_iter().enumerate() {
-                    let moment = sign * by.moment[k] + skew_times(&arm, &by.force[k]);
-                    out.add((node, Force), (j, variable), &(sign * by.force[k]));
-                    out.add((node, Moment), (j, variable), &moment);
-                }
-            }
-        }
+        out.add((node, Moment), (j, Rotation), &by_turn);
     }
 }

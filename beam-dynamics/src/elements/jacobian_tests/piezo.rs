@@ -2,11 +2,10 @@
 
 use nalgebra::{DMatrix, Vector6};
 
-use super::{Random, check, geometry, nodes};
+use super::{Random, beam_nodes, check, geometries};
 use crate::elements::Element;
-use crate::elements::beams::{BeamElectrode, ElasticBeam, LawBeam, PiezoBeam, Potential};
+use crate::elements::beams::{Beam, BeamElectrode, Potential};
 use crate::elements::circuits::{Circuit, Electrode};
-use crate::elements::laws::Law;
 use crate::model::Drive;
 
 fn coupling(random: &mut Random) -> Vector6<f64> {
@@ -22,21 +21,11 @@ fn capacitance(random: &mut Random, count: usize) -> DMatrix<f64> {
 #[test]
 fn beams_with_electrodes_of_all_kinds() {
     let mut random = Random(60);
-    for is_law in [false, true] {
-        let nodes = nodes(&mut random, 3);
-        let geometry = geometry(&mut random);
+    let nodes = beam_nodes(&mut random);
+    for geometry in geometries(&mut random) {
         let stiffness = [random.stiffness(), random.stiffness()];
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
-        let on = [0, 1, 2];
-        let beam: Box<dyn Element> = match is_law {
-            false => Box::new(ElasticBeam::new(
-                "beam", on, geometry, undeformed, stiffness,
-            )),
-            true => {
-                let laws = stiffness.map(Law::linear);
-                Box::new(LawBeam::new("beam", on, geometry, undeformed, laws))
-            }
-        };
+        let beam = Beam::elastic("beam", [0, 1, 2], geometry, undeformed, stiffness);
         let held = Drive::Constant(0.7).scaled(random.number());
         let potentials = [
             Potential::Free { unknown: 4 },
@@ -52,7 +41,7 @@ fn beams_with_electrodes_of_all_kinds() {
         });
         let electrodes: Vec<_> = electrodes.collect();
         let capacitance = [capacitance(&mut random, 3), capacitance(&mut random, 3)];
-        let piezo = PiezoBeam::new(beam, geometry, undeformed, electrodes, capacitance);
+        let piezo = beam.with_electrodes(electrodes, capacitance);
         assert_eq!(piezo.electric(), [4, 1]);
         check(&piezo, &nodes, &mut random);
     }

@@ -2,7 +2,7 @@
 
 use shared_geom::expression::{Expression, Names};
 
-use super::{Random, check, geometry, kinds, nodes};
+use super::{Random, beam_nodes, check, geometries, kinds};
 use crate::elements::beams::DistributedLoad;
 use crate::elements::loads::{NodalForce, NodalLoad};
 use crate::elements::{Element, Post, Sensed, Sensor, Signal};
@@ -64,7 +64,7 @@ pub(super) fn sensing(nodes: &[Node]) -> Signal {
 fn loads_that_sense_nodes() {
     let mut random = Random(21);
     for (turning, factor) in kinds() {
-        let nodes = nodes(&mut random, 3);
+        let nodes = beam_nodes(&mut random);
         let load = NodalForce {
             force: random.vector(1.0),
             moment: random.vector(1.0),
@@ -76,10 +76,13 @@ fn loads_that_sense_nodes() {
         assert_eq!(load.nodes(), [0, 1, 2]);
         check(&load, &nodes, &mut random);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
-        let (geometry, [a, b]) = (geometry(&mut random), [(); 2].map(|()| random.vector(1.0)));
+        let [a, b] = [(); 2].map(|()| random.vector(1.0));
         let kind = (turning, factor);
-        let along = |_: f64| [a, b];
-        let load = DistributedLoad::new("load", [0, 1, 2], geometry, undeformed, kind, &[], along);
-        check(&load.driven(sensing(&nodes)), &nodes, &mut random);
+        for geometry in geometries(&mut random) {
+            let on = [0, 1, 2];
+            let load =
+                DistributedLoad::new("load", on, geometry, undeformed, kind, &[], |_| [a, b]);
+            check(&load.driven(sensing(&nodes)), &nodes, &mut random);
+        }
     }
 }

@@ -32,12 +32,12 @@ macro_rules! is_a_joint {
                 self.joint.constraint_rates(at, out)
             }
 
-            fn domain(&self) -> [f64; 2] {
-                self.joint.domain()
+            fn reach(&self) -> f64 {
+                self.joint.reach()
             }
 
-            fn next_corner(&self, time: f64) -> f64 {
-                self.joint.next_corner(time)
+            fn drives(&self) -> Vec<&crate::model::Drive> {
+                self.joint.drives()
             }
 
             fn jump(

@@ -226,13 +226,12 @@ impl Element for Hinge {
         })
     }
 
-    fn domain(&self) -> [f64; 2] {
-        Drive::common_domain(self.relaxed.iter())
+    fn reach(&self) -> f64 {
+        self.joint.reach()
     }
 
-    fn next_corner(&self, time: f64) -> f64 {
-        let drive = self.relaxed.as_ref();
-        drive.map_or(f64::INFINITY, |drive| drive.next_corner(time))
+    fn drives(&self) -> Vec<&Drive> {
+        self.relaxed.iter().collect()
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

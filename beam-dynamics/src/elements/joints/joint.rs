@@ -41,6 +41,8 @@ pub struct ConstraintJoint {
     angle_about: Option<usize>,
     /// Motions that are free on purpose.
     motions: Vec<Motion>,
+    /// The longest undeformed arm from a node to its point, or distance of the points [m].
+    reach: f64,
 }
 
 /// The ends of a joint in the undeformed model.
@@ -58,6 +60,13 @@ impl JointEnds<'_> {
         let a = self.a.iter().map(|a| a.0);
         a.chain([self.b.0]).collect()
     }
+
+    /// The longest arm from a node to its point, or distance of the points \[m\].
+    fn reach(&self, [at_a, at_b]: [&Vector3<f64>; 2]) -> f64 {
+        let on_a = self.a.map_or(0.0, |a| (at_a - a.1.position).norm());
+        let on_b = (at_b - self.b.1.position).norm();
+        on_a.max(on_b).max((at_b - at_a).norm())
+    }
 }
 
 /// A point and axes (columns) in the undeformed model.
@@ -65,7 +74,7 @@ pub(super) type Place = (Vector3<f64>, Matrix3<f64>);
 
 impl ConstraintJoint {
     /// All that is given over time.
-    fn drives(&self) -> impl Iterator<Item = &Drive> {
+    fn given(&self) -> impl Iterator<Item = &Drive> {
         let targets = self.rows.iter().filter_map(|row| row.target.as_ref());
         targets.chain(self.turn.iter().flatten()).chain(&self.scale)
     }
@@ -93,6 +102,7 @@ impl ConstraintJoint {
             scale: None,
             angle_about: None,
             motions: Vec::new(),
+            reach: ends.reach([at_a, at_b]),
         };
         let undeformed: Vec<_> = ends.a.iter().map(|a| a.1).chain([ends.b.1]).collect();
         let undeformed: Vec<_> = undeformed.into_iter().map(NodeMotion::at_rest).collect();
@@ -261,13 +271,12 @@ impl Element for ConstraintJoint {
         true
     }
 
-    fn domain(&self) -> [f64; 2] {
-        Drive::common_domain(self.drives())
+    fn reach(&self) -> f64 {
+        self.reach
     }
 
-    fn next_corner(&self, time: f64) -> f64 {
-        let corners = self.drives().map(|drive| drive.next_corner(time));
-        corners.fold(f64::INFINITY, f64::min)
+    fn drives(&self) -> Vec<&Drive> {
+        self.given().collect()
     }
 
     fn jump(&self, between: [&Loading; 2]) -> Option<PlaceJump> {

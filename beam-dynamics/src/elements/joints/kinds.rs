@@ -49,10 +49,12 @@ impl Freedom {
         *self != Self::Free
     }
 
-    fn row(self, held: Held) -> Option<Row> {
+    /// The row that holds a distance, which is `now` in the undeformed model [m].
+    fn row(self, held: Held, now: f64) -> Option<Row> {
         match self {
             Self::Free => None,
-            Self::Locked => Some(Row::zero(held)),
+            Self::Locked if now == 0.0 => Some(Row::zero(held)),
+            Self::Locked => Some(Row::driven(held, Drive::Constant(now))),
             Self::Driven(drive) => Some(Row::driven(held, drive)),
         }
     }
@@ -90,6 +92,12 @@ impl Placing {
             points: [*point; 2],
             axes: [*axes; 2],
         }
+    }
+
+    /// From the point of a to that of b, along the axes of a [m].
+    fn apart(&self) -> Vector3<f64> {
+        let [a, b] = &self.points;
+        self.axes[0].tr_mul(&(b - a))
     }
 
     fn places(&self) -> [Place; 2] {
@@ -199,7 +207,7 @@ impl ConstraintJoint {
         turning: Option<Turning>,
     ) -> Self {
         let mut rows = across_the_axis().to_vec();
-        rows.extend(slide.row(Held::Along(Carrier::A, 0)));
+        rows.extend(slide.row(Held::Along(Carrier::A, 0), at.apart()[0]));
         Self::turning(label, ends, at, rows, turning)
     }
 
@@ -220,7 +228,7 @@ impl ConstraintJoint {
         slide: Freedom,
     ) -> Self {
         let mut rows = across_the_axis().to_vec();
-        rows.extend(slide.row(Held::Along(Carrier::A, 0)));
+        rows.extend(slide.row(Held::Along(Carrier::A, 0), at.apart()[0]));
         rows.extend(zero(SAME_AXES));
         Self::of_rows(label, ends, at.places(), rows)
     }
@@ -305,7 +313,8 @@ impl ConstraintJoint {
     }
 
     /// Any of the six relative freedoms free, locked or driven: displacements of the point
-    /// of b along the axes of a from the point of a, rotations about them.
+    /// of b along the axes of a from the point of a, rotations about them, from
+    /// where the axes of both ends agree: locked ones need axes that agree undeformed.
     pub fn total(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
@@ -315,7 +324,7 @@ impl ConstraintJoint {
         let [x, y, z, about_x, about_y, about_z] = freedoms;
         let along = [x, y, z].into_iter().enumerate();
         let mut rows: Vec<_> = along
-            .filter_map(|(i, freedom)| freedom.row(Held::Along(Carrier::A, i)))
+            .filter_map(|(i, freedom)| freedom.row(Held::Along(Carrier::A, i), at.apart()[i]))
             .collect();
         let rotations = [about_x, about_y, about_z];
         let held = [0, 1, 2].map(|i| rotations[i].is_held());

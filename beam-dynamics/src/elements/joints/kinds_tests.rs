@@ -218,6 +218,42 @@ fn total_joints_hold_what_they_name() {
     });
 }
 
+// Points apart, axes turned: what is locked stays as it is undeformed, wherever both ends
+// go together, and is felt when b goes elsewhere. Distances are of order one.
+#[test]
+fn locked_freedoms_stay_as_they_are_undeformed() {
+    check_everywhere(|setting, a, random| {
+        let at = setting.apart();
+        let [first, second] = at.points;
+        let now = at.axes[0].tr_mul(&(second - first));
+        assert!(now.amin() > 1e-3, "{now}");
+        for bits in 1..64_u32 {
+            let freedoms = std::array::from_fn(|i| match bits >> i & 1 {
+                1 => Freedom::Locked,
+                _ => Freedom::Free,
+            });
+            let joint = ConstraintJoint::total("total", &setting.ends, &at, freedoms);
+            let nodes = setting.ends.a.iter().map(|a| a.1).chain([setting.ends.b.1]);
+            let undeformed: Vec<_> = nodes.map(NodeMotion::at_rest).collect();
+            let moved = motions(
+                a,
+                place_b(setting, &at, a.as_ref(), (now, Matrix3::identity())),
+            );
+            for motions in [undeformed, moved] {
+                let found = constraints(&joint, &motions);
+                let error = found.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+                assert!(error < ROUNDING, "{bits:b}: {found:?}");
+            }
+            let off = (
+                now + random.vector(0.5),
+                vector::to_rotation(&random.vector(0.5)),
+            );
+            let found = constraints(&joint, &motions(a, place_b(setting, &at, a.as_ref(), off)));
+            assert!(found.iter().all(|c| c.abs() > 1e-6), "{bits:b}: {found:?}");
+        }
+    });
+}
+
 // Six relative freedoms: those that are free on purpose and the rows of positions.
 #[test]
 fn what_is_not_held_is_free_on_purpose() {

@@ -35,7 +35,7 @@ impl Setting<'_> {
     }
 
     /// With different points.
-    fn apart(&self) -> Placing {
+    pub(super) fn apart(&self) -> Placing {
         Placing {
             points: [self.other, self.point],
             ..self.placing()

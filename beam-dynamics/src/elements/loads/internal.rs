@@ -151,6 +151,13 @@ impl Load for InternalForce {
         &self.head
     }
 
+    fn arm(&self) -> f64 {
+        match &self.acting {
+            Acting::Line { line, .. } => line.reach(),
+            Acting::Axes(axes) => axes.offset.norm(),
+        }
+    }
+
     fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
         let size = factor * self.head.signal.value(at);
         self.wrenches(at.nodes, |node, [force, moment]| {

@@ -4,6 +4,7 @@ use std::fmt::Debug;
 
 use super::factor::LoadFactor;
 use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual, Signal};
+use crate::model::Drive;
 
 /// What all loads have.
 #[derive(Debug, Clone)]
@@ -19,6 +20,11 @@ pub(in crate::elements) struct Head {
 pub(in crate::elements) trait Load: Debug + Send + Sync {
     /// What it has as all loads have it.
     fn head(&self) -> &Head;
+
+    /// The longest arm from a node to a point at which it acts, undeformed \[m\].
+    fn arm(&self) -> f64 {
+        0.0
+    }
 
     /// Adds the load times `factor`, and times its signal.
     fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual);
@@ -40,8 +46,12 @@ impl<T: Load> Element for T {
         self.head().signal.senses()
     }
 
-    fn domain(&self) -> [f64; 2] {
-        self.head().signal.domain()
+    fn reach(&self) -> f64 {
+        self.arm()
+    }
+
+    fn drives(&self) -> Vec<&Drive> {
+        self.head().signal.drive().into_iter().collect()
     }
 
     fn next_corner(&self, time: f64) -> f64 {

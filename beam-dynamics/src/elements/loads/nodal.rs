@@ -101,6 +101,10 @@ impl Load for NodalLoad {
         &self.head
     }
 
+    fn arm(&self) -> f64 {
+        self.load.offset.norm()
+    }
+
     fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
         let acting = self.acting(&at.nodes[0]);
         let factor = factor * self.head.signal.value(at);

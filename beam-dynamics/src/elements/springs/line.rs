@@ -96,6 +96,15 @@ impl Line {
         &self.nodes
     }
 
+    /// The longest arm from a node to its end \[m\].
+    pub fn reach(&self) -> f64 {
+        let arms = self.ends.iter().map(|end| match end {
+            End::Node { offset, .. } => offset.norm(),
+            End::Frame { .. } => 0.0,
+        });
+        arms.fold(0.0, f64::max)
+    }
+
     pub fn state(&self, nodes: &[NodeMotion]) -> LineState {
         let mut next = 0;
         let ends = self.ends.map(|end| match end {

@@ -124,13 +124,13 @@ impl Element for Rod {
         self.line.nodes()
     }
 
-    fn domain(&self) -> [f64; 2] {
-        Drive::common_domain(self.law.drives().chain([&self.relaxed]))
+    fn reach(&self) -> f64 {
+        let length = self.length(&self.undeformed);
+        self.line.reach().max(length)
     }
 
-    fn next_corner(&self, time: f64) -> f64 {
-        let relaxed = self.relaxed.next_corner(time);
-        self.law.next_corner(time).min(relaxed)
+    fn drives(&self) -> Vec<&Drive> {
+        self.law.drives().chain([&self.relaxed]).collect()
     }
 
     fn without_value(&self, at: &Local<'_>) -> Option<String> {

@@ -45,7 +45,7 @@ use crate::elements::{
     SpringState,
 };
 use crate::model::Equation::{Force, Moment};
-use crate::model::{Node, NodeMotion, Variable};
+use crate::model::{Drive, Node, NodeMotion, Variable};
 
 const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
 const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
@@ -354,12 +354,16 @@ impl Element for Spring {
         &self.nodes
     }
 
-    fn domain(&self) -> [f64; 2] {
-        self.law.domain()
+    fn reach(&self) -> f64 {
+        let on_a = match self.nodes.len() {
+            1 => 0.0,
+            _ => self.relaxed.norm(),
+        };
+        on_a.max(self.offset.norm())
     }
 
-    fn next_corner(&self, time: f64) -> f64 {
-        self.law.next_corner(time)
+    fn drives(&self) -> Vec<&Drive> {
+        self.law.drives()
     }
 
     fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {

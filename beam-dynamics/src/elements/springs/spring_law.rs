@@ -107,23 +107,10 @@ impl SpringLaw {
         }
     }
 
-    pub(super) fn domain(&self) -> [f64; 2] {
+    pub(super) fn drives(&self) -> Vec<&Drive> {
         match self {
-            Self::Together(law) => Drive::common_domain(law.drives()),
-            Self::Apart { .. } => {
-                let drives = self.apart().flat_map(|part| part.1.drives());
-                Drive::common_domain(drives)
-            }
-        }
-    }
-
-    pub(super) fn next_corner(&self, time: f64) -> f64 {
-        match self {
-            Self::Together(law) => law.next_corner(time),
-            Self::Apart { .. } => {
-                let corners = self.apart().map(|part| part.1.next_corner(time));
-                corners.fold(f64::INFINITY, f64::min)
-            }
+            Self::Together(law) => law.drives().collect(),
+            Self::Apart { .. } => self.apart().flat_map(|part| part.1.drives()).collect(),
         }
     }
 }

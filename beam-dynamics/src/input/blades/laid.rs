@@ -55,11 +55,11 @@ impl Laid {
         });
     }
 
-    /// Number of the element end that is nearest to a place on the line.
-    pub fn nearest_end(&self, arc_length: f64) -> usize {
+    /// Number of the node, at an end or in the middle of an element, that is nearest to a
+    /// place on the line.
+    pub fn nearest(&self, arc_length: f64) -> usize {
         let far = |node: &usize| (self.nodes[*node].arc_length - arc_length).abs();
         (0..self.nodes.len())
-            .step_by(2)
             .min_by(|a, b| far(a).total_cmp(&far(b)))
             .unwrap_or(0)
     }

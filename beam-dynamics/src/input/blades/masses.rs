@@ -8,6 +8,7 @@ use super::problem::BladeProblem;
 use super::source::Source;
 use crate::elements::bodies::RigidInertia;
 use crate::input::bodies::{self, Lump};
+use crate::input::number::short_number;
 
 /// A mass beyond an end of the line by less than this part of its length is at the end:
 /// digits lost in the input.
@@ -78,10 +79,29 @@ impl PointMass {
         None
     }
 
+    /// What the reader must know of a mass of blade `blade`, number `number` from zero,
+    /// that no node meets.
+    pub fn remark(&self, place: f64, laid: &Laid, number: usize, blade: &str) -> Option<String> {
+        let nearest = laid.nearest(place);
+        let there = laid.nodes[nearest].arc_length;
+        let length = laid.nodes.last()?.arc_length;
+        let six = |value: f64| short_number(value, 6);
+        ((there - place).abs() > ROUNDING * length).then(|| {
+            format!(
+                "mass {} of blade \"{blade}\" lies at {} m, the nearest node at {} m: it is \
+                 carried by a rigid arm of {} m; let a piece end there for a node of its own",
+                number + 1,
+                six(place),
+                six(there),
+                six((there - place).abs())
+            )
+        })
+    }
+
     /// The number of the node that carries the mass at an arc length, and the inertia
     /// about that node, in its axes.
     pub fn on_node(&self, place: f64, source: &Source, laid: &Laid) -> (usize, RigidInertia) {
-        let number = laid.nearest_end(place);
+        let number = laid.nearest(place);
         let node = &laid.nodes[number];
         let distance = match node.arc_length == place {
             true => nalgebra::Vector3::zeros(),

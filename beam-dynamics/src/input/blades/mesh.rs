@@ -10,6 +10,10 @@ const SHORTEST: f64 = 1e-3;
 /// Longest element, as part of the blade. A mode of four half waves then has five
 /// elements to each, with an error in the order of 1e-5.
 const LONGEST: f64 = 0.05;
+/// An interval that is longer than a whole number of longest elements by less than this
+/// part of one has no further element: files of other tools have ramps of 1e-9 to 1e-8 of
+/// the blade in the place of jumps, and the elements are to be those of the jumps.
+const LONGER: f64 = 1e-6;
 /// Places nearer than this part of the blade are the same.
 const SAME: f64 = 1e-9;
 
@@ -83,8 +87,7 @@ impl Ends<'_> {
 
     /// Elements in an interval of the given length.
     fn pieces(&self, length: f64) -> usize {
-        // One that is longer by round-off alone is not divided.
-        ((length / (LONGEST * self.length) - SAME).ceil() as usize).max(1)
+        ((length / (LONGEST * self.length) - LONGER).ceil() as usize).max(1)
     }
 }
 
@@ -140,6 +143,20 @@ mod tests {
         assert_eq!(ends(20.0, &[], &[0.0, 20.0]).at_stations().len(), 21);
         let found = ends(10.0, &[], &[0.0, 1.5, 10.0]).at_stations();
         assert_eq!(&found[..4], [0.0, 0.5, 1.0, 1.5]);
+    }
+
+    // Jumps at 40 and 70 m, and ramps of 1e-9 and 1e-8 of the blade in their places.
+    #[test]
+    fn ramps_make_no_other_elements_than_jumps() {
+        let places = [40.0, 70.0];
+        let jumps = ends(100.0, &places, &places).at_stations();
+        for ramp in [1e-7, 1e-6] {
+            let sides = [40.0 - ramp, 40.0, 70.0 - ramp, 70.0];
+            let ramps = ends(100.0, &[], &sides).at_stations();
+            assert_eq!(ramps.len(), jumps.len());
+            let apart = ramps.iter().zip(&jumps).map(|(a, b)| (a - b).abs());
+            assert!(apart.fold(0.0, f64::max) <= 1.001 * ramp);
+        }
     }
 
     #[test]

@@ -231,6 +231,6 @@ mod tests {
         }
         assert_eq!((line.length(), laid.nodes[8].arc_length), (10.0, 10.0));
         assert_eq!(line.position(11.0), laid.nodes[8].position);
-        assert_eq!(laid.nearest_end(7.9), 6);
+        assert_eq!((laid.nearest(7.9), laid.nearest(7.1)), (6, 5));
     }
 }

@@ -22,7 +22,7 @@ use shared_geom::units::Dimension;
 use super::laid::{Laid, LaidNode};
 use super::mesh::Ends;
 use super::problem::BladeProblem;
-use crate::elements::beams::ElasticBeam;
+use crate::elements::beams::Beam;
 use crate::input::along::Along;
 use crate::input::damping;
 use crate::input::draft::Draft;
@@ -228,7 +228,7 @@ impl StationLine {
     /// Properties along an element, and the arc lengths of its evaluation points \[m\].
     fn along(&self, [from, to]: [f64; 2]) -> (Along, [f64; 2]) {
         let length = to - from;
-        let places = ElasticBeam::evaluation_points().map(|xi| from + 0.5 * (1.0 + xi) * length);
+        let places = Beam::evaluation_points().map(|xi| from + 0.5 * (1.0 + xi) * length);
         let stiffness = places.map(|place| self.blade.at(place, Side::Outer).0);
         let mass = |place, side| self.blade.at(place, side).1;
         let mut masses = vec![(-1.0, mass(from, Side::Outer))];

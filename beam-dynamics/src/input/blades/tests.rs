@@ -9,7 +9,7 @@ use shared_geom::rotation::vector;
 use shared_geom::section::Provenance;
 
 use crate::input::Input;
-use crate::input::test_files::read_beside;
+use crate::input::test_files::{STRIP, read_beside};
 use crate::model::Conditions;
 
 const MODES: &str = "[modes]\nspeeds = [0]\n";
@@ -167,6 +167,46 @@ fn jumps_and_masses_are_ends_of_elements() {
         }
         let expected = 3.0 * 2.0 + 7.0 * 4.0 + 5.0;
         assert!((found.summary.mass / expected - 1.0).abs() < 1e-13);
+    }
+}
+
+// Three elements on 1 m: nodes at each sixth. A mass at 0.5 m is on the middle node of the
+// second; one at 0.6 m is nearest to the element end at 2/3 m, and told with its arm.
+#[test]
+fn masses_on_pieces_are_on_the_nodes_there_or_told() {
+    let cards = |at: f64| {
+        format!(
+            "{STRIP}[[blade]]\nname = \"b\"\nproperties = \"strip\"\n[[blade.piece]]\nlength = 1\n\
+             elements = 3\n[[blade.mass]]\nat = {at}\nmass = 5\n{MODES}"
+        )
+    };
+    for (at, node, told) in [
+        (0.5, "b/3", None),
+        (1.0, "b/tip", None),
+        (
+            0.6,
+            "b/4",
+            Some(
+                "mass 1 of blade \"b\" lies at 0.6 m, the nearest node at 0.666667 m: it is \
+                  carried by a rigid arm of 0.0666667 m",
+            ),
+        ),
+    ] {
+        let found = input(&straight(1.0, 0.0), &cards(at)).unwrap();
+        let system = &found.model.system;
+        let mut bodies = system
+            .elements()
+            .filter(|element| element.label() == "b/mass 1");
+        let body = bodies.next().unwrap();
+        assert_eq!(system.nodes()[body.nodes()[0]].label, node);
+        let remark = found
+            .remarks
+            .iter()
+            .find(|remark| remark.contains("mass 1"));
+        match told {
+            None => assert_eq!(remark, None),
+            Some(told) => assert!(remark.unwrap().starts_with(told), "{remark:?}"),
+        }
     }
 }
 

@@ -280,7 +280,8 @@ fn joints_and_drives_are_found_at_a_state() {
     for (k, multiplier) in state.multipliers.iter_mut().enumerate() {
         *multiplier = 1.0 + k as f64;
     }
-    let conditions = Conditions::at_rest();
+    let mut conditions = Conditions::at_rest();
+    conditions.loading.time = 7.0;
     let moment = Moment {
         step: 1,
         time: 7.0,

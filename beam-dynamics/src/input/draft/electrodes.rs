@@ -5,7 +5,7 @@ use shared_geom::section::Piezo;
 
 use super::{Beam, Draft, boxed};
 use crate::elements::Element;
-use crate::elements::beams::{BeamElectrode, PiezoBeam, Potential};
+use crate::elements::beams::{self, BeamElectrode, Potential};
 use crate::elements::circuits::{Circuit, Electrode};
 
 /// An electrode as its card means it.
@@ -48,7 +48,7 @@ impl Draft {
             let piezo = beam.along.piezo.as_ref()?;
             let per_length = [piezo.capacitance[(*column, other)]; 2];
             let ends = self.ends(beam);
-            Some(PiezoBeam::capacitance(&beam.geometry, ends, per_length))
+            Some(BeamElectrode::capacitance(&beam.geometry, ends, per_length))
         };
         first.on.iter().filter_map(of_beam).sum()
     }
@@ -76,12 +76,8 @@ impl Draft {
         self.electrodes.iter().enumerate().map(circuit).collect()
     }
 
-    /// What gives stiffness to beam number `index`, with the electrodes that it has.
-    pub(super) fn with_electrodes(
-        &self,
-        index: usize,
-        element: Box<dyn Element>,
-    ) -> Box<dyn Element> {
+    /// The element of beam number `index` with the electrodes that it has.
+    pub(super) fn with_electrodes(&self, index: usize, element: beams::Beam) -> beams::Beam {
         let beam = &self.beams[index];
         let cards = self.electrodes.iter().enumerate();
         let on = cards.filter_map(|(number, card)| Some((number, card, card.column(index)?)));
@@ -104,16 +100,8 @@ impl Draft {
             coupling: [Vector6::from_iterator(piezo.coupling.column(column).iter().copied()); 2],
             capacitance: self.capacitance(card, card),
         });
-        let ends = self.ends(beam);
         let capacitance = [capacitance.clone(), capacitance];
-        let electrodes = electrodes.collect();
-        boxed(PiezoBeam::new(
-            element,
-            beam.geometry,
-            ends,
-            electrodes,
-            capacitance,
-        ))
+        element.with_electrodes(electrodes.collect(), capacitance)
     }
 }
 

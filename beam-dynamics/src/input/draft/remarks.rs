@@ -3,6 +3,7 @@
 use super::{Draft, ElectrodeCard};
 use crate::elements::circuits::Circuit;
 use crate::input::along::Along;
+use crate::input::formulation::Inertia;
 use crate::input::heat;
 use crate::input::number::short_number;
 use crate::model::Drive;
@@ -26,8 +27,28 @@ impl Draft {
         let plain = plain.filter(|along| !along.knows_prestress());
         let stiffness = heat::unused_stiffness(plain.map(Along::heat));
         let electrodes = self.electrode_remarks();
-        let remarks = [self.remarks.clone(), heat, stiffness, electrodes];
+        let masses = self.jumping_masses();
+        let remarks = [self.remarks.clone(), masses, heat, stiffness, electrodes];
         [remarks.concat(), buckling.unwrap_or_default()].concat()
+    }
+
+    /// A remark where masses jump within elements so that their bodies are those of hat
+    /// functions.
+    fn jumping_masses(&self) -> Vec<String> {
+        let lumped = self
+            .beams
+            .iter()
+            .filter(|beam| beam.inertia == Inertia::Lumped);
+        let jumping = lumped.filter(|beam| self.lumped(beam).by_hats);
+        let names: Vec<_> = jumping.map(|beam| beam.label.as_str()).collect();
+        let remark = || {
+            format!(
+                "the mass of {} jumps within the element: its bodies at the nodes are of second \
+                 order there; an end of an element at the jump is better",
+                listed(&names)
+            )
+        };
+        (!names.is_empty()).then(remark).into_iter().collect()
     }
 
     /// What the reader must know of electrodes: what acts, and those without a card.
@@ -53,20 +74,20 @@ impl Draft {
             }
         }
         let remark = |(name, beams): (&str, Vec<&str>)| {
-            let told = beams
-                .iter()
-                .take(MOST_BEAMS)
-                .map(|beam| format!("\"{beam}\""));
-            let told = told.collect::<Vec<_>>().join(", ");
-            let more = match beams.len().saturating_sub(MOST_BEAMS) {
-                0 => String::new(),
-                more => format!(" and {more} more"),
-            };
-            format!(
-                "no [[electrode]] names electrode \"{name}\" of {told}{more}: its voltage is zero"
-            )
+            let beams = listed(&beams);
+            format!("no [[electrode]] names electrode \"{name}\" of {beams}: its voltage is zero")
         };
         found.into_iter().map(remark).collect()
+    }
+}
+
+/// The first of some names, and how many more there are.
+fn listed(names: &[&str]) -> String {
+    let first = names.iter().take(MOST_BEAMS);
+    let first: Vec<_> = first.map(|name| format!("\"{name}\"")).collect();
+    match names.len().saturating_sub(MOST_BEAMS) {
+        0 => first.join(", "),
+        more => format!("{} and {more} more", first.join(", ")),
     }
 }
 

@@ -111,6 +111,10 @@ fn keys_that_do_not_fit_together_are_told() {
             "the scheme \"bdf2\" has no \"radius\"",
         ),
         (
+            "to = 1\nstep = 0.1\nradius = 0.995",
+            "\"radius\" of \"two-step\" is 0.995, expected at most 0.99, or 1",
+        ),
+        (
             "to = 1\nstep = 0.1\nspeed = 3",
             "\"start\" is not \"rotating\"",
         ),

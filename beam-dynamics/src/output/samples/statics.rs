@@ -57,6 +57,7 @@ fn step(factor: f64) -> StaticStep {
                 strain: 1e-6 * factor * force,
                 internal_force: factor * force,
                 change_of_stiffness: None,
+                turn: 0.0,
             });
         }
     }

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use netcdf3::FileReader;
+use shared_geom::files::read_bytes;
 
+use super::netcdf_table::{self, Content};
 use super::plot::stem;
 use super::{Heading, RunFileProblem, cannot_read};
 
@@ -89,7 +90,7 @@ fn unreadable(path: &Path, reason: impl Into<String>) -> RunFileProblem {
 }
 
 fn read_csv(path: &Path) -> Result<TimeTable, RunFileProblem> {
-    let bytes = shared_geom::files::read_bytes(path).map_err(|error| cannot_read(path, &error))?;
+    let bytes = read_bytes(path).map_err(|error| cannot_read(path, &error))?;
     let mut reader = csv::ReaderBuilder::new()
         .flexible(true)
         .from_reader(&bytes[..]);
@@ -127,20 +128,13 @@ fn read_csv(path: &Path) -> Result<TimeTable, RunFileProblem> {
             })?);
         }
     }
-    let beside = path.with_extension("nc");
-    let title = FileReader::open(&beside).ok().and_then(|r| title(&r));
+    let title = netcdf_table::title(&path.with_extension("nc"));
     Ok(TimeTable {
         file: path.display().to_string(),
         title: title.unwrap_or_else(|| stem(path)),
         headings,
         columns,
     })
-}
-
-/// The name of the model of a NetCDF file.
-fn title(reader: &FileReader) -> Option<String> {
-    let title = reader.data_set().get_global_attr_as_string("title");
-    title.filter(|title| !title.is_empty())
 }
 
 /// A heading such as `tip_z [mm]`.
@@ -161,31 +155,16 @@ fn heading(text: &str) -> Heading {
 }
 
 fn read_netcdf(path: &Path) -> Result<TimeTable, RunFileProblem> {
-    // The words of the library are for those who know its inside.
-    std::fs::metadata(path).map_err(|error| cannot_read(path, &error))?;
-    let foreign = || unreadable(path, "it is no NetCDF-3 file of a run");
-    let mut reader = FileReader::open(path).map_err(|_| foreign())?;
-    let names = reader.data_set().get_var_names();
-    let attribute = |set: &netcdf3::DataSet, name: &str, attribute: &str| {
-        let found = set.get_var_attr_as_string(name, attribute);
-        found.unwrap_or_default()
-    };
-    let mut headings = Vec::new();
-    let mut columns = Vec::new();
-    for name in names {
-        let numbers = reader.read_var_f64(&name).map_err(|_| foreign())?;
-        let set = reader.data_set();
-        headings.push(Heading {
-            unit: attribute(set, &name, "units"),
-            words: attribute(set, &name, "long_name"),
-            name,
-        });
-        columns.push(numbers);
-    }
+    let bytes = read_bytes(path).map_err(|error| cannot_read(path, &error))?;
+    let foreign = "it is no NetCDF-3 file of a run, or not the whole of one";
+    let content = Content::parse(&bytes).ok_or_else(|| unreadable(path, foreign))?;
     Ok(TimeTable {
         file: path.display().to_string(),
-        title: title(&reader).unwrap_or_else(|| stem(path)),
-        headings,
-        columns,
+        title: match content.title.is_empty() {
+            true => stem(path),
+            false => content.title,
+        },
+        headings: content.headings,
+        columns: content.columns,
     })
 }

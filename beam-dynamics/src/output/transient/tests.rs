@@ -157,6 +157,63 @@ fn tables_are_read_back_to_the_last_bit() {
     assert_eq!(units(&csv), units(&netcdf));
 }
 
+/// Pseudo-random numbers: splitmix64.
+fn random(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let mut z = *state;
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+// Huge counts where the header has small ones, cuts, bits: what is given is in the file.
+#[test]
+fn changed_binary_tables_are_read_or_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    complete(folder.path(), &question(), 5);
+    let sound = std::fs::read(folder.path().join("x.transient.nc")).unwrap();
+    let path = folder.path().join("y.nc");
+    let read = |bytes: &[u8]| {
+        std::fs::write(&path, bytes).unwrap();
+        TimeTable::read(&path)
+    };
+    let aborted = b"CDF\x02\0\0\0\0\0\0\0\x0a\x39\x60\0\0";
+    assert!(
+        read(aborted)
+            .unwrap_err()
+            .to_string()
+            .contains("no NetCDF-3 file")
+    );
+    let (mut seed, mut good) = (1, 0);
+    for _ in 0..2000 {
+        let mut bytes = sound.clone();
+        for _ in 0..=random(&mut seed) % 3 {
+            let at = random(&mut seed) as usize % bytes.len();
+            match random(&mut seed) % 4 {
+                0 => bytes[at] ^= 1 << (random(&mut seed) % 8),
+                1 => bytes[at] = random(&mut seed) as u8,
+                2 => {
+                    let counts = [0, 1, 2, 10, 0x3960_0000, i32::MAX as u32, u32::MAX];
+                    let count = counts[random(&mut seed) as usize % counts.len()];
+                    let at = at / 4 * 4;
+                    for (byte, new) in bytes[at..].iter_mut().zip(count.to_be_bytes()) {
+                        *byte = new;
+                    }
+                }
+                _ => bytes.truncate(at.max(1)),
+            }
+        }
+        if let Ok(table) = read(&bytes) {
+            let numbers: usize = table.columns.iter().map(Vec::len).sum();
+            assert!(8 * numbers <= bytes.len());
+            good += 1;
+        }
+        super::netcdf_table::title(&path);
+    }
+    // Most changes hit texts and numbers; those of counts and cuts are refused.
+    assert!((200..1900).contains(&good), "{good}");
+}
+
 // A run that is dropped in the middle is one that was killed: nothing is written at its end.
 #[test]
 fn a_killed_run_keeps_its_rows_and_goes_on_without_doubling_them() {

@@ -1,22 +1,65 @@
 //! The parts of an htc file that describe a body: its st file and its line.
+//!
+//! `exit` ends a file; `continue_in_file` goes on in another one and comes back.
 
-use crate::error::nearest_name;
+use std::path::{Path, PathBuf};
+
+use crate::document::read_text;
+use crate::error::{Place, nearest_name};
 use crate::exchange::problem::{ExchangeProblem, Problems, shortened};
 use crate::exchange::text::{Line, lines, not_a_number, number};
+
+/// Files that one may lead to: files that name each other twice would multiply.
+const MOST_FILES: usize = 100;
+/// Statements outside of all blocks that a remark names.
+const OUTSIDE_SHOWN: usize = 3;
+
+/// A file that is named somewhere.
+#[derive(Debug, Clone)]
+pub(super) struct Named {
+    pub name: String,
+    /// The file that names it, and the line.
+    pub by: PathBuf,
+    pub line: usize,
+}
+
+impl Named {
+    /// Its place: HAWC2 runs in a folder above that of the htc file, and names files from
+    /// there.
+    pub fn find(&self) -> Option<PathBuf> {
+        let name = self.name.trim_matches('"').replace('\\', "/");
+        // A name of one word has its folders in the path of the whole.
+        let paths = [Some(self.by.clone()), self.by.canonicalize().ok()];
+        let folders = paths.iter().flatten();
+        let folders = folders.flat_map(|path| path.ancestors().skip(1).take(3));
+        let mut places = folders.map(|folder| folder.join(&name));
+        places.find(|place| place.is_file())
+    }
+
+    /// That it is not there; `what` it is in words.
+    pub fn missing(&self, what: &str) -> ExchangeProblem {
+        ExchangeProblem::Other {
+            what: what.to_owned(),
+            found: format!("no file \"{}\"", self.name),
+            expected: "it beside the htc file or seen from one of the two folders above".to_owned(),
+            help: "correct the name, or put the file there".to_owned(),
+        }
+    }
+}
 
 /// A body with properties and a line.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Body {
     pub name: String,
-    /// The st file as named, and the line that names it.
-    pub st_file: Option<(String, usize)>,
+    /// The st file.
+    pub st_file: Option<Named>,
     /// Numbers of set and sub-set, and their line.
     pub set: Option<(usize, usize, usize)>,
     pub is_full: bool,
     /// Points of `c2_def`: x, y, z [m] and twist [deg].
     pub points: Vec<[f64; 4]>,
-    /// Points that `nsec` announces, and its line.
-    announced: Option<(usize, usize)>,
+    /// Points that `nsec` announces, and its file and line.
+    announced: Option<(usize, PathBuf, usize)>,
     /// Mass factors [1/s] and stiffness factors [s] of the damping.
     pub damping: Option<[f64; 6]>,
     pub masses: usize,
@@ -28,16 +71,20 @@ impl Body {
     }
 }
 
-/// Whether `text` looks like an htc file, or a part of one, with a body.
+/// Whether `text` looks like an htc file, or a part of one, with a body or the name of
+/// another file.
 pub(super) fn recognize(text: &str) -> bool {
-    let begins = |name: &str| {
+    let has = |first: &str, second: &str| {
         let mut statements = text.lines().map(words);
         statements.any(|words| {
             let word = |i: usize| words.get(i).copied().unwrap_or_default();
-            word(0).eq_ignore_ascii_case("begin") && word(1).eq_ignore_ascii_case(name)
+            let is_second = second.is_empty() || word(1).eq_ignore_ascii_case(second);
+            word(0).eq_ignore_ascii_case(first) && is_second
         })
     };
-    begins("main_body") && (begins("timoschenko_input") || begins("c2_def"))
+    let begins = |name: &str| has("begin", name);
+    has("continue_in_file", "")
+        || begins("main_body") && (begins("timoschenko_input") || begins("c2_def"))
 }
 
 /// Words of a statement, which a semicolon ends.
@@ -46,17 +93,25 @@ fn words(line: &str) -> Vec<&str> {
     code.split_whitespace().collect()
 }
 
-/// The body that is the blade: the first one whose name begins so, else the only one.
-/// Notes what is wrong with it; remarks tell of the others.
+/// The body that is the blade, the first one whose name begins so, else the only one; and
+/// the texts of all files that were read. Notes what is wrong; remarks tell of the others.
 pub(super) fn blade(
     text: &str,
+    file: &Path,
     remarks: &mut Vec<String>,
     problems: &mut Problems,
-) -> Option<Body> {
-    let bodies: Vec<_> = bodies(text, problems)?
-        .into_iter()
-        .filter(Body::is_complete)
-        .collect();
+) -> (Option<Body>, Vec<String>) {
+    let mut reader = Reader::default();
+    reader.file(text, file, problems);
+    remarks.extend(reader.outside());
+    let texts = std::mem::take(&mut reader.texts);
+    let bodies = reader.finish(problems);
+    let body = bodies.and_then(|bodies| chosen(bodies, remarks, problems));
+    (body, texts)
+}
+
+fn chosen(bodies: Vec<Body>, remarks: &mut Vec<String>, problems: &mut Problems) -> Option<Body> {
+    let bodies: Vec<_> = bodies.into_iter().filter(Body::is_complete).collect();
     let is_blade = |body: &&Body| body.name.to_lowercase().starts_with("blade");
     let body = bodies.iter().find(is_blade);
     let body = body.or(if bodies.len() == 1 {
@@ -66,7 +121,7 @@ pub(super) fn blade(
     });
     let Some(body) = body else {
         let names: Vec<_> = bodies.iter().map(|body| body.name.as_str()).collect();
-        problems.push(0, &no_blade(&names, text));
+        problems.push(0, &no_blade(&names));
         return None;
     };
     if bodies.len() > 1 {
@@ -78,8 +133,8 @@ pub(super) fn blade(
             others.join(", ")
         ));
     }
-    if let Some((announced, line)) = body.announced
-        && announced != body.points.len()
+    if let Some((announced, file, line)) = &body.announced
+        && *announced != body.points.len()
     {
         let problem = ExchangeProblem::CutShort {
             what: format!(
@@ -89,16 +144,14 @@ pub(super) fn blade(
             ),
             expected: format!("{announced}, as nsec announces"),
         };
-        problems.push(line, &problem);
+        problems.turn_to(file);
+        problems.push(*line, &problem);
         return None;
     }
     Some(body.clone())
 }
 
-fn no_blade(names: &[&str], text: &str) -> ExchangeProblem {
-    let continued = text
-        .lines()
-        .any(|line| line.trim_start().starts_with("continue_in_file"));
+fn no_blade(names: &[&str]) -> ExchangeProblem {
     ExchangeProblem::Other {
         what: "the blade among the bodies of the file".to_owned(),
         found: match names {
@@ -106,75 +159,144 @@ fn no_blade(names: &[&str], text: &str) -> ExchangeProblem {
             _ => names.join(", "),
         },
         expected: "a main_body whose name begins with \"blade\"".to_owned(),
-        help: match continued {
-            true => "give the file that continue_in_file names".to_owned(),
-            false => {
-                "keep the main_body of the blade alone in the file, or name it blade1".to_owned()
-            }
-        },
+        help: "keep the main_body of the blade alone in the file, or name it blade1".to_owned(),
     }
 }
 
-/// All bodies; `None` when a block is not closed.
-fn bodies(text: &str, problems: &mut Problems) -> Option<Vec<Body>> {
-    let mut reader = Reader {
-        blocks: Vec::new(),
-        bodies: Vec::new(),
-        is_good: true,
-    };
-    for line in lines(text) {
-        reader.take(&line, problems);
-    }
-    if let Some((name, line)) = reader.blocks.last() {
-        let problem = ExchangeProblem::CutShort {
-            what: format!("the block \"{name}\""),
-            expected: format!("\"end {name}\""),
-        };
-        problems.push(*line, &problem);
-        return None;
-    }
-    reader.is_good.then_some(reader.bodies)
-}
-
+/// What has been read so far.
+#[derive(Default)]
 struct Reader {
-    /// Names of the open blocks, lower case, and their lines.
-    blocks: Vec<(String, usize)>,
+    /// The files that are being read, each named by the one before.
+    files: Vec<PathBuf>,
+    /// Texts of all files so far.
+    texts: Vec<String>,
+    /// Names of the open blocks, lower case, and where each begins: file and line.
+    blocks: Vec<(String, PathBuf, usize)>,
     bodies: Vec<Body>,
-    is_good: bool,
+    /// Statements outside of all blocks, and their places.
+    outside: Vec<(String, Place)>,
+    is_wrong: bool,
 }
 
 impl Reader {
-    fn take(&mut self, line: &Line<'_>, problems: &mut Problems) {
-        let words = words(line.text);
-        let Some((first, rest)) = words.split_first() else {
-            return;
-        };
-        match first.to_lowercase().as_str() {
+    /// Reads a file up to its end, or to `exit`.
+    fn file(&mut self, text: &str, path: &Path, problems: &mut Problems) {
+        self.texts.push(text.to_owned());
+        self.files.push(path.to_owned());
+        problems.turn_to(path);
+        for line in lines(text) {
+            let words = words(line.text);
+            let Some((first, rest)) = words.split_first() else {
+                continue;
+            };
+            let key = first.to_lowercase();
+            if key == "exit" {
+                break;
+            }
+            self.is_wrong |= self.take(&key, &line, rest, problems).is_none();
+        }
+        self.files.pop();
+    }
+
+    /// Takes a statement; `None` where it is wrong.
+    fn take(
+        &mut self,
+        key: &str,
+        line: &Line<'_>,
+        rest: &[&str],
+        problems: &mut Problems,
+    ) -> Option<()> {
+        let file = self.files.last().cloned().unwrap_or_default();
+        match key {
             "begin" => {
                 let name = rest.first().copied().unwrap_or_default().to_lowercase();
                 if name == "main_body" {
                     self.bodies.push(Body::default());
                 }
-                self.blocks.push((name, line.number));
+                self.blocks.push((name, file, line.number));
+                Some(())
             }
             "end" => self.end(line, rest, problems),
-            "exit" => {}
-            key => {
-                let good = self.statement(key, line, rest, problems);
-                self.is_good &= good.is_some();
+            "continue_in_file" => {
+                let (name, by) = (rest.join(" "), file);
+                let line = line.number;
+                self.go_on(&Named { name, by, line }, problems)
             }
+            key => self.statement(key, line, rest, problems),
         }
     }
 
-    fn end(&mut self, line: &Line<'_>, rest: &[&str], problems: &mut Problems) {
+    /// Reads the file that `continue_in_file` names.
+    fn go_on(&mut self, named: &Named, problems: &mut Problems) -> Option<()> {
+        let what = "the file of continue_in_file";
+        let Some(path) = named.find() else {
+            problems.push(named.line, &named.missing(what));
+            return None;
+        };
+        let same = |other: &PathBuf| match (other.canonicalize(), path.canonicalize()) {
+            (Ok(other), Ok(path)) => other == path,
+            _ => *other == path,
+        };
+        let found = match self.files.iter().any(same) {
+            true => format!("\"{}\", which is being read", named.name),
+            false if self.texts.len() == MOST_FILES => format!("more than {MOST_FILES} files"),
+            false => {
+                let text = problems.keep(read_text(&path))?;
+                self.file(&text, &path, problems);
+                problems.turn_to(&named.by);
+                return Some(());
+            }
+        };
+        let problem = ExchangeProblem::Other {
+            what: what.to_owned(),
+            found,
+            expected: "files that do not lead back to themselves".to_owned(),
+            help: "remove the statement".to_owned(),
+        };
+        problems.push(named.line, &problem);
+        None
+    }
+
+    /// What is told of statements outside of all blocks.
+    fn outside(&self) -> Option<String> {
+        let shown = self.outside.iter().take(OUTSIDE_SHOWN);
+        let shown: Vec<_> = shown
+            .map(|(key, place)| format!("\"{}\" ({place})", shortened(key)))
+            .collect();
+        let more = match self.outside.len() - shown.len() {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        (!shown.is_empty()).then(|| {
+            format!(
+                "statements outside of all blocks are not read: {}{more}",
+                shown.join(", ")
+            )
+        })
+    }
+
+    /// All bodies; `None` where something is wrong.
+    fn finish(self, problems: &mut Problems) -> Option<Vec<Body>> {
+        if let Some((name, file, line)) = self.blocks.last() {
+            let problem = ExchangeProblem::CutShort {
+                what: format!("the block \"{name}\""),
+                expected: format!("\"end {name}\""),
+            };
+            problems.turn_to(file);
+            problems.push(*line, &problem);
+            return None;
+        }
+        (!self.is_wrong).then_some(self.bodies)
+    }
+
+    fn end(&mut self, line: &Line<'_>, rest: &[&str], problems: &mut Problems) -> Option<()> {
         let name = rest.first().copied().unwrap_or_default().to_lowercase();
         let open = self.blocks.pop();
-        if open.as_ref().is_some_and(|(open, _)| *open == name) {
-            return;
+        if open.as_ref().is_some_and(|(open, ..)| *open == name) {
+            return Some(());
         }
-        self.is_good = false;
         let expected = match open {
-            Some((open, at)) => format!("\"end {open}\", since line {at} begins it"),
+            Some((open, _, at)) => format!("\"end {open}\", since line {at} begins it"),
             None => "no end, since no block is open".to_owned(),
         };
         problems.push(
@@ -186,9 +308,10 @@ impl Reader {
                 help: "every begin needs its end, in the reverse order".to_owned(),
             },
         );
+        None
     }
 
-    /// A statement inside of a body; `None` where it is wrong.
+    /// A statement of a block; `None` where it is wrong.
     fn statement(
         &mut self,
         key: &str,
@@ -196,7 +319,13 @@ impl Reader {
         rest: &[&str],
         problems: &mut Problems,
     ) -> Option<()> {
-        let block = self.blocks.last().map(|(name, _)| name.as_str())?;
+        let file = self.files.last().cloned().unwrap_or_default();
+        let Some((block, ..)) = self.blocks.last() else {
+            let place = Place::line(file.display().to_string(), line.number);
+            self.outside.push((key.to_owned(), place));
+            return Some(());
+        };
+        let block = block.as_str();
         let Some(body) = self.bodies.last_mut() else {
             return Some(());
         };
@@ -208,7 +337,8 @@ impl Reader {
                 body.damping = Some(numbers("damping_posdef", at, rest, problems)?);
             }
             ("timoschenko_input", "filename") => {
-                body.st_file = Some((rest.join(" "), at));
+                let (name, by) = (rest.join(" "), file);
+                body.st_file = Some(Named { name, by, line: at });
             }
             ("timoschenko_input", "fpm") => body.is_full = rest.first() == Some(&"1"),
             ("timoschenko_input", "set") => {
@@ -217,7 +347,7 @@ impl Reader {
             }
             ("c2_def", "nsec") => {
                 let [count] = wholes("nsec", at, rest, problems)?;
-                body.announced = Some((count, at));
+                body.announced = Some((count, file, at));
             }
             ("c2_def", "sec") => {
                 let [_, x, y, z, twist] = numbers("sec", at, rest, problems)?;

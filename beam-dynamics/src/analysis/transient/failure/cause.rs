@@ -160,7 +160,7 @@ impl<'a> Scene<'a> {
 
     /// A motion that has grown beyond the model.
     fn grown(&self) -> Option<Cause> {
-        let size = self.model.system.rest().size();
+        let size = self.model.system.size();
         let nodes = self.state.nodes.iter().zip(self.model.system.nodes());
         let far = nodes.map(|(motion, node)| {
             let way = (motion.position - node.position).norm() / size;

@@ -27,7 +27,7 @@ impl Search<'_> {
     /// constraints were off by where they were nearest to it.
     pub fn run(&self, is_damped: bool, nearest: &mut Unfulfilled) -> Option<State> {
         let nodes = self.start.nodes.len();
-        let size = self.start.size();
+        let size = self.system.size();
         let mut now = self.start.clone();
         for _ in 0..ITERATIONS {
             let (start, weights) = (&self.start, &self.weights);
@@ -49,7 +49,8 @@ impl Search<'_> {
             }
             if largest <= SMALL {
                 // Constraints that contradict each other come to rest between them.
-                return (off.value.abs() <= fulfilled(SMALL, &self.start)).then_some(now);
+                return (off.value.abs() <= fulfilled(SMALL, self.system, &self.start))
+                    .then_some(now);
             }
         }
         None

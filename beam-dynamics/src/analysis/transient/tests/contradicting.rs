@@ -159,7 +159,7 @@ fn what_gives_way_is_measured_by_the_size_of_lengths_and_as_it_is_of_angles() {
         let shared = redundant::independent(&model, &question).unwrap().unwrap();
         let system = &shared.model.system;
         let (state, conditions) = (system.rest(), model.conditions_at(0.0));
-        assert!((state.size() / size - 1.0).abs() < 1e-12);
+        assert!((system.size() / size - 1.0).abs() < 1e-12);
         let mut sharing = Sharing::new(system, &state, &conditions);
         let count = state.multipliers.len();
         let multipliers: Vec<_> = (0..count).map(|i| (1.0 + i as f64).sin()).collect();

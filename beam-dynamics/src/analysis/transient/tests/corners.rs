@@ -252,6 +252,30 @@ fn a_step_of_a_velocity_is_an_impulse() {
 }
 
 // The first state at or behind the corner that is told has the motion before it.
+// The state of a corner is that before it, and so is all that is told with it: else a row of
+// the table would have a speed of 2 rad/s beside a bar at rest.
+#[test]
+fn what_acts_at_a_corner_is_told_as_before_it() {
+    for question in questions() {
+        let (kept, outcome) = run(&chain(2, Turning::Speed(speed())), &question);
+        assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+        let (drive, mut corners) = (speed(), 0);
+        for ((time, seen), state) in kept.times.iter().zip(&kept.seen).zip(&kept.states) {
+            assert!(
+                seen <= time && time - seen <= 4.0 * f64::EPSILON,
+                "{time} {seen}"
+            );
+            corners += usize::from(seen < time);
+            let found = state.nodes[0].angular_velocity.z;
+            assert!(
+                (found - drive.at(*seen).value).abs() < 1e-6,
+                "{time}: {found}"
+            );
+        }
+        assert_eq!(corners, 2);
+    }
+}
+
 #[test]
 fn nothing_is_renewed_where_nothing_jumps() {
     // A ramp of the load's own: no constraint of the bar has a corner there.

@@ -6,9 +6,7 @@ use crate::analysis::transient::{TransientOutcome, transient};
 use crate::assembly::System;
 use crate::case::{InitialMotion, Model, TransientQuestion};
 use crate::elements::Element;
-use crate::elements::beams::{
-    BeamGeometry, BeamInertia, BeamNode, ElasticBeam, MassAlong, lumped_bodies,
-};
+use crate::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing, Turning, axes_along};
 use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad};
@@ -19,6 +17,8 @@ use crate::result::{Moment, Recorder, Snapshot};
 #[derive(Debug, Default)]
 pub struct Kept {
     pub times: Vec<f64>,
+    /// Times for which what acts is told.
+    pub seen: Vec<f64>,
     pub states: Vec<State>,
     /// Step at which a snapshot is wanted, and the snapshot.
     pub wanted: Option<usize>,
@@ -30,6 +30,7 @@ pub struct Kept {
 impl Recorder for Kept {
     fn record(&mut self, moment: &Moment<'_>) -> bool {
         self.times.push(moment.time);
+        self.seen.push(moment.conditions.loading.time);
         self.states.push(moment.state.clone());
         self.most != Some(moment.step)
     }
@@ -215,14 +216,12 @@ impl Strip {
         let [m, jx, jy, jz] = self.mass;
         let section = Matrix6::from_diagonal(&Vector6::new(m, m, m, jx, jy, jz));
         let stiffness = [Matrix6::from_diagonal(&self.stiffness.into()); 2];
-        let geometry = BeamGeometry {
-            nodes: [BeamNode::aligned(); 3],
-        };
+        let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
         let mut elements: Vec<Box<dyn Element>> = Vec::new();
         for e in 0..self.elements {
             let on = [2 * e, 2 * e + 1, 2 * e + 2];
             let ends = on.map(|i| &nodes[i]);
-            let beam = ElasticBeam::new("beam", on, geometry, ends, stiffness);
+            let beam = Beam::elastic("beam", on, geometry, ends, stiffness);
             elements.push(Box::new(beam));
             let mass = MassAlong {
                 at: &|_| section,
@@ -230,11 +229,14 @@ impl Strip {
                 length: None,
             };
             if self.lumped {
-                for (node, inertia) in on.into_iter().zip(lumped_bodies(&geometry, ends, &mass)) {
+                for (node, inertia) in on
+                    .into_iter()
+                    .zip(lumped_bodies(&geometry, ends, &mass).bodies)
+                {
                     elements.push(Box::new(RigidBody::new("part", node, inertia)));
                 }
             } else {
-                elements.push(Box::new(BeamInertia::along(
+                elements.push(Box::new(BeamInertia::new(
                     "mass", on, geometry, ends, &mass,
                 )));
             }

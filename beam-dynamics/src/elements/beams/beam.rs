@@ -1,0 +1,323 @@
+//! The geometrically exact three-node beam of any section law, with electrodes or without.
+//!
+//! At the evaluation points I and II (xi = -+1/sqrt 3), in section axes, with the strain
+//! `eps = [nu; kappa]` and its rate (see [`super::strain`]),
+//!
+//! ```text
+//! nu = R^T l - (R^T l)_ref                kappa = T(psi)^T psi' - (T^T psi')_ref
+//! q  = [F~; M~] = law(eps, eps', t) + sum_k Theta_k V_k
+//! d q = C d eps + V d eps' + sum_k Theta_k d V_k          C, V: slopes of the law
+//! ```
+//!
+//! The forces on the nodes and their variations follow from q by the formulation of the
+//! beam (see [`super::formulation`]). The two points are the Gauss points of the line: the
+//! elastic energy is `sum W(eps) J0`, and the beam of constant properties is exact at its ends
+//! under loads at its ends.
+//!
+//! References: [Masarati], the three-node beam (5.2-5.4).
+
+use nalgebra::{DMatrix, Matrix6, Vector6};
+
+use super::electrodes::{BeamElectrode, Electrodes, Voltage};
+use super::formulation::{Test, add_column, add_forces, add_tangent};
+use super::geometry::{BeamGeometry, ReferencePoint};
+use super::interpolation::{LARGEST, NodalKinematics, Shape};
+use super::strain::{StrainPoint, Variation};
+use crate::elements::laws::{Law, Response};
+use crate::elements::{
+    Along, Charges, Element, Energy, Local, LocalJacobian, LocalResidual, Observations,
+    SectionState,
+};
+use crate::model::{Drive, Node, NodeMotion};
+
+/// xi of the evaluation points: the Gauss points, which make the beam of constant
+/// properties exact at its ends.
+pub(super) const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
+
+/// A geometrically exact beam through three nodes.
+#[derive(Debug, Clone)]
+pub struct Beam {
+    label: String,
+    nodes: [usize; 3],
+    geometry: BeamGeometry,
+    points: [Point; 2],
+    electrodes: Electrodes,
+}
+
+#[derive(Debug, Clone)]
+struct Point {
+    shape: Shape,
+    reference: ReferencePoint,
+    law: Law<6>,
+}
+
+/// An evaluation point at a state.
+struct At<'a> {
+    strain: StrainPoint<'a>,
+    now: Vector6<f64>,
+    test: Test,
+    /// Forces of the law and of the electrodes.
+    response: Response<6>,
+}
+
+impl Beam {
+    /// A beam on nodes number `nodes`, undeformed at `undeformed`, with the laws at the
+    /// evaluation points xi = -1/sqrt 3 and 1/sqrt 3.
+    pub fn new(
+        label: impl Into<String>,
+        nodes: [usize; 3],
+        geometry: BeamGeometry,
+        undeformed: [&Node; 3],
+        laws: [Law<6>; 2],
+    ) -> Self {
+        let [first, second] = laws;
+        let point = |place: usize, law: Law<6>| Point {
+            shape: Shape::at(EVALUATION_POINTS[place]),
+            reference: geometry.reference_point(&undeformed, EVALUATION_POINTS[place]),
+            law,
+        };
+        Self {
+            label: label.into(),
+            nodes,
+            geometry,
+            points: [point(0, first), point(1, second)],
+            electrodes: Electrodes::default(),
+        }
+    }
+
+    /// A beam of linear elastic sections, with the stiffness given at the evaluation points
+    /// [N, N m, N m^2].
+    pub fn elastic(
+        label: impl Into<String>,
+        nodes: [usize; 3],
+        geometry: BeamGeometry,
+        undeformed: [&Node; 3],
+        stiffness: [Matrix6<f64>; 2],
+    ) -> Self {
+        let laws = stiffness.map(Law::linear);
+        Self::new(label, nodes, geometry, undeformed, laws)
+    }
+
+    /// The same with electrodes, the capacitance of which (electrodes x electrodes, in
+    /// their order) is given at the evaluation points [F/m].
+    #[must_use]
+    pub fn with_electrodes(
+        mut self,
+        electrodes: Vec<BeamElectrode>,
+        capacitance: [DMatrix<f64>; 2],
+    ) -> Self {
+        let lengths = self.points.each_ref().map(|point| point.reference.j0);
+        self.electrodes = Electrodes::new(electrodes, capacitance, lengths);
+        self
+    }
+
+    /// xi of the two evaluation points.
+    pub fn evaluation_points() -> [f64; 2] {
+        EVALUATION_POINTS
+    }
+
+    /// How the beam is attached to its nodes.
+    pub fn geometry(&self) -> BeamGeometry {
+        self.geometry
+    }
+
+    /// Generalized strains at the two evaluation points, section axes, for the given
+    /// motion of the three nodes [-, 1/m].
+    pub fn strains(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
+        let nodal = NodalKinematics::new(&self.geometry, nodes);
+        let strain = |point: &Point| {
+            let reference = &point.reference;
+            reference.strain(&nodal.at(&point.shape, reference.j0))
+        };
+        self.points.each_ref().map(strain)
+    }
+
+    /// Rates of the generalized strains at the two evaluation points, section axes, for
+    /// the given motion of the three nodes [1/s, 1/(m s)].
+    pub fn strain_rates(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
+        let nodal = NodalKinematics::new(&self.geometry, nodes);
+        self.points
+            .each_ref()
+            .map(|point| StrainPoint::new(&nodal, &point.shape, point.reference.j0).rate(nodes))
+    }
+
+    /// Internal forces at the two evaluation points at a state, section axes [N, N m].
+    pub fn internal_forces(&self, at: &Local<'_>) -> [Vector6<f64>; 2] {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let voltages = self.electrodes.voltages(at);
+        [0, 1].map(|place| self.at(place, &nodal, at, &voltages).response.force)
+    }
+
+    /// An evaluation point at a state.
+    fn at<'a>(
+        &'a self,
+        place: usize,
+        nodal: &'a NodalKinematics,
+        at: &Local<'_>,
+        voltages: &[Voltage],
+    ) -> At<'a> {
+        let point = &self.points[place];
+        let strain = StrainPoint::new(nodal, &point.shape, point.reference.j0);
+        let rate = match point.law.is_viscous() {
+            true => strain.rate(at.nodes),
+            false => Vector6::zeros(),
+        };
+        let now = point.reference.strain(&strain.section.point);
+        let mut response = point.law.at(&now, &rate, at.loading.time);
+        response.force += self.electrodes.force(place, voltages);
+        At {
+            now,
+            test: self.geometry.formulation.test(place, &strain),
+            strain,
+            response,
+        }
+    }
+
+    /// Adds the forces and charges of an electrode that are linear in its voltage, and in
+    /// the strain.
+    fn add_by_electrodes(
+        &self,
+        place: usize,
+        at: &At<'_>,
+        voltages: &[Voltage],
+        out: &mut LocalJacobian,
+    ) {
+        for (k, voltage) in voltages.iter().enumerate() {
+            let Some(column) = voltage.row else { continue };
+            add_column(&at.test, self.electrodes.coupling(k, place), column, out);
+        }
+        self.electrodes
+            .add_charge_rows(place, &at.strain.variation, voltages, out);
+    }
+}
+
+impl Element for Beam {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn joins_nodes(&self) -> bool {
+        true
+    }
+
+    fn electric(&self) -> &[usize] {
+        self.electrodes.unknowns()
+    }
+
+    fn reach(&self) -> f64 {
+        let offsets = self.geometry.nodes.iter().map(|node| node.offset.norm());
+        offsets.fold(0.0, f64::max)
+    }
+
+    fn drives(&self) -> Vec<&Drive> {
+        let laws = self.points.iter().flat_map(|point| point.law.drives());
+        laws.chain(self.electrodes.drives()).collect()
+    }
+
+    fn without_value(&self, at: &Local<'_>) -> Option<String> {
+        let turn = NodalKinematics::largest_turn(&self.geometry, at.nodes);
+        let largest = LARGEST.to_degrees();
+        (turn > LARGEST).then(|| {
+            format!(
+                "its ends turn by {:.0} deg against its middle, more than the {largest:.0} deg that \
+                 one element can follow",
+                turn.to_degrees()
+            )
+        })
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let strains = self.strains(at.nodes);
+        let of_point = |(point, strain): (&Point, &Vector6<f64>)| {
+            point.law.energy(strain, at.loading.time) * point.reference.j0
+        };
+        Energy {
+            elastic: self.points.iter().zip(&strains).map(of_point).sum(),
+            electric: self.electrodes.energy(&self.electrodes.voltages(at)),
+            ..Energy::default()
+        }
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let voltages = self.electrodes.voltages(at);
+        let points = [0, 1].map(|place| self.at(place, &nodal, at, &voltages));
+        for point in &points {
+            add_forces(&point.test, &point.response.force, out);
+        }
+        let strains = points.map(|point| point.now);
+        self.electrodes.add_charges(&voltages, &strains, out);
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let voltages = self.electrodes.voltages(at);
+        for place in [0, 1] {
+            let point = self.at(place, &nodal, at, &voltages);
+            let Response {
+                force,
+                by_strain,
+                by_rate,
+            } = &point.response;
+            let mut by_unknowns: Variation = by_strain * point.strain.variation;
+            if self.points[place].law.is_viscous() {
+                by_unknowns += by_rate * point.strain.rate_variation(at.nodes);
+                let by_rates = by_rate * point.strain.variation;
+                add_tangent(&point.test, &by_rates, true, out);
+            }
+            add_tangent(&point.test, &by_unknowns, false, out);
+            let formulation = self.geometry.formulation;
+            formulation.add_geometric(place, &point.strain, force, out);
+            self.add_by_electrodes(place, &point, &voltages, out);
+        }
+    }
+
+    /// The part that is proportional to the internal forces, for their growth along the
+    /// motion, with the stiffness of the section where it grows with the strain.
+    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let voltages = self.electrodes.voltages(at);
+        let growth = self.electrodes.growth(along);
+        for place in [0, 1] {
+            let point = self.at(place, &nodal, at, &voltages);
+            let strain = point.strain.along(|j| along.nodes[j]);
+            let force = point.response.by_strain * strain + self.electrodes.force(place, &growth);
+            let stiffer = self.points[place].law.growth_of_stiffness(&strain);
+            add_tangent(&point.test, &(stiffer * point.strain.variation), false, out);
+            let formulation = self.geometry.formulation;
+            formulation.add_geometric(place, &point.strain, &force, out);
+        }
+    }
+
+    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let voltages = self.electrodes.voltages(at);
+        let turn = NodalKinematics::largest_turn(&self.geometry, at.nodes);
+        for (place, xi) in EVALUATION_POINTS.into_iter().enumerate() {
+            let point = self.at(place, &nodal, at, &voltages);
+            let law = &self.points[place].law;
+            out.sections.push(SectionState {
+                beam: self.label.clone(),
+                xi,
+                position: point.strain.section.point.p,
+                axes: point.strain.section.point.r,
+                strain: point.now,
+                internal_force: point.response.force,
+                change_of_stiffness: law.change_by_prestress(&point.now, at.loading.time),
+                turn,
+            });
+        }
+    }
+
+    fn charges(&self, at: &Local<'_>, out: &mut Charges) {
+        if self.electrodes.is_empty() {
+            return;
+        }
+        let rates = self.strain_rates(at.nodes);
+        self.electrodes.report(&self.strains(at.nodes), &rates, out);
+    }
+}

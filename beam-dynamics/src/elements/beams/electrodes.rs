@@ -1,0 +1,260 @@
+//! Electrodes of a beam: forces of their voltages, and the charges that these find there.
+//!
+//! At the evaluation points, in section axes, with the columns `Theta_k` of the coupling and
+//! the voltages `V_k` of the electrodes,
+//!
+//! ```text
+//! [F~; M~] = law(eps, eps', t) + sum_k Theta_k V_k                             (D-260)
+//! Q_k      = sum_points J0 ( -Theta_k . eps + sum_l C_kl V_l )                 (D-261)
+//! E        = 1/2 sum_points J0 sum_kl V_k C_kl V_l                             (D-262)
+//! ```
+//!
+//! The forces of a voltage on the nodes of a variational beam are `-J0 B^T Theta_k`, so that
+//! their work on any motion of the nodes is that of the charges:
+//!
+//! ```text
+//! sum_nodes ( dF_k . v + dM_k . omega ) / d V_k = d Q_k / d t  at constant V  (D-263)
+//! ```
+//!
+//! Finite volumes meet it for stretch, twist and bending of a coupling that is the same
+//! at both points, and for shear up to the square of the turning within the beam.
+//!
+//! References: [Masarati], piezoelectric beams.
+
+use nalgebra::{DMatrix, RowVector3, Vector6};
+
+use super::beam::EVALUATION_POINTS;
+use super::geometry::BeamGeometry;
+use super::strain::Variation;
+use crate::elements::{Along, Charges, Local, LocalJacobian, LocalResidual};
+use crate::model::{Drive, Node, Variable};
+
+/// Where the voltage of an electrode comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Potential {
+    /// It is given over time [V].
+    Held(Drive),
+    /// It is an unknown of the model.
+    Free {
+        /// Number of the electric unknown.
+        unknown: usize,
+    },
+}
+
+/// An electrode on a beam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BeamElectrode {
+    /// Its number among the electrodes of the model.
+    pub number: usize,
+    /// Its voltage.
+    pub potential: Potential,
+    /// Internal force for one volt at the two evaluation points, section axes
+    /// [N/V, N m/V].
+    pub coupling: [Vector6<f64>; 2],
+    /// Capacitance of the whole electrode, by which the equation of its charge is divided
+    /// [F].
+    pub capacitance: f64,
+}
+
+impl BeamElectrode {
+    /// Capacitance of a beam whose capacitance per length is given at the evaluation points
+    /// [F].
+    pub fn capacitance(
+        geometry: &BeamGeometry,
+        undeformed: [&Node; 3],
+        per_length: [f64; 2],
+    ) -> f64 {
+        let points = EVALUATION_POINTS.into_iter().zip(per_length);
+        points
+            .map(|(xi, value)| geometry.reference_point(&undeformed, xi).j0 * value)
+            .sum()
+    }
+}
+
+/// The electrodes of one beam.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Electrodes {
+    list: Vec<BeamElectrode>,
+    /// The electric unknowns, in the order of the electrodes that have one.
+    unknowns: Vec<usize>,
+    /// J0 at the evaluation points [m].
+    lengths: [f64; 2],
+    /// Electrodes x electrodes at the evaluation points [F/m].
+    capacitance: Vec<DMatrix<f64>>,
+}
+
+/// A voltage, and its index among the rows of the element where it is unknown.
+pub(super) struct Voltage {
+    pub value: f64,
+    pub row: Option<usize>,
+}
+
+impl Electrodes {
+    pub fn new(
+        list: Vec<BeamElectrode>,
+        capacitance: [DMatrix<f64>; 2],
+        lengths: [f64; 2],
+    ) -> Self {
+        let unknown = |electrode: &BeamElectrode| match electrode.potential {
+            Potential::Held(_) => None,
+            Potential::Free { unknown } => Some(unknown),
+        };
+        Self {
+            unknowns: list.iter().filter_map(unknown).collect(),
+            list,
+            lengths,
+            capacitance: capacitance.into(),
+        }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    pub fn unknowns(&self) -> &[usize] {
+        &self.unknowns
+    }
+
+    /// Coupling of electrode number `k` of the beam at an evaluation point.
+    pub fn coupling(&self, k: usize, place: usize) -> &Vector6<f64> {
+        &self.list[k].coupling[place]
+    }
+
+    /// The drives of voltages that are given.
+    pub fn drives(&self) -> impl Iterator<Item = &Drive> {
+        self.list
+            .iter()
+            .filter_map(|electrode| match &electrode.potential {
+                Potential::Held(drive) => Some(drive),
+                Potential::Free { .. } => None,
+            })
+    }
+
+    pub fn voltages(&self, at: &Local<'_>) -> Vec<Voltage> {
+        self.each(
+            |drive| at.loading.voltages * drive.at(at.loading.time).value,
+            |_, unknown| at.electric.values[unknown],
+        )
+    }
+
+    /// Change of the voltages along a motion; those that are given do not change.
+    pub fn growth(&self, along: &Along<'_>) -> Vec<Voltage> {
+        self.each(|_| 0.0, |row, _| along.electric[row])
+    }
+
+    fn each(
+        &self,
+        held: impl Fn(&Drive) -> f64,
+        free: impl Fn(usize, usize) -> f64,
+    ) -> Vec<Voltage> {
+        let mut rows = 0..;
+        let of = |electrode: &BeamElectrode| match &electrode.potential {
+            Potential::Held(drive) => Voltage {
+                value: held(drive),
+                row: None,
+            },
+            Potential::Free { unknown } => {
+                let row = rows.next().unwrap_or_default();
+                Voltage {
+                    value: free(row, *unknown),
+                    row: Some(row),
+                }
+            }
+        };
+        self.list.iter().map(of).collect()
+    }
+
+    /// Force of all voltages at an evaluation point, section axes.
+    pub fn force(&self, place: usize, voltages: &[Voltage]) -> Vector6<f64> {
+        let pairs = self.list.iter().zip(voltages);
+        pairs
+            .map(|(electrode, voltage)| electrode.coupling[place] * voltage.value)
+            .sum()
+    }
+
+    /// The part of the charge of electrode number `k` of the beam that hangs on the strains.
+    fn by_strain(&self, k: usize, strains: &[Vector6<f64>; 2]) -> f64 {
+        let of = |place: usize| -self.lengths[place] * self.coupling(k, place).dot(&strains[place]);
+        of(0) + of(1)
+    }
+
+    /// Charge of electrode `k` for one volt on electrode `l` of the beam [F].
+    fn mutual(&self, k: usize, l: usize) -> f64 {
+        let points = self.lengths.iter().zip(&self.capacitance);
+        points.map(|(j0, matrix)| j0 * matrix[(k, l)]).sum()
+    }
+
+    /// The part of the charge of electrode `k` that hangs on the voltages.
+    fn by_voltages(&self, k: usize, voltages: &[Voltage]) -> f64 {
+        let terms = voltages.iter().enumerate();
+        terms
+            .map(|(l, voltage)| self.mutual(k, l) * voltage.value)
+            .sum()
+    }
+
+    pub fn energy(&self, voltages: &[Voltage]) -> f64 {
+        let terms = voltages.iter().enumerate();
+        terms
+            .map(|(k, voltage)| 0.5 * voltage.value * self.by_voltages(k, voltages))
+            .sum()
+    }
+
+    /// Adds minus the charges to their equations.
+    pub fn add_charges(
+        &self,
+        voltages: &[Voltage],
+        strains: &[Vector6<f64>; 2],
+        out: &mut LocalResidual,
+    ) {
+        for (k, voltage) in voltages.iter().enumerate() {
+            let Some(row) = voltage.row else { continue };
+            for part in [self.by_strain(k, strains), self.by_voltages(k, voltages)] {
+                out.add_constraint(row, -part / self.list[k].capacitance);
+            }
+        }
+    }
+
+    /// Adds the variations of what [`Self::add_charges`] adds for an evaluation point.
+    pub fn add_charge_rows(
+        &self,
+        place: usize,
+        variation: &Variation,
+        voltages: &[Voltage],
+        out: &mut LocalJacobian,
+    ) {
+        const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
+        for (k, voltage) in voltages.iter().enumerate() {
+            let Some(row) = voltage.row else { continue };
+            let weight = self.lengths[place] / self.list[k].capacitance;
+            let values = weight * self.coupling(k, place).transpose() * variation;
+            for (node, variable) in (0..3).flat_map(|node| [(node, 0), (node, 1)]) {
+                let first = 6 * node + 3 * variable;
+                let values = RowVector3::from_fn(|_, i| values[first + i]);
+                out.add_constraint(row, (node, UNKNOWNS[variable]), &values);
+            }
+            for (l, other) in voltages.iter().enumerate() {
+                let Some(column) = other.row else { continue };
+                let charge = weight * self.capacitance[place][(k, l)];
+                out.add_electric(row, column, -charge, false);
+            }
+        }
+    }
+
+    /// Reports charges by strains and their rates, and capacitances.
+    pub fn report(
+        &self,
+        strains: &[Vector6<f64>; 2],
+        rates: &[Vector6<f64>; 2],
+        out: &mut Charges,
+    ) {
+        for (k, electrode) in self.list.iter().enumerate() {
+            let number = electrode.number;
+            let [charge, rate] = [strains, rates].map(|of| self.by_strain(k, of));
+            out.by_strain.push((number, charge, rate));
+            for (l, other) in self.list.iter().enumerate() {
+                out.capacitance
+                    .push((number, other.number, self.mutual(k, l)));
+            }
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! The variational beam: tangent of the gradient of its energy, and work-equivalent loads.
+//!
+//! The gradient of `sum J0 W(eps)` is `g = sum J0 B^T q` (see [`super::formulation`]). With
+//! `F = R F~`, `w = J0` and the moment `c = F x l` that does work on the rotation of the
+//! section, its parts are
+//!
+//! ```text
+//! g_xj = sum w N'_j / J0 F                g_th,j = f_j x g_xj + y_j ,  y_j = w (T_j^T c + k_j^T M~)
+//! ```
+//!
+//! and at fixed section forces, with `d F = -[F]x theta`,
+//!
+//! ```text
+//! d g_xj   = - w N'_j / J0 [F]x T_k theta_k
+//! d g_th,j = [f_j]x d g_xj + [g_xj]x [f_j]x theta_j + d y_j
+//! d c      = [F]x d l + [l]x [F]x theta
+//! ```
+//!
+//! A moment `sigma` on the rotation of the section and a moment `m` on its curvature give
+//! the nodes, with `a = T^T A^T sigma + S^T m`, `b = T m`, `z_j = N_j a + N'_j b / J0`,
+//!
+//! ```text
+//! y_j  = A_j^T z_j   (j = 1, 3)           y_2 = sigma - y_1 - y_3
+//! P    = D(T^T.; A^T sigma) + H           Q   = D(T.; m)
+//! E_jk = N_j N_k P + (N_j N'_k Q^T + N'_j N_k Q) / J0
+//! d y_j = A_j^T E_jk A_k (theta_k - theta_2) + A D(T^-T.; z_j) A_j (theta_j - theta_2)
+//!         + T_j^T [sigma]x theta_2 - [y_j]x theta_2 + T_j^T d sigma
+//! ```
+//!
+//! The whole is symmetric but for `-1/2 [m_j]x` of each node, m_j being the moment of the
+//! element there, which goes out where nodes are in balance.
+//!
+//! A force q and a moment m on the line do the work of `sum N_j d p_j . q + theta . m`:
+//!
+//! ```text
+//! force_j = N_j q                         moment_j = f_j x N_j q + T_j^T m
+//! ```
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::rotation::{skew, skew_skew, skew_times};
+
+use super::formulation::LineForce;
+use super::strain::SectionPoint;
+use crate::elements::{LocalJacobian, LocalResidual};
+use crate::model::Equation::{Force, Moment};
+use crate::model::Variable::{Position, Rotation};
+
+/// `d y_j` by the rotation of node k at fixed sigma and m.
+pub(super) fn moment_variation(
+    at: &SectionPoint<'_>,
+    sigma: &Vector3<f64>,
+    m: &Vector3<f64>,
+) -> [[Matrix3<f64>; 3]; 3] {
+    let SectionPoint {
+        nodal,
+        shape,
+        point,
+        relative,
+        theta,
+        ..
+    } = at;
+    let carried = nodal.a.transpose() * sigma;
+    let bent = point.map.tangent_transpose_derivative(&point.psi_prime);
+    let a = point.tangent.tr_mul(&carried) + bent.tr_mul(m);
+    let b = point.tangent * m;
+    let p = point.map.tangent_transpose_derivative(&carried)
+        + point.map.second_derivative(&point.psi_prime, m);
+    let q = point.map.tangent_derivative(m);
+    let mut out = [[Matrix3::zeros(); 3]; 3];
+    for (j, k) in [(0, 0), (0, 2), (2, 0), (2, 2)] {
+        let [n, slope] = [&shape.n, &shape.d.map(|d| d / at.j0)];
+        let e = n[j] * n[k] * p + n[j] * slope[k] * q.transpose() + slope[j] * n[k] * q;
+        out[j][k] = relative[j / 2].tr_mul(&e) * relative[k / 2];
+    }
+    for j in [0, 2] {
+        let z = shape.n[j] * a + at.slope(j) * b;
+        let inverse = nodal.outer[j / 2].tangent_inverse_transpose_derivative(&z);
+        out[j][j] += nodal.a * inverse * relative[j / 2];
+        let y = relative[j / 2].tr_mul(&z);
+        let turned = theta[j].tr_mul(&skew(sigma)) - skew(&y);
+        out[j][1] = turned - out[j][0] - out[j][2];
+    }
+    for k in 0..3 {
+        out[1][k] = -out[0][k] - out[2][k];
+    }
+    out
+}
+
+/// Adds the tangent at fixed section forces, to forces that are minus the gradient.
+pub(super) fn add_geometric(
+    at: &SectionPoint<'_>,
+    force: &Vector3<f64>,
+    moment: &Vector3<f64>,
+    out: &mut LocalJacobian,
+) {
+    let SectionPoint {
+        nodal,
+        point,
+        theta,
+        j0,
+        ..
+    } = at;
+    let force = *j0 * (point.r * force);
+    let turned = theta.map(|theta| skew_times(&force, &theta));
+    let by_moment = moment_variation(at, &force.cross(&point.l), &(*j0 * moment));
+    for j in 0..3 {
+        for k in 0..3 {
+            // d c at fixed place
+            let slope = skew_skew(&force, &nodal.f[k]) * -at.slope(k);
+            let c = slope + skew_times(&point.l, &turned[k]);
+            let by_force = -at.slope(j) * turned[k];
+            let mut by_turn =
+                skew_times(&nodal.f[j], &by_force) + by_moment[j][k] + theta[j].tr_mul(&c);
+            if j == k {
+                by_turn += at.slope(j) * skew_skew(&force, &nodal.f[j]);
+            }
+            out.add((j, Force), (k, Rotation), &-by_force);
+            // - [F]x T_j, transposed
+            let by_place = -at.slope(k) * turned[j].transpose();
+            out.add((j, Moment), (k, Position), &-by_place);
+            out.add((j, Moment), (k, Rotation), &-by_turn);
+        }
+    }
+}
+
+/// Adds a load on the line.
+pub(super) fn add_on_line(at: &SectionPoint<'_>, load: &LineForce, out: &mut LocalResidual) {
+    for j in 0..3 {
+        let force = at.shape.n[j] * load.force;
+        out.add(j, Force, &force);
+        out.add(j, Moment, &at.nodal.f[j].cross(&force));
+        out.add(j, Moment, &at.theta[j].tr_mul(&load.moment));
+    }
+}
+
+/// Adds the variation of a load on the line.
+pub(super) fn add_on_line_variation(
+    at: &SectionPoint<'_>,
+    load: &LineForce,
+    out: &mut LocalJacobian,
+) {
+    let by_moment = match load.moment == Vector3::zeros() {
+        true => None,
+        false => Some(moment_variation(at, &load.moment, &Vector3::zeros())),
+    };
+    for j in 0..3 {
+        let n = at.shape.n[j];
+        for k in 0..3 {
+            let mut moment = by_moment.map_or_else(Matrix3::zeros, |by| by[j][k]);
+            if let Some([force, turned]) = &load.by_rotation {
+                let by_force = n * force[k];
+                out.add((j, Force), (k, Rotation), &by_force);
+                moment += skew_times(&at.nodal.f[j], &by_force) + at.theta[j].tr_mul(&turned[k]);
+            }
+            if j == k {
+                moment += n * skew_skew(&load.force, &at.nodal.f[j]);
+            }
+            out.add((j, Moment), (k, Rotation), &moment);
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! Forces that are gradients: the tangent of each element is symmetric up to half of the
+//! moments that it puts on its nodes.
+//!
+//! For any function of positions and rotations, with its gradient `[g; m]` by spatial
+//! variations and the derivatives H of that,
+//!
+//! ```text
+//! H - H^T = - blockdiag( 0, [m_j]x )
+//! ```
+//!
+//! so that the tangent of a whole model is symmetric where the moments at each node are in
+//! balance. Constraints are functions times their multipliers. Random states that fulfill
+//! no constraint; round-off of products of numbers of order one.
+
+use nalgebra::DMatrix;
+use shared_geom::rotation::skew;
+
+use super::jacobian_tests::{Random, nodes};
+use super::joints::{Clamp, RigidConnection, samples};
+use super::laws::Law;
+use super::springs::{Spring, SpringLaw};
+use super::{Electric, Element, Level, Local, LocalJacobian, LocalResidual};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Variable};
+
+const TOLERANCE: f64 = 1e-13;
+
+/// The largest entry of `H - H^T + blockdiag([m_j]x)` and of `d constraint - (d force)^T`,
+/// relative to the largest of H, at a random state of `nodes`.
+fn defect(element: &dyn Element, nodes: &[Node], random: &mut Random) -> f64 {
+    let motion: Vec<_> = nodes
+        .iter()
+        .map(|node| NodeMotion {
+            position: node.position + random.vector(0.2),
+            rotation: random.rotation(0.4) * node.rotation,
+            ..NodeMotion::at_rest(node)
+        })
+        .collect();
+    let multipliers: Vec<_> = (0..element.multipliers())
+        .map(|_| random.number())
+        .collect();
+    let conditions = Conditions::at_rest();
+    let at = Local {
+        nodes: &motion,
+        multipliers: &multipliers,
+        electric: Electric::NONE,
+        frame: &conditions.frame,
+        loading: &conditions.loading,
+    };
+    let mut residual = LocalResidual::new(nodes.len(), multipliers.len());
+    let mut jacobian = LocalJacobian::new(nodes.len(), multipliers.len());
+    element.residual(&at, &mut residual);
+    element.jacobian(&at, &mut jacobian);
+    let size = 6 * nodes.len();
+    let row = |i: usize| NODE_UNKNOWNS * (i / 6) + Equation::Force.row() + i % 6;
+    let column = |j: usize| NODE_UNKNOWNS * (j / 6) + Variable::Position.column() + j % 6;
+    let values = jacobian.by_unknowns();
+    // Forces are minus gradients.
+    let tangent = DMatrix::from_fn(size, size, |i, j| -values[(row(i), column(j))]);
+    let mut rest = &tangent - tangent.transpose();
+    for node in 0..nodes.len() {
+        let moment = -residual.of(node, Equation::Moment);
+        let mut block = rest.fixed_view_mut::<3, 3>(6 * node + 3, 6 * node + 3);
+        block += skew(&moment);
+    }
+    let first = NODE_UNKNOWNS * nodes.len();
+    let coupled = DMatrix::from_fn(size, multipliers.len(), |i, k| {
+        let (force, constraint) = (values[(row(i), first + k)], values[(first + k, column(i))]);
+        // Of either sign, which is the multiplier's.
+        (force.abs() - constraint.abs()).abs()
+    });
+    rest.amax().max(coupled.iter().copied().fold(0.0, f64::max)) / tangent.amax().max(1.0)
+}
+
+fn check(element: &dyn Element, nodes: &[Node], random: &mut Random) {
+    for _ in 0..5 {
+        let defect = defect(element, nodes, random);
+        assert!(defect < TOLERANCE, "{}: {defect:e}", element.label());
+    }
+}
+
+#[test]
+fn joints_of_positions() {
+    let mut random = Random::new(31);
+    let nodes = nodes(&mut random, 2);
+    let mut checked = 0;
+    for setting in &samples::settings(&nodes, || random.vector(1.0)) {
+        let count = 1 + usize::from(setting.ends.a.is_some());
+        for joint in samples::all(setting) {
+            let mut levels = (0..joint.multipliers()).map(|k| joint.level(k));
+            if levels.all(|level| level == Level::Position) {
+                check(&joint, &nodes[..count], &mut Random::new(32));
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 250, "{checked}");
+}
+
+#[test]
+fn clamps_rigid_connections_and_springs() {
+    let mut random = Random::new(33);
+    let nodes = nodes(&mut random, 2);
+    let ends = [&nodes[0], &nodes[1]];
+    let place = random.vector(1.0);
+    check(
+        &RigidConnection::new("rigid", [0, 1], ends),
+        &nodes,
+        &mut random,
+    );
+    check(&Clamp::new("clamp", 0, &nodes[0]), &nodes[..1], &mut random);
+    let axes = random.rotation(1.0);
+    let law: SpringLaw = Law::linear(random.stiffness()).into();
+    let spring = Spring::new("spring", (&[0, 1], &nodes), &place, &axes, law);
+    check(&spring, &nodes, &mut random);
+}

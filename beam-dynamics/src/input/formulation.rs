@@ -1,0 +1,132 @@
+//! How the beams of a card are formulated, and how their mass moves.
+//!
+//! Default: the variational beam, its mass at the nodes by weights. The finite volumes of the
+//! thesis are a set of their own: forces, rigid portions and loads on portions.
+
+use shared_geom::document::Table;
+use shared_geom::rotation::parameters::Parametrization;
+
+use super::problem::InputProblem;
+use crate::elements::beams::Formulation;
+
+/// How the mass of a beam moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Inertia {
+    /// Rigidly with the nodes.
+    Lumped,
+    /// With the interpolated velocities.
+    Consistent,
+}
+
+/// The keys `formulation`, `interpolation` and `inertia` of a card.
+pub(super) fn read(table: &Table<'_>) -> Option<(Formulation, Inertia)> {
+    let formulation = formulation(table);
+    let inertia = inertia(table);
+    let (formulation, inertia) = (formulation?, inertia?);
+    if formulation != Formulation::Variational && inertia == Inertia::Consistent {
+        table.note("inertia", &InputProblem::PortionsOnly);
+        return None;
+    }
+    Some((formulation, inertia))
+}
+
+fn formulation(table: &Table<'_>) -> Option<Formulation> {
+    let is_volume = match table.has("formulation") {
+        true => table.word("formulation", &["variational", "finite-volume"])? == 1,
+        false => false,
+    };
+    if !table.has("interpolation") {
+        return Some(match is_volume {
+            true => Formulation::FiniteVolume(Parametrization::Gibbs),
+            false => Formulation::Variational,
+        });
+    }
+    let word = table.word("interpolation", &["gibbs", "rotation-vector"])?;
+    if !is_volume {
+        table.note("interpolation", &InputProblem::OwnInterpolation);
+        return None;
+    }
+    let all = [Parametrization::Gibbs, Parametrization::RotationVector];
+    Some(Formulation::FiniteVolume(all[word]))
+}
+
+fn inertia(table: &Table<'_>) -> Option<Inertia> {
+    if !table.has("inertia") {
+        return Some(Inertia::Lumped);
+    }
+    let word = table.word("inertia", &["lumped", "consistent"])?;
+    Some([Inertia::Lumped, Inertia::Consistent][word])
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::input::test_files::{STRIP, read_beside};
+    use crate::model::{Conditions, Equation, Variable};
+
+    /// A blade of one piece with further keys, and how unsymmetric its tangent is.
+    fn blade(keys: &str) -> Result<f64, String> {
+        let text = format!(
+            "units = \"SI\"\n{STRIP}[[blade]]\nname = \"b\"\nproperties = \"strip\"\n\
+             {keys}\n\
+             [[blade.piece]]\nlength = 1\nelements = 1\n[modes]\nspeeds = [0]\n"
+        );
+        let system = read_beside(&text, &[])?.model.system;
+        let tangent = system.tangent(&system.rest(), &Conditions::at_rest());
+        let (row, column) = (Equation::Force.row(), Variable::Position.column());
+        let size = 6 * system.nodes().len();
+        let entry = |i: usize, j: usize| {
+            let place = |k: usize| system.numbering().node(k / 6) + k % 6;
+            tangent.by_unknowns.entry(place(i) + row, place(j) + column)
+        };
+        // Of the free nodes.
+        let pairs = (6..size).flat_map(|i| (6..i).map(move |j| (i, j)));
+        let (mut largest, mut off) = (0.0_f64, 0.0_f64);
+        for (i, j) in pairs {
+            largest = largest.max(entry(i, j).abs());
+            off = off.max((entry(i, j) - entry(j, i)).abs());
+        }
+        Ok(off / largest)
+    }
+
+    // Round-off against the lever arms of finite volumes, of the order of one.
+    #[test]
+    fn a_card_chooses_the_formulation() {
+        for keys in [
+            "",
+            "formulation = \"variational\"",
+            "inertia = \"consistent\"",
+        ] {
+            let off = blade(keys).unwrap();
+            assert!(off < 1e-14, "{keys}: {off:e}");
+        }
+        for more in [
+            "",
+            "interpolation = \"gibbs\"",
+            "interpolation = \"rotation-vector\"",
+        ] {
+            let off = blade(&format!("formulation = \"finite-volume\"\n{more}")).unwrap();
+            assert!(off > 1e-3, "{more}: {off:e}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_go_together_is_refused() {
+        for (keys, expected) in [
+            ("formulation = \"finite volume\"", "finite-volume"),
+            (
+                "formulation = \"finite-volume\"\ninertia = \"consistent\"",
+                "\"consistent\" inertia belongs to the variational beam",
+            ),
+            (
+                "interpolation = \"gibbs\"",
+                "the variational beam interpolates by rotation vectors",
+            ),
+        ] {
+            let shown = match blade(keys) {
+                Err(shown) => shown,
+                Ok(_) => panic!("accepted: {keys}"),
+            };
+            assert!(shown.contains(expected), "{expected} is not in\n{shown}");
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Files of any content: an input is read whole, or it is told what is wrong.
+
+use std::path::{Path, PathBuf};
+
+use shared_geom::exchange::{Format, write};
+
+use super::test_files::{STRIP, read_beside};
+
+/// Changes of each file.
+const CHANGES: usize = 100;
+
+/// Words that stand for numbers but should not, and what ends or leads elsewhere.
+const WORDS: [&str; 8] = [
+    "-1",
+    "0",
+    "nan",
+    "1e999",
+    "1e308",
+    "18446744073709551615",
+    "x",
+    ";",
+];
+const LINES: [&str; 5] = [
+    "exit ;",
+    "continue_in_file b ;",
+    "begin main_body ;",
+    "[",
+    "sec 1 0 0 0 0 ;",
+];
+
+/// Pseudo-random numbers: splitmix64.
+struct Random(u64);
+
+/// A number below `end`.
+fn below(random: &mut Random, end: usize) -> usize {
+    random.0 = random.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let z = (random.0 ^ (random.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    (z >> 33) as usize % end.max(1)
+}
+
+/// `text` with one to three lines left out, doubled, cut or with another word.
+fn changed(text: &str, random: &mut Random) -> String {
+    let mut lines: Vec<_> = text.lines().map(str::to_owned).collect();
+    for _ in 0..=below(random, 3) {
+        let at = below(random, lines.len());
+        match below(random, 5) {
+            0 => drop(lines.remove(at)),
+            1 => lines.insert(at, lines[at].clone()),
+            2 => lines.insert(at, LINES[below(random, LINES.len())].to_owned()),
+            3 => lines.truncate(at + 1),
+            _ => {
+                let mut words: Vec<_> = lines[at].split(' ').collect();
+                let place = below(random, words.len());
+                words[place] = WORDS[below(random, WORDS.len())];
+                lines[at] = words.join(" ");
+            }
+        }
+        if lines.is_empty() {
+            break;
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+/// The files of a sound blade in each format that is read, the first of which names the
+/// others.
+fn blades() -> Vec<Vec<(PathBuf, String)>> {
+    let corpus = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../fuzz/corpus/blade_file/plain.blade.json"
+    );
+    let reading = shared_geom::exchange::read(Path::new(corpus)).unwrap();
+    let read = Format::ALL.into_iter().filter(|format| format.is_read());
+    let files = read.map(|format| write(&reading.blade, format, "b").unwrap().files);
+    files.collect()
+}
+
+// Beside a sound blade, one of a file with slips: the model has both, or it is told why not.
+#[test]
+fn no_blade_vanishes_from_a_model() {
+    let mut random = Random(3);
+    let mut counts = [0; 2];
+    for files in blades() {
+        for _ in 0..CHANGES {
+            let mut files = files.clone();
+            let which = below(&mut random, files.len());
+            files[which].1 = changed(&files[which].1, &mut random);
+            let beside: Vec<_> = files
+                .iter()
+                .map(|(name, text)| (name.to_str().unwrap(), text.as_str()))
+                .collect();
+            let text = format!(
+                "units = \"SI\"\n{STRIP}[[blade]]\nname = \"a\"\nproperties = \"strip\"\n\
+                 [[blade.piece]]\nlength = 1\nelements = 2\n[[blade]]\nname = \"b\"\n\
+                 file = \"{}\"\n[modes]\nspeeds = 0\n",
+                beside[0].0
+            );
+            match read_beside(&text, &beside) {
+                Ok(input) => {
+                    assert_eq!(input.model.blades.len(), 2);
+                    counts[0] += 1;
+                }
+                Err(told) => {
+                    assert!(told.starts_with("error: "), "{told}");
+                    assert!(
+                        !told.contains("no reason was noted"),
+                        "{told}\n{}",
+                        files[which].1
+                    );
+                    counts[1] += 1;
+                }
+            }
+        }
+    }
+    assert!(counts.iter().all(|count| *count > 50), "{counts:?}");
+}

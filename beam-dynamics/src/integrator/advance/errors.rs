@@ -1,0 +1,90 @@
+//! The local errors of a step under trial.
+
+use super::super::lengths::factor;
+use super::super::prediction::error_of_value;
+use super::{Dae, Formula, Integrator, Plan, Speeds, Stepping};
+
+/// A local error is not thought to have a smaller constant than this, that of the formula
+/// of fourth order: those of higher order than the estimate has are measured as if one
+/// time derivative were one step.
+const LEAST_CONSTANT: f64 = 1.0 / 720.0;
+
+/// Local errors of a trial by the tolerance [-].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Errors {
+    /// Of positions and rotations.
+    pub places: f64,
+    /// Of velocities.
+    pub speeds: f64,
+}
+
+impl Errors {
+    /// The larger; no number when one is none. A force that jumps without end must not end
+    /// a run: at the least step the positions alone count.
+    pub fn counted(&self, is_least: bool) -> f64 {
+        match is_least || self.speeds <= self.places || self.places.is_nan() {
+            true => self.places,
+            false => self.speeds,
+        }
+    }
+
+    /// The next step by this one that both allow; `order` is that of the formula.
+    pub fn allowed(&self, order: usize) -> f64 {
+        factor(self.places, order).min(factor(self.speeds, Speeds::ORDER))
+    }
+}
+
+/// The constant C of the local error of a formula, as it is counted.
+pub fn counted_constant(formula: &Formula) -> f64 {
+    match formula.error.abs() < LEAST_CONSTANT {
+        true => LEAST_CONSTANT,
+        false => formula.error,
+    }
+}
+
+impl Integrator {
+    /// The local error of the trial by the tolerance, where steps are variable and the
+    /// past is long enough: from the value y that a polynomial of the same order p
+    /// predicts, with the constants C of the formula and C_p of the polynomial,
+    ///
+    /// ```text
+    /// y(t_n) - y_n = C / (C_p - C) ( y_n - y )                                   (D-116)
+    /// ```
+    ///
+    /// and that of the velocities (D-119).
+    pub(super) fn errors(
+        &mut self,
+        dae: &dyn Dae,
+        formula: &Formula,
+        plan: &Plan,
+    ) -> Option<Errors> {
+        let Stepping::Variable(control) = &self.stepping else {
+            return None;
+        };
+        let order = formula.order.min(3);
+        let states = if order == 1 { 1 } else { 2 };
+        if self.progress.known < states {
+            return None;
+        }
+        let ratio = match order {
+            1 => 1.0,
+            _ => self.ratio(plan.length),
+        };
+        let constant = counted_constant(formula);
+        let factor = constant / (error_of_value(order, ratio) - constant);
+        let moved = self.corrector.moved().iter().zip(&self.end);
+        for (i, (moved, predicted)) in moved.enumerate() {
+            self.difference[i] = match dae.algebraic()[i] {
+                true => 0.0,
+                false => {
+                    let polynomial = self.past.value(order, plan.length, ratio, i);
+                    factor * (moved + predicted - polynomial)
+                }
+            };
+        }
+        let places = dae.error(&self.difference) / control.tolerance;
+        let speeds = (self.progress.speeds).error(dae, formula, plan.end, plan.length);
+        let speeds = speeds / control.tolerance;
+        Some(Errors { places, speeds })
+    }
+}

@@ -1,0 +1,142 @@
+//! The local error of velocities, where positions do not show it.
+//!
+//! A force that jumps, or has a kink, between the last inner stage and the end of a step
+//! moves the end of a stage formula by next to nothing: for Radau IIA the weight of the
+//! end force in the end position is zero. It does change the velocity there. With u the
+//! velocities at the ends of the steps, and the polynomials through the latest m of them,
+//!
+//! ```text
+//! d_m = u_n - u_m(t_n),    C_m = prod_{j=1..m} (t_n - t_{n-j}) / (m! h^m)          (D-118)
+//! ```
+//!
+//! a smooth velocity misses them by `(C_m - C) h^m d^m u/dt^m`, a jump by what it changes
+//! in the step, whatever m. So the error is, p being the order of the formula,
+//!
+//! ```text
+//! max( |C / (C_{p+1} - C)| |d_{p+1}| ,  kappa min_m |d_m| )                        (D-119)
+//! ```
+//!
+//! times the time for which it lasts: steps are short where forces jump, and grow again
+//! after it. With W the longest of the steps behind, each shorter by a part of the time
+//! that has passed since it,
+//!
+//! ```text
+//! W_n = max( h_n , W_{n-1} - delta h_n ),    T = W min( W / h , 10 )               (D-120)
+//! ```
+//!
+//! as up to ten short steps in the time of a long one add up their errors. Where steps are
+//! equal, T is the step.
+
+use serde::{Deserialize, Serialize};
+
+use super::advance::counted_constant;
+use super::{Dae, Formula};
+
+/// Velocities through which a polynomial is laid, at most.
+const MOST: usize = 6;
+
+/// kappa: part of a change that nothing foretold which counts. More costs formulas of third
+/// order steps in smooth motion, where they are long.
+const UNFORESEEN: f64 = 0.1;
+
+/// delta: part of the time that passes by which a long step is forgotten.
+const FORGOTTEN: f64 = 0.3;
+
+/// Errors of so many steps in the time of a long one add up.
+const ADDED: f64 = 10.0;
+
+/// Velocities of the accepted states behind a step, and how long an error of them lasts.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Speeds {
+    /// Times of the states, the latest first [s].
+    times: Vec<f64>,
+    /// Their velocities.
+    values: Vec<Vec<f64>>,
+    /// The largest so far.
+    largest: Vec<f64>,
+    /// W [s].
+    memory: f64,
+    #[serde(skip)]
+    trial: Vec<f64>,
+    #[serde(skip)]
+    missed: Vec<f64>,
+}
+
+impl Speeds {
+    /// Order in which the error of a long step grows, for the choice of the next.
+    pub const ORDER: usize = MOST;
+
+    /// Begins with the latest accepted state of `dae`, at `time` \[s\].
+    pub fn restart(&mut self, dae: &dyn Dae, time: f64) {
+        self.times.clear();
+        self.values.clear();
+        self.add(dae, time);
+    }
+
+    /// Takes the latest accepted state of `dae`, to which a step of `length` led \[s\].
+    pub fn accept(&mut self, dae: &dyn Dae, time: f64, length: f64) {
+        self.memory = length.max(self.memory - FORGOTTEN * length);
+        self.add(dae, time);
+    }
+
+    fn add(&mut self, dae: &dyn Dae, time: f64) {
+        let mut values = match self.values.len() < MOST {
+            true => Vec::new(),
+            false => self.values.pop().unwrap_or_default(),
+        };
+        dae.speeds(None, &mut values);
+        self.largest.resize(values.len(), 0.0);
+        for (largest, value) in self.largest.iter_mut().zip(&values) {
+            *largest = largest.max(value.abs());
+        }
+        self.values.insert(0, values);
+        self.times.insert(0, time);
+        self.times.truncate(MOST);
+    }
+
+    /// The error (D-119) of the end of a step under trial, by the sizes of the system; zero
+    /// while too few states are known.
+    pub fn error(&mut self, dae: &dyn Dae, formula: &Formula, end: f64, length: f64) -> f64 {
+        let order = formula.order.min(3);
+        let known = self.times.len();
+        if known <= order {
+            return 0.0;
+        }
+        dae.speeds(Some(formula.stages - 1), &mut self.trial);
+        let own = counted_constant(formula);
+        let of_polynomial = (0..=order).fold(1.0, |product, j| {
+            product * (end - self.times[j]) / (length * (j + 1) as f64)
+        });
+        let factor = (own / (of_polynomial - own)).abs();
+        self.missed.resize(self.trial.len(), 0.0);
+        for i in 0..self.trial.len() {
+            let misses = self.misses(i, end);
+            let least = |least: f64, miss: &f64| least.min(miss.abs());
+            let unforeseen = misses[..known].iter().fold(f64::INFINITY, least);
+            self.missed[i] = (factor * misses[order].abs()).max(UNFORESEEN * unforeseen);
+        }
+        let lasting = self.memory.max(length);
+        let time = lasting * ADDED.min(lasting / length);
+        dae.drift(&self.missed, [&self.trial, &self.largest], time)
+    }
+
+    /// `d_1, d_2, ...` of one number under trial, by Newton's divided differences.
+    fn misses(&self, i: usize, end: f64) -> [f64; MOST] {
+        let known = self.times.len();
+        let (mut misses, mut table) = ([0.0; MOST], [0.0; MOST]);
+        for (entry, values) in table.iter_mut().zip(&self.values) {
+            *entry = values[i];
+        }
+        let (mut sum, mut product) = (0.0, 1.0);
+        for m in 0..known {
+            sum += table[0] * product;
+            misses[m] = self.trial[i] - sum;
+            product *= end - self.times[m];
+            for j in 0..known - m - 1 {
+                let between = self.times[j] - self.times[j + m + 1];
+                table[j] = (table[j] - table[j + 1]) / between;
+            }
+        }
+        misses
+    }
+}

@@ -1,0 +1,148 @@
+//! What is told of a text that is no TOML.
+
+use toml::de::{DeTable, DeValue};
+
+use super::DocumentProblem;
+use super::tree::Lines;
+use crate::error::{Diagnostics, Place};
+
+/// Errors of syntax that are told one by one: one slip makes a few of them, and a file
+/// of another kind has one on every line.
+pub(super) const SHOWN: usize = 8;
+/// What the parser says of a key that it has met before.
+const DUPLICATE: &str = "duplicate key";
+
+/// The errors of syntax, each kind once a line; of many, the first. `root` is what the
+/// parser could read beside them.
+pub(super) fn syntax_problems(
+    (root, errors): (&DeTable<'_>, &[toml::de::Error]),
+    lines: &Lines,
+    text: &str,
+    file: &str,
+) -> Diagnostics {
+    let mut problems = Diagnostics::new();
+    if let Some(what) = other_format(text).filter(|_| !errors.is_empty()) {
+        problems.push(Place::file(file), &DocumentProblem::OtherFormat { what });
+        return problems;
+    }
+    let mut told: Vec<(usize, String)> = Vec::new();
+    for (i, error) in errors.iter().enumerate() {
+        let at = error.span().map_or(0, |span| span.start);
+        let line = lines.at(at);
+        if told.len() == SHOWN {
+            let count = errors.len() - i;
+            let problem = DocumentProblem::MoreSyntax { count };
+            problems.push(Place::line(file, line), &problem);
+            break;
+        }
+        let reason = match error.message() {
+            DUPLICATE => duplicate(root, lines, text, error),
+            message => message.to_owned(),
+        };
+        let one = (line, reason);
+        if !told.contains(&one) {
+            let (reason, help) = (one.1.clone(), number(text, at));
+            let problem = DocumentProblem::Syntax { reason, help };
+            problems.push(Place::line(file, line), &problem);
+            told.push(one);
+        }
+    }
+    problems
+}
+
+/// A key that is there twice, and the line of the first.
+fn duplicate(root: &DeTable<'_>, lines: &Lines, text: &str, error: &toml::de::Error) -> String {
+    let span = error.span().unwrap_or_default();
+    let key = text.get(span.clone()).unwrap_or_default();
+    let key = key.trim_matches(['"', '\'']);
+    let line_of = |at: usize| {
+        let begin = text[..at].rfind('\n').map_or(0, |end| end + 1);
+        let end = text[at..]
+            .find('\n')
+            .map_or(text.len(), |length| at + length);
+        (begin, text[begin..end].trim())
+    };
+    let (begin, line) = line_of(span.start);
+    let mut before = Vec::new();
+    if line.starts_with('[') {
+        // Of a table the parser keeps the last.
+        let heads = text[..begin].lines().enumerate();
+        let same = heads.filter(|(_, other)| header(other) == header(line));
+        before.extend(same.map(|(number, _)| number + 1));
+    } else {
+        // Of keys of that name the one before, in a list of the same kind: on lines of their
+        // own, or within braces.
+        let is_first = |at: usize| {
+            text[line_of(at).0..at]
+                .trim_matches([' ', '\t', '"', '\''])
+                .is_empty()
+        };
+        let mut found = Vec::new();
+        places(root, key, &mut found);
+        found.retain(|&at| at < span.start && is_first(at) == is_first(span.start));
+        before.extend(found.into_iter().max().map(|at| lines.at(at)));
+    }
+    match before.first() {
+        Some(first) => format!("{DUPLICATE} \"{key}\", first on line {first}"),
+        None => format!("{DUPLICATE} \"{key}\""),
+    }
+}
+
+/// The head of a table without blanks and comment; what is none as it is.
+fn header(line: &str) -> String {
+    let head = line.rfind(']').map_or(line, |end| &line[..=end]);
+    head.split_whitespace().collect()
+}
+
+/// Places of a key in a table and in those within it.
+fn places(table: &DeTable<'_>, wanted: &str, found: &mut Vec<usize>) {
+    for (key, value) in table {
+        if key.get_ref() == wanted {
+            found.push(key.span().start);
+        }
+        within(value.get_ref(), wanted, found);
+    }
+}
+
+fn within(value: &DeValue<'_>, wanted: &str, found: &mut Vec<usize>) {
+    match value {
+        DeValue::Table(table) => places(table, wanted, found),
+        DeValue::Array(items) => {
+            for item in items.iter() {
+                within(item.get_ref(), wanted, found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// How a number is written that begins or ends with its point, as the one at a place does.
+fn number(text: &str, at: usize) -> Option<String> {
+    let is_part = |letter: char| letter.is_ascii_alphanumeric() || "+-._".contains(letter);
+    let begin = text.get(..at)?.trim_end_matches(is_part).len();
+    let word = &text[begin..];
+    let word = &word[..word.find(|letter| !is_part(letter)).unwrap_or(word.len())];
+    let digits = word.trim_start_matches(['+', '-']);
+    let sign = &word[..word.len() - digits.len()];
+    let (whole, part) = digits.split_once('.')?;
+    let end = part.find(['e', 'E']).unwrap_or(part.len());
+    let (part, power) = part.split_at(end);
+    let or_zero = |digits: &str| if digits.is_empty() { "0" } else { digits }.to_owned();
+    let meant = format!("{sign}{}.{}{power}", or_zero(whole), or_zero(part));
+    (meant != word && meant.parse::<f64>().is_ok())
+        .then(|| format!("TOML wants a digit on both sides of the point: {meant}"))
+}
+
+/// What a text without TOML is, told from its first letter that is no space.
+fn other_format(text: &str) -> Option<&'static str> {
+    let text = text.trim_start();
+    if text.starts_with("$MeshFormat") {
+        Some("a gmsh mesh")
+    } else if text.starts_with('{') {
+        Some("a JSON file, as property files are")
+    } else if text.starts_with('<') {
+        Some("an XML file")
+    } else {
+        None
+    }
+}

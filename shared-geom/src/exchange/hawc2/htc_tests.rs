@@ -1,0 +1,156 @@
+//! Statements of htc files outside of the blade: the end of the file, other files, what is
+//! not known.
+
+use std::fs;
+
+use crate::blade::Blade;
+use crate::error::Diagnostics;
+use crate::exchange::{Format, Options, Reading, read_with};
+
+const CLASSIC: &str = include_str!("../../../../tests/reference/exchange/hawc2_dtu10_st.dat");
+const HTC: &str = include_str!("../../../../tests/reference/exchange/hawc2_dtu10.htc");
+
+/// What `a.htc` of a folder of these files and the st file gives.
+fn read(files: &[(&str, &str)]) -> Result<Reading, Diagnostics> {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    };
+    write("hawc2_dtu10_st.dat", CLASSIC);
+    for (name, text) in files {
+        write(name, text);
+    }
+    let (format, reading) = read_with(&folder.path().join("a.htc"), &Options::default())?;
+    assert_eq!(format, Format::Hawc2);
+    Ok(reading)
+}
+
+fn told(files: &[(&str, &str)]) -> String {
+    read(files).unwrap_err().to_string()
+}
+
+/// The blade but for its hash, which is that of the files.
+fn plain(reading: &Reading) -> Blade {
+    let mut blade = reading.blade.clone();
+    blade.provenance.input_hash = String::new();
+    blade
+}
+
+/// The file up to the lines of the line, those lines, and the rest.
+fn parts() -> [&'static str; 3] {
+    let (from, to) = (
+        HTC.find("begin c2_def").unwrap(),
+        HTC.find("end c2_def").unwrap(),
+    );
+    [&HTC[..from], &HTC[from..to], &HTC[to..]]
+}
+
+#[test]
+fn exit_ends_the_file() {
+    let expected = plain(&read(&[("a.htc", HTC)]).unwrap());
+    let text = format!("{HTC}exit;\nbegin main_body;\nanything at all\n");
+    let reading = read(&[("a.htc", &text)]).unwrap();
+    assert_eq!(plain(&reading), expected);
+    assert!(
+        !reading
+            .remarks
+            .iter()
+            .any(|remark| remark.contains("outside"))
+    );
+    // Within a block the block has no end.
+    let text = HTC.replacen("end main_body;", "exit;\nend main_body;", 1);
+    assert!(told(&[("a.htc", &text)]).contains("ends within the block \"main_body\""));
+}
+
+#[test]
+fn statements_outside_of_all_blocks_are_told_and_skipped() {
+    let expected = plain(&read(&[("a.htc", HTC)]).unwrap());
+    let text = format!("version 3 ;\n{HTC}sec 28 0 0 90 0 ;\na ;\nb ;\n");
+    let reading = read(&[("a.htc", &text)]).unwrap();
+    assert_eq!(plain(&reading), expected);
+    let remark = reading
+        .remarks
+        .iter()
+        .find(|remark| remark.contains("outside"));
+    let remark = remark.unwrap();
+    assert!(
+        remark.contains("\"version\" (") && remark.contains("a.htc:1)"),
+        "{remark}"
+    );
+    assert!(
+        remark.contains("\"sec\"") && remark.ends_with(" and 1 more"),
+        "{remark}"
+    );
+}
+
+// At the top, in a block, from a folder below that names its st file from the one above,
+// and a file that only leads to the others.
+#[test]
+fn continue_in_file_goes_on_there_and_comes_back() {
+    let expected = plain(&read(&[("a.htc", HTC)]).unwrap());
+    let [head, line, tail] = parts();
+    let again = |files: &[(&str, &str)]| assert_eq!(plain(&read(files).unwrap()), expected);
+    again(&[("a.htc", "continue_in_file ./b.htc ;\n"), ("b.htc", HTC)]);
+    again(&[
+        ("a.htc", "continue_in_file htc\\b.htc ;\n"),
+        ("htc/b.htc", HTC),
+    ]);
+    let text = format!("{head}continue_in_file \"b.htc\" ;\n{tail}");
+    let below = format!("{line}\nexit ;\nend ;\n");
+    again(&[("a.htc", &text), ("b.htc", &below)]);
+    let whole = "begin simulation;\nend simulation;\nContinue_In_File b.htc;\n\
+                 continue_in_file c.htc;\n";
+    again(&[("a.htc", whole), ("b.htc", "version 3;\n"), ("c.htc", HTC)]);
+}
+
+#[test]
+fn what_is_wrong_in_another_file_is_told_there() {
+    let [head, line, tail] = parts();
+    let text = format!("{head}continue_in_file b.htc ;\n{tail}");
+    let slip = line.replacen("sec 3 ", "sec 3 x ", 1);
+    let shown = told(&[("a.htc", &text), ("b.htc", &slip)]);
+    assert!(
+        shown.contains("b.htc:5: the statement sec: expected a finite number"),
+        "{shown}"
+    );
+    let short = line.replacen("nsec 27", "nsec 28", 1);
+    let shown = told(&[("a.htc", &text), ("b.htc", &short)]);
+    assert!(
+        shown.contains("b.htc:2: the file ends within c2_def"),
+        "{shown}"
+    );
+    let shown = told(&[("a.htc", &text)]);
+    assert!(
+        shown.contains("a.htc:15: the file of continue_in_file: found no file \"b.htc\""),
+        "{shown}"
+    );
+}
+
+// A file that leads to itself, at once or by another; files that multiply.
+#[test]
+fn files_that_lead_back_to_themselves_are_refused() {
+    let shown = told(&[("a.htc", &format!("{HTC}continue_in_file ./a.htc ;\n"))]);
+    assert!(
+        shown.contains("a.htc:51: ") && shown.contains("is being read"),
+        "{shown}"
+    );
+    let to = |name: &str| format!("continue_in_file {name} ;\n");
+    let shown = told(&[("a.htc", &to("b.htc")), ("b.htc", &to("a.htc"))]);
+    assert!(
+        shown.contains("b.htc:1: ") && shown.contains("is being read"),
+        "{shown}"
+    );
+    let twice = |name: &str| to(name).repeat(2);
+    let names: Vec<_> = (0..20).map(|i| format!("b{i}.htc")).collect();
+    let texts: Vec<_> = (1..20).map(|i| twice(&names[i])).collect();
+    let mut files: Vec<_> = names
+        .iter()
+        .map(String::as_str)
+        .zip(texts.iter().map(String::as_str))
+        .collect();
+    let first = to("b0.htc");
+    files.extend([("a.htc", first.as_str()), ("b19.htc", HTC)]);
+    assert!(told(&files).contains("more than 100 files"));
+}
