@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::steady::equilibrium;
-use beam_dynamics::assembly::System;
+use beam_dynamics::assembly::{MasslessMotions, System};
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
@@ -82,7 +82,7 @@ impl Times {
         let solver = LinearSolver::new(system.pattern())?;
         let steady = equilibrium(model, &solver, (&at_rest, &rest), &turning).ok()?;
         let tangent = system.tangent(&steady.state, &turning);
-        let nodes = system.nodes().len();
+        let massless = MasslessMotions::new(system, &tangent);
         Some(Self {
             equilibrium: shortest(|| {
                 equilibrium(model, &solver, (&at_rest, &rest), &turning).is_ok()
@@ -90,7 +90,8 @@ impl Times {
             assembly: shortest(|| system.tangent(&steady.state, &turning)),
             factorization: shortest(|| solver.factorize(tangent.by_unknowns.clone())),
             eigenvalues: shortest(|| {
-                EigenProblem::new(&solver, &tangent, nodes, 4).map(|problem| problem.lowest(MODES))
+                EigenProblem::new(&solver, &tangent, &massless, 4)
+                    .map(|problem| problem.lowest(MODES))
             }),
         })
     }

@@ -4,6 +4,7 @@ mod bending;
 pub mod buckling;
 mod critical;
 mod first_order;
+mod growing;
 mod modal_damping;
 pub mod modes;
 pub mod statics;

@@ -5,10 +5,12 @@ pub mod mechanism;
 pub mod redundancy;
 
 mod combination;
+mod momenta;
 mod pattern;
 mod system;
 
 pub use combination::{Combination, Variation};
+pub use momenta::{Entry, MasslessMotions};
 pub use pattern::{Pattern, Sparse};
 pub use system::{
     Contradiction, Loop, Residual, Settling, Sharing, Slack, System, Tangent, Workspace,

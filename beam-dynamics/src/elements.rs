@@ -126,16 +126,22 @@ pub trait Element: Debug + Send + Sync {
         0.0
     }
 
+    /// Visits all that it is given over time.
+    fn each_drive<'a>(&'a self, _visit: &mut dyn FnMut(&'a Drive)) {}
+
     /// All that it is given over time.
     fn drives(&self) -> Vec<&Drive> {
-        Vec::new()
+        let mut drives = Vec::new();
+        self.each_drive(&mut |drive| drives.push(drive));
+        drives
     }
 
     /// The first time after `time` at which a drive of the element has a corner or a
     /// jump \[s\]; infinite when there is none.
     fn next_corner(&self, time: f64) -> f64 {
-        let corners = self.drives().into_iter().map(|one| one.next_corner(time));
-        corners.fold(f64::INFINITY, f64::min)
+        let mut first = f64::INFINITY;
+        self.each_drive(&mut |drive| first = first.min(drive.next_corner(time)));
+        first
     }
 
     /// The first and the last time at which all drives of the element have a value \[s\].

@@ -3,6 +3,7 @@
 
 mod dense;
 mod eigen;
+mod factors;
 mod inverse;
 mod krylov;
 mod motion;
@@ -12,6 +13,7 @@ mod sorted;
 mod tracking;
 
 pub use eigen::{EigenProblem, Eigenpair};
+pub use factors::Factors;
 pub use motion::ModeMotion;
 pub use multiblade::Rotor;
 pub use separation::{align, separate};

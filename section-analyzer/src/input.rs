@@ -316,8 +316,8 @@ impl WrittenSection {
 
     /// Notes prestress that is asked for where it is not known.
     fn note_prestress(&self, document: &Document, section: &Section) {
-        if self.prestress.is_some() && !section.initial_curvature.is_straight() {
-            let reason = NoPrestress::Curved;
+        let straight = NoPrestress::require_straight(&section.initial_curvature);
+        if let (Some(_), Err(reason)) = (self.prestress, straight) {
             document.note(self.prestress_line, &InputProblem::Prestress { reason });
         }
     }

@@ -30,6 +30,7 @@ mod pendulum;
 mod piezo;
 mod postbuckling;
 mod prestress;
+mod random_columns;
 mod random_joints;
 mod random_mechanisms;
 #[path = "../common/record.rs"]
@@ -46,3 +47,4 @@ mod tm4760;
 mod uniform_beam;
 mod variational_beam;
 mod wind_blades;
+mod without_rotary_inertia;

@@ -5,7 +5,7 @@
 mod acceptance;
 mod flight;
 mod frequencies;
-mod spectra;
+pub mod spectra;
 mod unit_element;
 
 use nalgebra::{Matrix3, Matrix6, Vector3};

@@ -13,10 +13,10 @@
 
 use nalgebra::Vector3;
 
-use crate::assembly::{Sparse, Tangent};
+use crate::assembly::{MasslessMotions, Sparse, Tangent};
 use crate::case::{BucklingQuestion, Model};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
-use crate::modes::{EigenProblem, Eigenpair};
+use crate::modes::{EigenProblem, Eigenpair, Factors};
 use crate::result::{BucklingMode, BucklingResult};
 use crate::solver::LinearSolver;
 
@@ -58,6 +58,12 @@ pub enum BucklingFailure {
          whatever their size; follower loads may make it flutter instead"
     )]
     NoRealFactor,
+    /// No factor was found, and that there is none is not proven.
+    #[error(
+        "no critical load was found, but in a model of this size and with follower loads or \
+         finite volumes it is not certain that there is none"
+    )]
+    NotFound,
     /// Forces beyond the numbers.
     #[error("the loads or the stiffnesses are so large or small that the factors are no numbers")]
     OutOfRange,
@@ -75,6 +81,10 @@ impl BucklingFailure {
             }
             Self::NoRealFactor => {
                 "flutter shows in [modes] under the loads: raise them until a motion grows"
+            }
+            Self::NotFound => {
+                "take fewer elements, or loads that keep their direction, or raise the loads in \
+                 [static] until a critical point is reported"
             }
             Self::OutOfRange => "give loads for which the factors are near one",
             Self::Base(_) | Self::Singular => "hold what is free, with [[clamp]] or [[imposed]]",
@@ -139,16 +149,23 @@ fn run(
         by_unknowns: system.tangent(&balance.state, &conditions).by_unknowns,
         by_rates: growth,
     };
-    let problem = EigenProblem::about_zero(&solver, &pencil, system.nodes().len(), COPIES);
-    let pairs = problem.map_or_else(Vec::new, |problem| problem.real(question.count));
+    let all = MasslessMotions::none(system.nodes().len());
+    let copies = COPIES.max(question.count);
+    let problem = EigenProblem::about_zero(&solver, &pencil, &all, copies);
+    let problem = problem.ok_or(BucklingFailure::OutOfRange)?;
+    let factors = problem.factors(question.count);
+    let pairs = &factors.pairs;
     if pairs.is_empty() {
-        return Err(BucklingFailure::NoRealFactor);
+        return Err(match factors.is_complete {
+            true => BucklingFailure::NoRealFactor,
+            false => BucklingFailure::NotFound,
+        });
     }
     if pairs.iter().any(|pair| !pair.residual.is_finite()) {
         return Err(BucklingFailure::OutOfRange);
     }
     result.modes = pairs.iter().map(mode).collect();
-    result.remarks = remarks(&result.modes, question.count);
+    result.remarks = remarks(&result.modes, &factors, question.count);
     result.remarks.extend(beyond(
         model,
         &solver,
@@ -158,13 +175,17 @@ fn run(
     Ok(())
 }
 
-fn remarks(modes: &[BucklingMode], asked: usize) -> Vec<String> {
+fn remarks(modes: &[BucklingMode], factors: &Factors, asked: usize) -> Vec<String> {
     let mut remarks = Vec::new();
     if modes.len() < asked {
+        let why = match (factors.is_complete, factors.uncertain) {
+            (true, _) => "the model has no more".to_owned(),
+            (false, 0) => "whether there are more is not known of a model of this size".to_owned(),
+            (false, n) => format!("{n} more came out with too large an error to be listed"),
+        };
+        let found = modes.len();
         remarks.push(format!(
-            "{} critical loads were found of {asked}: the model has no more, or they are too \
-             large to be told",
-            modes.len()
+            "{found} critical loads were found of {asked}: {why}"
         ));
     }
     remarks.extend(copies(modes));

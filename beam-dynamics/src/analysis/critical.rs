@@ -11,7 +11,7 @@
 //! Tangents of states that are turned against each other are not compared: those here are
 //! balances of forces at the nodes, not symmetric.
 
-use crate::assembly::{Sparse, Tangent};
+use crate::assembly::{MasslessMotions, Sparse, Tangent};
 use shared_geom::rotation::vector;
 
 use crate::model::{NODE_UNKNOWNS, NodeMotion, State};
@@ -42,7 +42,8 @@ pub(super) fn critical_part(
         by_unknowns: from.1,
         by_rates: change,
     };
-    let problem = EigenProblem::about_zero(solver, &pencil, nodes, COUNT)?;
+    let all = MasslessMotions::none(nodes);
+    let problem = EigenProblem::about_zero(solver, &pencil, &all, COUNT)?;
     let parts = problem.real(COUNT).into_iter().map(|pair| pair.growth);
     let inside = parts.filter(|part| *part > 0.0 && *part < 1.0);
     inside.reduce(f64::min)

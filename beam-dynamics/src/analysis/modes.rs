@@ -3,7 +3,7 @@
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use shared_geom::rotation::vector;
 
-use crate::assembly::System;
+use crate::assembly::{MasslessMotions, System};
 use crate::case::{Model, ModesQuestion};
 use crate::model::State;
 use crate::modes::{
@@ -14,6 +14,7 @@ use crate::solver::LinearSolver;
 
 use super::bending::bending;
 use super::first_order::first_order;
+use super::growing;
 use super::modal_damping;
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
 
@@ -62,6 +63,8 @@ struct Modes {
     state: State,
     found: Vec<Mode>,
     unstable: Vec<f64>,
+    /// What is to be said of oscillations that grow.
+    growing: Vec<String>,
     /// Number of motions found that die out without oscillating.
     overdamped: usize,
     /// Largest residual of the eigenpairs and of the equilibrium, relative.
@@ -90,6 +93,8 @@ struct Case<'a> {
     model: &'a Model,
     question: &'a ModesQuestion,
     rotor: Option<&'a Rotor>,
+    /// Whether the tangent is symmetric in the undeformed model.
+    is_symmetric: bool,
 }
 
 impl Case<'_> {
@@ -110,6 +115,7 @@ pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
         model,
         question,
         rotor: rotor.as_ref(),
+        is_symmetric: growing::is_symmetric_at_rest(&model.system),
     };
     let mut branches = Branches::default();
     let mut table = FrequencyTable {
@@ -247,6 +253,7 @@ fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
             "{at} the equilibrium is unstable: a motion grows with {worst:.3e} 1/s"
         ));
     }
+    found.extend(modes.growing.iter().cloned());
     if modes.residual > TRUSTED || modes.residual.is_nan() {
         found.push(format!(
             "{at} digits are lost (relative residual {:.1e}): stiffnesses, masses or lengths \
@@ -282,7 +289,8 @@ fn at_equilibrium(
 ) -> Result<Modes, Failure> {
     let system: &System = &case.model.system;
     let tangent = system.tangent(&steady.state, &steady.conditions);
-    let problem = EigenProblem::new(solver, &tangent, system.nodes().len(), copies(case.model));
+    let massless = MasslessMotions::new(system, &tangent);
+    let problem = EigenProblem::new(solver, &tangent, &massless, copies(case.model));
     let problem = problem.ok_or(Failure::Singular { speed })?;
     let (pairs, real) = problem.lowest(case.question.count + SPARE);
     let mut motions: Vec<_> = pairs
@@ -314,7 +322,10 @@ fn at_equilibrium(
             slope: None,
         }
     };
+    let own = &pairs[..pairs.len().min(case.question.count)];
+    let at = format!("at {}", rpm(speed));
     Ok(Modes {
+        growing: growing::remarks(&problem, own, case.is_symmetric, &at),
         speed,
         state: steady.state.clone(),
         found: pairs.iter().zip(motions).map(mode).collect(),

@@ -236,8 +236,9 @@ impl Run<'_> {
         if tell_start {
             self.tell(&self.conditions(), recorder, clock)?;
         }
+        let mut before = self.integrator.progress();
         while self.integrator.time() < self.question.to {
-            let before = self.integrator.progress();
+            self.integrator.progress_into(&mut before);
             let to = self.question.to;
             let stepped = match self.integrator.step(&mut self.dae, to, clock) {
                 Ok(stepped) => stepped,

@@ -24,7 +24,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// Singular values below this part of one count as zero.
 const ZERO: f64 = 1e-9;
 /// Unknowns of the motion of a node.
-const MOTION: usize = 6;
+pub(super) const MOTION: usize = 6;
 
 /// A node that can move, although nothing says how.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -90,7 +90,7 @@ fn columns(found: &[DVector<f64>]) -> DMatrix<f64> {
 }
 
 /// Metres of motion by metres and radians.
-fn scale(size: f64) -> Vector6<f64> {
+pub(super) fn scale(size: f64) -> Vector6<f64> {
     let turn = 1.0 / size;
     Vector6::new(1.0, 1.0, 1.0, turn, turn, turn)
 }

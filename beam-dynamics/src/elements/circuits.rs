@@ -146,8 +146,8 @@ impl Element for Electrode {
         self.unknowns.iter().zip(KINDS).map(unknown).collect()
     }
 
-    fn drives(&self) -> Vec<&Drive> {
-        self.circuit.source().into_iter().collect()
+    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+        self.circuit.source().into_iter().for_each(visit);
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

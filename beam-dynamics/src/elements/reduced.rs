@@ -85,8 +85,8 @@ impl Element for ReducedElement {
         self.element.reach()
     }
 
-    fn drives(&self) -> Vec<&Drive> {
-        self.element.drives()
+    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+        self.element.each_drive(visit);
     }
 
     fn domain(&self) -> [f64; 2] {

@@ -68,6 +68,15 @@ pub struct Progress {
     speeds: Speeds,
 }
 
+impl Progress {
+    /// Becomes the same as `other`, in the room that it has.
+    fn copy_from(&mut self, other: &Self) {
+        let mut speeds = std::mem::take(&mut self.speeds);
+        speeds.copy_from(&other.speeds);
+        *self = Self { speeds, ..*other };
+    }
+}
+
 /// Corners crowd when they make steps shorter than this part of what is wanted, so many
 /// times in a row.
 const CROWDED: f64 = 1e-4;
@@ -406,6 +415,11 @@ impl Integrator {
     /// go on itself.
     pub fn progress(&self) -> Progress {
         self.progress.clone()
+    }
+
+    /// The same, in the room of what was known before.
+    pub fn progress_into(&self, known: &mut Progress) {
+        known.copy_from(&self.progress);
     }
 
     /// Goes on from a snapshot; the system must have its two latest accepted states of that

@@ -50,8 +50,8 @@ const ADDED: f64 = 10.0;
 pub(super) struct Speeds {
     /// Times of the states, the latest first [s].
     times: Vec<f64>,
-    /// Their velocities.
-    values: Vec<Vec<f64>>,
+    /// Their velocities, and room for those of the states to come.
+    values: [Vec<f64>; MOST],
     /// The largest so far.
     largest: Vec<f64>,
     /// W [s].
@@ -66,11 +66,25 @@ impl Speeds {
     /// Order in which the error of a long step grows, for the choice of the next.
     pub const ORDER: usize = MOST;
 
-    /// Begins with the latest accepted state of `dae`, at `time` \[s\].
+    /// Begins with the latest accepted state of `dae`, at `time` \[s\], and makes the room
+    /// that all later states take.
     pub fn restart(&mut self, dae: &dyn Dae, time: f64) {
         self.times.clear();
-        self.values.clear();
+        self.times.reserve(MOST + 1);
         self.add(dae, time);
+        let count = self.values[0].len();
+        let later = self.values.iter_mut().skip(1);
+        for values in later.chain([&mut self.trial, &mut self.missed]) {
+            values.resize(count, 0.0);
+        }
+    }
+
+    /// Becomes the same as `other`, in the room that it has.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.times.clone_from(&other.times);
+        self.values.clone_from(&other.values);
+        self.largest.clone_from(&other.largest);
+        self.memory = other.memory;
     }
 
     /// Takes the latest accepted state of `dae`, to which a step of `length` led \[s\].
@@ -80,16 +94,13 @@ impl Speeds {
     }
 
     fn add(&mut self, dae: &dyn Dae, time: f64) {
-        let mut values = match self.values.len() < MOST {
-            true => Vec::new(),
-            false => self.values.pop().unwrap_or_default(),
-        };
-        dae.speeds(None, &mut values);
+        self.values.rotate_right(1);
+        let values = &mut self.values[0];
+        dae.speeds(None, values);
         self.largest.resize(values.len(), 0.0);
-        for (largest, value) in self.largest.iter_mut().zip(&values) {
+        for (largest, value) in self.largest.iter_mut().zip(values) {
             *largest = largest.max(value.abs());
         }
-        self.values.insert(0, values);
         self.times.insert(0, time);
         self.times.truncate(MOST);
     }

@@ -10,9 +10,9 @@
 
 use faer::{Mat, c64};
 
-use super::inverse::Inverse;
-use super::sorted::{OSCILLATING, Sorted};
-use crate::assembly::{Sparse, Tangent};
+use super::inverse::{DENSE, Inverse};
+use super::sorted::Sorted;
+use crate::assembly::{Entry, MasslessMotions, Sparse, Tangent};
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 use crate::solver::{ComplexFactorization, LinearSolver};
 
@@ -41,7 +41,7 @@ const MOST: usize = 8;
 /// their distance.
 const ITERATIONS: usize = 3;
 /// Part of itself by which inverse iteration may change a value that it confirms.
-const CONFIRMED: f64 = 1e-3;
+pub(super) const CONFIRMED: f64 = 1e-3;
 
 /// An eigenvalue `s` [1/s] and its vector: twelve entries a node.
 #[derive(Debug, Clone)]
@@ -63,6 +63,9 @@ pub struct Eigenpair {
 pub struct EigenProblem<'a> {
     solver: &'a LinearSolver,
     tangent: &'a Tangent,
+    massless: &'a MasslessMotions,
+    /// Entries of `F_y'`, without the momenta of motions that move no mass.
+    rates: Vec<Entry>,
     inverse: Inverse,
     /// Unknowns of the nodes.
     size: usize,
@@ -75,56 +78,50 @@ pub struct EigenProblem<'a> {
 }
 
 impl<'a> EigenProblem<'a> {
-    /// Prepares the eigenvalues of `tangent`, whose first `nodes` times twelve unknowns
-    /// are those of nodes, with up to `copies` of one value; `None` when the system has
-    /// no eigenvalues to speak of: nothing that moves has mass and stiffness.
+    /// Prepares the eigenvalues of `tangent` of a system with motions that move no mass,
+    /// with up to `copies` of one value; `None` when something moves that neither mass nor
+    /// stiffness determines.
     ///
     /// The shift is a part of the lowest frequency, which a coarse look from a shift
     /// below all frequencies finds.
     pub fn new(
         solver: &'a LinearSolver,
         tangent: &'a Tangent,
-        nodes: usize,
+        massless: &'a MasslessMotions,
         copies: usize,
     ) -> Option<Self> {
-        let highest = highest_of_a_node(tangent, nodes)?;
-        let coarse = Self::shifted(solver, tangent, nodes, copies, BELOW * highest)?;
+        // Where nothing has stiffness, all frequencies are zero, in any unit.
+        let highest = highest_of_a_node(tangent, massless.nodes()).unwrap_or(1.0);
+        let coarse = Self::shifted(solver, tangent, massless, copies, BELOW * highest)?;
         let shift = coarse.inverse.shift();
         let zero = ZERO * highest;
-        let lowest = lowest_oscillation(&coarse.inverse.coarse(), 3.0 * zero)?;
+        let lowest = lowest_oscillation(&coarse.inverse.coarse(), 3.0 * zero).unwrap_or(highest);
         let mut problem = if (SHIFT / 10.0 * lowest..10.0 * SHIFT * lowest).contains(&shift) {
             coarse
         } else {
-            Self::shifted(solver, tangent, nodes, copies, SHIFT * lowest)?
+            Self::shifted(solver, tangent, massless, copies, SHIFT * lowest)?
         };
         (problem.zero, problem.lowest) = (zero, lowest);
         Some(problem)
     }
 
-    /// Prepares the real eigenvalues nearest to zero of `by_unknowns + s by_rates`,
-    /// whatever the two matrices are; `None` when the first is singular.
-    pub fn about_zero(
+    /// The same from a shift that is given.
+    pub(super) fn shifted(
         solver: &'a LinearSolver,
         tangent: &'a Tangent,
-        nodes: usize,
-        copies: usize,
-    ) -> Option<Self> {
-        Self::shifted(solver, tangent, nodes, copies, 0.0)
-    }
-
-    fn shifted(
-        solver: &'a LinearSolver,
-        tangent: &'a Tangent,
-        nodes: usize,
+        massless: &'a MasslessMotions,
         copies: usize,
         shift: f64,
     ) -> Option<Self> {
         let matrix = tangent.by_unknowns.plus(shift, &tangent.by_rates);
-        let size = NODE_UNKNOWNS * nodes;
+        let size = NODE_UNKNOWNS * massless.nodes();
+        let rates = massless.rates(tangent);
         Some(Self {
             solver,
             tangent,
-            inverse: Inverse::new(solver.factorize(matrix)?, &tangent.by_rates, size, shift)?,
+            massless,
+            inverse: Inverse::new(solver.factorize(matrix)?, &rates, size, shift)?,
+            rates,
             size,
             copies,
             zero: 0.0,
@@ -141,15 +138,25 @@ impl<'a> EigenProblem<'a> {
         while let Some(first) = rest.first().filter(|_| pairs.len() < count) {
             let copies = copies_at_front(rest);
             let found = self.vectors(&rest[..copies]);
-            // Multipliers and massless freedoms, whose values are infinite, come out as
-            // large ones by round-off, which no vector confirms.
+            // Multipliers, whose values are infinite, come out as large ones by round-off,
+            // which no vector confirms.
             let s = |pair: &Eigenpair| c64::new(pair.growth, pair.angular_frequency);
             let confirmed = |pair: &Eigenpair| (s(pair) - first).norm() <= CONFIRMED * first.norm();
             pairs.extend(found.into_iter().filter(confirmed));
             rest = &rest[copies..];
         }
         pairs.truncate(count);
-        (pairs, real)
+        (pairs, self.confirmed(real))
+    }
+
+    /// Real values without those of growth that no vector confirms.
+    fn confirmed(&self, mut real: Vec<f64>) -> Vec<f64> {
+        real.retain(|&value| {
+            let found = || self.vectors(&[c64::new(value, 0.0)]).into_iter().next();
+            let is_same = |pair: Eigenpair| (pair.growth - value).abs() <= CONFIRMED * value;
+            value <= 0.0 || found().is_some_and(is_same)
+        });
+        real
     }
 
     /// The values nearest to the shift, as many as hold `count` oscillations, where real
@@ -158,7 +165,7 @@ impl<'a> EigenProblem<'a> {
     fn sorted(&self, count: usize) -> (usize, Sorted) {
         let mut asked = count;
         loop {
-            let values = self.inverse.smallest(asked, self.copies);
+            let values = self.inverse.smallest(asked, self.copies, DENSE);
             let is_all = values.len() < 2 * asked;
             let sorted = Sorted::new(values, self.zero);
             let free = self.free_motions(sorted.zeros, asked);
@@ -169,22 +176,24 @@ impl<'a> EigenProblem<'a> {
         }
     }
 
-    /// The real eigenvalues of smallest magnitude with their vectors, at most `count`.
-    pub fn real(&self, count: usize) -> Vec<Eigenpair> {
-        let mut values = self.inverse.smallest(count, self.copies);
-        values.retain(|s| s.im.abs() <= OSCILLATING.sqrt() * s.norm());
-        values.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
-        values.truncate(count);
-        let mut pairs: Vec<Eigenpair> = Vec::with_capacity(values.len());
-        while pairs.len() < values.len() {
-            let rest = &values[pairs.len()..];
-            let reals: Vec<_> = rest[..copies_at_front(rest)]
-                .iter()
-                .map(|s| c64::new(s.re, 0.0))
-                .collect();
-            pairs.extend(self.vectors(&reals));
-        }
-        pairs
+    /// Copies of one value that are looked for.
+    pub(super) fn copies(&self) -> usize {
+        self.copies
+    }
+
+    /// Unknowns of the nodes.
+    pub(super) fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Entries of the derivatives by rates.
+    pub(super) fn rates(&self) -> &[Entry] {
+        &self.rates
+    }
+
+    /// The inverted problem.
+    pub(super) fn inverse(&self) -> &Inverse {
+        &self.inverse
     }
 
     /// Motions without stiffness: from a shift far below the lowest frequency.
@@ -216,7 +225,10 @@ impl<'a> EigenProblem<'a> {
             None => alone,
         };
         let counted = alone.as_ref().and_then(|tangent| {
-            let values = self.beside(tangent)?.inverse.smallest(count, self.copies);
+            let values = self
+                .beside(tangent)?
+                .inverse
+                .smallest(count, self.copies, DENSE);
             Some(values.iter().filter(|s| s.norm() <= self.zero).count())
         });
         counted.unwrap_or(zeros).div_ceil(2)
@@ -227,14 +239,8 @@ impl<'a> EigenProblem<'a> {
     where
         'a: 'b,
     {
-        let nodes = self.size / NODE_UNKNOWNS;
-        EigenProblem::shifted(
-            self.solver,
-            tangent,
-            nodes,
-            self.copies,
-            self.inverse.shift(),
-        )
+        let shift = self.inverse.shift();
+        EigenProblem::shifted(self.solver, tangent, self.massless, self.copies, shift)
     }
 
     /// The same system with circuits as they are for what grows at a rate, the lowest
@@ -257,7 +263,7 @@ impl<'a> EigenProblem<'a> {
 
     /// Independent vectors of a value and its copies; of values that lie near each other
     /// but are not the same, each with its own.
-    fn vectors(&self, copies: &[c64]) -> Vec<Eigenpair> {
+    pub(super) fn vectors(&self, copies: &[c64]) -> Vec<Eigenpair> {
         let beside = |values: &[c64]| {
             let mean = values.iter().sum::<c64>() / values.len() as f64;
             self.vectors_beside(mean * (1.0 + BESIDE), values.len())
@@ -344,7 +350,7 @@ impl<'a> EigenProblem<'a> {
     /// `F_y' x`.
     fn rates_times(&self, x: &[c64]) -> Vec<c64> {
         let mut product = vec![c64::new(0.0, 0.0); x.len()];
-        for (i, j, value) in self.tangent.by_rates.triplets() {
+        for &(i, j, value) in &self.rates {
             product[i] += x[j] * value;
         }
         product
@@ -352,7 +358,7 @@ impl<'a> EigenProblem<'a> {
 }
 
 /// Number of values from the first on that are copies of it, itself included.
-fn copies_at_front(values: &[c64]) -> usize {
+pub(super) fn copies_at_front(values: &[c64]) -> usize {
     let is_copy = |s: &&c64| (**s - values[0]).norm() <= COPIES * values[0].norm();
     values.iter().take_while(is_copy).count().max(1)
 }

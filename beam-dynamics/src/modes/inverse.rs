@@ -9,10 +9,10 @@
 //! positive real axis, so that a shift of the order of the lowest frequency costs no
 //! digits, and motions without stiffness, `F_y q = 0`, are eigenvalues as any other.
 //!
-//! Unknowns of T are positions and rotations q, momenta and angular momenta p, and what has
-//! rates beside them: charges and currents e of circuits. Multipliers have no rates and drop
-//! out. p is scaled so that the blocks `T_qp` and `T_pq` are of the same size, and e
-//! likewise against both.
+//! Unknowns of T are those that have rates: positions and rotations q, momenta and angular
+//! momenta p, and charges and currents e of circuits. Multipliers, and what moves no mass,
+//! have no rates and drop out. p is scaled so that the blocks `T_qp` and `T_pq` are of the
+//! same size, and e likewise against both.
 
 use std::collections::BTreeSet;
 
@@ -21,13 +21,13 @@ use faer::{Mat, c64};
 use super::dense::eigenvalues;
 use super::eigen::start_value;
 use super::krylov::{Operator, largest, rough};
-use crate::assembly::Sparse;
+use crate::assembly::Entry;
 use crate::model::NODE_UNKNOWNS;
 use crate::solver::Factorization;
 
 /// Up to this number of unknowns T is formed and all its eigenvalues are computed;
 /// above, only the wanted ones.
-const DENSE: usize = 100;
+pub(super) const DENSE: usize = 100;
 /// Parts of the largest eigenvalue of T below which one is taken for zero: those at
 /// zero are defective, and round-off moves them to the cube root of 1e-16 or so.
 const INFINITE: f64 = 1e-7;
@@ -41,40 +41,39 @@ const ROUGH_STEPS: usize = 6;
 pub(super) struct Inverse {
     factorization: Factorization,
     /// Entries of `F_y'` that are not zero: row, column among the unknowns of T, value.
-    rates: Vec<(usize, usize, f64)>,
-    /// Number of unknowns of the nodes, which come first.
+    rates: Vec<Entry>,
+    /// Number of unknowns of T that are of nodes, which come first.
     of_nodes: usize,
-    /// Places of the others in the system.
-    others: Vec<usize>,
+    /// Places of the unknowns of T in the system, ascending.
+    places: Vec<usize>,
     shift: f64,
     /// Scale of each unknown: value = scale times scaled value.
     scale: Vec<f64>,
 }
 
 impl Inverse {
-    /// T on the first `of_nodes` unknowns and all others with a rate, for a factorization at
-    /// `shift`; `None` when it is not finite.
+    /// T on all unknowns with a rate, of which those up to `size` are of nodes, for a
+    /// factorization at `shift` and the entries of `F_y'` that are not zero; `None` when T
+    /// is not finite.
     pub fn new(
         factorization: Factorization,
-        by_rates: &Sparse,
-        of_nodes: usize,
+        rates: &[Entry],
+        size: usize,
         shift: f64,
     ) -> Option<Self> {
-        let entries = || by_rates.triplets().filter(|entry| entry.2 != 0.0);
-        let others = entries().map(|entry| entry.1);
-        let others: BTreeSet<_> = others.filter(|column| *column >= of_nodes).collect();
-        let others: Vec<_> = others.into_iter().collect();
-        let column = |place: usize| match others.binary_search(&place) {
-            Ok(number) => of_nodes + number,
-            Err(_) => place,
-        };
-        let rates = entries().map(|(row, place, value)| (row, column(place), value));
+        let places: BTreeSet<_> = rates.iter().map(|entry| entry.1).collect();
+        let places: Vec<_> = places.into_iter().collect();
+        // Every column of an entry is among the places.
+        let number = |place: usize| places.binary_search(&place).unwrap_or_default();
+        let rates = rates
+            .iter()
+            .map(|&(row, place, value)| (row, number(place), value));
         let mut inverse = Self {
             factorization,
             rates: rates.collect(),
-            of_nodes,
-            scale: vec![1.0; of_nodes + others.len()],
-            others,
+            of_nodes: places.partition_point(|place| *place < size),
+            scale: vec![1.0; places.len()],
+            places,
             shift,
         };
         inverse.balance()?;
@@ -84,6 +83,41 @@ impl Inverse {
     /// The shift sigma [1/s].
     pub fn shift(&self) -> f64 {
         self.shift
+    }
+
+    /// Columns of `(F_y + sigma F_y')^-1` for right-hand sides of one in each of `rows`;
+    /// `None` when they are not finite.
+    pub fn columns(&self, rows: &[usize]) -> Option<Mat<f64>> {
+        let mut columns = Mat::zeros(self.factorization.size(), rows.len());
+        for (j, row) in rows.iter().enumerate() {
+            columns[(*row, j)] = 1.0;
+        }
+        self.factorization.solve_columns(&mut columns)?;
+        Some(columns)
+    }
+
+    /// `factor (F_y + sigma F_y')^-1 F_y' x` in all unknowns of the system, for x given at
+    /// the unknowns of T; not a number where it is not finite.
+    pub fn moved(&self, x: &[f64], factor: f64) -> Vec<f64> {
+        let mut product = Mat::zeros(self.factorization.size(), 1);
+        for &(row, column, value) in &self.rates {
+            product[(row, 0)] += factor * value * x[column];
+        }
+        if self.factorization.solve_columns(&mut product).is_none() {
+            product.fill(f64::NAN);
+        }
+        product.col(0).iter().copied().collect()
+    }
+
+    /// Whether all eigenvalues are computed where `count` are asked for, as they are of
+    /// problems of up to `dense` unknowns.
+    pub fn is_small(&self, count: usize, dense: usize) -> bool {
+        self.scale.len() <= dense.max(3 * Self::wanted(count))
+    }
+
+    /// Eigenvalues that lead the iteration where `count` pairs are asked for.
+    fn wanted(count: usize) -> usize {
+        2 * count + 10
     }
 
     /// A rough view of the eigenvalues s nearest to the shift.
@@ -96,15 +130,14 @@ impl Inverse {
     }
 
     /// At least the `2 count` eigenvalues s nearest to the shift, conjugate pairs and up
-    /// to `copies` of one value included, where there are so many.
-    pub fn smallest(&self, count: usize, copies: usize) -> Vec<c64> {
+    /// to `copies` of one value included, where there are so many; all are computed of
+    /// problems of up to `dense` unknowns.
+    pub fn smallest(&self, count: usize, copies: usize, dense: usize) -> Vec<c64> {
         // One more pair, so that none is cut apart; the others only lead the iteration.
         let sure = 2 * count + 2;
-        let wanted = sure + 8;
-        let inverted = if self.scale.len() <= DENSE.max(3 * wanted) {
-            self.all()
-        } else {
-            largest(self, wanted, sure, copies)
+        let inverted = match self.is_small(count, dense) {
+            true => self.all(),
+            false => largest(self, Self::wanted(count), sure, copies),
         };
         self.restored(inverted)
     }
@@ -134,24 +167,30 @@ impl Inverse {
     /// couple them with the rest, estimated with one vector; `None` when T is not finite.
     fn balance(&mut self) -> Option<()> {
         let of_nodes = self.of_nodes;
-        let is_momentum = |i: usize| i < of_nodes && i % NODE_UNKNOWNS >= NODE_UNKNOWNS / 2;
-        self.balance_part(is_momentum)?;
-        match self.others.is_empty() {
-            true => Some(()),
-            false => self.balance_part(|i| i >= of_nodes),
-        }
+        let numbers = self.places.iter().map(|place| place % NODE_UNKNOWNS);
+        let momenta = numbers
+            .map(|number| number >= NODE_UNKNOWNS / 2)
+            .enumerate();
+        let momenta: Vec<_> = momenta.map(|(i, is)| is && i < of_nodes).collect();
+        self.balance_part(&momenta)?;
+        let others: Vec<_> = (0..self.places.len()).map(|i| i >= of_nodes).collect();
+        self.balance_part(&others)
     }
 
-    /// Scales the unknowns that are in a part.
-    fn balance_part(&mut self, is_in_part: impl Fn(usize) -> bool) -> Option<()> {
+    /// Scales the unknowns that are in a part; nothing where all or none are.
+    fn balance_part(&mut self, is_in_part: &[bool]) -> Option<()> {
+        let count = is_in_part.iter().filter(|is| **is).count();
+        if count == 0 || count == is_in_part.len() {
+            return Some(());
+        }
         let norm = |x: &[f64], part: bool| {
             let of_part = x.iter().enumerate();
-            let of_part = of_part.filter(|(i, _)| is_in_part(*i) == part);
+            let of_part = of_part.filter(|(i, _)| is_in_part[*i] == part);
             of_part.map(|(_, value)| value * value).sum::<f64>().sqrt()
         };
         let size_of_block = |from_part: bool| {
             let value = |i: usize| {
-                if is_in_part(i) == from_part {
+                if is_in_part[i] == from_part {
                     start_value(i)
                 } else {
                     0.0
@@ -168,7 +207,7 @@ impl Inverse {
         }
         if rest_by_part > 0.0 && part_by_rest > 0.0 {
             let scale = (part_by_rest / rest_by_part).sqrt();
-            for i in (0..self.scale.len()).filter(|&i| is_in_part(i)) {
+            for i in (0..self.scale.len()).filter(|&i| is_in_part[i]) {
                 self.scale[i] = scale;
             }
         }
@@ -187,13 +226,8 @@ impl Inverse {
     /// system: about 1e-12 for a well-conditioned model.
     pub fn residual(&self, s: c64, vector: &[c64]) -> f64 {
         let scaled = |part: fn(&c64) -> f64| -> Vec<f64> {
-            let others = self.others.iter().map(|&place| &vector[place]);
-            vector[..self.of_nodes]
-                .iter()
-                .chain(others)
-                .zip(&self.scale)
-                .map(|(v, scale)| part(v) / scale)
-                .collect()
+            let own = self.places.iter().map(|&place| part(&vector[place]));
+            own.zip(&self.scale).map(|(v, scale)| v / scale).collect()
         };
         let (mut real, mut imaginary) = (scaled(|v| v.re), scaled(|v| v.im));
         let expected: Vec<_> = real
@@ -231,8 +265,7 @@ impl Operator for Inverse {
             product.fill(f64::NAN);
         }
         for j in 0..x.ncols() {
-            let others = self.others.iter().copied();
-            for (i, place) in (0..self.of_nodes).chain(others).enumerate() {
+            for (i, &place) in self.places.iter().enumerate() {
                 x[(i, j)] = product[(place, j)] / self.scale[i];
             }
         }

@@ -118,8 +118,9 @@ impl OutsideAnalysis {
         let mut warnings = Vec::new();
         warnings.extend(looks_linear(section, &domain, &pattern)?);
         let matrices = domain.system(&pattern, 0.0)?;
-        let (central, systems) = solve_central(&domain, &pattern, matrices, &named, LIMITS)
-            .map_err(of_given_matrices)?;
+        let in_words = |failure| of_given_matrices(failure, section.slice.is_some());
+        let (central, systems) =
+            solve_central(&domain, &pattern, matrices, &named, LIMITS).map_err(in_words)?;
         warnings.extend(digits(&central)?);
         if section.mass.iter().all(|&entry| entry == 0.0) {
             warnings.push(OutsideWarning::NoMass);
@@ -130,7 +131,7 @@ impl OutsideAnalysis {
             count,
             mass: &section.mass,
         };
-        let solution = in_si(&frame, &central).map_err(of_given_matrices)?;
+        let solution = in_si(&frame, &central).map_err(in_words)?;
         Ok(Self {
             domain,
             central,
@@ -178,6 +179,7 @@ fn require_belonging(
         true => Ok(()),
         false => Err(Failure::Matrices {
             broken,
+            of_slice: section.slice.is_some(),
             limit: LIMITS.identity,
         }),
     }
@@ -251,7 +253,7 @@ fn digits(central: &Central) -> Result<Option<OutsideWarning>, Failure> {
 }
 
 /// A failure in the words of matrices in place of those of cells.
-fn of_given_matrices(failure: Failure) -> Failure {
+fn of_given_matrices(failure: Failure, of_slice: bool) -> Failure {
     match failure {
         Failure::Identity {
             identity,
@@ -259,6 +261,7 @@ fn of_given_matrices(failure: Failure) -> Failure {
             limit,
         } => Failure::Matrices {
             broken: vec![(identity, error)],
+            of_slice,
             limit,
         },
         Failure::Loose { node, y, z, .. } => Failure::NotPositive {

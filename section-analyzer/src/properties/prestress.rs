@@ -48,7 +48,7 @@ use nalgebra::{
     DMatrix, DVector, Matrix4, Matrix6, Matrix6x4, SMatrix, Vector2, Vector3, Vector4, Vector6,
 };
 use shared_geom::section::{
-    CubicTable, PRESTRESS_COMPONENTS, Prestress, StrainMeasure, strains_of_moved,
+    CubicTable, InitialCurvature, PRESTRESS_COMPONENTS, Prestress, StrainMeasure, strains_of_moved,
 };
 use shared_geom::wrench;
 
@@ -61,8 +61,24 @@ use crate::section::{ImposedStrain, Section};
 pub enum NoPrestress {
     /// The undeformed beam is curved or twisted.
     Curved,
+    /// Its reference line is not normal to the section.
+    Oblique,
     /// The compliance of the section has no inverse.
     Singular,
+}
+
+impl NoPrestress {
+    /// The table is known for straight beams, normal to their sections.
+    ///
+    /// # Errors
+    /// What this one is instead.
+    pub fn require_straight(initial: &InitialCurvature) -> Result<(), Self> {
+        match (initial.is_straight(), initial.curvature == Vector3::zeros()) {
+            (true, _) => Ok(()),
+            (false, true) => Err(Self::Oblique),
+            (false, false) => Err(Self::Curved),
+        }
+    }
 }
 
 impl fmt::Display for NoPrestress {
@@ -71,6 +87,10 @@ impl fmt::Display for NoPrestress {
             Self::Curved => {
                 "the effect of prestress is known for straight beams only, and this one has an \
                  initial curvature"
+            }
+            Self::Oblique => {
+                "the effect of prestress is known for beams whose line is normal to the section \
+                 only, and the slope of this one is oblique"
             }
             Self::Singular => "the compliance of the section has no inverse",
         })
@@ -82,16 +102,14 @@ impl fmt::Display for NoPrestress {
 /// [`crate::solution::SectionSolution`] holds them.
 ///
 /// # Errors
-/// [`NoPrestress`] for a curved beam.
+/// [`NoPrestress`] for a curved or oblique beam.
 pub fn prestress(
     section: &Section,
     warping: &DMatrix<f64>,
     strain: &Matrix6<f64>,
     strain_measure: StrainMeasure,
 ) -> Result<Prestress, NoPrestress> {
-    if !section.initial_curvature.is_straight() {
-        return Err(NoPrestress::Curved);
-    }
+    NoPrestress::require_straight(&section.initial_curvature)?;
     let fields = Fields::new(section, warping, strain).ok_or(NoPrestress::Singular)?;
     let third = fields.table(strain_measure);
     Ok(Prestress {
@@ -117,7 +135,7 @@ pub struct FreeState<'a> {
 /// point \[N, N m, N m^2\]; arguments as of [`prestress`].
 ///
 /// # Errors
-/// [`NoPrestress`] for a curved beam.
+/// [`NoPrestress`] for a curved or oblique beam.
 pub fn prestress_of_imposed(
     section: &Section,
     warping: &DMatrix<f64>,
@@ -125,9 +143,7 @@ pub fn prestress_of_imposed(
     strain_measure: StrainMeasure,
     states: &[FreeState<'_>],
 ) -> Result<Vec<Matrix4<f64>>, NoPrestress> {
-    if !section.initial_curvature.is_straight() {
-        return Err(NoPrestress::Curved);
-    }
+    NoPrestress::require_straight(&section.initial_curvature)?;
     let fields = Fields::new(section, warping, strain).ok_or(NoPrestress::Singular)?;
     let v = strains_of_moved(-Vector2::from(fields.center));
     let of_state = |state: &FreeState<'_>| {

@@ -80,6 +80,8 @@ fn broken_identities_are_told() {
         "C H = L T is broken by",
         "expected less than 1e-6",
         "rows of C belong to u'",
+        "[initial_curvature]",
+        "degrees per length",
     ] {
         assert!(told.contains(words), "{words}: {told}");
     }

@@ -84,6 +84,22 @@ fn curved_beams_are_refused() {
     );
 }
 
+#[test]
+fn oblique_lines_are_refused_by_their_name() {
+    let place = prestressed("biot");
+    let text = place.read("a.section.toml");
+    let lines = "[initial_curvature]\ncurvature = [0, 0, 0]\nslope = [1, 0.1, 0]\n";
+    place.write("a.section.toml", &format!("{text}\n{lines}"));
+    let run = place.run(&["check", "a.section.toml"]);
+    assert_eq!(run.code, 2);
+    assert_eq!(
+        run.err,
+        "error: a.section.toml:2: \"prestress\": the effect of prestress is known for beams whose \
+         line is normal to the section only, and the slope of this one is oblique\n  help: remove \
+         \"prestress\" or [initial_curvature]\n"
+    );
+}
+
 /// Moved, turned and brought back: equal but for round-off; by another measure it is
 /// not compared.
 #[test]

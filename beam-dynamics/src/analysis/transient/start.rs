@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use crate::analysis::steady::equilibrium;
-use crate::assembly::{Settling, System};
+use crate::assembly::{MasslessMotions, Settling, System};
 use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
 use crate::elements::Level;
 use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
@@ -218,8 +218,8 @@ fn growth(
     (state, conditions): (&State, &Conditions),
 ) -> Option<f64> {
     let tangent = model.system.tangent(state, conditions);
-    let nodes = model.system.nodes().len();
-    let problem = EigenProblem::about_zero(solver, &tangent, nodes, COUNT)?;
+    let massless = MasslessMotions::new(&model.system, &tangent);
+    let problem = EigenProblem::about_zero(solver, &tangent, &massless, COUNT)?;
     let all = problem.real(COUNT).into_iter();
     let sure = all.filter(|pair| pair.residual < SURE);
     let growths = sure.map(|pair| pair.growth).filter(|growth| *growth > 0.0);

@@ -213,9 +213,9 @@ impl Element for Beam {
         offsets.fold(0.0, f64::max)
     }
 
-    fn drives(&self) -> Vec<&Drive> {
+    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
         let laws = self.points.iter().flat_map(|point| point.law.drives());
-        laws.chain(self.electrodes.drives()).collect()
+        laws.chain(self.electrodes.drives()).for_each(visit);
     }
 
     fn without_value(&self, at: &Local<'_>) -> Option<String> {

@@ -150,14 +150,16 @@ impl DistributedLoad {
     /// Adds what the change of the signal does.
     fn add_signal(&self, at: &Local<'_>, load_factor: f64, out: &mut LocalJacobian) {
         let formulation = self.geometry.formulation;
-        let mut sums = LocalResidual::new(self.geometry.nodes.len(), 0);
+        let mut sums = [[Vector3::zeros(); 2]; 3];
         self.each(at, load_factor, |portion, section, load| {
-            formulation.add_on_line(portion, section, load, &mut sums);
+            formulation.add_on_line(portion, section, load, |node, equation, value| {
+                sums[node][usize::from(equation == Moment)] += value;
+            });
         });
         self.head.signal.gradient(at, |place, variable, row| {
-            for node in 0..self.geometry.nodes.len() {
-                for equation in [Force, Moment] {
-                    let block = sums.of(node, equation) * row.transpose();
+            for (node, sums) in sums.iter().enumerate() {
+                for (equation, sum) in [Force, Moment].into_iter().zip(sums) {
+                    let block = sum * row.transpose();
                     out.add((node, equation), (place, variable), &block);
                 }
             }
@@ -174,7 +176,9 @@ impl Load for DistributedLoad {
         let factor = factor * self.head.signal.value(at);
         let formulation = self.geometry.formulation;
         self.each(at, factor, |portion, section, load| {
-            formulation.add_on_line(portion, section, load, out);
+            formulation.add_on_line(portion, section, load, |node, equation, value| {
+                out.add(node, equation, value);
+            });
         });
     }
 

@@ -26,6 +26,7 @@ use shared_geom::rotation::parameters::Parametrization;
 use super::strain::{SectionPoint, StrainPoint, Variation};
 use super::{portions, variational};
 use crate::elements::{LocalJacobian, LocalResidual};
+use crate::model::Equation;
 use crate::model::Equation::{Force, Moment};
 use crate::model::Variable;
 
@@ -86,17 +87,18 @@ impl Formulation {
         }
     }
 
-    /// Adds a force and a moment on the line at a point of portion `portion`.
+    /// Adds a force and a moment on the line at a point of portion `portion`: `add` takes
+    /// what acts on the nodes.
     pub(super) fn add_on_line(
         self,
         portion: usize,
         at: &SectionPoint<'_>,
         load: &LineForce,
-        out: &mut LocalResidual,
+        add: impl FnMut(usize, Equation, &Vector3<f64>),
     ) {
         match self {
-            Self::Variational => variational::add_on_line(at, load, out),
-            Self::FiniteVolume(_) => portions::add_on_line(portion, at, load, out),
+            Self::Variational => variational::add_on_line(at, load, add),
+            Self::FiniteVolume(_) => portions::add_on_line(portion, at, load, add),
         }
     }
 

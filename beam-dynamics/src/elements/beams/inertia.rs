@@ -269,7 +269,10 @@ impl Element for BeamInertia {
         for mass in &self.points {
             let motion = Motion::new(mass, &nodal, &velocities);
             motion.add_residual(&velocities, out);
-            add_on_line(&motion.section, &motion.weight(&at.loading.gravity), out);
+            let weight = motion.weight(&at.loading.gravity);
+            add_on_line(&motion.section, &weight, |node, equation, value| {
+                out.add(node, equation, value);
+            });
         }
     }
 

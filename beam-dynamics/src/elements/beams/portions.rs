@@ -24,7 +24,8 @@ use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
 
 use super::formulation::{LineForce, Test};
 use super::strain::SectionPoint;
-use crate::elements::{LocalJacobian, LocalResidual};
+use crate::elements::LocalJacobian;
+use crate::model::Equation;
 use crate::model::Equation::{Force, Moment};
 use crate::model::Variable::{Position, Rotation};
 
@@ -75,12 +76,12 @@ pub(super) fn add_on_line(
     node: usize,
     at: &SectionPoint<'_>,
     load: &LineForce,
-    out: &mut LocalResidual,
+    mut add: impl FnMut(usize, Equation, &Vector3<f64>),
 ) {
     let arm = at.point.p - at.nodal.x[node];
-    out.add(node, Force, &load.force);
-    out.add(node, Moment, &load.moment);
-    out.add(node, Moment, &arm.cross(&load.force));
+    add(node, Force, &load.force);
+    add(node, Moment, &load.moment);
+    add(node, Moment, &arm.cross(&load.force));
 }
 
 /// Adds the variation of a load on the portion of a node.

@@ -41,7 +41,8 @@ use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::formulation::LineForce;
 use super::strain::SectionPoint;
-use crate::elements::{LocalJacobian, LocalResidual};
+use crate::elements::LocalJacobian;
+use crate::model::Equation;
 use crate::model::Equation::{Force, Moment};
 use crate::model::Variable::{Position, Rotation};
 
@@ -124,12 +125,16 @@ pub(super) fn add_geometric(
 }
 
 /// Adds a load on the line.
-pub(super) fn add_on_line(at: &SectionPoint<'_>, load: &LineForce, out: &mut LocalResidual) {
+pub(super) fn add_on_line(
+    at: &SectionPoint<'_>,
+    load: &LineForce,
+    mut add: impl FnMut(usize, Equation, &Vector3<f64>),
+) {
     for j in 0..3 {
         let force = at.shape.n[j] * load.force;
-        out.add(j, Force, &force);
-        out.add(j, Moment, &at.nodal.f[j].cross(&force));
-        out.add(j, Moment, &at.theta[j].tr_mul(&load.moment));
+        add(j, Force, &force);
+        add(j, Moment, &at.nodal.f[j].cross(&force));
+        add(j, Moment, &at.theta[j].tr_mul(&load.moment));
     }
 }
 

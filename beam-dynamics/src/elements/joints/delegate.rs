@@ -36,8 +36,8 @@ macro_rules! is_a_joint {
                 self.joint.reach()
             }
 
-            fn drives(&self) -> Vec<&crate::model::Drive> {
-                self.joint.drives()
+            fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a crate::model::Drive)) {
+                self.joint.each_drive(visit);
             }
 
             fn jump(

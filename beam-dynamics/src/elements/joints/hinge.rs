@@ -230,8 +230,8 @@ impl Element for Hinge {
         self.joint.reach()
     }
 
-    fn drives(&self) -> Vec<&Drive> {
-        self.relaxed.iter().collect()
+    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+        self.relaxed.iter().for_each(visit);
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -275,8 +275,8 @@ impl Element for ConstraintJoint {
         self.reach
     }
 
-    fn drives(&self) -> Vec<&Drive> {
-        self.given().collect()
+    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+        self.given().for_each(visit);
     }
 
     fn jump(&self, between: [&Loading; 2]) -> Option<PlaceJump> {

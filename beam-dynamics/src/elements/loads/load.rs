@@ -50,8 +50,8 @@ impl<T: Load> Element for T {
         self.arm()
     }
 
-    fn drives(&self) -> Vec<&Drive> {
-        self.head().signal.drive().into_iter().collect()
+    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+        self.head().signal.drive().into_iter().for_each(visit);
     }
 
     fn next_corner(&self, time: f64) -> f64 {

@@ -129,8 +129,8 @@ impl Element for Rod {
         self.line.reach().max(length)
     }
 
-    fn drives(&self) -> Vec<&Drive> {
-        self.law.drives().chain([&self.relaxed]).collect()
+    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+        self.law.drives().chain([&self.relaxed]).for_each(visit);
     }
 
     fn without_value(&self, at: &Local<'_>) -> Option<String> {

@@ -362,8 +362,8 @@ impl Element for Spring {
         on_a.max(self.offset.norm())
     }
 
-    fn drives(&self) -> Vec<&Drive> {
-        self.law.drives()
+    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+        self.law.each_drive(visit);
     }
 
     fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {

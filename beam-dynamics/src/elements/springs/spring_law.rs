@@ -107,10 +107,13 @@ impl SpringLaw {
         }
     }
 
-    pub(super) fn drives(&self) -> Vec<&Drive> {
+    pub(super) fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
         match self {
-            Self::Together(law) => law.drives().collect(),
-            Self::Apart { .. } => self.apart().flat_map(|part| part.1.drives()).collect(),
+            Self::Together(law) => law.drives().for_each(visit),
+            Self::Apart { .. } => self
+                .apart()
+                .flat_map(|part| part.1.drives())
+                .for_each(visit),
         }
     }
 }
