@@ -43,7 +43,7 @@ fn lowest(table: &FrequencyTable, speed: usize) -> Vec<f64> {
 }
 
 fn is_alarm(remark: &String) -> bool {
-    ["unstable", "negative damping", "were found of", "digits"]
+    ["unstable", "were found of", "digits"]
         .iter()
         .any(|word| remark.contains(word))
 }

@@ -26,6 +26,11 @@
 //!
 //! as up to ten short steps in the time of a long one add up their errors. Where steps are
 //! equal, T is the step.
+//!
+//! Velocities that alternate from step to step, as those of constraints do by formulas
+//! without damping, are missed by the same amount however short a step is: where an error
+//! does not fall with the step, the velocities do not count until it has gone, or until
+//! all is begun anew at a corner.
 
 use serde::{Deserialize, Serialize};
 
@@ -45,6 +50,26 @@ const FORGOTTEN: f64 = 0.3;
 /// Errors of so many steps in the time of a long one add up.
 const ADDED: f64 = 10.0;
 
+/// An error that a step shorter by this factor leaves at [`STUBBORN`] of its size or more
+/// does not come from the length of the step. That of a force that jumps falls by ten, as it
+/// lasts longer in (D-120).
+const SHORTER: f64 = 1e-2;
+const STUBBORN: f64 = 0.5;
+/// Part of the tolerance below which an error has gone.
+const GONE: f64 = 0.1;
+
+/// What is done with an error of velocities that is too large.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+enum Heeding {
+    /// None was too large.
+    #[default]
+    Always,
+    /// One was, in a step of some length \[s\].
+    Watched { length: f64, error: f64 },
+    /// It did not fall with the step.
+    Never,
+}
+
 /// Velocities of the accepted states behind a step, and how long an error of them lasts.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Speeds {
@@ -56,6 +81,7 @@ pub(super) struct Speeds {
     largest: Vec<f64>,
     /// W [s].
     memory: f64,
+    heeding: Heeding,
     #[serde(skip)]
     trial: Vec<f64>,
     #[serde(skip)]
@@ -71,6 +97,7 @@ impl Speeds {
     pub fn restart(&mut self, dae: &dyn Dae, time: f64) {
         self.times.clear();
         self.times.reserve(MOST + 1);
+        self.heeding = Heeding::Always;
         self.add(dae, time);
         let count = self.values[0].len();
         let later = self.values.iter_mut().skip(1);
@@ -84,7 +111,29 @@ impl Speeds {
         self.times.clone_from(&other.times);
         self.values.clone_from(&other.values);
         self.largest.clone_from(&other.largest);
-        self.memory = other.memory;
+        (self.memory, self.heeding) = (other.memory, other.heeding);
+    }
+
+    /// What counts of an error by the tolerance that was found in a trial of `length` \[s\].
+    pub fn heeded(&mut self, error: f64, length: f64) -> f64 {
+        self.heeding = match self.heeding {
+            _ if error <= GONE => Heeding::Always,
+            Heeding::Never => Heeding::Never,
+            Heeding::Watched {
+                length: longer,
+                error: before,
+            } if length < longer => match length <= SHORTER * longer {
+                true if error >= STUBBORN * before => Heeding::Never,
+                true => Heeding::Watched { length, error },
+                false => self.heeding,
+            },
+            _ if error > 1.0 => Heeding::Watched { length, error },
+            other => other,
+        };
+        match self.heeding {
+            Heeding::Never => 0.0,
+            _ => error,
+        }
     }
 
     /// Takes the latest accepted state of `dae`, to which a step of `length` led \[s\].

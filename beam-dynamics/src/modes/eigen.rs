@@ -358,7 +358,7 @@ impl<'a> EigenProblem<'a> {
 }
 
 /// Number of values from the first on that are copies of it, itself included.
-pub(super) fn copies_at_front(values: &[c64]) -> usize {
+fn copies_at_front(values: &[c64]) -> usize {
     let is_copy = |s: &&c64| (**s - values[0]).norm() <= COPIES * values[0].norm();
     values.iter().take_while(is_copy).count().max(1)
 }

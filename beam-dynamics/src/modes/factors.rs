@@ -1,7 +1,7 @@
 //! All real factors at which a tangent is singular, and their shapes.
 //!
 //! ```text
-//! ( K_0 + lambda K_1 ) v = 0                                                    (D-276)
+//! ( K_0 + lambda K_1 ) v = 0                                                    (D-70)
 //! ```
 //!
 //! Where the two are symmetric, with A the part of `K_0^-1` that leads from the forces and
@@ -9,7 +9,7 @@
 //! definite for all that can move,
 //!
 //! ```text
-//! A = s L L^T,   s = +-1       - s L^T K_1 L z = z / lambda,    v_S = L z         (D-277)
+//! A = s L L^T,   s = +-1       - s L^T K_1 L z = z / lambda,    v_S = L z         (D-276)
 //! ```
 //!
 //! is one symmetric matrix whose eigenvalues are all known at once, repeated ones with as
@@ -21,7 +21,7 @@
 
 use faer::{Mat, Side, c64};
 
-use super::eigen::{CONFIRMED, EigenProblem, Eigenpair, copies_at_front};
+use super::eigen::{CONFIRMED, EigenProblem, Eigenpair};
 use super::inverse::DENSE;
 use super::sorted::OSCILLATING;
 use crate::assembly::{Entry, MasslessMotions, Tangent};
@@ -34,8 +34,8 @@ const WHOLE: usize = 900;
 const ALL: usize = 400;
 /// A matrix is symmetric up to this part of its largest entry.
 const SYMMETRIC: f64 = 1e-8;
-/// Eigenvalues of A below this part of the largest are zero.
-const ZERO: f64 = 1e-12;
+/// Values this near to each other are found together.
+const NEAR: f64 = 1e-5;
 /// Factors beyond this part of the lowest are infinite.
 const INFINITE: f64 = 1e-9;
 /// Relative error of a pair from which on it is none.
@@ -68,24 +68,33 @@ impl<'a> EigenProblem<'a> {
 
     /// The real eigenvalues of smallest magnitude with their vectors, at most `count`.
     pub fn real(&self, count: usize) -> Vec<Eigenpair> {
-        self.real_within(count, DENSE)
+        self.pairs_of(self.real_values(count, DENSE))
     }
 
-    /// The same, all eigenvalues being computed of problems of up to so many unknowns.
-    fn real_within(&self, count: usize, dense: usize) -> Vec<Eigenpair> {
+    /// At most `count` real eigenvalues of smallest magnitude, all being computed of problems
+    /// of up to `dense` unknowns.
+    fn real_values(&self, count: usize, dense: usize) -> Vec<f64> {
         let mut values = self.inverse().smallest(count, self.copies(), dense);
         values.retain(|s| s.im.abs() <= OSCILLATING.sqrt() * s.norm());
         values.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
         values.truncate(count);
+        values.iter().map(|s| s.re).collect()
+    }
+
+    /// The pairs of real values by magnitude, near ones together: each is found once.
+    fn pairs_of(&self, values: Vec<f64>) -> Vec<Eigenpair> {
         let mut pairs: Vec<Eigenpair> = Vec::with_capacity(values.len());
-        while pairs.len() < values.len() {
-            let rest = &values[pairs.len()..];
-            let reals: Vec<_> = rest[..copies_at_front(rest)]
-                .iter()
-                .map(|s| c64::new(s.re, 0.0))
-                .collect();
-            pairs.extend(self.vectors(&reals));
+        let mut sorted = values;
+        sorted.sort_by(f64::total_cmp);
+        let mut rest = &sorted[..];
+        while let Some(first) = rest.first() {
+            let is_near = |value: &&f64| (**value - first).abs() <= NEAR * first.abs();
+            let (near, others) = rest.split_at(rest.iter().take_while(is_near).count().max(1));
+            let near: Vec<_> = near.iter().map(|value| c64::new(*value, 0.0)).collect();
+            pairs.extend(self.vectors(&near));
+            rest = others;
         }
+        pairs.sort_by(|a, b| a.growth.abs().total_cmp(&b.growth.abs()));
         pairs
     }
 
@@ -111,34 +120,15 @@ impl<'a> EigenProblem<'a> {
     /// The real factors s of smallest magnitude of `by_unknowns + s by_rates`, at most
     /// `count`.
     pub fn factors(&self, count: usize) -> Factors {
-        match self.symmetric_pairs(count) {
-            Some((pairs, is_complete)) => Factors::of(pairs, is_complete),
+        match Compliance::new(self).and_then(|compliance| compliance.factors()) {
+            Some(mut factors) => {
+                factors.truncate(count);
+                Factors::of(self.pairs_of(factors), true)
+            }
             None => Factors::of(
-                self.real_within(count, ALL),
+                self.pairs_of(self.real_values(count, ALL)),
                 self.inverse().is_small(count, ALL),
             ),
-        }
-    }
-
-    /// All pairs of (D-277), `count` of them at most; `None` where it does not apply.
-    fn symmetric_pairs(&self, count: usize) -> Option<(Vec<Eigenpair>, bool)> {
-        let compliance = Compliance::new(self)?;
-        let (factors, motions) = compliance.factors()?;
-        let pairs = factors.iter().zip(motions.iter()).take(count);
-        let pairs = pairs.map(|(&factor, motion)| self.pair(factor, motion));
-        Some((pairs.collect(), true))
-    }
-
-    /// The pair of a factor whose shape moves the unknowns with rates by `motion`.
-    fn pair(&self, factor: f64, motion: &[f64]) -> Eigenpair {
-        let moved = self.inverse().moved(motion, -factor);
-        let vector: Vec<_> = moved.iter().map(|value| c64::new(*value, 0.0)).collect();
-        Eigenpair {
-            growth: factor,
-            angular_frequency: 0.0,
-            residual: self.inverse().residual(c64::new(factor, 0.0), &vector),
-            real: moved[..self.size()].to_vec(),
-            imaginary: vec![0.0; self.size()],
         }
     }
 }
@@ -160,8 +150,6 @@ impl Factors {
 
 /// A, and K_1 on the same motions, scaled to a unit diagonal of A.
 struct Compliance {
-    /// What each is scaled by.
-    scale: Vec<f64>,
     compliance: Mat<f64>,
     rates: Mat<f64>,
 }
@@ -198,51 +186,29 @@ impl Compliance {
         let compliance = Mat::from_fn(n, n, |i, j| sign * by(i) * all[(i, j)] * by(j));
         let rates = scaled(rates, (&places, &rows), &scale, -sign)?;
         let is_sound = is_symmetric(&compliance) && is_symmetric(&rates);
-        is_sound.then_some(Self {
-            scale,
-            compliance,
-            rates,
-        })
+        is_sound.then_some(Self { compliance, rates })
     }
 
-    /// All finite factors, by magnitude, and the motions of their shapes; `None` where A is
-    /// not definite.
-    fn factors(&self) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
+    /// All finite factors, by magnitude; `None` where A is not definite.
+    fn factors(&self) -> Option<Vec<f64>> {
         let own = self.compliance.self_adjoint_eigen(Side::Lower).ok()?;
         let values: Vec<_> = own.S().column_vector().iter().copied().collect();
         let largest = values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
         if values.iter().any(|value| *value < -SYMMETRIC * largest) {
             return None;
         }
-        let kept: Vec<_> = (0..values.len())
-            .filter(|&j| values[j] > ZERO * largest)
-            .collect();
-        let root = Mat::from_fn(values.len(), kept.len(), |i, j| {
-            own.U()[(i, kept[j])] * values[kept[j]].sqrt()
-        });
+        let n = values.len();
+        let root = Mat::from_fn(n, n, |i, j| own.U()[(i, j)] * values[j].max(0.0).sqrt());
         let turned = root.transpose() * &self.rates * &root;
-        let turned = Mat::from_fn(kept.len(), kept.len(), |i, j| {
-            0.5 * (turned[(i, j)] + turned[(j, i)])
-        });
-        let inverted = turned.self_adjoint_eigen(Side::Lower).ok()?;
-        let inverses: Vec<_> = inverted.S().column_vector().iter().copied().collect();
+        let turned = Mat::from_fn(n, n, |i, j| 0.5 * (turned[(i, j)] + turned[(j, i)]));
+        let inverses = turned.self_adjoint_eigenvalues(Side::Lower).ok()?;
         let largest = inverses.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-        let finite = |j: &usize| inverses[*j].abs() > INFINITE * largest;
-        let mut order: Vec<_> = (0..inverses.len()).filter(finite).collect();
-        order.sort_by(|i, j| inverses[*j].abs().total_cmp(&inverses[*i].abs()));
-        let motions = &root * inverted.U();
-        let motion = |j: &usize| -> Vec<f64> {
-            let column = motions.col(*j);
-            column
-                .iter()
-                .zip(&self.scale)
-                .map(|(value, scale)| value * scale)
-                .collect()
-        };
-        Some((
-            order.iter().map(|j| 1.0 / inverses[*j]).collect(),
-            order.iter().map(motion).collect(),
-        ))
+        let finite = inverses
+            .iter()
+            .filter(|value| value.abs() > INFINITE * largest);
+        let mut factors: Vec<_> = finite.map(|value| 1.0 / value).collect();
+        factors.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        Some(factors)
     }
 }
 

@@ -96,19 +96,6 @@ impl Inverse {
         Some(columns)
     }
 
-    /// `factor (F_y + sigma F_y')^-1 F_y' x` in all unknowns of the system, for x given at
-    /// the unknowns of T; not a number where it is not finite.
-    pub fn moved(&self, x: &[f64], factor: f64) -> Vec<f64> {
-        let mut product = Mat::zeros(self.factorization.size(), 1);
-        for &(row, column, value) in &self.rates {
-            product[(row, 0)] += factor * value * x[column];
-        }
-        if self.factorization.solve_columns(&mut product).is_none() {
-            product.fill(f64::NAN);
-        }
-        product.col(0).iter().copied().collect()
-    }
-
     /// Whether all eigenvalues are computed where `count` are asked for, as they are of
     /// problems of up to `dense` unknowns.
     pub fn is_small(&self, count: usize, dense: usize) -> bool {

@@ -216,10 +216,16 @@ fn bodies(
     bodies
 }
 
-/// Whether an inertia is that of a body: no negative mass, no negative moment.
+/// Whether an inertia is that of a body: no negative mass, no negative moment about the
+/// center of mass.
 fn is_body(body: &RigidInertia) -> bool {
     let inertia = 0.5 * (body.inertia + body.inertia.transpose());
-    let moments = inertia.symmetric_eigenvalues();
+    let arm = skew(&body.first_moment);
+    let about_center = match body.mass > 0.0 {
+        true => inertia + arm * arm / body.mass,
+        false => inertia,
+    };
     let is_mass = body.mass > 0.0 || (body.mass == 0.0 && body.first_moment.norm() == 0.0);
-    is_mass && moments.min() >= -NO_INERTIA * moments.max().abs()
+    let least = -NO_INERTIA * inertia.symmetric_eigenvalues().amax();
+    is_mass && about_center.symmetric_eigenvalues().min() >= least
 }
