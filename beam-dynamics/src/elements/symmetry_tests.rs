@@ -13,10 +13,10 @@
 //! no constraint; round-off of products of numbers of order one.
 
 use nalgebra::DMatrix;
-use shared_geom::rotation::skew;
+use shared_geom::rotation::{skew, vector};
 
 use super::jacobian_tests::{Random, nodes};
-use super::joints::{Clamp, RigidConnection, samples};
+use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
 use super::laws::Law;
 use super::springs::{Spring, SpringLaw};
 use super::{Electric, Element, Level, Local, LocalJacobian, LocalResidual};
@@ -24,23 +24,61 @@ use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Variab
 
 const TOLERANCE: f64 = 1e-13;
 
-/// The largest entry of `H - H^T + blockdiag([m_j]x)` and of `d constraint - (d force)^T`,
-/// relative to the largest of H, at a random state of `nodes`.
-fn defect(element: &dyn Element, nodes: &[Node], random: &mut Random) -> f64 {
-    let motion: Vec<_> = nodes
-        .iter()
-        .map(|node| NodeMotion {
-            position: node.position + random.vector(0.2),
-            rotation: random.rotation(0.4) * node.rotation,
-            ..NodeMotion::at_rest(node)
-        })
-        .collect();
+/// Random places and attitudes of `nodes`.
+fn moved(nodes: &[Node], random: &mut Random) -> Vec<NodeMotion> {
+    let moved = nodes.iter().map(|node| NodeMotion {
+        position: node.position + random.vector(0.2),
+        rotation: random.rotation(0.4) * node.rotation,
+        ..NodeMotion::at_rest(node)
+    });
+    moved.collect()
+}
+
+/// H, `H - H^T + blockdiag([m_j]x)`, and the derivatives of the constraints and of the
+/// forces by their multipliers, at a state of the nodes.
+struct Tangents {
+    tangent: DMatrix<f64>,
+    rest: DMatrix<f64>,
+    constraints: DMatrix<f64>,
+    forces: DMatrix<f64>,
+}
+
+impl Tangents {
+    /// The largest entry of the difference and of `d constraint - (d force)^T`, relative to
+    /// the largest of H.
+    fn defect(&self) -> f64 {
+        // Of either sign, which is the multiplier's.
+        let pairs = self.constraints.iter().zip(self.forces.iter());
+        let coupled = pairs.map(|(a, b)| (a.abs() - b.abs()).abs());
+        self.rest.amax().max(coupled.fold(0.0, f64::max)) / self.tangent.amax().max(1.0)
+    }
+
+    /// The same of motions that keep the constraints.
+    fn defect_of_motions(&self) -> f64 {
+        let n = self.constraints.ncols();
+        let squares = self.constraints.tr_mul(&self.constraints).symmetric_eigen();
+        let values = squares
+            .eigenvalues
+            .iter()
+            .zip(squares.eigenvectors.column_iter());
+        let free: Vec<_> = values
+            .filter(|(value, _)| **value < 1e-10)
+            .map(|(_, column)| column.into_owned())
+            .collect();
+        assert_eq!(free.len(), n - self.constraints.nrows());
+        let free = DMatrix::from_columns(&free);
+        (free.transpose() * &self.rest * &free).amax() / self.tangent.amax().max(1.0)
+    }
+}
+
+fn tangents(element: &dyn Element, motion: &[NodeMotion], random: &mut Random) -> Tangents {
+    let nodes = motion;
     let multipliers: Vec<_> = (0..element.multipliers())
         .map(|_| random.number())
         .collect();
     let conditions = Conditions::at_rest();
     let at = Local {
-        nodes: &motion,
+        nodes: motion,
         multipliers: &multipliers,
         electric: Electric::NONE,
         frame: &conditions.frame,
@@ -63,17 +101,19 @@ fn defect(element: &dyn Element, nodes: &[Node], random: &mut Random) -> f64 {
         block += skew(&moment);
     }
     let first = NODE_UNKNOWNS * nodes.len();
-    let coupled = DMatrix::from_fn(size, multipliers.len(), |i, k| {
-        let (force, constraint) = (values[(row(i), first + k)], values[(first + k, column(i))]);
-        // Of either sign, which is the multiplier's.
-        (force.abs() - constraint.abs()).abs()
-    });
-    rest.amax().max(coupled.iter().copied().fold(0.0, f64::max)) / tangent.amax().max(1.0)
+    let count = multipliers.len();
+    Tangents {
+        constraints: DMatrix::from_fn(count, size, |k, i| values[(first + k, column(i))]),
+        forces: DMatrix::from_fn(count, size, |k, i| values[(row(i), first + k)]),
+        tangent,
+        rest,
+    }
 }
 
 fn check(element: &dyn Element, nodes: &[Node], random: &mut Random) {
     for _ in 0..5 {
-        let defect = defect(element, nodes, random);
+        let motion = moved(nodes, random);
+        let defect = tangents(element, &motion, random).defect();
         assert!(defect < TOLERANCE, "{}: {defect:e}", element.label());
     }
 }
@@ -94,6 +134,36 @@ fn joints_of_positions() {
         }
     }
     assert!(checked > 250, "{checked}");
+}
+
+/// The moment of the spring of a hinge is about its axis: a gradient in motions that the
+/// hinge lets happen, where it is fulfilled.
+#[test]
+fn hinges_with_springs() {
+    let mut random = Random::new(35);
+    for _ in 0..20 {
+        let nodes = nodes(&mut random, 2);
+        let (place, axis) = (
+            random.vector(1.0),
+            random.rotation(3.0).column(0).into_owned(),
+        );
+        let spring = HingeSpring {
+            stiffness: 3.0 + random.number(),
+            ..HingeSpring::default()
+        };
+        let on = [&nodes[0], &nodes[1]];
+        let hinge = Hinge::new("hinge", [0, 1], on, &place, &axis, spring);
+        let mut motion = moved(&nodes, &mut random);
+        let rigid = motion[0].rotation * nodes[0].rotation.transpose();
+        let turn = vector::to_rotation(&(random.number() * axis));
+        let hung = rigid * turn;
+        motion[1].rotation = hung * nodes[1].rotation;
+        motion[1].position = motion[0].position
+            + rigid * (place - nodes[0].position)
+            + hung * (nodes[1].position - place);
+        let defect = tangents(&hinge, &motion, &mut random).defect_of_motions();
+        assert!(defect < TOLERANCE, "{defect:e}");
+    }
 }
 
 #[test]

@@ -42,7 +42,7 @@ const MOST: usize = 6;
 
 /// kappa: part of a change that nothing foretold which counts. More costs formulas of third
 /// order steps in smooth motion, where they are long.
-const UNFORESEEN: f64 = 0.1;
+const UNFORESEEN: f64 = 0.2;
 
 /// delta: part of the time that passes by which a long step is forgotten.
 const FORGOTTEN: f64 = 0.3;

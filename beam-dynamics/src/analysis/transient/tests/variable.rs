@@ -100,7 +100,7 @@ fn after_bounce(scheme: Scheme, tolerance: f64, stiffness: f64) -> f64 {
 #[test]
 fn a_bounce_keeps_its_energy_to_the_tolerance() {
     for scheme in SCHEMES {
-        for (tolerance, within) in [(1e-4, 0.04), (1e-6, 1e-3)] {
+        for (tolerance, within) in [(1e-4, 0.02), (1e-6, 1e-3)] {
             for stiffness in [1e4, 1e8] {
                 let left = after_bounce(scheme, tolerance, stiffness);
                 let off = (left - 1.0).abs();
@@ -110,6 +110,15 @@ fn a_bounce_keeps_its_energy_to_the_tolerance() {
                 );
             }
         }
+    }
+}
+
+// Each hundredth of the tolerance is a hundredth of the error and less.
+#[test]
+fn the_error_of_a_bounce_goes_with_the_tolerance() {
+    for scheme in [TWO_STEP, CUBIC, RADAU] {
+        let off = |tolerance: f64| (after_bounce(scheme, tolerance, 1e4) - 1.0).abs();
+        assert!(off(1e-8) < 2e-5, "{scheme:?}: {:e}", off(1e-8));
     }
 }
 
@@ -134,7 +143,7 @@ fn a_mass_between_stops_keeps_its_energy_to_the_tolerance() {
         0.5 * v * v + 0.5e4 * pressed * pressed
     };
     for scheme in SCHEMES {
-        for (tolerance, within) in [(1e-4, 0.04), (1e-6, 2e-3)] {
+        for (tolerance, within) in [(1e-4, 0.02), (1e-6, 2e-3)] {
             let mut model = clearance(0.1, 0, 0.1, 1e4);
             model.initial[0] = moving(Vector3::x(), Vector3::zeros());
             let left = energy_left(&model, &question(scheme, 4.0, tolerance), energy);
