@@ -75,6 +75,13 @@ impl Formula {
         formula
     }
 
+    /// Whether it is the trapezoid rule, by which what constraints hold alternates from step
+    /// to step without damping.
+    pub fn alternates(&self) -> bool {
+        let is_of_one_step = self.before == 0.0 && self.rates_before[0] == 0.0;
+        self.stages == 1 && is_of_one_step && self.latest_rates[0] == self.weights[0][0]
+    }
+
     /// Two steps of the ratio r with the asymptotic radius rho; 0 is BDF2:
     ///
     /// ```text

@@ -13,7 +13,7 @@
 //! in the step, whatever m. So the error is, p being the order of the formula,
 //!
 //! ```text
-//! max( |C / (C_{p+1} - C)| |d_{p+1}| ,  kappa min_m |d_m| )                        (D-119)
+//! max( |C / (C_{p+1} - C)| |d_{p+1}| ,  kappa min_m max( |d_m|, |d_{m+1}| ) )      (D-119)
 //! ```
 //!
 //! times the time for which it lasts: steps are short where forces jump, and grow again
@@ -27,10 +27,9 @@
 //! as up to ten short steps in the time of a long one add up their errors. Where steps are
 //! equal, T is the step.
 //!
-//! Velocities that alternate from step to step, as those of constraints do by formulas
-//! without damping, are missed by the same amount however short a step is: where an error
-//! does not fall with the step, the velocities do not count until it has gone, or until
-//! all is begun anew at a corner.
+//! Velocities of constraints by the trapezoid rule alternate from step to step about the true
+//! ones, by an amount that no step makes smaller; half the sum of two in a row does not. It
+//! takes their place there, at the middle of the step.
 
 use serde::{Deserialize, Serialize};
 
@@ -50,26 +49,6 @@ const FORGOTTEN: f64 = 0.3;
 /// Errors of so many steps in the time of a long one add up.
 const ADDED: f64 = 10.0;
 
-/// An error that a step shorter by this factor leaves at [`STUBBORN`] of its size or more
-/// does not come from the length of the step. That of a force that jumps falls by ten, as it
-/// lasts longer in (D-120).
-const SHORTER: f64 = 1e-2;
-const STUBBORN: f64 = 0.5;
-/// Part of the tolerance below which an error has gone.
-const GONE: f64 = 0.1;
-
-/// What is done with an error of velocities that is too large.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-enum Heeding {
-    /// None was too large.
-    #[default]
-    Always,
-    /// One was, in a step of some length \[s\].
-    Watched { length: f64, error: f64 },
-    /// It did not fall with the step.
-    Never,
-}
-
 /// Velocities of the accepted states behind a step, and how long an error of them lasts.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Speeds {
@@ -81,7 +60,6 @@ pub(super) struct Speeds {
     largest: Vec<f64>,
     /// W [s].
     memory: f64,
-    heeding: Heeding,
     #[serde(skip)]
     trial: Vec<f64>,
     #[serde(skip)]
@@ -97,7 +75,6 @@ impl Speeds {
     pub fn restart(&mut self, dae: &dyn Dae, time: f64) {
         self.times.clear();
         self.times.reserve(MOST + 1);
-        self.heeding = Heeding::Always;
         self.add(dae, time);
         let count = self.values[0].len();
         let later = self.values.iter_mut().skip(1);
@@ -111,29 +88,7 @@ impl Speeds {
         self.times.clone_from(&other.times);
         self.values.clone_from(&other.values);
         self.largest.clone_from(&other.largest);
-        (self.memory, self.heeding) = (other.memory, other.heeding);
-    }
-
-    /// What counts of an error by the tolerance that was found in a trial of `length` \[s\].
-    pub fn heeded(&mut self, error: f64, length: f64) -> f64 {
-        self.heeding = match self.heeding {
-            _ if error <= GONE => Heeding::Always,
-            Heeding::Never => Heeding::Never,
-            Heeding::Watched {
-                length: longer,
-                error: before,
-            } if length < longer => match length <= SHORTER * longer {
-                true if error >= STUBBORN * before => Heeding::Never,
-                true => Heeding::Watched { length, error },
-                false => self.heeding,
-            },
-            _ if error > 1.0 => Heeding::Watched { length, error },
-            other => other,
-        };
-        match self.heeding {
-            Heeding::Never => 0.0,
-            _ => error,
-        }
+        self.memory = other.memory;
     }
 
     /// Takes the latest accepted state of `dae`, to which a step of `length` led \[s\].
@@ -158,21 +113,25 @@ impl Speeds {
     /// while too few states are known.
     pub fn error(&mut self, dae: &dyn Dae, formula: &Formula, end: f64, length: f64) -> f64 {
         let order = formula.order.min(3);
-        let known = self.times.len();
+        let seen = match formula.alternates() {
+            true => Seen::Means,
+            false => Seen::Values,
+        };
+        let times = self.times(seen, end);
+        let known = self.known(seen);
         if known <= order {
             return 0.0;
         }
         dae.speeds(Some(formula.stages - 1), &mut self.trial);
         let own = counted_constant(formula);
         let of_polynomial = (0..=order).fold(1.0, |product, j| {
-            product * (end - self.times[j]) / (length * (j + 1) as f64)
+            product * (times[0] - times[j + 1]) / (length * (j + 1) as f64)
         });
         let factor = (own / (of_polynomial - own)).abs();
         self.missed.resize(self.trial.len(), 0.0);
         for i in 0..self.trial.len() {
-            let misses = self.misses(i, end);
-            let least = |least: f64, miss: &f64| least.min(miss.abs());
-            let unforeseen = misses[..known].iter().fold(f64::INFINITY, least);
+            let misses = self.misses(i, seen, &times);
+            let unforeseen = unforeseen(&misses[..known]);
             self.missed[i] = (factor * misses[order].abs()).max(UNFORESEEN * unforeseen);
         }
         let lasting = self.memory.max(length);
@@ -180,23 +139,68 @@ impl Speeds {
         dae.drift(&self.missed, [&self.trial, &self.largest], time)
     }
 
-    /// `d_1, d_2, ...` of one number under trial, by Newton's divided differences.
-    fn misses(&self, i: usize, end: f64) -> [f64; MOST] {
-        let known = self.times.len();
-        let (mut misses, mut table) = ([0.0; MOST], [0.0; MOST]);
-        for (entry, values) in table.iter_mut().zip(&self.values) {
-            *entry = values[i];
+    /// Number of the velocities, or of their means, behind a step.
+    fn known(&self, seen: Seen) -> usize {
+        match seen {
+            Seen::Values => self.times.len(),
+            Seen::Means => self.times.len().saturating_sub(1),
         }
+    }
+
+    /// Times of the velocities, or of their means: that under trial, and those behind it.
+    fn times(&self, seen: Seen, end: f64) -> [f64; MOST + 1] {
+        let mut times = [end; MOST + 1];
+        times[1..=self.times.len()].copy_from_slice(&self.times);
+        seen.of(times)
+    }
+
+    /// `d_1, d_2, ...` of one number under trial, by Newton's divided differences.
+    fn misses(&self, i: usize, seen: Seen, times: &[f64; MOST + 1]) -> [f64; MOST] {
+        let known = self.known(seen);
+        let mut values = [self.trial[i]; MOST + 1];
+        for (value, behind) in values[1..].iter_mut().zip(&self.values) {
+            *value = behind[i];
+        }
+        let values = seen.of(values);
+        let (mut misses, mut table) = ([0.0; MOST], values);
         let (mut sum, mut product) = (0.0, 1.0);
         for m in 0..known {
-            sum += table[0] * product;
-            misses[m] = self.trial[i] - sum;
-            product *= end - self.times[m];
-            for j in 0..known - m - 1 {
-                let between = self.times[j] - self.times[j + m + 1];
+            sum += table[1] * product;
+            misses[m] = values[0] - sum;
+            product *= times[0] - times[m + 1];
+            for j in 1..known - m {
+                let between = times[j] - times[j + m + 1];
                 table[j] = (table[j] - table[j + 1]) / between;
             }
         }
         misses
+    }
+}
+
+/// The part of a change that none of the polynomials foretold: two in a row, as one alone
+/// may meet a jump by chance.
+fn unforeseen(misses: &[f64]) -> f64 {
+    let pairs = misses.windows(2).map(|two| two[0].abs().max(two[1].abs()));
+    let one = misses.first().map_or(0.0, |miss| miss.abs());
+    pairs.reduce(f64::min).unwrap_or(one)
+}
+
+/// What is seen of velocities.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Seen {
+    Values,
+    /// Half the sum of each and the one before it.
+    Means,
+}
+
+impl Seen {
+    /// What is seen of numbers, the latest first; the last has none before it.
+    fn of(self, mut numbers: [f64; MOST + 1]) -> [f64; MOST + 1] {
+        if self == Self::Means {
+            for k in 0..MOST {
+                numbers[k] = 0.5 * (numbers[k] + numbers[k + 1]);
+            }
+        }
+        numbers
     }
 }

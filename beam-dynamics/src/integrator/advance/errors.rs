@@ -84,7 +84,7 @@ impl Integrator {
         }
         let places = dae.error(&self.difference) / control.tolerance;
         let speeds = (self.progress.speeds).error(dae, formula, plan.end, plan.length);
-        let speeds = (self.progress.speeds).heeded(speeds / control.tolerance, plan.length);
+        let speeds = speeds / control.tolerance;
         Some(Errors { places, speeds })
     }
 }
