@@ -107,6 +107,13 @@ impl SpringLaw {
         }
     }
 
+    pub(super) fn keeps_energy(&self) -> bool {
+        match self {
+            Self::Together(law) => law.keeps_energy(),
+            Self::Apart { .. } => self.apart().all(|part| part.1.keeps_energy()),
+        }
+    }
+
     pub(super) fn drives(&self) -> Vec<&Drive> {
         match self {
             Self::Together(law) => law.drives().collect(),
