@@ -1,11 +1,11 @@
 //! Watch over the energy of a run in time.
 //!
 //! What an element e gives the model from outside is the work of its forces on the nodes,
-//! with the power P of (D-271), beyond what its own energy gives:
+//! with the power `P = sum F . v + M . omega`, beyond what its own energy gives:
 //!
 //! ```text
-//! W_e = int P_e dt + E_e(t) - E_e(0)                                           (D-272)
-//! G   = E(t) - E(0) - sum W_e                                                  (D-273)
+//! W_e = int P_e dt + E_e(t) - E_e(0)
+//! G   = E(t) - E(0) - sum W_e                                                  (D-271)
 //! ```
 //!
 //! W is zero but for loads, driven joints and springs, dampers, electrodes, gravity that
@@ -15,7 +15,7 @@
 //!
 //! ```text
 //! G > 0.1 S + U ,   S = E_kin(0) + |E_el(0)| + sum int |P_e| dt + falls of potentials
-//!                   U = sum h/2 |P_1 - P_0|                                    (D-274)
+//!                   U = sum h/2 |P_1 - P_0|
 //! ```
 //!
 //! U being what the trapezoid may be off by where powers are not resolved. What dampers take
@@ -93,7 +93,7 @@ struct Exchanger {
     sum: Sum,
 }
 
-/// The balance (D-273) with its measures.
+/// The balance (D-271) with its measures.
 #[derive(Debug, Clone, Copy, Default)]
 struct Look {
     time: f64,

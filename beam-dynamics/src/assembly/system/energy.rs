@@ -25,7 +25,7 @@ impl System {
     /// Power of the forces of the element number `element` on its nodes \[W\],
     ///
     /// ```text
-    /// P = sum over nodes ( F . v + M . omega )                                 (D-271)
+    /// P = sum over nodes ( F . v + M . omega )
     /// ```
     pub fn power_of(
         &self,
