@@ -39,7 +39,7 @@ properties = "p"
 FORMULATION
 [[blade.piece]]
 length = 0.4
-elements = 9
+elements = 4
 [[load]]
 node = "b/tip"
 force = [0, 50, 500]
@@ -95,41 +95,37 @@ fn energy_that_a_formulation_makes_is_told() {
     assert!(off < 0.01, "{:?}", kept.energy);
 }
 
-/// The strip gains 7e4 J of 2 J with steps of 5e-6 s; with steps of 2e-6 s the run ends, and
-/// its likely cause is no locked mechanism.
+/// The strip in four elements gains 1e10 J of 2 J until the run ends, and the likely cause of
+/// that is no locked mechanism. A remark tells of it before.
 #[test]
 fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
-    let strip = |formulation: &str, to: f64, step: f64| {
-        let time = format!("[transient]\nto = {to}\nstep = {step}\n");
+    let strip = |formulation: &str, to: f64| {
+        let time = format!("[transient]\nto = {to}\nstep = 2e-6\n");
         run(&(STRIP.replace("FORMULATION", formulation) + &time), |_| {}).outcome
     };
-    let long = strip(FINITE_VOLUME, 0.02, 5e-6);
-    let told = gain(&long).unwrap();
-    println!("{told}\n{:?}", long.energy);
+    let outcome = strip(FINITE_VOLUME, 0.003);
+    assert!(outcome.failure.is_none());
+    let told = gain(&outcome).unwrap();
+    println!("{told}\n{:?}", outcome.energy);
     assert!(told.contains("in the beams of blade \"b\""), "{told}");
     assert!(told.contains("use formulation = \"variational\""), "{told}");
-    let short = strip(FINITE_VOLUME, 0.005, 2e-6);
-    let failure = short.failure.as_ref().unwrap();
-    println!("{failure}");
-    let text = failure.to_string();
+    let outcome = strip(FINITE_VOLUME, 0.01);
+    let failure = outcome.failure.as_ref().unwrap();
+    let (text, remedy) = (failure.to_string(), failure.remedy());
+    println!("{text}\n{remedy}");
     let cause = text.split_once("likely cause: ").unwrap().1;
     assert!(cause.starts_with("from t = "), "{text}");
-    assert!(
-        failure.remedy().contains("variational"),
-        "{}",
-        failure.remedy()
-    );
-    assert!(
-        !short
-            .remarks
-            .iter()
-            .any(|remark| remark.contains("the energy grows"))
-    );
-    let kept = strip("", 0.02, 5e-6);
+    assert!(cause.contains("negative damping"), "{text}");
+    assert!(remedy.contains("variational"), "{remedy}");
+    let mut remarks = outcome.remarks.iter();
+    assert!(!remarks.any(|remark| remark.contains("the energy grows")));
+    let kept = strip("", 0.01);
     println!("{:?}", kept.energy);
     assert_eq!(gain(&kept), None);
     assert!(kept.failure.is_none());
     let off = (kept.energy.growth / kept.energy.put_in - 1.0).abs();
+    let case = "strip after a push";
+    record::largest("closed form", case, "energy, of what was put in", off, 0.01);
     assert!(off < 0.01, "{:?}", kept.energy);
 }
 
@@ -186,7 +182,7 @@ const EXCHANGES: [(&str, &str); 11] = [
     ),
     (
         "rod of driven length",
-        "[[rod]]\nnode = \"a\"\nat = [0, 0, 0]\nlength = \"= 0.8 + 0.1*sin(4*t)\"\n\
+        "[[rod]]\nnodes = [\"a\"]\nat = [0, 0, 0]\nlength = \"= 0.8 + 0.1*sin(4*t)\"\n\
          law = [{ kind = \"linear\", stiffness = 50 }, { kind = \"viscous\", viscosity = 1 }]",
     ),
     (
@@ -292,7 +288,7 @@ fn random_beam(numbers: &mut Numbers) -> String {
     format!(
         "[properties.p]\nea = {ea}\ngay = {}\ngaz = {}\ngj = {ei}\neiy = {ei}\neiz = {eiz}\n\
          m = {mass}\niy = {}\niz = {}\n{damping}\n\
-         [[blade]]\nname = \"b\"\nproperties = \"p\"\ninertia = \"{inertia}\"\n{root}\n\
+         [[blade]]\nname = \"b\"\nproperties = \"p\"\ninertia = \"{inertia}\"\nhub_radius = 0.1\n{root}\n\
          [[blade.piece]]\nlength = 0.8\nelements = {elements}\n\
          [[body]]\nnode = \"b/tip\"\nmass = 0.2\ninertia = [0.01, 0.02, 0.02]\n\
          [[load]]\nnode = \"b/tip\"\nforce = [1, {force}, {force}]\nfollower = {follower}\n{drive}\n\

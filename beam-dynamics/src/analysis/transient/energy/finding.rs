@@ -27,6 +27,17 @@ impl std::fmt::Display for Finding {
     }
 }
 
+/// A number of four digits, with a power of ten where it is far from one.
+fn short(value: f64) -> String {
+    let rounded = format!("{value:.3e}");
+    match value.abs() {
+        1e-4..1e6 => rounded
+            .parse()
+            .map_or(rounded, |value: f64| value.to_string()),
+        _ => rounded,
+    }
+}
+
 /// Elements that belong together.
 struct Group<'a> {
     name: &'a str,
@@ -134,9 +145,12 @@ impl EnergyWatch {
         });
         let balance = self.largest.balance;
         let words = format!(
-            "from t = {since:.4e} s on the energy grows beyond what was put in: until {:.4e} s by \
-             {:.3e} J, of which {:.3e} J were put in by loads and drives{place}",
-            self.largest.time, balance.growth, balance.put_in
+            "from t = {} s on the energy grows beyond what was put in: until {} s by {} J, of which \
+             {} J were put in by loads and drives{place}",
+            short(since),
+            short(self.largest.time),
+            short(balance.growth),
+            short(balance.put_in)
         );
         Some(Finding {
             words,
