@@ -16,6 +16,7 @@ pub mod springs;
 
 mod constraint;
 mod electric;
+mod exchange;
 mod local;
 mod motion;
 mod observation;
@@ -35,6 +36,7 @@ pub use constraint::{ConstraintRates, ConstraintWords, Energy, Level, PlaceJump}
 pub use electric::{
     Charges, CircuitState, Electric, ElectricKind, ElectricUnknown, ElectrodeState, Flow,
 };
+pub use exchange::Exchange;
 pub use local::{LocalJacobian, LocalResidual};
 pub use motion::Motion;
 pub use observation::{
@@ -187,6 +189,21 @@ pub trait Element: Debug + Send + Sync {
     /// Energy of the element.
     fn energy(&self, _at: &Local<'_>) -> Energy {
         Energy::default()
+    }
+
+    /// How it exchanges energy with what is outside of the model. Gravity does not count, the
+    /// power of which is told by the momenta.
+    fn exchange(&self) -> Exchange {
+        let drives = self.drives();
+        let has_rates = (0..self.multipliers()).any(|i| self.level(i) == Level::Velocity);
+        let changes = drives.iter().any(|drive| drive.constant().is_none());
+        let is_driven = changes || self.senses() || (has_rates && !drives.is_empty());
+        Exchange::of(false, is_driven)
+    }
+
+    /// Whether its forces without rates are the derivatives of its energy.
+    fn keeps_energy(&self) -> bool {
+        true
     }
 
     /// Adds the residual.

@@ -28,6 +28,13 @@ impl Recorder for Kept {
     }
 }
 
+/// What is told of energy that nothing put in.
+pub fn gain(outcome: &TransientOutcome) -> Option<String> {
+    let failure = outcome.failure.iter().map(ToString::to_string);
+    let mut told = outcome.remarks.iter().cloned().chain(failure);
+    told.find(|text| text.contains("the energy grows beyond what was put in"))
+}
+
 /// A run in time: the start, and steps after it.
 pub struct Run {
     pub model: Model,
@@ -56,8 +63,15 @@ impl Run {
         Self::of(input.model, &question, every)
     }
 
-    /// The run of a model.
+    /// The run of a model, in which no energy is gained that nothing put in.
     pub fn of(model: Model, question: &TransientQuestion, every: usize) -> Self {
+        let run = Self::of_any(model, question, every);
+        assert_eq!(gain(&run.outcome), None);
+        run
+    }
+
+    /// The run of a model.
+    pub fn of_any(model: Model, question: &TransientQuestion, every: usize) -> Self {
         let mut kept = Kept {
             every,
             instants: Vec::new(),

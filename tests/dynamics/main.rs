@@ -12,6 +12,7 @@ mod chain;
 mod damped_in_time;
 mod damping;
 mod elastic_pendulums;
+mod energy_watch;
 mod equal_blades;
 mod formats;
 mod free_flight;

@@ -410,6 +410,11 @@ fn run(section: &SectionProperties, elements: usize, cards: &str) -> Run {
     let folder = folder(section, elements, cards);
     let run = Run::of_file(&folder.path().join("a.dynamics.toml"), 1, |_| {});
     run.check_end();
+    let balance = run.outcome.energy;
+    let apart = balance.growth - balance.put_in + balance.taken_out;
+    let size = balance.start.max(balance.put_in);
+    println!("{balance:?}: {apart:e}");
+    assert!(apart.abs() < 1e-4 * size, "{balance:?}");
     run
 }
 

@@ -20,7 +20,7 @@ use proptest::collection::vec;
 use proptest::prelude::{Strategy, any};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 
-use crate::in_time::{Run, momenta};
+use crate::in_time::{Run, gain, momenta};
 use crate::record;
 
 use self::recipe::{KINDS, Link, Parts, Recipe};
@@ -160,6 +160,46 @@ fn in_time(recipe: &Recipe, moved: &Rigid, step: f64) -> (Run, f64) {
     let run = Run::of(model, &question, 1);
     run.check_end();
     (run, mass)
+}
+
+/// Mechanisms that swing and are pushed for four tenths of a second, in steps of several
+/// lengths: some fail where they lock, none is said to gain energy.
+#[test]
+fn no_mechanism_is_said_to_gain_energy() {
+    let seed = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
+    let config = Config {
+        cases: 2 * CASES,
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let ended = Cell::new(0);
+    let mut runner = TestRunner::new_with_rng(config, seed);
+    let outcome = runner.run(&(recipes(), 0..3_usize), |(recipe, length)| {
+        let parts = recipe.parts(&Matrix3::identity(), &Vector3::zeros());
+        let mut chain = parts.chain;
+        for (i, &node) in parts.ends.iter().enumerate() {
+            let load = NodalForce {
+                force: Vector3::new(0.3, -0.4, 0.5 - 0.3 * i as f64),
+                moment: Vector3::new(0.05, 0.02 * i as f64, -0.04),
+                offset: Vector3::new(0.02, -0.05, 0.03),
+                turning: [Turning::Follower, Turning::Dead][i % 2],
+                factor: LoadFactor::Constant,
+            };
+            chain.load(node, load);
+        }
+        let mut model = chain.model();
+        model.gravity = GRAVITY;
+        let question = TransientQuestion::new(0.4, [4e-3, 2e-3, 1e-3][length]);
+        let run = Run::of_any(model, &question, usize::MAX);
+        ended.set(ended.get() + u32::from(run.outcome.failure.is_none()));
+        match gain(&run.outcome) {
+            None => Ok(()),
+            Some(gain) => Err(TestCaseError::fail(gain)),
+        }
+    });
+    outcome.unwrap_or_else(|failure| panic!("{failure}"));
+    println!("{} of {} ran to their end", ended.get(), 2 * CASES);
+    assert!(ended.get() > CASES, "{}", ended.get());
 }
 
 fn told_in_time(run: &Run, turn: &Matrix3<f64>) -> Vec<Told> {

@@ -15,6 +15,7 @@ use crate::result::{Effort, Moment, Recorder, Snapshot};
 
 mod corner;
 mod dummy;
+mod energy;
 mod failure;
 mod multibody;
 mod placing;
@@ -28,10 +29,12 @@ mod start;
 #[cfg(test)]
 mod tests;
 
+pub use energy::EnergyBalance;
 pub use failure::{StepTrouble, TransientFailure};
 pub use snapshot::difference;
 pub use start::{Changed, StartChange};
 
+use energy::{EnergyWatch, Finding};
 use multibody::Multibody;
 use singular::Passed;
 use start::{Started, start};
@@ -60,6 +63,8 @@ pub struct TransientOutcome {
     pub changes: Vec<StartChange>,
     /// What the reader must know: doubtful choices, how the start was found.
     pub remarks: Vec<String>,
+    /// What was put in, and what became of the energy.
+    pub energy: EnergyBalance,
     /// Why the run ended early, if it did.
     pub failure: Option<TransientFailure>,
 }
@@ -80,6 +85,8 @@ struct Run<'a> {
     far_turn: Option<String>,
     /// Singular positions.
     passed: Passed,
+    /// What is put in.
+    energy: EnergyWatch,
     /// Constraints that follow from others.
     redundant: &'a [Redundant],
 }
@@ -101,6 +108,7 @@ pub fn transient(
         time: resumed.map_or(question.from, |snapshot| snapshot.progress.time),
         changes: Vec::new(),
         remarks: doubts(model, question),
+        energy: EnergyBalance::default(),
         failure: None,
     };
     let shared = match redundant::independent(model, question) {
@@ -133,9 +141,9 @@ pub fn transient(
     run.began = began - resumed.map_or(0.0, |snapshot| snapshot.total_time);
     run.redundant = redundant;
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
-    outcome.remarks.extend(run.dae.impulses.remarks());
-    outcome.remarks.extend(run.far_turn.take());
-    outcome.remarks.extend(run.passed.remarks());
+    let is_told = matches!(outcome.failure, Some(TransientFailure::Step(_)));
+    outcome.remarks.extend(run.remarks(is_told));
+    outcome.energy = run.energy.balance();
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
     outcome.effort.total_time = clock() - run.began;
@@ -194,6 +202,7 @@ fn run<'a>(
         from,
         ..
     } = *question;
+    let energy = EnergyWatch::new(model, question, &dae, &model.conditions_at(from));
     let integrator =
         Integrator::new(&dae, scheme, stepping, newton, from).ok_or(TransientFailure::Memory)?;
     Ok(Run {
@@ -207,6 +216,7 @@ fn run<'a>(
         began: 0.0,
         far_turn: None,
         passed: Passed::default(),
+        energy,
         redundant: &[],
     })
 }
@@ -221,6 +231,7 @@ fn resume<'a>(
     let mut run = run(model, question, states)?;
     run.integrator.restore(&snapshot.progress);
     run.step = snapshot.step;
+    run.energy = EnergyWatch::new(model, question, &run.dae, &run.conditions());
     run.output_time = snapshot.output_time;
     Ok(run)
 }
@@ -239,17 +250,21 @@ impl Run<'_> {
         let mut before = self.integrator.progress();
         while self.integrator.time() < self.question.to {
             self.integrator.progress_into(&mut before);
+            let began = self.integrator.corner();
             let to = self.question.to;
             let stepped = match self.integrator.step(&mut self.dae, to, clock) {
                 Ok(stepped) => stepped,
                 Err(failure) => {
                     self.tell_last(before, recorder, clock);
+                    self.end_energy();
                     return Err(self.trouble(failure));
                 }
             };
             self.step += 1;
             self.latest = (stepped.length, stepped.iterations);
             let conditions = self.conditions();
+            let reached = [stepped.time, stepped.length];
+            self.energy.step(&self.dae, (began, &conditions), reached);
             if let Some(corner) = self.integrator.corner()
                 && let Err(failure) = self.check_corner(&corner)
             {
@@ -266,7 +281,30 @@ impl Run<'_> {
             self.check_redundant()?;
             self.tell(&conditions, recorder, clock)?;
         }
+        self.end_energy();
         Ok(())
+    }
+
+    /// Looks at the energy of the latest state.
+    fn end_energy(&mut self) {
+        let (conditions, time) = (self.conditions(), self.integrator.time());
+        self.energy.end(&self.dae, &conditions, time);
+    }
+
+    /// Energy that nothing put in, if there is.
+    fn gained(&self) -> Option<Finding> {
+        let turns_far = self.far_turn.is_some();
+        self.energy.finding(self.model, self.question, turns_far)
+    }
+
+    /// What the reader must know of the run; what was gained unless the failure tells.
+    fn remarks(&mut self, is_told: bool) -> Vec<String> {
+        let gained = self.gained().filter(|_| !is_told);
+        let mut remarks: Vec<_> = self.dae.impulses.remarks().collect();
+        remarks.extend(self.far_turn.take());
+        remarks.extend(gained.map(|gained| gained.to_string()));
+        remarks.extend(self.passed.remarks());
+        remarks
     }
 
     /// No place that a drive holds may jump at a corner, and no drives may contradict each
@@ -425,7 +463,7 @@ impl Run<'_> {
 
     fn trouble(&self, failure: crate::integrator::StepFailure) -> TransientFailure {
         let asked = (self.model, self.question);
-        let trouble = StepTrouble::new(failure, asked, &self.dae);
+        let trouble = StepTrouble::new(failure, asked, (&self.dae, self.gained()));
         TransientFailure::Step(Box::new(trouble))
     }
 }

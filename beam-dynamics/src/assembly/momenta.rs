@@ -4,14 +4,14 @@
 //! momentum has no rates,
 //!
 //! ```text
-//! n^T p + a x = 0                                                               (D-274)
+//! n^T p + a x = 0                                                               (D-272)
 //! ```
 //!
 //! with a from the turning of the momenta that there are. It is put in place of the rate of
 //! that momentum in all balances: with `w^T n = 1`,
 //!
 //! ```text
-//! F_y'  <-  F_y' - F_y'p w ( n^T p + a x )                                      (D-275)
+//! F_y'  <-  F_y' - F_y'p w ( n^T p + a x )                                      (D-273)
 //! ```
 //!
 //! No finite eigenvalue of `F_y + s F_y'` changes, nor its vector; the infinite ones of
@@ -72,7 +72,7 @@ impl MasslessMotions {
         self.nodes.len()
     }
 
-    /// Entries of the derivatives by rates (D-275) of `tangent`, none of them zero.
+    /// Entries of the derivatives by rates (D-273) of `tangent`, none of them zero.
     pub fn rates(&self, tangent: &Tangent) -> Vec<Entry> {
         let is_some = |entry: &Entry| entry.2 != 0.0;
         let mut rates: BTreeMap<(usize, usize), [f64; 2]> = BTreeMap::new();

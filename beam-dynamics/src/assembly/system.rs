@@ -16,6 +16,7 @@ use crate::model::{Conditions, Node, NodeMotion, Numbering, State};
 
 mod constraints;
 mod electric;
+mod energy;
 mod growth;
 mod layout;
 mod loops;

@@ -170,6 +170,14 @@ impl<const N: usize> Law<N> {
         self.terms.iter().any(|term| term.kind.is_viscous())
     }
 
+    /// Whether its forces without rates are the derivatives of an energy that does not change
+    /// with the time.
+    pub fn keeps_energy(&self) -> bool {
+        let has_energy = |term: &Term<N>| !matches!(term.kind, LawKind::Expression(_));
+        let mut drives = self.drives();
+        self.terms.iter().all(has_energy) && drives.all(|drive| drive.constant().is_some())
+    }
+
     /// The drives of prestrains, prestresses and imposed states.
     pub fn drives(&self) -> impl Iterator<Item = &Drive> {
         let terms = self.terms.iter();

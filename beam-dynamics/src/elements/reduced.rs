@@ -5,8 +5,8 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::{
-    Along, ConstraintRates, ConstraintWords, Element, Energy, Level, Local, LocalJacobian,
-    LocalResidual, Motion, Observations, PlaceJump,
+    Along, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level, Local,
+    LocalJacobian, LocalResidual, Motion, Observations, PlaceJump,
 };
 use crate::model::{Drive, Loading, NodeMotion};
 
@@ -121,6 +121,14 @@ impl Element for ReducedElement {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         self.with(at, |at| self.element.energy(at))
+    }
+
+    fn exchange(&self) -> Exchange {
+        self.element.exchange()
+    }
+
+    fn keeps_energy(&self) -> bool {
+        self.element.keeps_energy()
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

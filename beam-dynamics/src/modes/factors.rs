@@ -9,7 +9,7 @@
 //! definite for all that can move,
 //!
 //! ```text
-//! A = s L L^T,   s = +-1       - s L^T K_1 L z = z / lambda,    v_S = L z         (D-276)
+//! A = s L L^T,   s = +-1       - s L^T K_1 L z = z / lambda,    v_S = L z         (D-274)
 //! ```
 //!
 //! is one symmetric matrix whose eigenvalues are all known at once, repeated ones with as

@@ -204,7 +204,11 @@ fn sizes(
 
 /// The impulses of a run so far, by joints.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Impulses(Vec<Struck>);
+pub(super) struct Impulses {
+    joints: Vec<Struck>,
+    /// What they put in [J].
+    pub work: f64,
+}
 
 impl Impulses {
     /// Notes the joints with the constraints number `constraints`, and the impulse of all
@@ -218,18 +222,18 @@ impl Impulses {
                 continue;
             }
             let label = element.label();
-            let known = self.0.iter().position(|one| one.joint == label);
+            let known = self.joints.iter().position(|one| one.joint == label);
             let known = known.unwrap_or_else(|| {
-                self.0.push(Struck {
+                self.joints.push(Struck {
                     joint: label.to_owned(),
                     time,
                     count: 0,
                     largest: Vec::new(),
                     is_followed: true,
                 });
-                self.0.len() - 1
+                self.joints.len() - 1
             });
-            let known = &mut self.0[known];
+            let known = &mut self.joints[known];
             known.count += 1;
             match impulse {
                 Some(impulse) => known.grow(sizes(system, (constraints, impulse), &own)),
@@ -240,9 +244,9 @@ impl Impulses {
 
     /// What the reader must know of them.
     pub fn remarks(&self) -> impl Iterator<Item = String> {
-        let more = self.0.len().saturating_sub(TOLD);
+        let more = self.joints.len().saturating_sub(TOLD);
         let more = (more > 0).then(|| format!("impulses of {more} more joints as well"));
-        let told = self.0.iter().take(TOLD).map(ToString::to_string);
+        let told = self.joints.iter().take(TOLD).map(ToString::to_string);
         told.chain(more)
     }
 }
@@ -308,6 +312,8 @@ impl Multibody<'_> {
             }
         };
         if let Some(moved) = moved {
+            let kinetic = |state: &State| system.energy(state, &after).kinetic;
+            self.impulses.work += kinetic(&moved) - kinetic(&self.states[0]);
             self.states[0] = moved;
         }
         system.settle_circuits(&mut self.states[0], &after, Settling::InMotion);

@@ -85,7 +85,7 @@ impl System {
 
     /// What an element sees of a state; the motions of its nodes are copied to `motions`
     /// where they do not follow each other in the state.
-    fn placed<'a>(
+    pub(super) fn placed<'a>(
         &self,
         index: usize,
         state: &'a State,

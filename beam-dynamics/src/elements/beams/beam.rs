@@ -19,13 +19,13 @@
 use nalgebra::{DMatrix, Matrix6, Vector6};
 
 use super::electrodes::{BeamElectrode, Electrodes, Voltage};
-use super::formulation::{Test, add_column, add_forces, add_tangent};
+use super::formulation::{Formulation, Test, add_column, add_forces, add_tangent};
 use super::geometry::{BeamGeometry, ReferencePoint};
 use super::interpolation::{LARGEST, NodalKinematics, Shape};
 use super::strain::{StrainPoint, Variation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
-    Along, Charges, Element, Energy, Local, LocalJacobian, LocalResidual, Observations,
+    Along, Charges, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Observations,
     SectionState,
 };
 use crate::model::{Drive, Node, NodeMotion};
@@ -240,6 +240,16 @@ impl Element for Beam {
             electric: self.electrodes.energy(&self.electrodes.voltages(at)),
             ..Energy::default()
         }
+    }
+
+    fn exchange(&self) -> Exchange {
+        let laws = || self.points.iter().map(|point| &point.law);
+        let is_driven = !self.electrodes.is_empty() || !laws().all(Law::keeps_energy);
+        Exchange::of(laws().any(Law::is_viscous), is_driven)
+    }
+
+    fn keeps_energy(&self) -> bool {
+        self.geometry.formulation == Formulation::Variational
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

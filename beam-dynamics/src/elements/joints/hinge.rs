@@ -39,8 +39,8 @@ use shared_geom::rotation::skew;
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
 use crate::elements::{
-    Along, ConstraintRates, ConstraintWords, Element, Energy, Local, LocalJacobian, LocalResidual,
-    Motion, Observations, prestress_of_multipliers,
+    Along, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Drive, Node, NodeMotion, Variable};
@@ -245,6 +245,11 @@ impl Element for Hinge {
             elastic: 0.5 * stiffness * turned * turned,
             ..Energy::default()
         }
+    }
+
+    fn exchange(&self) -> Exchange {
+        let is_driven = self.relaxed.iter().any(|angle| angle.constant().is_none());
+        Exchange::of(self.spring.damping != 0.0, is_driven)
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

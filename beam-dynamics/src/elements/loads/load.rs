@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 
 use super::factor::LoadFactor;
-use crate::elements::{Along, Element, Local, LocalJacobian, LocalResidual, Signal};
+use crate::elements::{Along, Element, Exchange, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::Drive;
 
 /// What all loads have.
@@ -56,6 +56,10 @@ impl<T: Load> Element for T {
 
     fn next_corner(&self, time: f64) -> f64 {
         self.head().signal.next_corner(time)
+    }
+
+    fn exchange(&self) -> Exchange {
+        Exchange::Driven
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

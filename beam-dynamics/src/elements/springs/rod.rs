@@ -22,7 +22,8 @@ use nalgebra::{Vector1, Vector3};
 use super::line::{End, Line, LineState, PullVariation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
-    Along, Element, Energy, Local, LocalJacobian, LocalResidual, Motion, Observations, SpringState,
+    Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
+    SpringState,
 };
 use crate::model::{Drive, Node, NodeMotion};
 
@@ -148,6 +149,11 @@ impl Element for Rod {
             elastic: self.law.energy(&strain, at.loading.time) * state.scale[0],
             ..Energy::default()
         }
+    }
+
+    fn exchange(&self) -> Exchange {
+        let is_driven = self.relaxed.constant().is_none() || !self.law.keeps_energy();
+        Exchange::of(self.law.is_viscous(), is_driven)
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

@@ -41,8 +41,8 @@ use shared_geom::rotation::{skew, vector};
 use super::spring_law::SpringLaw;
 use crate::elements::laws::Response;
 use crate::elements::{
-    Along, Element, Energy, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
-    SpringState,
+    Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
+    Reaction, SpringState,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Drive, Node, NodeMotion, Variable};
@@ -392,6 +392,10 @@ impl Element for Spring {
             elastic: self.law.energy(&strain, at.loading.time),
             ..Energy::default()
         }
+    }
+
+    fn exchange(&self) -> Exchange {
+        Exchange::of(self.law.is_viscous(), !self.law.keeps_energy())
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

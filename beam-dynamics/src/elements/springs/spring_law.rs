@@ -107,6 +107,13 @@ impl SpringLaw {
         }
     }
 
+    pub(super) fn keeps_energy(&self) -> bool {
+        match self {
+            Self::Together(law) => law.keeps_energy(),
+            Self::Apart { .. } => self.apart().all(|part| part.1.keeps_energy()),
+        }
+    }
+
     pub(super) fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
         match self {
             Self::Together(law) => law.drives().for_each(visit),

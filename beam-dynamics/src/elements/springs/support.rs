@@ -30,7 +30,8 @@ use shared_geom::rotation::vector;
 
 use super::spring::{is_other, other_way};
 use crate::elements::{
-    Along, Element, Energy, Local, LocalJacobian, LocalResidual, Motion, Observations, Reaction,
+    Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
+    Reaction,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
@@ -173,6 +174,12 @@ impl Element for SupportSpring {
             elastic: 0.5 * (along + about),
             ..Energy::default()
         }
+    }
+
+    fn exchange(&self) -> Exchange {
+        let zero = Matrix3::zeros();
+        let is_viscous = self.law.damping != zero || self.law.turning_damping != zero;
+        Exchange::of(is_viscous, false)
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

@@ -4,6 +4,7 @@
 //! times at which drives have values, and the elements without a value at the state that was
 //! tried last.
 
+use crate::analysis::transient::energy::Finding;
 use crate::analysis::transient::multibody::Multibody;
 use crate::case::{Model, TransientQuestion};
 use crate::elements::Element;
@@ -52,6 +53,17 @@ impl Cause {
     }
 }
 
+impl From<Finding> for Cause {
+    fn from(gained: Finding) -> Self {
+        let Finding {
+            words,
+            cause,
+            remedies,
+        } = gained;
+        Self::new(format!("{words}; {cause}"), &remedies)
+    }
+}
+
 /// What is known of a step that could not be made.
 pub(super) struct Scene<'a> {
     failure: &'a StepFailure,
@@ -63,13 +75,15 @@ pub(super) struct Scene<'a> {
     question: &'a TransientQuestion,
     newton: StepLimits,
     dae: &'a Multibody<'a>,
+    /// Energy that nothing put in.
+    gained: Option<Finding>,
 }
 
 impl<'a> Scene<'a> {
     pub fn new(
         failure: &'a StepFailure,
         (model, question): (&'a Model, &'a TransientQuestion),
-        dae: &'a Multibody<'a>,
+        (dae, gained): (&'a Multibody<'a>, Option<Finding>),
     ) -> Self {
         let wished = match question.stepping {
             Stepping::Constant { step } => step,
@@ -83,6 +97,7 @@ impl<'a> Scene<'a> {
             question,
             newton: question.newton,
             dae,
+            gained,
         }
     }
 
@@ -95,6 +110,7 @@ impl<'a> Scene<'a> {
         let beyond_table = || is_without_value.then(|| self.beyond_table()).flatten();
         let without_value = || is_without_value.then(|| self.without_value());
         beyond_table()
+            .or_else(|| self.gained.clone().map(Cause::from))
             .or_else(|| self.beyond_numbers())
             .or_else(|| self.grown())
             .or_else(without_value)

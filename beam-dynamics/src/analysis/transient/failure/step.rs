@@ -4,6 +4,7 @@
 use std::fmt::{self, Write};
 
 use super::cause::{Cause, Scene, listed};
+use crate::analysis::transient::energy::Finding;
 use crate::analysis::transient::multibody::Multibody;
 use crate::assembly::System;
 use crate::case::{Model, TransientQuestion};
@@ -34,9 +35,10 @@ impl StepTrouble {
     pub(in crate::analysis::transient) fn new(
         failure: StepFailure,
         (model, question): (&Model, &TransientQuestion),
-        dae: &Multibody<'_>,
+        (dae, gained): (&Multibody<'_>, Option<Finding>),
     ) -> Self {
-        let Cause { words, remedies } = Scene::new(&failure, (model, question), dae).cause();
+        let scene = Scene::new(&failure, (model, question), (dae, gained));
+        let Cause { words, remedies } = scene.cause();
         let is_inexact = failure.local_error.is_some() || failure.reason == Reason::Corners;
         Self {
             acting: match is_inexact {

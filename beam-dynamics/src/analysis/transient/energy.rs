@@ -1,0 +1,351 @@
+//! Watch over the energy of a run in time.
+//!
+//! What an element e gives the model from outside is the work of its forces on the nodes,
+//! with the power `P = sum F . v + M . omega`, beyond what its own energy gives:
+//!
+//! ```text
+//! W_e = int P_e dt + E_e(t) - E_e(0)
+//! G   = E(t) - E(0) - sum W_e                                                  (D-271)
+//! ```
+//!
+//! W is zero but for loads, driven joints and springs, dampers, electrodes, gravity that
+//! changes, whose power is that of all momenta, `a_g . sum beta`, and impulses. The
+//! integral is the trapezoid between accepted states; at a corner the powers are taken anew.
+//! G is what the discretization makes. It is looked at every few steps against
+//!
+//! ```text
+//! G > 0.1 S + U ,   S = E_kin(0) + |E_el(0)| + sum int |P_e| dt + falls of potentials
+//!                   U = sum h/2 |P_1 - P_0|
+//! ```
+//!
+//! U being what the trapezoid may be off by where powers are not resolved. What dampers take
+//! out does not count in this G, which leaves it too small: the work of a damper too stiff for
+//! the steps is not known.
+
+use crate::assembly::{System, Workspace};
+use crate::case::{Model, TransientQuestion};
+use crate::elements::{Energy, Exchange};
+use crate::integrator::Corner;
+use crate::model::{Conditions, State};
+
+use super::multibody::Multibody;
+
+mod finding;
+
+pub(super) use finding::Finding;
+
+/// Steps between two looks at the energy.
+const LOOKED_AT: usize = 16;
+/// Part of what was ever put in above which a gain is told, where it lasts for two looks.
+const GAINED: f64 = 0.1;
+/// Part above which it is told at once.
+const SURELY: f64 = 1.0;
+/// What the iteration leaves, in sizes of the model and radians.
+const LEFT: f64 = 1e-9;
+
+/// What was put into a run and what became of its energy.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct EnergyBalance {
+    /// Energy at the start, or where the run was continued [J].
+    pub start: f64,
+    /// Growth of the energy since then [J].
+    pub growth: f64,
+    /// Work of loads, drives and all others that gave more than they took [J].
+    pub put_in: f64,
+    /// What dampers and all others took that took more than they gave [J].
+    pub taken_out: f64,
+}
+
+/// Integrals of a power, by the trapezoid.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sum {
+    /// The power at the latest accepted state [W].
+    power: f64,
+    /// Its integral, that of its size, and what they may be off by [J].
+    work: f64,
+    amount: f64,
+    doubt: f64,
+}
+
+impl Sum {
+    fn at(power: f64) -> Self {
+        Self {
+            power,
+            ..Self::default()
+        }
+    }
+
+    /// Goes on by a step of `length` \[s\].
+    fn add(&mut self, power: f64, length: f64) {
+        let half = 0.5 * length;
+        self.work += half * (self.power + power);
+        self.amount += half * (self.power.abs() + power.abs());
+        self.doubt += half * (power - self.power).abs();
+        self.power = power;
+    }
+}
+
+/// An element that exchanges energy.
+#[derive(Debug)]
+struct Exchanger {
+    element: usize,
+    is_viscous: bool,
+    sum: Sum,
+}
+
+/// The balance (D-271) with its measures.
+#[derive(Debug, Clone, Copy, Default)]
+struct Look {
+    time: f64,
+    balance: EnergyBalance,
+    /// What is not accounted for, and what it is measured by [J].
+    gain: f64,
+    scale: f64,
+    doubt: f64,
+}
+
+/// The watch of a run.
+#[derive(Debug)]
+pub(super) struct EnergyWatch {
+    exchangers: Vec<Exchanger>,
+    /// The work of gravity, where it changes.
+    gravity: Option<Sum>,
+    work: Workspace,
+    /// Energy of each element at the start, at the latest look and at the look of the largest
+    /// gain.
+    start: Vec<Energy>,
+    now: Vec<Energy>,
+    then: Vec<Energy>,
+    /// What potentials have fallen by at most: elastic, of gravity, electric [J].
+    falls: [f64; 3],
+    /// Energies of what the iteration leaves: of places [J], and of ways in a step [J s^2].
+    left: [f64; 2],
+    steps: usize,
+    length: f64,
+    latest: Look,
+    /// Since when there is a gain [s], and whether it is to be told.
+    since: Option<f64>,
+    is_found: bool,
+    largest: Look,
+}
+
+fn power_of_gravity(state: &State, conditions: &Conditions) -> f64 {
+    let powers = state.nodes.iter().map(|node| node.momentum);
+    powers
+        .sum::<nalgebra::Vector3<f64>>()
+        .dot(&conditions.loading.gravity)
+}
+
+/// Energies of what the iteration leaves, see [`EnergyWatch`].
+fn left_over(system: &System, (state, conditions): (&State, &Conditions), left: f64) -> [f64; 2] {
+    let energy = system.energy(state, conditions);
+    let mut other = state.clone();
+    let way = left * system.size();
+    for (i, node) in other.nodes.iter_mut().enumerate() {
+        // In any direction, and by another size at each node.
+        let part =
+            |k: usize| (0.7 + 0.3 * ((3 * i + k) as f64).sin()) * (1.0 - 2.0 * (i % 2) as f64);
+        let all = nalgebra::Vector3::new(part(0), part(1), part(2));
+        node.position += way * all;
+        node.velocity = way * all;
+        node.angular_velocity = left * all;
+    }
+    let moved = system.energy(&other, conditions);
+    let places = (moved.elastic - energy.elastic).abs()
+        + (moved.gravity - energy.gravity).abs()
+        + (moved.electric - energy.electric).abs();
+    [places, moved.kinetic]
+}
+
+impl EnergyWatch {
+    /// A watch from the state of `dae` on, at which `conditions` act.
+    pub fn new(
+        model: &Model,
+        question: &TransientQuestion,
+        dae: &Multibody<'_>,
+        conditions: &Conditions,
+    ) -> Self {
+        let (system, state) = (&model.system, dae.state());
+        let at = (state, conditions);
+        let mut work = system.workspace();
+        let elements = system.elements().enumerate();
+        let exchange = elements.filter_map(|(element, one)| match one.exchange() {
+            Exchange::Nothing => None,
+            exchange => Some((element, exchange == Exchange::Viscous)),
+        });
+        let exchangers = exchange.map(|(element, is_viscous)| Exchanger {
+            element,
+            is_viscous,
+            sum: Sum::at(system.power_of(element, at, &mut work)),
+        });
+        let exchangers = exchangers.collect();
+        let changes = model.gravity_drive.constant().is_none();
+        let count = system.element_count();
+        let start: Vec<_> = (0..count)
+            .map(|element| system.energy_of(element, at, &mut work))
+            .collect();
+        Self {
+            exchangers,
+            gravity: changes.then(|| Sum::at(power_of_gravity(state, conditions))),
+            work,
+            now: start.clone(),
+            then: start.clone(),
+            start,
+            falls: [0.0; 3],
+            left: left_over(system, at, question.newton.correction.max(LEFT)),
+            steps: 0,
+            length: f64::INFINITY,
+            latest: Look::default(),
+            since: None,
+            is_found: false,
+            largest: Look::default(),
+        }
+    }
+
+    /// Goes on by an accepted step to `time`, of `length` \[s\], which began at `corner` if
+    /// there was one; `conditions` act at its end.
+    pub fn step(
+        &mut self,
+        dae: &Multibody<'_>,
+        (corner, conditions): (Option<Corner>, &Conditions),
+        [time, length]: [f64; 2],
+    ) {
+        let model = dae.model;
+        if let Some(corner) = corner {
+            let after = model.conditions_at(corner.after);
+            self.renew((&dae.states()[1], &after), &model.system);
+        }
+        let at = (dae.state(), conditions);
+        for one in &mut self.exchangers {
+            let power = model.system.power_of(one.element, at, &mut self.work);
+            one.sum.add(power, length);
+        }
+        if let Some(sum) = &mut self.gravity {
+            sum.add(power_of_gravity(at.0, conditions), length);
+        }
+        self.steps += 1;
+        self.length = length;
+        if self.steps.is_multiple_of(LOOKED_AT) {
+            self.look(dae, conditions, time);
+        }
+    }
+
+    /// Takes the powers anew just after a corner.
+    fn renew(&mut self, at: (&State, &Conditions), system: &System) {
+        for one in &mut self.exchangers {
+            one.sum.power = system.power_of(one.element, at, &mut self.work);
+        }
+        if let Some(sum) = &mut self.gravity {
+            sum.power = power_of_gravity(at.0, at.1);
+        }
+    }
+
+    /// Looks at the energy at the end, where that was not done already.
+    pub fn end(&mut self, dae: &Multibody<'_>, conditions: &Conditions, time: f64) {
+        if !self.steps.is_multiple_of(LOOKED_AT) {
+            self.look(dae, conditions, time);
+        }
+    }
+
+    /// The balance at the latest look.
+    pub fn balance(&self) -> EnergyBalance {
+        self.latest.balance
+    }
+
+    fn look(&mut self, dae: &Multibody<'_>, conditions: &Conditions, time: f64) {
+        let system = &dae.model.system;
+        for (element, now) in self.now.iter_mut().enumerate() {
+            *now = system.energy_of(element, (dae.state(), conditions), &mut self.work);
+        }
+        let look = self.account(dae.impulses.work, time);
+        self.latest = look;
+        let [places, ways] = self.left;
+        let left = places + ways / (self.length * self.length);
+        let is_above = |part: f64| look.gain > part * look.scale + look.doubt + left;
+        if !is_above(GAINED) {
+            if !self.is_found {
+                self.since = None;
+            }
+            return;
+        }
+        let is_second = self.since.is_some();
+        if !is_second || look.gain > self.largest.gain {
+            self.largest = look;
+            self.then.copy_from_slice(&self.now);
+        }
+        self.since.get_or_insert(time);
+        self.is_found |= is_second || is_above(SURELY);
+    }
+
+    /// The balance of the energies of the latest look.
+    fn account(&mut self, impulses: f64, time: f64) -> Look {
+        let sum = |energies: &[Energy]| {
+            let mut sum = Energy::default();
+            energies.iter().for_each(|energy| sum += *energy);
+            sum
+        };
+        let [start, now] = [&self.start, &self.now].map(|energies| sum(energies));
+        let falls = [
+            start.elastic - now.elastic,
+            start.gravity - now.gravity,
+            start.electric - now.electric,
+        ];
+        for (largest, fall) in self.falls.iter_mut().zip(falls) {
+            *largest = largest.max(fall);
+        }
+        let growth = now.total() - start.total();
+        let falls = [
+            self.falls[0].max(start.elastic.abs()),
+            // Gravity that changes puts in.
+            self.gravity.map_or(self.falls[1], |_| 0.0),
+            self.falls[2].max(start.electric.abs()),
+        ];
+        let mut look = Look {
+            time,
+            balance: EnergyBalance {
+                start: start.total(),
+                growth,
+                ..EnergyBalance::default()
+            },
+            gain: growth,
+            scale: start.kinetic + falls.iter().sum::<f64>(),
+            doubt: 0.0,
+        };
+        for one in &self.exchangers {
+            let stored = self.now[one.element].total() - self.start[one.element].total();
+            look.add(&one.sum, stored, one.is_viscous);
+        }
+        if let Some(sum) = &self.gravity {
+            look.add(sum, now.gravity - start.gravity, false);
+        }
+        let impulse = Sum {
+            work: impulses,
+            amount: impulses.abs(),
+            ..Sum::default()
+        };
+        look.add(&impulse, 0.0, false);
+        look
+    }
+}
+
+impl Look {
+    /// Counts what was put in by one, which has `stored` \[J\] by itself.
+    fn add(&mut self, sum: &Sum, stored: f64, is_viscous: bool) {
+        let work = sum.work + stored;
+        match work > 0.0 {
+            true => self.balance.put_in += work,
+            false => self.balance.taken_out -= work,
+        }
+        self.doubt += sum.doubt;
+        match is_viscous {
+            true => {
+                self.gain -= work.max(0.0);
+                self.scale += work.max(0.0);
+            }
+            false => {
+                self.gain -= work;
+                self.scale += sum.amount;
+            }
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Energy that nothing put in, in words: since when, how much, where, and why.
+
+use super::EnergyWatch;
+use crate::case::{Model, TransientQuestion};
+use crate::elements::Element;
+use crate::integrator::Scheme;
+
+/// Radius above which a scheme hardly damps what its steps do not resolve.
+const HARDLY_DAMPS: f64 = 0.95;
+
+/// Energy that nothing put in.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::analysis::transient) struct Finding {
+    /// Since when, how much and where, in words.
+    pub words: String,
+    /// The likely cause in words.
+    pub cause: &'static str,
+    /// What to try, the likeliest first.
+    pub remedies: Vec<&'static str>,
+}
+
+impl std::fmt::Display for Finding {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let remedies = self.remedies.join("; or ");
+        let Self { words, cause, .. } = self;
+        write!(f, "{words}; likely cause: {cause}: {remedies}")
+    }
+}
+
+/// A number of four digits, with a power of ten where it is far from one.
+fn short(value: f64) -> String {
+    let rounded = format!("{value:.3e}");
+    match value.abs() {
+        1e-4..1e6 => rounded
+            .parse()
+            .map_or(rounded, |value: f64| value.to_string()),
+        _ => rounded,
+    }
+}
+
+/// Elements that belong together.
+struct Group<'a> {
+    name: &'a str,
+    elements: Vec<&'a dyn Element>,
+    /// Growth of their energy [J].
+    growth: f64,
+}
+
+/// The blade of an element by its label, or the label itself.
+fn group_of<'a>(model: &Model, label: &'a str) -> &'a str {
+    let blade = label.split_once('/').map(|(blade, _)| blade);
+    let is_blade = |name: &&str| model.blades.iter().any(|blade| blade.name == *name);
+    blade.filter(is_blade).unwrap_or(label)
+}
+
+impl Group<'_> {
+    fn words(&self, model: &Model) -> String {
+        let has_beams = self.elements.iter().any(|one| one.joins_nodes());
+        let is_blade = model.blades.iter().any(|blade| blade.name == self.name);
+        match (is_blade, has_beams) {
+            (true, true) => format!("the beams of blade \"{}\"", self.name),
+            (true, false) => format!("blade \"{}\"", self.name),
+            (false, true) => format!("beam \"{}\"", self.name),
+            (false, false) => format!("\"{}\"", self.name),
+        }
+    }
+}
+
+/// The likely cause of a gain, and what to try.
+fn cause(
+    group: Option<&Group<'_>>,
+    scheme: Scheme,
+    turns_far: bool,
+) -> (&'static str, Vec<&'static str>) {
+    let makes_energy = |one: &&dyn Element| !one.keeps_energy();
+    if group.is_some_and(|group| group.elements.iter().any(makes_energy)) {
+        return (
+            "beams of the finite-volume formulation have high modes with negative damping, which \
+             steps this short resolve",
+            vec!["use formulation = \"variational\""],
+        );
+    }
+    if turns_far {
+        return (
+            "steps in which nodes turn too far",
+            vec!["take shorter steps"],
+        );
+    }
+    let damps = match scheme {
+        Scheme::CrankNicolson | Scheme::CubicGauss => false,
+        Scheme::TwoStep { radius } | Scheme::Cubic { radius } => radius <= HARDLY_DAMPS,
+        Scheme::Parabolic { zeta } => zeta < -0.5,
+        Scheme::ImplicitEuler | Scheme::Bdf2 => true,
+    };
+    if !damps {
+        return (
+            "this scheme damps nothing, and motion that the steps do not resolve is fed",
+            vec![
+                "use scheme = \"two-step\" with the radius 0.6",
+                "take shorter steps",
+            ],
+        );
+    }
+    (
+        "steps too long for the fastest motion, or for a law that jumps or has a kink, as a \
+         contact has",
+        vec!["take shorter steps", "smooth the law"],
+    )
+}
+
+impl EnergyWatch {
+    /// What is to be told, if anything; `turns_far` where a node turned far in a step.
+    pub fn finding(
+        &self,
+        model: &Model,
+        question: &TransientQuestion,
+        turns_far: bool,
+    ) -> Option<Finding> {
+        let since = self.since.filter(|_| self.is_found)?;
+        let mut groups: Vec<Group<'_>> = Vec::new();
+        let energies = self.start.iter().zip(&self.then);
+        for (element, (start, then)) in model.system.elements().zip(energies) {
+            let growth = then.total() - start.total();
+            // Balances of nodes have none.
+            if growth == 0.0 {
+                continue;
+            }
+            let name = group_of(model, element.label());
+            match groups.iter_mut().find(|group| group.name == name) {
+                Some(group) => {
+                    group.elements.push(element);
+                    group.growth += growth;
+                }
+                None => groups.push(Group {
+                    name,
+                    elements: vec![element],
+                    growth,
+                }),
+            }
+        }
+        let most = groups.iter().max_by(|a, b| a.growth.total_cmp(&b.growth));
+        let (cause, remedies) = cause(most, question.scheme, turns_far);
+        let place = most.map_or_else(String::new, |group| {
+            format!("; most of it is in {}", group.words(model))
+        });
+        let balance = self.largest.balance;
+        let words = format!(
+            "from t = {} s on the energy grows beyond what was put in: until {} s by {} J, of which \
+             {} J were put in by loads and drives{place}",
+            short(since),
+            short(self.largest.time),
+            short(balance.growth),
+            short(balance.put_in)
+        );
+        Some(Finding {
+            words,
+            cause,
+            remedies,
+        })
+    }
+}

@@ -1,0 +1,54 @@
+//! Energy and power of single elements, without allocation.
+
+use super::System;
+use super::layout::Workspace;
+use crate::elements::Energy;
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
+
+impl System {
+    /// Number of elements.
+    pub fn element_count(&self) -> usize {
+        self.elements.len()
+    }
+
+    /// Energy of the element number `element` at a state.
+    pub fn energy_of(
+        &self,
+        element: usize,
+        (state, conditions): (&State, &Conditions),
+        work: &mut Workspace,
+    ) -> Energy {
+        let at = self.placed(element, state, conditions, &mut work.motions);
+        self.elements[element].energy(&at)
+    }
+
+    /// Power of the forces of the element number `element` on its nodes \[W\],
+    ///
+    /// ```text
+    /// P = sum over nodes ( F . v + M . omega )
+    /// ```
+    pub fn power_of(
+        &self,
+        element: usize,
+        (state, conditions): (&State, &Conditions),
+        work: &mut Workspace,
+    ) -> f64 {
+        let Workspace { motions, rooms } = work;
+        let local = &mut rooms[self.layouts[element].room].residual;
+        local.clear();
+        let at = self.placed(element, state, conditions, motions);
+        self.elements[element].residual(&at, local);
+        let rows = local.values().chunks_exact(NODE_UNKNOWNS);
+        let powers = rows.zip(at.nodes).map(|(rows, node)| {
+            let [force, moment] = [Equation::Force, Equation::Moment].map(|equation| {
+                let first = equation.row();
+                &rows[first..first + 3]
+            });
+            let (v, omega) = (&node.velocity, &node.angular_velocity);
+            (0..3)
+                .map(|i| force[i] * v[i] + moment[i] * omega[i])
+                .sum::<f64>()
+        });
+        powers.sum()
+    }
+}
