@@ -83,7 +83,7 @@ fn stages(criterion: &mut Criterion) {
     });
     group.bench_function("eigenvalues", |b| {
         b.iter(|| {
-            let massless = MasslessMotions::new(&system, &tangent);
+            let massless = MasslessMotions::new(system, &tangent);
             let problem = EigenProblem::new(&solver, &tangent, &massless, 4);
             black_box(problem.map(|problem| problem.lowest(10)))
         });

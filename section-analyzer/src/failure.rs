@@ -265,6 +265,12 @@ fn told(broken: &[(&str, f64)]) -> String {
     each.collect::<Vec<_>>().join(", ")
 }
 
+/// What to look at where given matrices do not belong to one section: blocks, a slice.
+const GIVEN: [&str; 2] = [
+    "H are the rigid motions of the nodes: look at the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), the unit of length of the node table, whether the rows of C belong to u', and at [initial_curvature], which a curved beam needs: plain numbers of \"curvature\" are degrees per length (\"2.5 rad/m\" is with a unit), and \"slope\" is that of the line at the reference point",
+    "look at \"thickness\" and its unit, the order of the two faces (that of the smaller x first, then the other), the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), and the unit of length of the node table",
+];
+
 impl Explain for Failure {
     fn help(&self) -> Option<String> {
         let text = match self {
@@ -282,12 +288,7 @@ impl Explain for Failure {
                 "look for parts joined at a single node, seams whose nodes are doubled, walls or cells thousands of times longer than thick, and moduli many orders of magnitude apart"
             }
             Self::Matrices { broken, .. } if are_digits(broken) => DIGITS,
-            Self::Matrices { of_slice: true, .. } => {
-                "look at \"thickness\" and its unit, the order of the two faces (that of the smaller x first, then the other), the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), and the unit of length of the node table"
-            }
-            Self::Matrices { .. } => {
-                "H are the rigid motions of the nodes: look at the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), the unit of length of the node table, whether the rows of C belong to u', and at [initial_curvature], which a curved beam needs: plain numbers of \"curvature\" are degrees per length (\"2.5 rad/m\" is with a unit), and \"slope\" is that of the line at the reference point"
-            }
+            Self::Matrices { of_slice, .. } => GIVEN[usize::from(*of_slice)],
             Self::Digits { .. } => DIGITS,
             Self::NoSize { .. } => "look at the files and at the units",
             Self::NotPositive { matrix, .. } if matrix.starts_with('M') => {

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::case::TransientQuestion;
 
 use crate::in_time::{Run, gain};
@@ -93,6 +94,37 @@ fn energy_that_a_formulation_makes_is_told() {
     let case = "soft beam after a push";
     record::largest("closed form", case, "energy, of what was put in", off, 0.01);
     assert!(off < 0.01, "{:?}", kept.energy);
+}
+
+/// The modes of the strip that grow are beyond the ten that are listed: a remark tells of
+/// them, of their damping, and why; the variational strip has none.
+#[test]
+fn modes_with_negative_damping_are_told_beyond_those_listed() {
+    let remarks = |formulation: &str, count: usize| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("strip.dynamics.toml");
+        let cards = STRIP.replace("FORMULATION", formulation);
+        let asked = format!("[modes]\nspeeds = 0\ncount = {count}\n");
+        fs::write(&path, format!("{UNITS}\n{cards}{asked}")).unwrap();
+        let input = beam_dynamics::input::read(&path).unwrap();
+        let outcome = modes(&input.model, &input.modes.unwrap());
+        assert!(outcome.failure.is_none());
+        let remarks = outcome.table.remarks.into_iter();
+        remarks
+            .filter(|remark| remark.contains("negative damping"))
+            .collect::<Vec<_>>()
+    };
+    for (count, place) in [
+        (10, "negative damping beyond those listed"),
+        (48, "2 modes have negative"),
+    ] {
+        let found = remarks(FINITE_VOLUME, count);
+        assert_eq!(found.len(), 1, "{found:?}");
+        for words in [place, "the damping ratio is -2.50e-2", "\"finite-volume\""] {
+            assert!(found[0].contains(words), "{found:?}");
+        }
+        assert!(remarks("", count).is_empty());
+    }
 }
 
 /// The strip in four elements gains 1e10 J of 2 J until the run ends, and the likely cause of

@@ -11,6 +11,9 @@ use crate::modes::{EigenProblem, Eigenpair};
 
 /// Damping ratios above this are none, by round-off.
 const NO_DAMPING: f64 = -1e-8;
+/// What may cause it.
+const UNSYMMETRIC: &str = "the tangent of the model is not symmetric at rest, as that of beams with \
+                           formulation = \"finite-volume\" or of springs that are relaxed elsewhere";
 /// A tangent is symmetric up to this part of its largest entry.
 const SYMMETRIC: f64 = 1e-9;
 
@@ -32,7 +35,10 @@ pub(super) fn remarks(
         true => None,
         false => beyond(problem, highest, at),
     };
-    let own = Growing::remark(&listed, at, "");
+    let own = Growing::remark(&listed, at, "").map(|remark| match is_symmetric {
+        true => remark,
+        false => format!("{remark}; {UNSYMMETRIC}"),
+    });
     own.into_iter().chain(others).collect()
 }
 
@@ -94,12 +100,10 @@ pub(super) fn is_symmetric_at_rest(system: &System) -> bool {
 /// A remark on oscillations that grow beyond the `known` angular frequencies, in a model
 /// whose tangent is not symmetric.
 fn beyond(problem: &EigenProblem<'_>, known: f64, at: &str) -> Option<String> {
-    let cause = "the tangent of the model is not symmetric at rest, as that of beams with \
-                 formulation = \"finite-volume\" or of springs that are relaxed elsewhere";
     let Some(growing) = problem.growing(NO_DAMPING) else {
         return Some(format!(
             "{at} whether modes beyond those listed have negative damping is not known of a \
-             model of this size: {cause}"
+             model of this size: {UNSYMMETRIC}"
         ));
     };
     let above = growing.into_iter().filter(|s| s.im > known);
@@ -109,5 +113,5 @@ fn beyond(problem: &EigenProblem<'_>, known: f64, at: &str) -> Option<String> {
     });
     let found: Vec<_> = found.collect();
     let remark = Growing::remark(&found, at, " beyond those listed")?;
-    Some(format!("{remark}; {cause}"))
+    Some(format!("{remark}; {UNSYMMETRIC}"))
 }

@@ -13,7 +13,7 @@
 //! in the step, whatever m. So the error is, p being the order of the formula,
 //!
 //! ```text
-//! max( |C / (C_{p+1} - C)| |d_{p+1}| ,  kappa min_m max( |d_m|, |d_{m+1}| ) )      (D-119)
+//! max( |C / (C_{p+1} - C)| |d_{p+1}| ,  kappa min_m D_m ) ,  D_m = max( |d_m| , |d_{m+1}| )    (D-119)
 //! ```
 //!
 //! times the time for which it lasts: steps are short where forces jump, and grow again
@@ -41,7 +41,7 @@ const MOST: usize = 6;
 
 /// kappa: part of a change that nothing foretold which counts. More costs formulas of third
 /// order steps in smooth motion, where they are long.
-const UNFORESEEN: f64 = 0.2;
+const UNFORESEEN: f64 = 0.1;
 
 /// delta: part of the time that passes by which a long step is forgotten.
 const FORGOTTEN: f64 = 0.3;
