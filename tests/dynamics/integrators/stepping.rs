@@ -85,7 +85,8 @@ fn nothing_happens_when_the_end_is_reached() {
 /// h^(p+1), that at the end h^p, so that a tolerance of 1/100 gives 100^(p/(p+1)) of it, or,
 /// where the local error is less than its estimate, as that of Radau IIA in places, up to
 /// 100. Steps are kept while the wish is within a tenth of them: p ln 1.1 / ln 100 of the
-/// exponent.
+/// exponent. At 1e-6 the cubic takes 30 steps, of which the first are short as nothing is known
+/// before them; the exponent is that of many.
 #[test]
 fn variable_steps_keep_the_local_error() {
     let exact = [0.134_994_926_127_77, 0.990_846_289_754_25];
@@ -104,7 +105,7 @@ fn variable_steps_keep_the_local_error() {
             let error = (y[0] - exact[0]).hypot(y[1] - exact[1]);
             (error, times.len())
         };
-        let ((coarse, few), (fine, many)) = (at(1e-6), at(1e-8));
+        let ((coarse, few), (fine, many)) = (at(1e-7), at(1e-9));
         let slope = (coarse / fine).ln() / 100.0_f64.ln();
         let expected = order / (order + 1.0);
         let kept = order * 1.1_f64.ln() / 100.0_f64.ln();
@@ -115,7 +116,7 @@ fn variable_steps_keep_the_local_error() {
         assert!(few < many, "{scheme:?} {few} {many}");
         // The tolerance is of either coordinate, the place is off by root 2 of it; the velocity
         // by that times the rate of the motion, at most 2/s, which goes on for a second at most.
-        let sum = 2.0_f64.sqrt() * 3.0 * many as f64 * 1e-8;
+        let sum = 2.0_f64.sqrt() * 3.0 * many as f64 * 1e-9;
         assert!(fine < sum, "{scheme:?} {fine:e} {many}");
     }
 }
