@@ -13,5 +13,6 @@ pub use combination::{Combination, Variation};
 pub use momenta::{Entry, MasslessMotions};
 pub use pattern::{Pattern, Sparse};
 pub use system::{
-    Contradiction, Loop, Residual, Settling, Sharing, Slack, System, Tangent, Workspace,
+    Contradiction, Loop, Residual, ScalarScales, Settling, Sharing, Slack, System, Tangent,
+    Workspace,
 };

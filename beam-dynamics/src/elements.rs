@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use nalgebra::Vector3;
 
-use crate::model::{Drive, Loading, NodeMotion, TurningFrame};
+use crate::model::{Drive, Loading, NodeMotion, Scalar, Scalars, TurningFrame};
 
 pub mod beams;
 pub mod bodies;
@@ -14,8 +14,8 @@ pub mod laws;
 pub mod loads;
 pub mod springs;
 
+mod charges;
 mod constraint;
-mod electric;
 mod exchange;
 mod local;
 mod motion;
@@ -32,12 +32,10 @@ mod rates_tests;
 #[cfg(test)]
 mod symmetry_tests;
 
+pub use charges::{Charges, CircuitState, ElectrodeState, Flow};
 pub use constraint::{ConstraintRates, ConstraintWords, Energy, Level, PlaceJump};
-pub use electric::{
-    Charges, CircuitState, Electric, ElectricKind, ElectricUnknown, ElectrodeState, Flow,
-};
 pub use exchange::Exchange;
-pub use local::{LocalJacobian, LocalResidual};
+pub use local::{LocalJacobian, LocalResidual, LocalSize};
 pub use motion::Motion;
 pub use observation::{
     JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
@@ -45,15 +43,15 @@ pub use observation::{
 pub use reduced::ReducedElement;
 pub use signal::{Post, Sensed, Sensor, Signal};
 
-/// What an element sees: the motion of its nodes, its multipliers, and the frame.
+/// What an element sees: the motion of its nodes, its multipliers, its scalars, and the frame.
 #[derive(Debug, Clone, Copy)]
 pub struct Local<'a> {
     /// Motion of the element's nodes, in its own order.
     pub nodes: &'a [NodeMotion],
     /// The element's multipliers [N, N m].
     pub multipliers: &'a [f64],
-    /// The circuits of the whole model.
-    pub electric: Electric<'a>,
+    /// The element's scalars, in its own order.
+    pub scalars: Scalars<'a>,
     /// The frame of the model.
     pub frame: &'a TurningFrame,
     /// Gravity and the factors of the loads.
@@ -67,8 +65,8 @@ pub struct Along<'a> {
     pub nodes: &'a [[Vector3<f64>; 2]],
     /// Change of each multiplier [N, N m].
     pub multipliers: &'a [f64],
-    /// Change of each of the element's electric unknowns, in its own order [unit of each].
-    pub electric: &'a [f64],
+    /// Change of each of the element's scalars, in its own order [unit of each].
+    pub scalars: &'a [f64],
 }
 
 /// A part of the model that contributes to the equations of its nodes.
@@ -89,20 +87,10 @@ pub trait Element: Debug + Send + Sync {
         0
     }
 
-    /// Numbers of the electric unknowns on which the element acts, or which act on it.
-    fn electric(&self) -> &[usize] {
+    /// The scalar unknowns on which the element acts, or which act on it: its own, and those
+    /// that it shares with others.
+    fn scalars(&self) -> &[Scalar] {
         &[]
-    }
-
-    /// The electric unknowns, and equations, that the element brings, with their numbers.
-    fn brings(&self) -> Vec<(usize, ElectricUnknown)> {
-        Vec::new()
-    }
-
-    /// Number of rows of the element after those of its nodes: its multipliers, then its
-    /// electric unknowns.
-    fn own_rows(&self) -> usize {
-        self.multipliers() + self.electric().len()
     }
 
     /// What is differentiated how often to stand in the constraint number `constraint`.
@@ -262,7 +250,7 @@ fn prestress_of_multipliers<E: Element + ?Sized>(
         ..*at
     };
     let of = |at: &Local<'_>| {
-        let mut jacobian = LocalJacobian::new(at.nodes.len(), element.own_rows());
+        let mut jacobian = LocalJacobian::new(LocalSize::of(element));
         element.jacobian(at, &mut jacobian);
         jacobian
     };

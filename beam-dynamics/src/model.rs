@@ -7,6 +7,7 @@ mod frame;
 mod name;
 mod node;
 mod numbering;
+mod scalar;
 mod state;
 
 pub use axes::NamingAxes;
@@ -19,4 +20,5 @@ pub use frame::TurningFrame;
 pub use name::Name;
 pub use node::Node;
 pub use numbering::{Equation, MOTION_WORDS, NODE_UNKNOWNS, Numbering, Variable};
+pub use scalar::{Quantity, Scalar, ScalarSpec, ScalarStart, Scalars};
 pub use state::{NodeMotion, State};

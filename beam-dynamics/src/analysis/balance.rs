@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
-use crate::assembly::{Residual, System};
+use crate::assembly::{Residual, ScalarScales, System};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
 use crate::solver::{Equations, Factorization, LinearSolver, Worst};
 
@@ -20,6 +20,7 @@ pub(super) struct Balance<'a> {
     pub state: State,
     /// Size of the model, by which displacements are measured [m].
     size: f64,
+    scales: Scales,
 }
 
 impl<'a> Balance<'a> {
@@ -35,6 +36,7 @@ impl<'a> Balance<'a> {
             conditions,
             state,
             size: system.size(),
+            scales: Scales::of(system),
         }
     }
 
@@ -43,6 +45,7 @@ impl<'a> Balance<'a> {
         Self {
             conditions,
             state,
+            scales: self.scales.clone(),
             ..*self
         }
     }
@@ -134,10 +137,7 @@ impl<'a> Balance<'a> {
 impl Equations for Balance<'_> {
     fn residual(&mut self) -> (Vec<f64>, Worst) {
         let residual = self.system.residual(&self.state, &self.conditions);
-        let nodes = self.system.nodes().len();
-        // The distance of neighbors: moments are taken about the nodes.
-        let places = (nodes, self.system.numbering().first_electric());
-        let worst = worst(&residual, places, self.size / nodes.max(1) as f64);
+        let worst = self.scales.worst(&residual);
         (residual.values, worst)
     }
 
@@ -148,11 +148,10 @@ impl Equations for Balance<'_> {
         Some(correction)
     }
 
-    /// Largest displacement in sizes of the model, and largest rotation in radians.
+    /// Largest displacement in sizes of the model, rotation in radians, and change of a scalar
+    /// by its scale.
     fn size(&self, correction: &[f64]) -> f64 {
-        let nodes = self.state.nodes.len();
-        let of_nodes = correction[..NODE_UNKNOWNS * nodes].chunks(NODE_UNKNOWNS);
-        largest_motion(of_nodes, self.size)
+        self.scales.size(correction, &self.state.scalars)
     }
 
     fn correct(&mut self, correction: &[f64]) {
@@ -182,59 +181,99 @@ pub(super) fn worst_equation(system: &System, worst: &Worst) -> String {
     name.off_by(worst.relative, worst.scale)
 }
 
-/// The worst equation: residual against the largest term of its kind. Moments, and
-/// angular momenta, have the largest force, or momentum, on a lever of `arm` \[m\] among
-/// their terms, and forces the largest moment over it: on a straight blade that turns
-/// the moments are the round-off of forces, and nothing else, and in pure bending the
-/// forces that of moments. Given are the number of nodes and the place of the first
-/// electric equation.
-pub(super) fn worst(
-    residual: &Residual,
-    (nodes, first_electric): (usize, usize),
+/// By which residuals and corrections of a model are measured.
+#[derive(Debug, Clone)]
+pub(super) struct Scales {
+    /// Place of the first multiplier, and of the first scalar.
+    first: [usize; 2],
+    /// Size of the model [m].
+    size: f64,
+    /// Distance of neighbors, as moments are taken about the nodes [m].
     arm: f64,
-) -> Worst {
-    // Kinds: the four vector equations of the nodes, the constraints, and the circuits.
-    const CONSTRAINT: usize = Equation::ALL.len();
-    const CIRCUIT: usize = CONSTRAINT + 1;
-    let kind = |place: usize| match place {
-        _ if place < NODE_UNKNOWNS * nodes => place % NODE_UNKNOWNS / 3,
-        _ if place < first_electric => CONSTRAINT,
-        _ => CIRCUIT,
-    };
-    let mut largest = [0.0_f64; CIRCUIT + 1];
-    for (place, size) in residual.sizes.iter().enumerate() {
-        largest[kind(place)] = largest[kind(place)].max(*size);
-    }
-    for (force, moment) in [
-        (Equation::Force, Equation::Moment),
-        (Equation::Momentum, Equation::AngularMomentum),
-    ] {
-        let [of_forces, of_moments] = [force, moment].map(|kind| largest[kind as usize]);
-        largest[moment as usize] = of_moments.max(arm * of_forces);
-        if arm > 0.0 {
-            largest[force as usize] = of_forces.max(of_moments / arm);
+    scalars: ScalarScales,
+    equations: ScalarScales,
+}
+
+impl Scales {
+    /// Those of `system`.
+    pub fn of(system: &System) -> Self {
+        let nodes = system.nodes().len();
+        let size = system.size();
+        Self {
+            first: [NODE_UNKNOWNS * nodes, system.numbering().first_scalar()],
+            size,
+            arm: size / nodes.max(1) as f64,
+            scalars: system.scalar_scales(|_| true),
+            equations: system.scalar_equation_scales(),
         }
     }
-    // The terms of a constraint vanish with it: they are measured against one.
-    largest[CONSTRAINT] = 1.0;
-    // So may those of a circuit at rest, which count in volts.
-    largest[CIRCUIT] = largest[CIRCUIT].max(1.0);
-    let relative = |place: usize| {
-        let size = largest[kind(place)];
-        if size > 0.0 {
-            residual.values[place].abs() / size
-        } else {
-            0.0
+
+    /// Size of a correction: the largest displacement in sizes of the model, rotation in
+    /// radians, and change of a scalar by its scale; `scalars` are their values before it.
+    /// Momenta and multipliers stand in the equations linearly, so that the residual shows
+    /// them.
+    pub fn size(&self, correction: &[f64], scalars: &[f64]) -> f64 {
+        let [nodes, first] = self.first;
+        let moved = largest_motion(correction[..nodes].chunks(NODE_UNKNOWNS), self.size);
+        let changes = &correction[first..];
+        let size = |i: usize| scalars[i].abs().max((scalars[i] + changes[i]).abs());
+        let changed = self.scalars.largest(changes, size).part;
+        match changed > moved || changed.is_nan() {
+            true => changed,
+            false => moved,
         }
-    };
-    let places = (0..residual.values.len()).map(|place| Worst {
-        relative: relative(place),
-        place,
-        scale: largest[kind(place)],
-    });
-    places
-        .max_by(|a, b| a.relative.total_cmp(&b.relative))
-        .unwrap_or_default()
+    }
+
+    /// The worst equation: residual against the largest term of its kind. Moments, and
+    /// angular momenta, have the largest force, or momentum, on a lever among their terms,
+    /// and forces the largest moment over it: on a straight blade that turns the moments are
+    /// the round-off of forces, and nothing else, and in pure bending the forces that of
+    /// moments. Equations of scalars are measured by those of the same unit.
+    pub fn worst(&self, residual: &Residual) -> Worst {
+        const KINDS: usize = Equation::ALL.len();
+        let [nodes, first] = self.first;
+        let kind = |place: usize| place % NODE_UNKNOWNS / 3;
+        let mut largest = [0.0_f64; KINDS];
+        for (place, size) in residual.sizes[..nodes].iter().enumerate() {
+            largest[kind(place)] = largest[kind(place)].max(*size);
+        }
+        for (force, moment) in [
+            (Equation::Force, Equation::Moment),
+            (Equation::Momentum, Equation::AngularMomentum),
+        ] {
+            let [of_forces, of_moments] = [force, moment].map(|kind| largest[kind as usize]);
+            largest[moment as usize] = of_moments.max(self.arm * of_forces);
+            if self.arm > 0.0 {
+                largest[force as usize] = of_forces.max(of_moments / self.arm);
+            }
+        }
+        // The terms of a constraint vanish with it: they are measured against one.
+        let scale = |place: usize| match place < nodes {
+            true => largest[kind(place)],
+            false => 1.0,
+        };
+        let relative = |place: usize| match scale(place) > 0.0 {
+            true => residual.values[place].abs() / scale(place),
+            false => 0.0,
+        };
+        let places = (0..first).map(|place| Worst {
+            relative: relative(place),
+            place,
+            scale: scale(place),
+        });
+        let size = |i: usize| residual.sizes[first + i];
+        let of_scalars = self.equations.largest(&residual.values[first..], size);
+        let of_scalars = Worst {
+            relative: of_scalars.part,
+            place: first + of_scalars.scalar,
+            scale: of_scalars.scale,
+        };
+        let has_scalars = residual.values.len() > first;
+        let worst = places.chain(has_scalars.then_some(of_scalars));
+        worst
+            .max_by(|a, b| a.relative.total_cmp(&b.relative))
+            .unwrap_or_default()
+    }
 }
 
 #[cfg(test)]

@@ -406,7 +406,7 @@ impl Run<'_> {
             constraint: found.map_or_else(String::new, ToString::to_string),
             time,
             value,
-            unit: system.equation(first + constraint).unit,
+            unit: system.equation(first + constraint).unit.into_owned(),
         })
     }
 

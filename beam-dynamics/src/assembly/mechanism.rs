@@ -159,7 +159,7 @@ fn constraints_by_rigid_motions(system: &System, parts: &[Part]) -> Vec<RowDVect
     let part_of = part_of_nodes(numbering.nodes(), parts);
     let mut rows = vec![RowDVector::zeros(6 * parts.len()); numbering.multipliers()];
     for (row, column, value) in tangent.by_unknowns.triplets() {
-        let is_constraint = (first..numbering.first_electric()).contains(&row);
+        let is_constraint = (first..numbering.first_scalar()).contains(&row);
         if !is_constraint || column >= first {
             continue;
         }

@@ -2,20 +2,19 @@
 
 use std::sync::Arc;
 
-pub use electric::Settling;
-use layout::Layout;
 pub use layout::Workspace;
+use layout::{Gathered, Layout};
 pub use loops::Loop;
+pub use scalars::{ScalarScales, Settling};
 pub use sharing::{Contradiction, Sharing, Slack};
 use size::Lengths;
 
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
-use crate::elements::{Electric, ElectricUnknown, Element, Local, LocalJacobian, Observations};
-use crate::model::{Conditions, Node, NodeMotion, Numbering, State};
+use crate::elements::{Element, Local, LocalJacobian, LocalSize, Observations};
+use crate::model::{Conditions, Node, Numbering, Scalar, State};
 
 mod constraints;
-mod electric;
 mod energy;
 mod growth;
 mod layout;
@@ -23,6 +22,7 @@ mod loops;
 mod names;
 mod rates;
 mod removal;
+mod scalars;
 mod sharing;
 mod size;
 mod step;
@@ -34,13 +34,13 @@ pub struct System {
     nodes: Vec<Node>,
     elements: Vec<Arc<dyn Element>>,
     numbering: Numbering,
-    /// Electric unknowns by their numbers.
-    electric: Vec<ElectricUnknown>,
+    /// Scalar unknowns by their numbers.
+    scalars: Vec<Scalar>,
     pattern: Arc<Pattern>,
     /// Places of each element.
     layouts: Vec<Layout>,
-    /// Numbers of nodes and of rows of their own that elements have.
-    sizes: Vec<(usize, usize)>,
+    /// The different sizes of elements.
+    sizes: Vec<LocalSize>,
     /// Loops in which constraints share their loads, and their compliance [m/N].
     loops: Vec<Loop>,
     compliance: f64,
@@ -81,8 +81,10 @@ impl System {
     /// The system of all its elements, the balances of the nodes first.
     fn of(nodes: Vec<Node>, elements: Vec<Arc<dyn Element>>) -> Self {
         let counts = elements.iter().map(|element| element.multipliers());
-        let electric = electric::numbered(&elements);
-        let numbering = Numbering::new(nodes.len(), counts).with_electric(electric.len());
+        let used = elements.iter().flat_map(|element| element.scalars());
+        let (used, scalars) = Scalar::number(used);
+        let uses = elements.iter().map(|element| element.scalars().len());
+        let numbering = Numbering::new(nodes.len(), counts).with_scalars(uses, used);
         let mut system = Self {
             pattern: Arc::new(Pattern::new(0, Vec::new())),
             layouts: Vec::new(),
@@ -93,7 +95,7 @@ impl System {
             nodes,
             elements,
             numbering,
-            electric,
+            scalars,
         };
         system.find_pattern();
         system
@@ -109,9 +111,10 @@ impl System {
         let mut evaluated = Vec::with_capacity(self.elements.len());
         let mut lengths = Lengths::default();
         for (index, element) in self.elements.iter().enumerate() {
-            let nodes = self.motions(index, &state);
-            let mut jacobian = LocalJacobian::new(nodes.len(), element.own_rows());
-            let at = self.seen_by(index, &nodes, &state, &conditions);
+            let size = LocalSize::of(element.as_ref());
+            let mut jacobian = LocalJacobian::new(size);
+            let mut gathered = Gathered::default();
+            let at = self.gather(index, (&state, &conditions), None, &mut gathered);
             element.jacobian(&at, &mut jacobian);
             lengths.add(element.as_ref(), &jacobian);
             let rows = Layout::rows(element.as_ref(), index, &self.numbering);
@@ -124,16 +127,16 @@ impl System {
         self.size = self.size_with(&lengths);
         entries.extend(self.shared_entries());
         let pattern = Pattern::new(n, entries);
-        for (element, (rows, jacobian)) in self.elements.iter().zip(evaluated) {
-            let size = (element.nodes().len(), element.own_rows());
+        for (index, (rows, jacobian)) in evaluated.into_iter().enumerate() {
+            let size = LocalSize::of(self.elements[index].as_ref());
             let known = self.sizes.iter().position(|other| *other == size);
             let room = known.unwrap_or(self.sizes.len());
             if known.is_none() {
                 self.sizes.push(size);
             }
-            let electric = element.electric().iter().map(|&i| &self.electric[i]);
-            let has_rate: Vec<_> = electric.map(ElectricUnknown::has_rate).collect();
-            let sizes = (size.0, &has_rate[..]);
+            let own = self.numbering.scalars_of(index).iter();
+            let has_rate: Vec<_> = own.map(|&i| self.scalars[i].has_rate).collect();
+            let sizes = (size.nodes, &has_rate[..]);
             let layout = Layout::new(rows, sizes, room, &jacobian, &pattern);
             self.layouts.push(layout);
         }
@@ -165,31 +168,6 @@ impl System {
         State::at_rest(&self.nodes, &self.numbering)
     }
 
-    fn motions(&self, index: usize, state: &State) -> Vec<NodeMotion> {
-        let nodes = self.elements[index].nodes();
-        nodes.iter().map(|&node| state.nodes[node]).collect()
-    }
-
-    /// What an element sees of a state, `nodes` being the motions of its nodes.
-    fn seen_by<'a>(
-        &self,
-        index: usize,
-        nodes: &'a [NodeMotion],
-        state: &'a State,
-        conditions: &'a Conditions,
-    ) -> Local<'a> {
-        Local {
-            nodes,
-            multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
-            electric: Electric {
-                values: &state.electric,
-                rates: &state.electric_rates,
-            },
-            frame: &conditions.frame,
-            loading: &conditions.loading,
-        }
-    }
-
     /// The residual at a state.
     pub fn residual(&self, state: &State, conditions: &Conditions) -> Residual {
         let mut residual = Residual::default();
@@ -219,9 +197,8 @@ impl System {
     pub fn observe(&self, state: &State, conditions: &Conditions) -> Observations {
         let mut observations = Observations::default();
         for (index, element) in self.elements.iter().enumerate() {
-            let nodes = self.motions(index, state);
-            let at = self.seen_by(index, &nodes, state, conditions);
-            element.observe(&at, &mut observations);
+            let call = |at: &Local<'_>| element.observe(at, &mut observations);
+            self.seen(index, state, conditions, call);
         }
         observations
     }

@@ -23,11 +23,11 @@
 //!
 //! References: [Masarati], piezoelectric beams; [HagoodFlotow1991], shunts.
 
-use super::{
-    Charges, CircuitState, ElectricKind, ElectricUnknown, Element, Energy, Flow, Local,
-    LocalJacobian, LocalResidual,
-};
-use crate::model::Drive;
+use super::{Charges, CircuitState, Element, Energy, Flow, Local, LocalJacobian, LocalResidual};
+use crate::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart};
+
+/// Voltage below which those of a circuit are measured by it [V].
+const LEAST_VOLTAGE: f64 = 1e-3;
 
 /// What an electrode is connected to.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,14 +51,36 @@ pub enum Circuit {
 }
 
 impl Circuit {
-    /// Number of electric unknowns.
-    pub fn unknowns(&self) -> usize {
+    /// The unknowns of the circuit of the electrode `owner` of the given `capacitance` \[F\]:
+    /// voltage, charge, current, as far as there are such.
+    pub fn scalars(&self, owner: &str, capacitance: f64) -> Vec<Scalar> {
+        let scalar = |[name, unit]: [&str; 2], size: f64, equation: &str, has_rate: bool| {
+            Scalar::new(ScalarSpec {
+                owner: owner.to_owned(),
+                unknown: Quantity::new(name, unit, LEAST_VOLTAGE * size),
+                equation: Quantity::new(equation, "V", 1.0),
+                has_rate,
+                start: ScalarStart::Settled,
+            })
+        };
+        let voltage = || scalar(["voltage", "V"], 1.0, "charge over capacitance", false);
+        let words = "voltages, or rate of charge,";
+        let charge = || scalar(["charge", "C"], capacitance, words, true);
         match self {
-            Self::Held(_) => 0,
-            Self::Open { .. } => 1,
-            Self::Shunt { inductance, .. } if *inductance > 0.0 => 3,
-            Self::Shunt { .. } => 2,
+            Self::Held(_) => Vec::new(),
+            Self::Open { .. } => vec![voltage()],
+            Self::Shunt { inductance, .. } if *inductance > 0.0 => {
+                let size = (capacitance / inductance).sqrt();
+                let current = scalar(["current", "A"], size, "voltages", true);
+                vec![voltage(), charge(), current]
+            }
+            Self::Shunt { .. } => vec![voltage(), charge()],
         }
+    }
+
+    /// Whether its voltage is unknown.
+    pub fn has_unknowns(&self) -> bool {
+        !matches!(self, Self::Held(_))
     }
 
     /// The voltage that is given.
@@ -76,35 +98,29 @@ pub struct Electrode {
     label: String,
     number: usize,
     circuit: Circuit,
-    /// Its electric unknowns.
-    unknowns: Vec<usize>,
+    /// Its voltage, charge and current, as far as they are unknown.
+    scalars: Vec<Scalar>,
     /// Capacitance at constant strain [F].
     capacitance: f64,
 }
 
 impl Electrode {
-    /// Electrode number `number`, of the given `capacitance` over all its beams \[F\], the
-    /// electric unknowns of which are numbered from `first` on.
+    /// Electrode number `number`, of the given `capacitance` over all its beams \[F\], with
+    /// the unknowns of its circuit, see [`Circuit::scalars`].
     pub fn new(
         label: impl Into<String>,
         number: usize,
         circuit: Circuit,
-        first: usize,
+        scalars: Vec<Scalar>,
         capacitance: f64,
     ) -> Self {
         Self {
             label: label.into(),
             number,
-            unknowns: (first..first + circuit.unknowns()).collect(),
+            scalars,
             circuit,
             capacitance,
         }
-    }
-
-    /// Value of its unknown number `i`, and the rate.
-    fn unknown(&self, i: usize, at: &Local<'_>) -> [f64; 2] {
-        let number = self.unknowns[i];
-        [at.electric.values[number], at.electric.rates[number]]
     }
 
     /// `sqrt(L/C)`.
@@ -129,21 +145,8 @@ impl Element for Electrode {
         &[]
     }
 
-    fn electric(&self) -> &[usize] {
-        &self.unknowns
-    }
-
-    fn brings(&self) -> Vec<(usize, ElectricUnknown)> {
-        const KINDS: [ElectricKind; 3] = [
-            ElectricKind::Voltage,
-            ElectricKind::Charge,
-            ElectricKind::Current,
-        ];
-        let unknown = |(number, kind): (&usize, ElectricKind)| {
-            let electrode = self.label.clone();
-            (*number, ElectricUnknown { electrode, kind })
-        };
-        self.unknowns.iter().zip(KINDS).map(unknown).collect()
+    fn scalars(&self) -> &[Scalar] {
+        &self.scalars
     }
 
     fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
@@ -153,7 +156,7 @@ impl Element for Electrode {
     fn energy(&self, at: &Local<'_>) -> Energy {
         let electric = match self.circuit {
             Circuit::Shunt { inductance, .. } if inductance > 0.0 => {
-                let [current, _] = self.unknown(2, at);
+                let [current, _] = unknown(2, at);
                 0.5 * inductance * current * current
             }
             _ => 0.0,
@@ -167,28 +170,28 @@ impl Element for Electrode {
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         match &self.circuit {
             Circuit::Held(_) => {}
-            Circuit::Open { charge } => out.add_constraint(0, charge / self.capacitance),
+            Circuit::Open { charge } => out.add_scalar(0, charge / self.capacitance),
             Circuit::Shunt {
                 resistance,
                 inductance,
                 ..
             } => {
-                let [voltage, _] = self.unknown(0, at);
-                let [charge, charge_rate] = self.unknown(1, at);
-                out.add_constraint(0, charge / self.capacitance);
-                let last = self.unknowns.len() - 1;
-                out.add_constraint(last, voltage);
-                out.add_constraint(last, -self.source(at));
+                let [voltage, _] = unknown(0, at);
+                let [charge, charge_rate] = unknown(1, at);
+                out.add_scalar(0, charge / self.capacitance);
+                let last = self.scalars.len() - 1;
+                out.add_scalar(last, voltage);
+                out.add_scalar(last, -self.source(at));
                 if last == 1 {
-                    out.add_constraint(1, resistance * charge_rate);
+                    out.add_scalar(1, resistance * charge_rate);
                     return;
                 }
-                let [current, current_rate] = self.unknown(2, at);
+                let [current, current_rate] = unknown(2, at);
                 let impedance = self.impedance(*inductance);
-                out.add_constraint(1, impedance * charge_rate);
-                out.add_constraint(1, -impedance * current);
-                out.add_constraint(2, resistance * current);
-                out.add_constraint(2, inductance * current_rate);
+                out.add_scalar(1, impedance * charge_rate);
+                out.add_scalar(1, -impedance * current);
+                out.add_scalar(2, resistance * current);
+                out.add_scalar(2, inductance * current_rate);
             }
         }
     }
@@ -202,18 +205,18 @@ impl Element for Electrode {
         else {
             return;
         };
-        let last = self.unknowns.len() - 1;
-        out.add_electric(0, 1, 1.0 / self.capacitance, false);
-        out.add_electric(last, 0, 1.0, false);
+        let last = self.scalars.len() - 1;
+        out.add_scalar(0, 1, 1.0 / self.capacitance, false);
+        out.add_scalar(last, 0, 1.0, false);
         if last == 1 {
-            out.add_electric(1, 1, resistance, true);
+            out.add_scalar(1, 1, resistance, true);
             return;
         }
         let impedance = self.impedance(inductance);
-        out.add_electric(1, 1, impedance, true);
-        out.add_electric(1, 2, -impedance, false);
-        out.add_electric(2, 2, resistance, false);
-        out.add_electric(2, 2, inductance, true);
+        out.add_scalar(1, 1, impedance, true);
+        out.add_scalar(1, 2, -impedance, false);
+        out.add_scalar(2, 2, resistance, false);
+        out.add_scalar(2, 2, inductance, true);
     }
 
     fn charges(&self, at: &Local<'_>, out: &mut Charges) {
@@ -222,11 +225,11 @@ impl Element for Electrode {
                 let now = source.at(at.loading.time);
                 (now.value, Flow::Voltage(now.rate))
             }
-            Circuit::Open { .. } => (self.unknown(0, at)[0], Flow::Current(0.0)),
+            Circuit::Open { .. } => (unknown(0, at)[0], Flow::Current(0.0)),
             Circuit::Shunt { resistance, .. } => {
-                let [voltage, _] = self.unknown(0, at);
-                let current = match self.unknowns.len() {
-                    3 => self.unknown(2, at)[0],
+                let [voltage, _] = unknown(0, at);
+                let current = match self.scalars.len() {
+                    3 => unknown(2, at)[0],
                     _ => (self.source(at) - voltage) / resistance,
                 };
                 (voltage, Flow::Current(current))
@@ -239,4 +242,9 @@ impl Element for Electrode {
             flow,
         });
     }
+}
+
+/// Value of the unknown number `i` of an electrode, and the rate.
+fn unknown(i: usize, at: &Local<'_>) -> [f64; 2] {
+    [at.scalars.values[i], at.scalars.rates[i]]
 }

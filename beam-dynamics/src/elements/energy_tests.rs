@@ -12,8 +12,8 @@ use super::bodies::{RigidBody, RigidInertia};
 use super::joints::{Hinge, HingeSpring};
 use super::laws::{Cubic, Driven, Law, LawKind, Term};
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
-use super::{Electric, Element, Energy, Local, LocalResidual};
-use crate::model::{Conditions, Drive, Harmonic, NODE_UNKNOWNS, Node, NodeMotion};
+use super::{Element, Energy, Local, LocalResidual, LocalSize};
+use crate::model::{Conditions, Drive, Harmonic, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
 
 const STEP: f64 = 1e-5;
 
@@ -78,7 +78,7 @@ fn local<'a>(
     Local {
         nodes: motion,
         multipliers: &NONE[..element.multipliers()],
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     }
@@ -86,7 +86,10 @@ fn local<'a>(
 
 /// The residual, twelve numbers a node.
 fn residual(element: &dyn Element, motion: &[NodeMotion]) -> Vec<[Vector3<f64>; 4]> {
-    let mut out = LocalResidual::new(motion.len(), element.multipliers());
+    let mut out = LocalResidual::new(LocalSize::without_scalars(
+        motion.len(),
+        element.multipliers(),
+    ));
     element.residual(&local(element, motion, &conditions()), &mut out);
     let of_node = |node: usize| {
         let part = |k: usize| {

@@ -20,9 +20,9 @@ use super::loads::{
     Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
-use super::{Electric, Element, Local, LocalJacobian, LocalResidual};
+use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize};
 use crate::model::{
-    Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, TurningFrame, Variable,
+    Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, Scalars, TurningFrame, Variable,
 };
 
 mod piezo;
@@ -129,12 +129,12 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
         let motion: Vec<_> = undeformed.iter().map(|node| moved(random, node)).collect();
         let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect();
         let multipliers: Vec<_> = numbers(element.multipliers());
-        let count = element.electric().iter().max().map_or(0, |last| last + 1);
-        let (electric, electric_rates) = (numbers(count), numbers(count));
+        let count = element.scalars().len();
+        let (scalars, scalar_rates) = (numbers(count), numbers(count));
         let own = Own {
             multipliers,
-            electric,
-            electric_rates,
+            scalars,
+            scalar_rates,
         };
         let conditions = Conditions {
             frame: TurningFrame {
@@ -158,9 +158,8 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
 #[derive(Clone)]
 struct Own {
     multipliers: Vec<f64>,
-    /// Those of the whole model.
-    electric: Vec<f64>,
-    electric_rates: Vec<f64>,
+    scalars: Vec<f64>,
+    scalar_rates: Vec<f64>,
 }
 
 impl Own {
@@ -168,9 +167,9 @@ impl Own {
         Local {
             nodes,
             multipliers: &self.multipliers,
-            electric: Electric {
-                values: &self.electric,
-                rates: &self.electric_rates,
+            scalars: Scalars {
+                values: &self.scalars,
+                rates: &self.scalar_rates,
             },
             frame: &conditions.frame,
             loading: &conditions.loading,
@@ -179,7 +178,7 @@ impl Own {
 }
 
 fn check_at(element: &dyn Element, motion: &[NodeMotion], own: &Own, conditions: &Conditions) {
-    let mut jacobian = LocalJacobian::new(motion.len(), element.own_rows());
+    let mut jacobian = LocalJacobian::new(LocalSize::of(element));
     element.jacobian(&own.seen(motion, conditions), &mut jacobian);
     let [by_unknowns, by_rates] = differences(element, motion, own, conditions);
     for (exact, difference) in [
@@ -208,7 +207,7 @@ fn check_factor(element: &dyn Element, motion: &[NodeMotion], own: &Own, conditi
         let mut conditions = *conditions;
         conditions.loading.proportional += step;
         let at = own.seen(motion, &conditions);
-        let mut out = LocalResidual::new(motion.len(), element.own_rows());
+        let mut out = LocalResidual::new(LocalSize::of(element));
         match derivative {
             true => element.by_factor(&at, &mut out),
             false => element.residual(&at, &mut out),
@@ -229,12 +228,12 @@ fn differences(
     conditions: &Conditions,
 ) -> [DMatrix<f64>; 2] {
     let residual = |nodes: &[NodeMotion], own: &Own| {
-        let mut out = LocalResidual::new(nodes.len(), element.own_rows());
+        let mut out = LocalResidual::new(LocalSize::of(element));
         element.residual(&own.seen(nodes, conditions), &mut out);
         nalgebra::DVector::from_column_slice(out.values())
     };
     let first = NODE_UNKNOWNS * motion.len();
-    let n = first + element.own_rows();
+    let n = LocalSize::of(element).rows();
     let mut by = [DMatrix::zeros(n, n), DMatrix::zeros(n, n)];
     for node in 0..motion.len() {
         for (variable, axis) in Variable::ALL
@@ -263,11 +262,11 @@ fn differences(
         let column = difference(&|own, step| own.multipliers[i] += step);
         by[0].set_column(first + i, &column);
     }
-    for (k, &number) in element.electric().iter().enumerate() {
+    for k in 0..own.scalars.len() {
         let place = first + own.multipliers.len() + k;
-        let column = difference(&|own, step| own.electric[number] += step);
+        let column = difference(&|own, step| own.scalars[k] += step);
         by[0].set_column(place, &column);
-        let column = difference(&|own, step| own.electric_rates[number] += step);
+        let column = difference(&|own, step| own.scalar_rates[k] += step);
         by[1].set_column(place, &column);
     }
     by

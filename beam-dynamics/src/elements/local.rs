@@ -2,27 +2,72 @@
 
 use nalgebra::{DMatrix, Matrix3, RowVector3, Vector3};
 
+use super::Element;
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 
 mod removal;
 
-/// Residual of one element: twelve rows a node, then one a constraint, then one an electric
-/// unknown.
+/// Numbers of nodes, multipliers and scalars of an element.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LocalSize {
+    /// Nodes.
+    pub nodes: usize,
+    /// Multipliers.
+    pub multipliers: usize,
+    /// Scalars.
+    pub scalars: usize,
+}
+
+impl LocalSize {
+    /// That of `element`.
+    pub fn of<E: Element + ?Sized>(element: &E) -> Self {
+        Self {
+            nodes: element.nodes().len(),
+            multipliers: element.multipliers(),
+            scalars: element.scalars().len(),
+        }
+    }
+
+    /// That of an element of `nodes` nodes and `multipliers` multipliers, without scalars.
+    pub fn without_scalars(nodes: usize, multipliers: usize) -> Self {
+        Self {
+            nodes,
+            multipliers,
+            scalars: 0,
+        }
+    }
+
+    /// Number of rows: twelve a node, then one a constraint, then one a scalar.
+    pub fn rows(self) -> usize {
+        self.scalar(self.scalars)
+    }
+
+    /// Row of a multiplier.
+    fn multiplier(self, index: usize) -> usize {
+        NODE_UNKNOWNS * self.nodes + index
+    }
+
+    /// Row of a scalar.
+    fn scalar(self, index: usize) -> usize {
+        self.multiplier(self.multipliers) + index
+    }
+}
+
+/// Residual of one element: twelve rows a node, then one a constraint, then one a scalar.
 #[derive(Debug, Clone)]
 pub struct LocalResidual {
-    nodes: usize,
+    size: LocalSize,
     values: Vec<f64>,
     sizes: Vec<f64>,
 }
 
 impl LocalResidual {
-    /// Zero, for an element of `nodes` nodes and `own` further rows.
-    pub fn new(nodes: usize, own: usize) -> Self {
-        let rows = NODE_UNKNOWNS * nodes + own;
+    /// Zero, for an element of the given size.
+    pub fn new(size: LocalSize) -> Self {
         Self {
-            nodes,
-            values: vec![0.0; rows],
-            sizes: vec![0.0; rows],
+            size,
+            values: vec![0.0; size.rows()],
+            sizes: vec![0.0; size.rows()],
         }
     }
 
@@ -34,10 +79,14 @@ impl LocalResidual {
         }
     }
 
-    /// Adds to a constraint equation of the element, or to an electric one, whose numbers
-    /// follow those of the constraints.
+    /// Adds to a constraint equation of the element.
     pub fn add_constraint(&mut self, constraint: usize, value: f64) {
-        self.add_at(NODE_UNKNOWNS * self.nodes + constraint, value);
+        self.add_at(self.size.multiplier(constraint), value);
+    }
+
+    /// Adds to the equation of a scalar.
+    pub fn add_scalar(&mut self, scalar: usize, value: f64) {
+        self.add_at(self.size.scalar(scalar), value);
     }
 
     fn add_at(&mut self, row: usize, value: f64) {
@@ -72,11 +121,10 @@ impl LocalResidual {
 /// Jacobian of one element, by the unknowns and by their rates.
 ///
 /// Rows as in [`LocalResidual`]; columns: twelve a node, then the multipliers, then the
-/// electric unknowns, which count on from these where methods speak of multipliers and
-/// constraints.
+/// scalars.
 #[derive(Debug, Clone)]
 pub struct LocalJacobian {
-    nodes: usize,
+    size: LocalSize,
     by_unknowns: DMatrix<f64>,
     by_rates: DMatrix<f64>,
     /// Empty where the pattern is known already.
@@ -85,20 +133,20 @@ pub struct LocalJacobian {
 }
 
 impl LocalJacobian {
-    /// Zero, for an element of `nodes` nodes and `own` further rows.
-    pub fn new(nodes: usize, own: usize) -> Self {
-        let n = NODE_UNKNOWNS * nodes + own;
+    /// Zero, for an element of the given size.
+    pub fn new(size: LocalSize) -> Self {
+        let n = size.rows();
         Self {
             touched: DMatrix::from_element(n, n, false),
-            ..Self::unmarked(nodes, own)
+            ..Self::unmarked(size)
         }
     }
 
     /// As [`Self::new`], without notes of what is touched.
-    pub fn unmarked(nodes: usize, own: usize) -> Self {
-        let n = NODE_UNKNOWNS * nodes + own;
+    pub fn unmarked(size: LocalSize) -> Self {
+        let n = size.rows();
         Self {
-            nodes,
+            size,
             by_unknowns: DMatrix::zeros(n, n),
             by_rates: DMatrix::zeros(n, n),
             touched: DMatrix::from_element(0, 0, false),
@@ -147,7 +195,7 @@ impl LocalJacobian {
         column: &Vector3<f64>,
     ) {
         let first_row = NODE_UNKNOWNS * row.0 + row.1.row();
-        let place = NODE_UNKNOWNS * self.nodes + multiplier;
+        let place = self.size.multiplier(multiplier);
         self.add_column((first_row, place), column.as_slice(), false);
     }
 
@@ -158,17 +206,38 @@ impl LocalJacobian {
         column: (usize, Variable),
         row: &RowVector3<f64>,
     ) {
-        let place = NODE_UNKNOWNS * self.nodes + constraint;
+        self.add_row(self.size.multiplier(constraint), column, row);
+    }
+
+    /// Adds `d equation / d scalar`.
+    pub fn add_by_scalar(&mut self, row: (usize, Equation), scalar: usize, column: &Vector3<f64>) {
+        let first_row = NODE_UNKNOWNS * row.0 + row.1.row();
+        let place = self.size.scalar(scalar);
+        self.add_column((first_row, place), column.as_slice(), false);
+    }
+
+    /// Adds `d scalar equation / d variable`.
+    pub fn add_scalar_row(
+        &mut self,
+        scalar: usize,
+        column: (usize, Variable),
+        row: &RowVector3<f64>,
+    ) {
+        self.add_row(self.size.scalar(scalar), column, row);
+    }
+
+    /// Adds `d scalar equation / d scalar`, or by its rate.
+    pub fn add_scalar(&mut self, row: usize, column: usize, value: f64, rate: bool) {
+        let place = (self.size.scalar(row), self.size.scalar(column));
+        self.add_column(place, &[value], rate);
+    }
+
+    /// Adds to a row in the columns of a vector variable.
+    fn add_row(&mut self, place: usize, column: (usize, Variable), row: &RowVector3<f64>) {
         let first_column = NODE_UNKNOWNS * column.0 + column.1.column();
         for j in 0..3 {
             self.add_column((place, first_column + j), &[row[j]], column.1.is_rate());
         }
-    }
-
-    /// Adds `d electric equation / d electric unknown`, or by its rate.
-    pub fn add_electric(&mut self, row: usize, column: usize, value: f64, rate: bool) {
-        let first = NODE_UNKNOWNS * self.nodes;
-        self.add_column((first + row, first + column), &[value], rate);
     }
 
     /// Adds the difference of two Jacobians of one element.

@@ -12,8 +12,8 @@ use shared_geom::rotation::vector;
 use super::jacobian_tests::{Random, nodes};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
 use super::loads::{Imposed, ImposedMotion, LoadFactor};
-use super::{ConstraintRates, Electric, Element, Level, Local, LocalJacobian, LocalResidual};
-use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion, Variable};
+use super::{ConstraintRates, Element, Level, Local, LocalJacobian, LocalResidual, LocalSize};
+use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion, Scalars, Variable};
 
 const STEP: f64 = 1e-3;
 const TOLERANCE: f64 = 1e-8;
@@ -82,13 +82,13 @@ fn found(
     let at = Local {
         nodes: &motions,
         multipliers: &vec![0.0; count],
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };
-    let mut residual = LocalResidual::new(motions.len(), count);
+    let mut residual = LocalResidual::new(LocalSize::without_scalars(motions.len(), count));
     element.residual(&at, &mut residual);
-    let mut jacobian = LocalJacobian::new(motions.len(), count);
+    let mut jacobian = LocalJacobian::new(LocalSize::without_scalars(motions.len(), count));
     element.jacobian(&at, &mut jacobian);
     let first = NODE_UNKNOWNS * motions.len();
     let product = |row: usize, of_rates: bool, with: &[[Vector3<f64>; 2]]| {

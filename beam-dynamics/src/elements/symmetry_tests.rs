@@ -19,8 +19,8 @@ use super::jacobian_tests::{Random, nodes};
 use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
 use super::laws::Law;
 use super::springs::{Spring, SpringLaw};
-use super::{Electric, Element, Level, Local, LocalJacobian, LocalResidual};
-use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Variable};
+use super::{Element, Level, Local, LocalJacobian, LocalResidual, LocalSize};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Scalars, Variable};
 
 const TOLERANCE: f64 = 1e-13;
 
@@ -80,12 +80,14 @@ fn tangents(element: &dyn Element, motion: &[NodeMotion], random: &mut Random) -
     let at = Local {
         nodes: motion,
         multipliers: &multipliers,
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };
-    let mut residual = LocalResidual::new(nodes.len(), multipliers.len());
-    let mut jacobian = LocalJacobian::new(nodes.len(), multipliers.len());
+    let mut residual =
+        LocalResidual::new(LocalSize::without_scalars(nodes.len(), multipliers.len()));
+    let mut jacobian =
+        LocalJacobian::new(LocalSize::without_scalars(nodes.len(), multipliers.len()));
     element.residual(&at, &mut residual);
     element.jacobian(&at, &mut jacobian);
     let size = 6 * nodes.len();

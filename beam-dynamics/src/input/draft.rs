@@ -24,7 +24,7 @@ use crate::elements::Element;
 use crate::elements::beams::{self, BeamGeometry, BeamInertia, LumpedMass, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Clamp, Hinge, RigidConnection};
-use crate::model::{Drive, Node};
+use crate::model::{Drive, Node, Scalar};
 
 mod blades;
 mod electrodes;
@@ -403,8 +403,9 @@ impl Draft {
         }
         let naming = self.naming()?;
         let mut elements = Vec::new();
+        let scalars = self.scalars_of_electrodes();
         for (index, beam) in self.beams.iter().enumerate() {
-            elements.extend(self.beam_elements(index, beam));
+            elements.extend(self.beam_elements(index, beam, &scalars));
         }
         for (label, node, inertia) in &self.bodies {
             elements.push(boxed(RigidBody::new(label, *node, *inertia)));
@@ -413,7 +414,7 @@ impl Draft {
             let label = format!("clamp of {}", self.nodes[node].label);
             elements.push(boxed(Clamp::new(label, node, &self.nodes[node])));
         }
-        elements.extend(self.circuits());
+        elements.extend(self.circuits(&scalars));
         elements.extend(self.joints);
         elements.extend(self.loads);
         Some(Model {
@@ -429,7 +430,13 @@ impl Draft {
         })
     }
 
-    fn beam_elements(&self, index: usize, beam: &Beam) -> Vec<Box<dyn Element>> {
+    /// Elements of beam number `index`, given the unknowns of all electrodes.
+    fn beam_elements(
+        &self,
+        index: usize,
+        beam: &Beam,
+        scalars: &[Vec<Scalar>],
+    ) -> Vec<Box<dyn Element>> {
         let Beam {
             label,
             nodes,
@@ -439,7 +446,7 @@ impl Draft {
         } = beam;
         let ends = self.ends(beam);
         let elastic = beams::Beam::new(label, *nodes, *geometry, ends, along.laws());
-        let mut elements = vec![boxed(self.with_electrodes(index, elastic))];
+        let mut elements = vec![boxed(self.with_electrodes(index, elastic, scalars))];
         match inertia {
             Inertia::Consistent => {
                 let inertia =

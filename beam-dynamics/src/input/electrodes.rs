@@ -317,7 +317,7 @@ fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f6
 /// Notes electrodes with a voltage that would not follow from their charge.
 fn check_capacitances(tables: &[Table<'_>], draft: &mut Draft) {
     let cards = draft.electrodes().iter();
-    let free = cards.filter(|card| card.circuit.unknowns() > 0);
+    let free = cards.filter(|card| card.circuit.has_unknowns());
     let free: Vec<_> = free.collect();
     if free.is_empty() {
         return;

@@ -355,7 +355,7 @@ impl Corrector {
             // The greater of a number and none is the number: none must be asked for.
             let is_finite = self.moved.iter().all(|moved| moved.is_finite());
             size = match is_finite {
-                true => size.max(dae.size(&self.moved)),
+                true => size.max(dae.size(stage, &self.moved)),
                 false => f64::INFINITY,
             };
         }

@@ -92,11 +92,17 @@ pub trait Dae {
     /// The equation that is farthest from being fulfilled, by the largest term of its kind.
     fn worst(&self, residual: &Residual) -> Worst;
 
-    /// Size of a correction relative to the size of the system [-].
-    fn size(&self, correction: &[f64]) -> f64;
+    /// Size of a correction of trial state `stage` relative to the sizes of the unknowns [-].
+    fn size(&self, stage: usize, correction: &[f64]) -> f64;
 
     /// Size of a local error, of positions and rotations alone [-].
     fn error(&self, difference: &[f64]) -> f64;
+
+    /// Size of a local error of the scalars alone, in a step to trial state `stage` before
+    /// which too little is known for [`Self::drift`] [-].
+    fn error_of_scalars(&self, _stage: usize, _difference: &[f64]) -> f64 {
+        0.0
+    }
 
     /// Velocities, and what else jumps in its rate where forces or voltages do, of trial
     /// state `stage`, or of the latest accepted state; in numbers that are smooth as long as

@@ -109,9 +109,15 @@ impl Speeds {
         self.times.truncate(MOST);
     }
 
-    /// The error (D-119) of the end of a step under trial, by the sizes of the system; zero
+    /// The error (D-119) of the end of a step under trial, by the sizes of the system; `None`
     /// while too few states are known.
-    pub fn error(&mut self, dae: &dyn Dae, formula: &Formula, end: f64, length: f64) -> f64 {
+    pub fn error(
+        &mut self,
+        dae: &dyn Dae,
+        formula: &Formula,
+        end: f64,
+        length: f64,
+    ) -> Option<f64> {
         let order = formula.order.min(3);
         let seen = match formula.alternates() {
             true => Seen::Means,
@@ -120,7 +126,7 @@ impl Speeds {
         let times = self.times(seen, end);
         let known = self.known(seen);
         if known <= order {
-            return 0.0;
+            return None;
         }
         dae.speeds(Some(formula.stages - 1), &mut self.trial);
         let own = counted_constant(formula);
@@ -136,7 +142,7 @@ impl Speeds {
         }
         let lasting = self.memory.max(length);
         let time = lasting * ADDED.min(lasting / length);
-        dae.drift(&self.missed, [&self.trial, &self.largest], time)
+        Some(dae.drift(&self.missed, [&self.trial, &self.largest], time))
     }
 
     /// Number of the velocities, or of their means, behind a step.

@@ -1,5 +1,6 @@
 //! Names of unknowns and equations, for messages.
 
+use std::borrow::Cow;
 use std::fmt;
 
 /// An unknown or an equation in words: `force balance along y of node "tip"`.
@@ -11,34 +12,42 @@ pub struct Name {
     /// of the system as a whole.
     pub owner: String,
     /// In which unit it counts: `N`.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
 }
 
 impl Name {
     /// `what` of node `label`.
-    pub fn of_node(what: impl Into<String>, label: &str, unit: &'static str) -> Self {
+    pub fn of_node(
+        what: impl Into<String>,
+        label: &str,
+        unit: impl Into<Cow<'static, str>>,
+    ) -> Self {
         Self {
             what: what.into(),
             owner: format!("node \"{label}\""),
-            unit,
+            unit: unit.into(),
         }
     }
 
     /// `what` of the element `label`.
-    pub fn of_element(what: impl Into<String>, label: &str, unit: &'static str) -> Self {
+    pub fn of_element(
+        what: impl Into<String>,
+        label: &str,
+        unit: impl Into<Cow<'static, str>>,
+    ) -> Self {
         Self {
             what: what.into(),
             owner: format!("\"{label}\""),
-            unit,
+            unit: unit.into(),
         }
     }
 
     /// `what` of the system.
-    pub fn of_system(what: impl Into<String>, unit: &'static str) -> Self {
+    pub fn of_system(what: impl Into<String>, unit: impl Into<Cow<'static, str>>) -> Self {
         Self {
             what: what.into(),
             owner: String::new(),
-            unit,
+            unit: unit.into(),
         }
     }
 
@@ -49,7 +58,7 @@ impl Name {
             return format!("{self}, without a value");
         }
         let [off, part, scale] = [relative * scale, relative, scale].map(brief);
-        let unit = match self.unit {
+        let unit = match self.unit.as_ref() {
             "-" => String::new(),
             unit => format!(" {unit}"),
         };

@@ -144,14 +144,18 @@ impl Variable {
 }
 
 /// Order of the unknowns: twelve a node (position, rotation, momentum, angular
-/// momentum), then the multipliers of each element in turn, then the electric ones. The
-/// equations stand in the same order.
+/// momentum), then the multipliers of each element in turn, then the scalars. The equations
+/// stand in the same order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Numbering {
     nodes: usize,
     /// First multiplier of each element, and the end.
     first_multiplier: Vec<usize>,
-    electric: usize,
+    /// First use of a scalar by each element, and the end.
+    first_use: Vec<usize>,
+    /// The scalar of each use.
+    used: Vec<usize>,
+    scalars: usize,
 }
 
 impl Numbering {
@@ -165,19 +169,32 @@ impl Numbering {
         Self {
             nodes,
             first_multiplier,
-            electric: 0,
+            first_use: Vec::new(),
+            used: Vec::new(),
+            scalars: 0,
         }
     }
 
-    /// The same with `electric` unknowns of circuits.
+    /// The same with the scalars of the elements, in their order: how many each uses, and the
+    /// number of the scalar of each use.
     #[must_use]
-    pub fn with_electric(self, electric: usize) -> Self {
-        Self { electric, ..self }
+    pub fn with_scalars(self, counts: impl Iterator<Item = usize>, used: Vec<usize>) -> Self {
+        let mut first_use = vec![0];
+        for count in counts {
+            let end = first_use.last().copied().unwrap_or(0);
+            first_use.push(end + count);
+        }
+        Self {
+            scalars: used.iter().max().map_or(0, |last| last + 1),
+            first_use,
+            used,
+            ..self
+        }
     }
 
     /// Number of unknowns.
     pub fn unknowns(&self) -> usize {
-        NODE_UNKNOWNS * self.nodes + self.multipliers() + self.electric
+        NODE_UNKNOWNS * self.nodes + self.multipliers() + self.scalars
     }
 
     /// Number of nodes.
@@ -190,13 +207,18 @@ impl Numbering {
         self.first_multiplier.last().copied().unwrap_or(0)
     }
 
-    /// Number of electric unknowns.
-    pub fn electric(&self) -> usize {
-        self.electric
+    /// Number of scalar unknowns.
+    pub fn scalars(&self) -> usize {
+        self.scalars
     }
 
-    /// Place of the first electric unknown.
-    pub fn first_electric(&self) -> usize {
+    /// The scalars of an element in its own order, counted among the scalars.
+    pub fn scalars_of(&self, element: usize) -> &[usize] {
+        &self.used[self.first_use[element]..self.first_use[element + 1]]
+    }
+
+    /// Place of the first scalar unknown.
+    pub fn first_scalar(&self) -> usize {
         NODE_UNKNOWNS * self.nodes + self.multipliers()
     }
 

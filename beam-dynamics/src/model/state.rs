@@ -52,17 +52,17 @@ impl NodeMotion {
     }
 }
 
-/// The state of a model: motion of every node, the multipliers, and the circuits.
+/// The state of a model: motion of every node, the multipliers, and the scalars.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
     /// Motion of each node, in the order of the nodes.
     pub nodes: Vec<NodeMotion>,
     /// Multipliers, in the order of the numbering [unit of each].
     pub multipliers: Vec<f64>,
-    /// Electric unknowns, in the order of the numbering [unit of each].
-    pub electric: Vec<f64>,
+    /// Scalar unknowns, in the order of the numbering [unit of each].
+    pub scalars: Vec<f64>,
     /// Rates of those that have one, else zero [unit of each/s].
-    pub electric_rates: Vec<f64>,
+    pub scalar_rates: Vec<f64>,
 }
 
 impl State {
@@ -71,8 +71,8 @@ impl State {
         Self {
             nodes: nodes.iter().map(NodeMotion::at_rest).collect(),
             multipliers: vec![0.0; numbering.multipliers()],
-            electric: vec![0.0; numbering.electric()],
-            electric_rates: vec![0.0; numbering.electric()],
+            scalars: vec![0.0; numbering.scalars()],
+            scalar_rates: vec![0.0; numbering.scalars()],
         }
     }
 
@@ -80,12 +80,12 @@ impl State {
     pub fn copy_from(&mut self, other: &Self) {
         self.nodes.copy_from_slice(&other.nodes);
         self.multipliers.copy_from_slice(&other.multipliers);
-        self.electric.copy_from_slice(&other.electric);
-        self.electric_rates.copy_from_slice(&other.electric_rates);
+        self.scalars.copy_from_slice(&other.scalars);
+        self.scalar_rates.copy_from_slice(&other.scalar_rates);
     }
 
     /// Adds a correction of the unknowns, in the order of the numbering: positions,
-    /// momenta, multipliers and electric unknowns by sum, rotations by composition with the
+    /// momenta, multipliers and scalars by sum, rotations by composition with the
     /// Gibbs-Rodrigues rotation of the correction, `R <- R(g) R`.
     pub fn correct(&mut self, correction: &[f64]) {
         let (of_nodes, of_multipliers) = correction.split_at(NODE_UNKNOWNS * self.nodes.len());
@@ -96,7 +96,7 @@ impl State {
             node.momentum += part(6);
             node.angular_momentum += part(9);
         }
-        let numbers = self.multipliers.iter_mut().chain(&mut self.electric);
+        let numbers = self.multipliers.iter_mut().chain(&mut self.scalars);
         for (number, value) in numbers.zip(of_multipliers) {
             *number += value;
         }

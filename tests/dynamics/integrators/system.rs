@@ -175,7 +175,7 @@ impl<E: Equations> Dae for System<E> {
         }
     }
 
-    fn size(&self, correction: &[f64]) -> f64 {
+    fn size(&self, _stage: usize, correction: &[f64]) -> f64 {
         let sizes = correction.iter().zip(E::ALGEBRAIC).filter(|(_, is)| !**is);
         sizes.fold(0.0, |size, (value, _)| size.max(value.abs()))
     }

@@ -4,8 +4,10 @@ use beam_dynamics::elements::beams::{
     Beam, BeamGeometry, BeamInertia, BeamNode, Formulation, MassAlong,
 };
 use beam_dynamics::elements::laws::{Law, LawKind};
-use beam_dynamics::elements::{Electric, Element, Local, LocalJacobian, LocalResidual};
-use beam_dynamics::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Variable};
+use beam_dynamics::elements::{Element, Local, LocalJacobian, LocalResidual, LocalSize};
+use beam_dynamics::model::{
+    Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Scalars, Variable,
+};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
 use serde_json::Value;
 use shared_geom::rotation::parameters::Parametrization;
@@ -75,7 +77,7 @@ fn with_local<T>(motion: &[NodeMotion], user: impl FnOnce(&Local<'_>) -> T) -> T
     user(&Local {
         nodes: motion,
         multipliers: &[],
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     })
@@ -83,7 +85,7 @@ fn with_local<T>(motion: &[NodeMotion], user: impl FnOnce(&Local<'_>) -> T) -> T
 
 /// Two vector equations of each node.
 fn residual(element: &dyn Element, motion: &[NodeMotion], rows: [Equation; 2]) -> DVector<f64> {
-    let mut out = LocalResidual::new(3, 0);
+    let mut out = LocalResidual::new(LocalSize::without_scalars(3, 0));
     with_local(motion, |at| element.residual(at, &mut out));
     let pick = |i: usize| out.of(i / 6, rows[i % 6 / 3])[i % 3];
     DVector::from_fn(18, |i, _| pick(i))
@@ -96,7 +98,7 @@ fn jacobian(
     rows: [Equation; 2],
     columns: [Variable; 2],
 ) -> DMatrix<f64> {
-    let mut out = LocalJacobian::new(3, 0);
+    let mut out = LocalJacobian::new(LocalSize::without_scalars(3, 0));
     with_local(motion, |at| element.jacobian(at, &mut out));
     let matrix = match columns[0].is_rate() {
         true => out.by_rates(),

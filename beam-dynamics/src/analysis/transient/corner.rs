@@ -10,6 +10,7 @@
 //! the change of the least kinetic energy by which the constraints are fulfilled. Where a
 //! drive jumps in what it holds in place, no motion follows it.
 
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::fmt;
 use std::ops::Range;
@@ -102,8 +103,8 @@ pub(super) fn jump(
     }
     let of_force = |row: usize| row % NODE_UNKNOWNS >= Equation::Force.row();
     let forces = (0..first).filter(|row| of_force(*row));
-    let circuits = system.numbering().first_electric()..earlier.values.len();
-    let is_felt = forces.chain(circuits).any(|row| {
+    let scalars = system.numbering().first_scalar()..earlier.values.len();
+    let is_felt = forces.chain(scalars).any(|row| {
         let least = UNFELT * earlier.sizes[row].max(later.sizes[row]);
         (later.values[row] - earlier.values[row]).abs() > least
     });
@@ -166,14 +167,14 @@ struct Struck {
     count: usize,
     /// The largest so far of its constraints whose rates jump, by their units: of forces, of
     /// moments [N s, N m s].
-    largest: Vec<(f64, &'static str)>,
+    largest: Vec<(f64, Cow<'static, str>)>,
     /// Whether velocities followed it each time.
     is_followed: bool,
 }
 
 impl Struck {
     /// Notes an impulse by its sizes in several units.
-    fn grow(&mut self, sizes: Vec<(f64, &'static str)>) {
+    fn grow(&mut self, sizes: Vec<(f64, Cow<'static, str>)>) {
         for (size, unit) in sizes {
             match self.largest.iter_mut().find(|known| known.1 == unit) {
                 Some(known) => known.0 = known.0.max(size),
@@ -189,9 +190,9 @@ fn sizes(
     system: &System,
     (constraints, impulse): (&[usize], &[f64]),
     own: &Range<usize>,
-) -> Vec<(f64, &'static str)> {
+) -> Vec<(f64, Cow<'static, str>)> {
     let first = NODE_UNKNOWNS * system.nodes().len();
-    let mut sizes: Vec<(f64, &'static str)> = Vec::new();
+    let mut sizes: Vec<(f64, Cow<'static, str>)> = Vec::new();
     for &one in constraints.iter().filter(|one| own.contains(one)) {
         let unit = system.unknown(first + one).unit;
         match sizes.iter_mut().find(|known| known.1 == unit) {
@@ -316,7 +317,10 @@ impl Multibody<'_> {
             self.impulses.work += kinetic(&moved) - kinetic(&self.states[0]);
             self.states[0] = moved;
         }
-        system.settle_circuits(&mut self.states[0], &after, Settling::InMotion);
+        let settled = system.settle_scalars(&mut self.states[0], &after, Settling::InMotion);
+        if settled.is_err() {
+            return Renewal::Unknown;
+        }
         match consistent_rates(system, &self.states[0], &after) {
             Some(state) => {
                 self.states[0] = state;

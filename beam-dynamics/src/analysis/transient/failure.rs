@@ -52,7 +52,7 @@ pub enum TransientFailure {
         /// What it is off by [unit of the constraint].
         value: f64,
         /// The unit.
-        unit: &'static str,
+        unit: String,
     },
     /// Constraints that contradict others.
     #[error("contradicting constraints, from {time} s on: {constraints}")]
@@ -110,6 +110,11 @@ pub enum TransientFailure {
         /// What it is off by [unit of the constraint/s].
         value: f64,
     },
+    /// No values of the scalar unknowns agree with the motion.
+    #[error(
+        "start: no values of the scalar unknowns fulfill their equations at the given motion; the worst is {0}"
+    )]
+    Scalars(Name),
     /// A velocity is driven at which the model does not turn as a whole.
     #[error(
         "start: the model does not turn as a whole at {}: \"{joint}\" drives a velocity that is \
@@ -221,6 +226,10 @@ impl TransientFailure {
             Self::Velocities { .. } => {
                 "look for joints that say the same twice and for a position at which the \
                  mechanism is locked"
+            }
+            Self::Scalars(_) => {
+                "look for unknowns that no equation determines, as a loop of voltages, and for \
+                 laws without a value at the start; give start values"
             }
             Self::SingularPosition(_) => "start the mechanism a little beside this position",
             Self::Broken { .. } => {

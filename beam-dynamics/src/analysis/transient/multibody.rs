@@ -23,10 +23,12 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::gibbs::{self, Attitude, Increment};
 use shared_geom::rotation::skew;
 
-use crate::analysis::balance::{largest_motion, worst};
-use crate::assembly::{Combination, Pattern, Residual, Sharing, Slack, Variation, Workspace};
+use crate::analysis::balance::{Scales, largest_motion};
+use crate::assembly::{
+    Combination, Pattern, Residual, ScalarScales, Sharing, Slack, Variation, Workspace,
+};
 use crate::case::Model;
-use crate::elements::{ElectricKind, Element};
+use crate::elements::Element;
 use crate::integrator::{Corner, Dae, Renewal};
 use crate::model::{Conditions, NODE_UNKNOWNS, Name, NodeMotion, Pace, State};
 use crate::solver::Worst;
@@ -40,7 +42,7 @@ use own_axes::OwnAxes;
 const KEPT: usize = 2;
 /// Numbers of the velocity of a node.
 const MOTION: usize = 6;
-/// Charges that grow by more in a step are not measured by those before.
+/// Scalars that grow by more in a step are not measured by those before.
 const GROWN: f64 = 2.0;
 /// Trial states.
 const STAGES: usize = 3;
@@ -76,6 +78,9 @@ pub(super) struct Multibody<'a> {
     is_simplified: bool,
     /// Size of the model, by which displacements are measured [m].
     size: f64,
+    scales: Scales,
+    /// Scales of the scalars that have a rate.
+    with_rate: ScalarScales,
     /// The constraint of a loop that gives way most in the latest state.
     slack: Option<Slack>,
     /// How long variable steps may be for what is given over time, and where it has a corner.
@@ -117,10 +122,12 @@ impl<'a> Multibody<'a> {
             work: system.workspace(),
             algebraic: std::iter::repeat_n(false, NODE_UNKNOWNS * nodes)
                 .chain(std::iter::repeat_n(true, numbering.multipliers()))
-                .chain(system.electric_rates().map(|has_rate| !has_rate))
+                .chain(system.scalars().iter().map(|scalar| !scalar.has_rate))
                 .collect(),
             is_simplified,
             size: system.size(),
+            scales: Scales::of(system),
+            with_rate: system.scalar_scales(|scalar| scalar.has_rate),
             impulses: Impulses::default(),
             slack: None,
             pace: Pace::default(),
@@ -159,27 +166,6 @@ impl<'a> Multibody<'a> {
     }
 }
 
-/// The largest of the errors `missed` of charges and of currents, as parts of the largest of
-/// each so far. While they grow by more than twice in a step there is nothing to measure
-/// them by.
-fn circuit_errors<'a>(
-    kinds: impl Iterator<Item = ElectricKind> + Clone + 'a,
-    [missed, now, largest]: [&[f64]; 3],
-) -> f64 {
-    let of_kind = |kind: ElectricKind, numbers: &[f64]| {
-        let own = kinds.clone().zip(numbers).filter(|own| own.0 == kind);
-        own.fold(0.0, |most: f64, own| most.max(own.1.abs()))
-    };
-    let error = |kind: ElectricKind| {
-        let scale = of_kind(kind, largest);
-        match scale > 0.0 && of_kind(kind, now) <= GROWN * scale {
-            true => of_kind(kind, missed) / scale,
-            false => 0.0,
-        }
-    };
-    error(ElectricKind::Charge).max(error(ElectricKind::Current))
-}
-
 /// The three numbers of a vector variable of a node.
 fn part(values: &[f64], variable: usize) -> Vector3<f64> {
     Vector3::from_column_slice(&values[3 * variable..3 * variable + 3])
@@ -192,16 +178,16 @@ fn attitude(node: &NodeMotion) -> Attitude {
     }
 }
 
-/// Numbers of all nodes, twelve each, and of the multipliers and the electric unknowns.
+/// Numbers of all nodes, twelve each, and of the multipliers and the scalars.
 fn split(values: &[f64], nodes: usize) -> (std::slice::Chunks<'_, f64>, &[f64]) {
     let (of_nodes, of_multipliers) = values.split_at(NODE_UNKNOWNS * nodes);
     (of_nodes.chunks(NODE_UNKNOWNS), of_multipliers)
 }
 
-/// Multipliers and electric unknowns of `base`, moved.
+/// Multipliers and scalars of `base`, moved.
 fn move_own(state: &mut State, base: &State, changes: &[f64]) {
-    let bases = base.multipliers.iter().chain(&base.electric);
-    let numbers = state.multipliers.iter_mut().chain(&mut state.electric);
+    let bases = base.multipliers.iter().chain(&base.scalars);
+    let numbers = state.multipliers.iter_mut().chain(&mut state.scalars);
     for ((number, base), change) in numbers.zip(bases).zip(changes) {
         *number = base + change;
     }
@@ -304,15 +290,15 @@ impl Dae for Multibody<'_> {
             write(node, origin, own.as_ref(), out);
         }
         let multipliers = then.multipliers.iter().zip(&latest.multipliers);
-        let electric = then.electric.iter().zip(&latest.electric);
+        let scalars = then.scalars.iter().zip(&latest.scalars);
         let first = NODE_UNKNOWNS * nodes;
-        let changes = multipliers.chain(electric);
+        let changes = multipliers.chain(scalars);
         for (value, (now, origin)) in y[first..].iter_mut().zip(changes) {
             *value = now - origin;
         }
-        let (of_multipliers, of_electric) = rates[first..].split_at_mut(then.multipliers.len());
+        let (of_multipliers, of_scalars) = rates[first..].split_at_mut(then.multipliers.len());
         of_multipliers.fill(0.0);
-        of_electric.copy_from_slice(&then.electric_rates);
+        of_scalars.copy_from_slice(&then.scalar_rates);
     }
 
     fn renew(&mut self, corner: &Corner, step: f64) -> Renewal {
@@ -344,7 +330,7 @@ impl Dae for Multibody<'_> {
         }
         move_own(&mut trial.base, latest, own);
         let first = latest.multipliers.len();
-        (trial.base.electric_rates).copy_from_slice(&own_rates[first..]);
+        (trial.base.scalar_rates).copy_from_slice(&own_rates[first..]);
         trial.state.copy_from(&trial.base);
         for turn in &mut trial.turns {
             turn.parameters.fill(0.0);
@@ -370,8 +356,8 @@ impl Dae for Multibody<'_> {
         }
         move_own(&mut trial.state, &trial.base, own);
         let changes = &own_rates[trial.base.multipliers.len()..];
-        let bases = trial.base.electric_rates.iter().zip(changes);
-        for (state, (base, change)) in trial.state.electric_rates.iter_mut().zip(bases) {
+        let bases = trial.base.scalar_rates.iter().zip(changes);
+        for (state, (base, change)) in trial.state.scalar_rates.iter_mut().zip(bases) {
             *state = base + change;
         }
     }
@@ -440,19 +426,24 @@ impl Dae for Multibody<'_> {
     }
 
     fn worst(&self, residual: &Residual) -> Worst {
-        let numbering = self.model.system.numbering();
-        let nodes = numbering.nodes();
-        let places = (nodes, numbering.first_electric());
-        worst(residual, places, self.size / nodes.max(1) as f64)
+        self.scales.worst(residual)
     }
 
-    fn size(&self, correction: &[f64]) -> f64 {
-        let (nodes, _) = split(correction, self.states[0].nodes.len());
-        largest_motion(nodes, self.size)
+    fn size(&self, stage: usize, correction: &[f64]) -> f64 {
+        self.scales
+            .size(correction, &self.trials[stage].state.scalars)
     }
 
     fn error(&self, difference: &[f64]) -> f64 {
-        self.size(difference)
+        let (nodes, _) = split(difference, self.states[0].nodes.len());
+        largest_motion(nodes, self.size)
+    }
+
+    fn error_of_scalars(&self, stage: usize, difference: &[f64]) -> f64 {
+        let first = self.model.system.numbering().first_scalar();
+        let [now, before] = [&self.trials[stage].state, &self.states[0]].map(|of| &of.scalars);
+        let size = |i: usize| now[i].abs().max(before[i].abs());
+        self.with_rate.largest(&difference[first..], size).part
     }
 
     fn speeds(&self, stage: Option<usize>, out: &mut Vec<f64>) {
@@ -462,16 +453,16 @@ impl Dae for Multibody<'_> {
             out.extend(node.velocity.iter());
             out.extend(node.angular_velocity.iter());
         }
-        out.extend(&state.electric);
+        out.extend(&state.scalars);
     }
 
     fn drift(&self, missed: &[f64], [now, largest]: [&[f64]; 2], time: f64) -> f64 {
         let first = MOTION * self.states[0].nodes.len();
         let moved = time * largest_motion(missed[..first].chunks(MOTION), self.size);
-        let kinds = self.model.system.electric_kinds();
-        let circuits = circuit_errors(kinds, [missed, now, largest].map(|all| &all[first..]));
-        match circuits > moved {
-            true => circuits,
+        let [missed, now, largest] = [missed, now, largest].map(|all| &all[first..]);
+        let of_scalars = self.with_rate.error(missed, [now, largest], GROWN);
+        match of_scalars > moved {
+            true => of_scalars,
             false => moved,
         }
     }

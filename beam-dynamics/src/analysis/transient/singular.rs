@@ -67,8 +67,7 @@ impl Passed {
         self.count += 1;
         if self.told.len() < TOLD {
             let reaction = system.unknown(first + constraint);
-            let unit = reaction.unit;
-            let text = format!("{reaction}, by {change:.1e} {unit}");
+            let text = format!("{reaction}, by {change:.1e} {}", reaction.unit);
             self.told.push((text, integrator.time()));
         }
     }

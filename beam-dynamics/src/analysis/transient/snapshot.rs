@@ -54,7 +54,7 @@ fn numbers(state: &State) -> Vec<f64> {
         numbers
     };
     let of_nodes = state.nodes.iter().flat_map(of_node);
-    let rest = [&state.multipliers, &state.electric, &state.electric_rates];
+    let rest = [&state.multipliers, &state.scalars, &state.scalar_rates];
     let rest = rest.into_iter().flatten().copied();
     of_nodes.chain(rest).collect()
 }
@@ -67,7 +67,7 @@ pub(super) fn states(model: &Model, snapshot: &Snapshot) -> Result<[State; 2], T
     }
     let nodes = model.system.nodes().len();
     let numbering = model.system.numbering();
-    let own = [numbering.multipliers(), numbering.electric()];
+    let own = [numbering.multipliers(), numbering.scalars()];
     let length = OF_NODE * nodes + own[0] + 2 * own[1];
     match &snapshot.states[..] {
         [latest, before] if latest.len() == length && before.len() == length => {
@@ -94,11 +94,11 @@ pub fn difference(model: &Model, snapshot: &Snapshot) -> Option<String> {
         .then(|| format!("its joints have {found} constraints, those of the model {expected}"))
 }
 
-/// The state of so many nodes, multipliers and electric unknowns.
-fn state(numbers: &[f64], nodes: usize, [multipliers, electric]: [usize; 2]) -> State {
+/// The state of so many nodes, multipliers and scalars.
+fn state(numbers: &[f64], nodes: usize, [multipliers, scalars]: [usize; 2]) -> State {
     let (of_nodes, rest) = numbers.split_at(OF_NODE * nodes);
     let (multipliers, rest) = rest.split_at(multipliers);
-    let (electric, electric_rates) = rest.split_at(electric);
+    let (scalars, scalar_rates) = rest.split_at(scalars);
     let of_node = |numbers: &[f64]| {
         let vector = |first: usize| Vector3::from_column_slice(&numbers[first..first + 3]);
         NodeMotion {
@@ -115,7 +115,7 @@ fn state(numbers: &[f64], nodes: usize, [multipliers, electric]: [usize; 2]) -> 
     State {
         nodes: of_nodes.chunks(OF_NODE).map(of_node).collect(),
         multipliers: multipliers.to_vec(),
-        electric: electric.to_vec(),
-        electric_rates: electric_rates.to_vec(),
+        scalars: scalars.to_vec(),
+        scalar_rates: scalar_rates.to_vec(),
     }
 }

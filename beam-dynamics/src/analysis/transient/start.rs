@@ -135,10 +135,12 @@ pub(super) fn start(
     let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;
     let changes = changes(model, &given, &state);
     if question.start == Start::Given {
-        // Circuits begin at rest: without current.
-        system.settle_circuits(&mut state, &conditions, Settling::AtRest);
+        system.begin_scalars(&mut state);
+        let settled = system.settle_scalars(&mut state, &conditions, Settling::AtRest);
+        settled.map_err(TransientFailure::Scalars)?;
     }
-    system.settle_circuits(&mut state, &conditions, Settling::InMotion);
+    let settled = system.settle_scalars(&mut state, &conditions, Settling::InMotion);
+    settled.map_err(TransientFailure::Scalars)?;
     find_momenta(system, &mut state, &conditions);
     let mut started = Started {
         state,

@@ -18,7 +18,7 @@ impl System {
         (state, conditions): (&State, &Conditions),
         work: &mut Workspace,
     ) -> Energy {
-        let at = self.placed(element, state, conditions, &mut work.motions);
+        let at = self.placed(element, state, conditions, &mut work.gathered);
         self.elements[element].energy(&at)
     }
 
@@ -33,10 +33,10 @@ impl System {
         (state, conditions): (&State, &Conditions),
         work: &mut Workspace,
     ) -> f64 {
-        let Workspace { motions, rooms } = work;
+        let Workspace { gathered, rooms } = work;
         let local = &mut rooms[self.layouts[element].room].residual;
         local.clear();
-        let at = self.placed(element, state, conditions, motions);
+        let at = self.placed(element, state, conditions, gathered);
         self.elements[element].residual(&at, local);
         let rows = local.values().chunks_exact(NODE_UNKNOWNS);
         let powers = rows.zip(at.nodes).map(|(rows, node)| {

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::System;
 use crate::assembly::Sparse;
-use crate::elements::{Along, LocalJacobian, LocalResidual};
+use crate::elements::{Along, Local, LocalJacobian, LocalResidual, LocalSize};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 
 impl System {
@@ -14,10 +14,9 @@ impl System {
     pub fn by_factor(&self, state: &State, conditions: &Conditions) -> Vec<f64> {
         let mut sum = vec![0.0; self.numbering.unknowns()];
         for (index, element) in self.elements.iter().enumerate() {
-            let nodes = self.motions(index, state);
-            let mut local = LocalResidual::new(nodes.len(), element.own_rows());
-            let at = self.seen_by(index, &nodes, state, conditions);
-            element.by_factor(&at, &mut local);
+            let mut local = LocalResidual::new(LocalSize::of(element.as_ref()));
+            let call = |at: &Local<'_>| element.by_factor(at, &mut local);
+            self.seen(index, state, conditions, call);
             self.layouts[index].add_vector(local.values(), &mut sum);
         }
         sum
@@ -29,27 +28,27 @@ impl System {
     pub fn prestress(&self, state: &State, conditions: &Conditions, along: &[f64]) -> Sparse {
         let mut sum = Sparse::zero(Arc::clone(&self.pattern));
         for (index, element) in self.elements.iter().enumerate() {
-            let nodes = self.motions(index, state);
-            let at = self.seen_by(index, &nodes, state, conditions);
             let layout = &self.layouts[index];
             let places = &layout.places;
-            let moved: Vec<_> = (0..nodes.len())
+            let size = LocalSize::of(element.as_ref());
+            let moved: Vec<_> = (0..size.nodes)
                 .map(|node| {
                     let first = places[NODE_UNKNOWNS * node];
                     let part = |i| Vector3::from_column_slice(&along[first + i..first + i + 3]);
                     [part(0), part(3)]
                 })
                 .collect();
-            let own = &places[NODE_UNKNOWNS * nodes.len()..];
+            let own = &places[NODE_UNKNOWNS * size.nodes..];
             let own: Vec<_> = own.iter().map(|&place| along[place]).collect();
-            let (multipliers, electric) = own.split_at(element.multipliers());
+            let (multipliers, scalars) = own.split_at(size.multipliers);
             let along = Along {
                 nodes: &moved,
                 multipliers,
-                electric,
+                scalars,
             };
-            let mut local = LocalJacobian::new(nodes.len(), element.own_rows());
-            element.prestress(&at, &along, &mut local);
+            let mut local = LocalJacobian::new(size);
+            let call = |at: &Local<'_>| element.prestress(at, &along, &mut local);
+            self.seen(index, state, conditions, call);
             layout.add_matrix(local.by_unknowns(), sum.values_mut());
         }
         sum

@@ -6,7 +6,7 @@ use std::ops::Range;
 use nalgebra::DMatrix;
 
 use crate::assembly::Pattern;
-use crate::elements::{Element, LocalJacobian, LocalResidual};
+use crate::elements::{Element, LocalJacobian, LocalResidual, LocalSize};
 use crate::model::{NODE_UNKNOWNS, NodeMotion, Numbering};
 
 /// Places of one element in the vectors and matrices of the system.
@@ -24,10 +24,10 @@ pub(super) struct Layout {
     nodes: usize,
     /// Entries in the columns of nodes.
     of_nodes: Vec<Run>,
-    /// Entries in the columns of multipliers, and of electric unknowns without rate.
-    of_multipliers: Vec<Run>,
-    /// Entries in the columns of electric unknowns with a rate.
-    of_electric: Vec<Run>,
+    /// Entries in the columns of multipliers, and of scalars without rate.
+    algebraic: Vec<Run>,
+    /// Entries in the columns of scalars with a rate.
+    with_rate: Vec<Run>,
 }
 
 /// Entries that follow each other in a column of the local Jacobian, and in the pattern.
@@ -42,23 +42,21 @@ struct Run {
 
 impl Layout {
     /// Rows of element number `index`: those of its nodes, then its multipliers, then its
-    /// electric unknowns.
+    /// scalars.
     pub fn rows(element: &dyn Element, index: usize, numbering: &Numbering) -> Vec<usize> {
         let of_nodes = element.nodes().iter().flat_map(|&node| {
             let first = numbering.node(node);
             first..first + NODE_UNKNOWNS
         });
         let first = numbering.first_multiplier_of(index);
-        let electric = element.electric().iter();
         of_nodes
             .chain(first..first + element.multipliers())
-            .chain(electric.map(|number| numbering.first_electric() + number))
+            .chain((numbering.scalars_of(index).iter()).map(|i| numbering.first_scalar() + i))
             .collect()
     }
 
     /// The layout of an element of `nodes` nodes on the rows `places`, the last of which are
-    /// of electric unknowns that have rates or have none; it touched the entries of
-    /// `jacobian`.
+    /// of scalars that have a rate or have none; it touched the entries of `jacobian`.
     pub fn new(
         places: Vec<usize>,
         (nodes, has_rate): (usize, &[bool]),
@@ -71,19 +69,21 @@ impl Layout {
         let follows = |(at, first): (usize, &usize)| *first == places[0] + NODE_UNKNOWNS * at;
         let consecutive = nodes > 0 && firsts().enumerate().all(follows);
         let runs = |columns| runs(&places, columns, jacobian.touched(), pattern);
-        let first_electric = places.len() - has_rate.len();
-        let (mut of_multipliers, mut of_electric) = (Vec::new(), Vec::new());
-        of_multipliers.extend(runs(columns_of_nodes..first_electric));
-        for (column, has_rate) in (first_electric..).zip(has_rate) {
-            match has_rate {
-                true => of_electric.extend(runs(column..column + 1)),
-                false => of_multipliers.extend(runs(column..column + 1)),
-            }
+        let first_scalar = places.len() - has_rate.len();
+        let (mut algebraic, mut with_rate) = (Vec::new(), Vec::new());
+        algebraic.extend(runs(columns_of_nodes..first_scalar));
+        for (column, has_rate) in (first_scalar..).zip(has_rate) {
+            let kind = if *has_rate {
+                &mut with_rate
+            } else {
+                &mut algebraic
+            };
+            kind.extend(runs(column..column + 1));
         }
         Self {
             of_nodes: runs(0..columns_of_nodes),
-            of_multipliers,
-            of_electric,
+            algebraic,
+            with_rate,
             room,
             rates: jacobian.touches_rates(),
             consecutive: consecutive.then(|| places[0] / NODE_UNKNOWNS),
@@ -94,7 +94,7 @@ impl Layout {
 
     /// Adds a local vector to that of the system.
     pub fn add_vector(&self, local: &[f64], sum: &mut [f64]) {
-        let (of_nodes, of_multipliers) = local.split_at(NODE_UNKNOWNS * self.nodes);
+        let (of_nodes, own) = local.split_at(NODE_UNKNOWNS * self.nodes);
         let (values, _) = of_nodes.as_chunks::<NODE_UNKNOWNS>();
         for (i, values) in values.iter().enumerate() {
             let place = match self.consecutive {
@@ -103,11 +103,11 @@ impl Layout {
             };
             add_some::<NODE_UNKNOWNS>(&mut sum[place..], values, |sum, value| sum + value);
         }
-        if of_multipliers.is_empty() {
+        if own.is_empty() {
             return;
         }
         let places = &self.places[of_nodes.len()..];
-        for (&place, value) in places.iter().zip(of_multipliers) {
+        for (&place, value) in places.iter().zip(own) {
             sum[place] += value;
         }
     }
@@ -115,11 +115,11 @@ impl Layout {
     /// Adds a local matrix to the entries of one of the system.
     pub fn add_matrix(&self, local: &DMatrix<f64>, sum: &mut [f64]) {
         add_runs(&self.of_nodes, 1.0, local, sum);
-        add_runs(&self.of_multipliers, 1.0, local, sum);
-        add_runs(&self.of_electric, 1.0, local, sum);
+        add_runs(&self.algebraic, 1.0, local, sum);
+        add_runs(&self.with_rate, 1.0, local, sum);
     }
 
-    /// Adds `by_unknowns F_y + by_rates F_y'` in the columns of nodes and of electric unknowns
+    /// Adds `by_unknowns F_y + by_rates F_y'` in the columns of nodes and of scalars
     /// with a rate, and `by_algebraic F_y` in those of all others.
     pub fn add_weighted(
         &self,
@@ -128,13 +128,12 @@ impl Layout {
         sum: &mut [f64],
     ) {
         add_runs(&self.of_nodes, by_unknowns, local.by_unknowns(), sum);
-        add_runs(&self.of_electric, by_unknowns, local.by_unknowns(), sum);
+        add_runs(&self.with_rate, by_unknowns, local.by_unknowns(), sum);
         if self.rates {
             add_runs(&self.of_nodes, by_rates, local.by_rates(), sum);
-            add_runs(&self.of_electric, by_rates, local.by_rates(), sum);
+            add_runs(&self.with_rate, by_rates, local.by_rates(), sum);
         }
-        let multipliers = &self.of_multipliers;
-        add_runs(multipliers, by_algebraic, local.by_unknowns(), sum);
+        add_runs(&self.algebraic, by_algebraic, local.by_unknowns(), sum);
     }
 }
 
@@ -198,8 +197,16 @@ fn add_some<const N: usize>(sums: &mut [f64], values: &[f64], add: impl Fn(f64, 
 /// Room for the evaluation of elements: what it holds is written anew at each use.
 #[derive(Debug, Clone)]
 pub struct Workspace {
-    pub(super) motions: Vec<NodeMotion>,
+    pub(super) gathered: Gathered,
     pub(super) rooms: Vec<Room>,
+}
+
+/// Copies of the motions and scalars of an element that do not follow each other in a state.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Gathered {
+    pub motions: Vec<NodeMotion>,
+    pub scalars: Vec<f64>,
+    pub rates: Vec<f64>,
 }
 
 /// Residual and Jacobian of an element.
@@ -210,15 +217,20 @@ pub(super) struct Room {
 }
 
 impl Workspace {
-    /// Room for elements of the given numbers of nodes and of rows of their own.
-    pub(super) fn new(sizes: &[(usize, usize)]) -> Self {
-        let nodes = sizes.iter().map(|size| size.0).max().unwrap_or(0);
-        let room = |&(nodes, own): &(usize, usize)| Room {
-            residual: LocalResidual::new(nodes, own),
-            jacobian: LocalJacobian::unmarked(nodes, own),
+    /// Room for elements of the given sizes.
+    pub(super) fn new(sizes: &[LocalSize]) -> Self {
+        let most = |count: fn(&LocalSize) -> usize| sizes.iter().map(count).max().unwrap_or(0);
+        let room = |&size: &LocalSize| Room {
+            residual: LocalResidual::new(size),
+            jacobian: LocalJacobian::unmarked(size),
         };
+        let scalars = most(|size| size.scalars);
         Self {
-            motions: Vec::with_capacity(nodes),
+            gathered: Gathered {
+                motions: Vec::with_capacity(most(|size| size.nodes)),
+                scalars: Vec::with_capacity(scalars),
+                rates: Vec::with_capacity(scalars),
+            },
             rooms: sizes.iter().map(room).collect(),
         }
     }

@@ -1,8 +1,8 @@
 //! What the unknowns and equations of a system are called, and their units.
 
 use super::System;
-use crate::elements::{ConstraintWords, ElectricUnknown};
-use crate::model::{Equation, NODE_UNKNOWNS, Name, Variable};
+use crate::elements::ConstraintWords;
+use crate::model::{Equation, NODE_UNKNOWNS, Name, Scalar, Variable};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -14,9 +14,9 @@ impl System {
             let what = format!("{} {}", equation.words(), AXES[row % 3]);
             return Name::of_node(what, node, equation.unit());
         }
-        if let Some(electric) = self.of_circuit(place) {
-            let what = electric.kind.equation().to_owned();
-            return Name::of_element(what, &electric.electrode, "V");
+        if let Some(scalar) = self.of_scalar(place) {
+            let equation = &scalar.equation;
+            return Name::of_element(equation.name.clone(), &scalar.owner, equation.unit.clone());
         }
         match self.of_constraint(place) {
             Some((label, words)) => Name::of_element(words.held, label, words.unit),
@@ -31,9 +31,9 @@ impl System {
             let what = format!("{} {}", variable.words(), AXES[column % 3]);
             return Name::of_node(what, node, variable.unit());
         }
-        if let Some(electric) = self.of_circuit(place) {
-            let what = electric.kind.words().to_owned();
-            return Name::of_element(what, &electric.electrode, electric.kind.unit());
+        if let Some(scalar) = self.of_scalar(place) {
+            let unknown = &scalar.unknown;
+            return Name::of_element(unknown.name.clone(), &scalar.owner, unknown.unit.clone());
         }
         match self.of_constraint(place) {
             Some((label, words)) => Name::of_element(words.reaction, label, words.reaction_unit),
@@ -47,10 +47,10 @@ impl System {
         Some((&node.label, place % NODE_UNKNOWNS))
     }
 
-    /// The electric unknown at a place.
-    fn of_circuit(&self, place: usize) -> Option<&ElectricUnknown> {
-        self.electric
-            .get(place.checked_sub(self.numbering.first_electric())?)
+    /// The scalar at a place.
+    fn of_scalar(&self, place: usize) -> Option<&Scalar> {
+        self.scalars
+            .get(place.checked_sub(self.numbering.first_scalar())?)
     }
 
     /// The label of the element to which the constraint at a place belongs, and its words.

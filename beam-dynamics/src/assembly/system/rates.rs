@@ -2,7 +2,7 @@
 
 use super::System;
 use crate::elements::{ConstraintRates, Element, Local};
-use crate::model::{Conditions, NodeMotion, State};
+use crate::model::{Conditions, NodeMotion, Scalars, State};
 
 impl System {
     /// `d Phi / d t` at fixed positions, and what is left of the last derivative without
@@ -16,15 +16,13 @@ impl System {
         let count = self.numbering.multipliers();
         let (mut by_time, mut convective) = (vec![0.0; count], vec![0.0; count]);
         for (index, element) in self.elements.iter().enumerate() {
-            let nodes = element.nodes().iter().map(|&node| state.nodes[node]);
-            let nodes: Vec<NodeMotion> = nodes.collect();
             let range = self.numbering.multipliers_of(index);
             let mut out = ConstraintRates {
                 by_time: &mut by_time[range.clone()],
                 convective: &mut convective[range],
             };
-            let at = self.seen_by(index, &nodes, state, conditions);
-            if !element.constraint_rates(&at, &mut out) {
+            let call = |at: &Local<'_>| element.constraint_rates(at, &mut out);
+            if !self.seen(index, state, conditions, call) {
                 return None;
             }
         }
@@ -37,7 +35,7 @@ impl System {
         let mut held = held.filter(|(_, element)| element.multipliers() > 0);
         let over = held.find(|(index, element)| {
             let call = |at: &Local<'_>| element.is_turned_over(at);
-            self.seen_at(*index, state, conditions, call) == Some(true)
+            self.seen(*index, state, conditions, call)
         });
         over.map(|(_, element)| element.as_ref())
     }
@@ -52,7 +50,7 @@ impl System {
         let mut elements = self.elements.iter().enumerate();
         let wound = elements.find(|(index, element)| {
             let rotation = |(state, conditions): (&State, &Conditions)| {
-                let found = self.seen_at(*index, state, conditions, |at| element.winding(at));
+                let found = self.seen_by_few(*index, state, conditions, |at| element.winding(at));
                 found.flatten()
             };
             // Most elements have none.
@@ -64,23 +62,28 @@ impl System {
         wound.map(|(_, element)| element.as_ref())
     }
 
-    /// Calls with what an element of one node or two sees; `None` for others.
-    fn seen_at<T>(
+    /// Calls with what an element of one node or two, without scalars, sees; `None` for
+    /// others. Without allocation.
+    fn seen_by_few<T>(
         &self,
         index: usize,
         state: &State,
         conditions: &Conditions,
         call: impl FnOnce(&Local<'_>) -> T,
     ) -> Option<T> {
+        let at = |nodes: &[NodeMotion]| {
+            call(&Local {
+                nodes,
+                multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
+                scalars: Scalars::NONE,
+                frame: &conditions.frame,
+                loading: &conditions.loading,
+            })
+        };
         match *self.elements[index].nodes() {
-            [b] => {
-                let nodes = [state.nodes[b]];
-                Some(call(&self.seen_by(index, &nodes, state, conditions)))
-            }
-            [a, b] => {
-                let nodes = [a, b].map(|node| state.nodes[node]);
-                Some(call(&self.seen_by(index, &nodes, state, conditions)))
-            }
+            _ if !self.numbering.scalars_of(index).is_empty() => None,
+            [b] => Some(at(&[state.nodes[b]])),
+            [a, b] => Some(at(&[a, b].map(|node| state.nodes[node]))),
             _ => None,
         }
     }

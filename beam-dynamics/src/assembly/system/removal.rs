@@ -42,8 +42,9 @@ impl System {
     #[must_use]
     pub fn held(&self) -> Option<Self> {
         let rest = self.rest();
-        let held = self.elements.iter().enumerate().map(|(index, element)| {
-            let nodes = self.motions(index, &rest);
+        let held = self.elements.iter().map(|element| {
+            let nodes = element.nodes().iter().map(|&node| rest.nodes[node]);
+            let nodes: Vec<_> = nodes.collect();
             element.held(&nodes).map(Arc::<dyn Element>::from)
         });
         let held: Vec<_> = held.collect();

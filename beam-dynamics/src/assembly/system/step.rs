@@ -1,11 +1,11 @@
 //! Residual and Jacobian of a system as time integration asks for them, without
 //! allocation.
 
-use super::layout::Workspace;
+use super::layout::{Gathered, Workspace};
 use super::{Residual, System};
 use crate::assembly::{Combination, Variation};
 use crate::elements::{Local, LocalJacobian};
-use crate::model::{Conditions, NodeMotion, State};
+use crate::model::{Conditions, Scalars, State};
 
 impl System {
     /// Room for [`Self::residual_into`] and [`Self::combine`].
@@ -26,10 +26,10 @@ impl System {
             sums.resize(self.numbering.unknowns(), 0.0);
         }
         for (index, (element, layout)) in self.elements.iter().zip(&self.layouts).enumerate() {
-            let Workspace { motions, rooms } = &mut *work;
+            let Workspace { gathered, rooms } = &mut *work;
             let local = &mut rooms[layout.room].residual;
             local.clear();
-            let at = self.placed(index, state, conditions, motions);
+            let at = self.placed(index, state, conditions, gathered);
             element.residual(&at, local);
             layout.add_vector(local.values(), &mut out.values);
             layout.add_vector(local.sizes(), &mut out.sizes);
@@ -75,31 +75,78 @@ impl System {
         conditions: &Conditions,
         work: &'a mut Workspace,
     ) -> &'a mut LocalJacobian {
-        let Workspace { motions, rooms } = work;
+        let Workspace { gathered, rooms } = work;
         let local = &mut rooms[self.layouts[index].room].jacobian;
         local.clear();
-        let at = self.placed(index, state, conditions, motions);
+        let at = self.placed(index, state, conditions, gathered);
         self.elements[index].jacobian(&at, local);
         local
     }
 
-    /// What an element sees of a state; the motions of its nodes are copied to `motions`
-    /// where they do not follow each other in the state.
+    /// What an element sees of a state; `gathered` takes copies of what does not follow each
+    /// other in the state.
     pub(super) fn placed<'a>(
         &self,
         index: usize,
         state: &'a State,
         conditions: &'a Conditions,
-        motions: &'a mut Vec<NodeMotion>,
+        gathered: &'a mut Gathered,
+    ) -> Local<'a> {
+        let consecutive = self.layouts[index].consecutive;
+        self.gather(index, (state, conditions), consecutive, gathered)
+    }
+
+    /// The same, given the first node where those of the element follow each other.
+    pub(super) fn gather<'a>(
+        &self,
+        index: usize,
+        (state, conditions): (&'a State, &'a Conditions),
+        consecutive: Option<usize>,
+        gathered: &'a mut Gathered,
     ) -> Local<'a> {
         let nodes = self.elements[index].nodes();
-        if let Some(first) = self.layouts[index].consecutive {
-            let motions = &state.nodes[first..first + nodes.len()];
-            return self.seen_by(index, motions, state, conditions);
+        let Gathered {
+            motions,
+            scalars,
+            rates,
+        } = gathered;
+        let motions = match consecutive {
+            Some(first) => &state.nodes[first..first + nodes.len()],
+            None => {
+                motions.clear();
+                motions.extend(nodes.iter().map(|&node| state.nodes[node]));
+                &motions[..]
+            }
+        };
+        let own = self.numbering.scalars_of(index);
+        for (copies, numbers) in [
+            (&mut *scalars, &state.scalars),
+            (&mut *rates, &state.scalar_rates),
+        ] {
+            copies.clear();
+            copies.extend(own.iter().map(|&i| numbers[i]));
         }
-        motions.clear();
-        motions.extend(nodes.iter().map(|&node| state.nodes[node]));
-        self.seen_by(index, motions, state, conditions)
+        Local {
+            nodes: motions,
+            multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
+            scalars: Scalars {
+                values: scalars,
+                rates,
+            },
+            frame: &conditions.frame,
+            loading: &conditions.loading,
+        }
+    }
+
+    /// Calls with what an element sees of a state.
+    pub(super) fn seen<T>(
+        &self,
+        index: usize,
+        state: &State,
+        conditions: &Conditions,
+        call: impl FnOnce(&Local<'_>) -> T,
+    ) -> T {
+        call(&self.placed(index, state, conditions, &mut Gathered::default()))
     }
 }
 

@@ -1,7 +1,9 @@
 //! What single elements tell of a state, and the energy of all.
 
 use super::System;
-use crate::elements::{Element, Energy, LocalJacobian, LocalResidual, Observations};
+use crate::elements::{
+    Element, Energy, Local, LocalJacobian, LocalResidual, LocalSize, Observations,
+};
 use crate::model::{Conditions, State};
 
 impl System {
@@ -13,9 +15,8 @@ impl System {
         conditions: &Conditions,
         out: &mut Observations,
     ) {
-        let nodes = self.motions(element, state);
-        let at = self.seen_by(element, &nodes, state, conditions);
-        self.elements[element].observe(&at, out);
+        let call = |at: &Local<'_>| self.elements[element].observe(at, out);
+        self.seen(element, state, conditions, call);
     }
 
     /// The first element, with its number, whose residual or Jacobian has no value at a
@@ -33,13 +34,15 @@ impl System {
 
     /// Whether residual and Jacobian of the element number `element` have values at a state.
     pub fn has_value(&self, element: usize, state: &State, conditions: &Conditions) -> bool {
-        let nodes = self.motions(element, state);
-        let at = self.seen_by(element, &nodes, state, conditions);
-        let element = &self.elements[element];
-        let mut residual = LocalResidual::new(nodes.len(), element.own_rows());
-        let mut jacobian = LocalJacobian::unmarked(nodes.len(), element.own_rows());
-        element.residual(&at, &mut residual);
-        element.jacobian(&at, &mut jacobian);
+        let index = element;
+        let element = self.elements[index].as_ref();
+        let size = LocalSize::of(element);
+        let mut residual = LocalResidual::new(size);
+        let mut jacobian = LocalJacobian::unmarked(size);
+        self.seen(index, state, conditions, |at| {
+            element.residual(at, &mut residual);
+            element.jacobian(at, &mut jacobian);
+        });
         let derivatives = jacobian
             .by_unknowns()
             .iter()
@@ -55,9 +58,8 @@ impl System {
         state: &State,
         conditions: &Conditions,
     ) -> Option<String> {
-        let nodes = self.motions(element, state);
-        let at = self.seen_by(element, &nodes, state, conditions);
-        self.elements[element].without_value(&at)
+        let own = &self.elements[element];
+        self.seen(element, state, conditions, |at| own.without_value(at))
     }
 
     /// The first element that can say why it has no value at a state, and why.
@@ -77,8 +79,7 @@ impl System {
     pub fn energy(&self, state: &State, conditions: &Conditions) -> Energy {
         let mut sum = Energy::default();
         for (index, element) in self.elements.iter().enumerate() {
-            let nodes = self.motions(index, state);
-            sum += element.energy(&self.seen_by(index, &nodes, state, conditions));
+            sum += self.seen(index, state, conditions, |at| element.energy(at));
         }
         sum
     }

@@ -28,7 +28,7 @@ use crate::elements::{
     Along, Charges, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Observations,
     SectionState,
 };
-use crate::model::{Drive, Node, NodeMotion};
+use crate::model::{Drive, Node, NodeMotion, Scalar};
 
 /// xi of the evaluation points: the Gauss points, which make the beam of constant
 /// properties exact at its ends.
@@ -183,7 +183,9 @@ impl Beam {
         out: &mut LocalJacobian,
     ) {
         for (k, voltage) in voltages.iter().enumerate() {
-            let Some(column) = voltage.row else { continue };
+            let Some(column) = voltage.scalar else {
+                continue;
+            };
             add_column(&at.test, self.electrodes.coupling(k, place), column, out);
         }
         self.electrodes
@@ -204,8 +206,8 @@ impl Element for Beam {
         true
     }
 
-    fn electric(&self) -> &[usize] {
-        self.electrodes.unknowns()
+    fn scalars(&self) -> &[Scalar] {
+        self.electrodes.scalars()
     }
 
     fn reach(&self) -> f64 {

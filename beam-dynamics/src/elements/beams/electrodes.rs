@@ -27,7 +27,7 @@ use super::beam::EVALUATION_POINTS;
 use super::geometry::BeamGeometry;
 use super::strain::Variation;
 use crate::elements::{Along, Charges, Local, LocalJacobian, LocalResidual};
-use crate::model::{Drive, Node, Variable};
+use crate::model::{Drive, Node, Scalar, Variable};
 
 /// Where the voltage of an electrode comes from.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,10 +35,7 @@ pub enum Potential {
     /// It is given over time [V].
     Held(Drive),
     /// It is an unknown of the model.
-    Free {
-        /// Number of the electric unknown.
-        unknown: usize,
-    },
+    Free(Scalar),
 }
 
 /// An electrode on a beam.
@@ -75,18 +72,18 @@ impl BeamElectrode {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Electrodes {
     list: Vec<BeamElectrode>,
-    /// The electric unknowns, in the order of the electrodes that have one.
-    unknowns: Vec<usize>,
+    /// Unknown voltages, in the order of the electrodes that have one.
+    scalars: Vec<Scalar>,
     /// J0 at the evaluation points [m].
     lengths: [f64; 2],
     /// Electrodes x electrodes at the evaluation points [F/m].
     capacitance: Vec<DMatrix<f64>>,
 }
 
-/// A voltage, and its index among the rows of the element where it is unknown.
+/// A voltage, and its index among the scalars of the element where it is unknown.
 pub(super) struct Voltage {
     pub value: f64,
-    pub row: Option<usize>,
+    pub scalar: Option<usize>,
 }
 
 impl Electrodes {
@@ -95,12 +92,12 @@ impl Electrodes {
         capacitance: [DMatrix<f64>; 2],
         lengths: [f64; 2],
     ) -> Self {
-        let unknown = |electrode: &BeamElectrode| match electrode.potential {
+        let unknown = |electrode: &BeamElectrode| match &electrode.potential {
             Potential::Held(_) => None,
-            Potential::Free { unknown } => Some(unknown),
+            Potential::Free(scalar) => Some(scalar.clone()),
         };
         Self {
-            unknowns: list.iter().filter_map(unknown).collect(),
+            scalars: list.iter().filter_map(unknown).collect(),
             list,
             lengths,
             capacitance: capacitance.into(),
@@ -111,8 +108,8 @@ impl Electrodes {
         self.list.is_empty()
     }
 
-    pub fn unknowns(&self) -> &[usize] {
-        &self.unknowns
+    pub fn scalars(&self) -> &[Scalar] {
+        &self.scalars
     }
 
     /// Coupling of electrode number `k` of the beam at an evaluation point.
@@ -126,38 +123,34 @@ impl Electrodes {
             .iter()
             .filter_map(|electrode| match &electrode.potential {
                 Potential::Held(drive) => Some(drive),
-                Potential::Free { .. } => None,
+                Potential::Free(_) => None,
             })
     }
 
     pub fn voltages(&self, at: &Local<'_>) -> Vec<Voltage> {
         self.each(
             |drive| at.loading.voltages * drive.at(at.loading.time).value,
-            |_, unknown| at.electric.values[unknown],
+            |scalar| at.scalars.values[scalar],
         )
     }
 
     /// Change of the voltages along a motion; those that are given do not change.
     pub fn growth(&self, along: &Along<'_>) -> Vec<Voltage> {
-        self.each(|_| 0.0, |row, _| along.electric[row])
+        self.each(|_| 0.0, |scalar| along.scalars[scalar])
     }
 
-    fn each(
-        &self,
-        held: impl Fn(&Drive) -> f64,
-        free: impl Fn(usize, usize) -> f64,
-    ) -> Vec<Voltage> {
-        let mut rows = 0..;
+    fn each(&self, held: impl Fn(&Drive) -> f64, free: impl Fn(usize) -> f64) -> Vec<Voltage> {
+        let mut scalars = 0..;
         let of = |electrode: &BeamElectrode| match &electrode.potential {
             Potential::Held(drive) => Voltage {
                 value: held(drive),
-                row: None,
+                scalar: None,
             },
-            Potential::Free { unknown } => {
-                let row = rows.next().unwrap_or_default();
+            Potential::Free(_) => {
+                let scalar = scalars.next().unwrap_or_default();
                 Voltage {
-                    value: free(row, *unknown),
-                    row: Some(row),
+                    value: free(scalar),
+                    scalar: Some(scalar),
                 }
             }
         };
@@ -207,9 +200,9 @@ impl Electrodes {
         out: &mut LocalResidual,
     ) {
         for (k, voltage) in voltages.iter().enumerate() {
-            let Some(row) = voltage.row else { continue };
+            let Some(row) = voltage.scalar else { continue };
             for part in [self.by_strain(k, strains), self.by_voltages(k, voltages)] {
-                out.add_constraint(row, -part / self.list[k].capacitance);
+                out.add_scalar(row, -part / self.list[k].capacitance);
             }
         }
     }
@@ -224,18 +217,18 @@ impl Electrodes {
     ) {
         const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
         for (k, voltage) in voltages.iter().enumerate() {
-            let Some(row) = voltage.row else { continue };
+            let Some(row) = voltage.scalar else { continue };
             let weight = self.lengths[place] / self.list[k].capacitance;
             let values = weight * self.coupling(k, place).transpose() * variation;
             for (node, variable) in (0..3).flat_map(|node| [(node, 0), (node, 1)]) {
                 let first = 6 * node + 3 * variable;
                 let values = RowVector3::from_fn(|_, i| values[first + i]);
-                out.add_constraint(row, (node, UNKNOWNS[variable]), &values);
+                out.add_scalar_row(row, (node, UNKNOWNS[variable]), &values);
             }
             for (l, other) in voltages.iter().enumerate() {
-                let Some(column) = other.row else { continue };
+                let Some(column) = other.scalar else { continue };
                 let charge = weight * self.capacitance[place][(k, l)];
-                out.add_electric(row, column, -charge, false);
+                out.add_scalar(row, column, -charge, false);
             }
         }
     }

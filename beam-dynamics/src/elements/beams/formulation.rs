@@ -152,14 +152,14 @@ pub(super) fn add_tangent(test: &Test, by: &Variation, rates: bool, out: &mut Lo
     }
 }
 
-/// Adds the variation of the forces on the nodes by a multiplier that makes the section
-/// force `q` for each unit.
+/// Adds the variation of the forces on the nodes by a scalar that makes the section force `q`
+/// for each unit.
 pub(super) fn add_column(test: &Test, q: &Vector6<f64>, column: usize, out: &mut LocalJacobian) {
     let forces = -test.tr_mul(q);
     for node in 0..3 {
         for (row, equation) in [(0, Force), (3, Moment)] {
             let force = forces.fixed_rows::<3>(6 * node + row).into_owned();
-            out.add_multiplier((node, equation), column, &force);
+            out.add_by_scalar((node, equation), column, &force);
         }
     }
 }

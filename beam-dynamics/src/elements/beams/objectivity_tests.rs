@@ -4,8 +4,8 @@ use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
 
 use super::{Beam, BeamGeometry, BeamNode};
-use crate::elements::{Electric, Element, Local, LocalResidual};
-use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion};
+use crate::elements::{Element, Local, LocalResidual, LocalSize};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
 
 /// A curved, twisted beam with offsets.
 fn beam() -> (Beam, [Node; 3]) {
@@ -70,12 +70,12 @@ fn a_rigid_motion_changes_no_strain() {
 fn nodal_forces_balance() {
     let (beam, nodes) = beam();
     let motion = deformed(&nodes);
-    let mut out = LocalResidual::new(3, 0);
+    let mut out = LocalResidual::new(LocalSize::without_scalars(3, 0));
     let conditions = Conditions::at_rest();
     let at = Local {
         nodes: &motion,
         multipliers: &[],
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

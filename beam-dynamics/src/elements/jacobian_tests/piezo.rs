@@ -27,10 +27,16 @@ fn beams_with_electrodes_of_all_kinds() {
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let beam = Beam::elastic("beam", [0, 1, 2], geometry, undeformed, stiffness);
         let held = Drive::Constant(0.7).scaled(random.number());
+        let open = || {
+            Circuit::Open { charge: 0.0 }
+                .scalars("electrode", 1.0)
+                .remove(0)
+        };
+        let free = [open(), open()];
         let potentials = [
-            Potential::Free { unknown: 4 },
+            Potential::Free(free[1].clone()),
             Potential::Held(held),
-            Potential::Free { unknown: 1 },
+            Potential::Free(free[0].clone()),
         ];
         let electrodes = potentials.into_iter().enumerate();
         let electrodes = electrodes.map(|(number, potential)| BeamElectrode {
@@ -42,7 +48,7 @@ fn beams_with_electrodes_of_all_kinds() {
         let electrodes: Vec<_> = electrodes.collect();
         let capacitance = [capacitance(&mut random, 3), capacitance(&mut random, 3)];
         let piezo = beam.with_electrodes(electrodes, capacitance);
-        assert_eq!(piezo.electric(), [4, 1]);
+        assert_eq!(piezo.scalars(), [free[1].clone(), free[0].clone()]);
         check(&piezo, &nodes, &mut random);
     }
 }
@@ -65,7 +71,8 @@ fn circuits() {
             inductance: 0.6,
         },
     ] {
-        let electrode = Electrode::new("electrode", 0, circuit, 2, 0.5);
+        let scalars = circuit.scalars("electrode", 0.5);
+        let electrode = Electrode::new("electrode", 0, circuit, scalars, 0.5);
         check(&electrode, &[], &mut random);
     }
 }

@@ -10,9 +10,9 @@ use super::samples::{Setting, all, settings};
 use super::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::elements::jacobian_tests::{Random, nodes};
 use crate::elements::{
-    Electric, Element, JointState, Local, LocalJacobian, LocalResidual, Observations, ReactionAxes,
+    Element, JointState, Local, LocalJacobian, LocalResidual, LocalSize, Observations, ReactionAxes,
 };
-use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion};
+use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
 
 const ROUNDING: f64 = 1e-13;
 
@@ -30,7 +30,7 @@ fn seen<T>(
         &Local {
             nodes: motions,
             multipliers,
-            electric: Electric::NONE,
+            scalars: Scalars::NONE,
             frame: &conditions.frame,
             loading: &loading,
         },
@@ -40,7 +40,7 @@ fn seen<T>(
 fn constraints(joint: &ConstraintJoint, motions: &[NodeMotion]) -> Vec<f64> {
     let count = joint.multipliers();
     seen(joint, motions, &vec![0.0; count], |joint, at| {
-        let mut out = LocalResidual::new(motions.len(), count);
+        let mut out = LocalResidual::new(LocalSize::without_scalars(motions.len(), count));
         joint.residual(at, &mut out);
         out.values()[NODE_UNKNOWNS * motions.len()..].to_vec()
     })
@@ -283,7 +283,7 @@ fn reactions_do_no_work_and_balance() {
             let count = joint.multipliers();
             let multipliers: Vec<_> = (0..count).map(|_| random.number()).collect();
             let jacobian = seen(&joint, &moved, &multipliers, |joint, at| {
-                let mut out = LocalJacobian::new(moved.len(), count);
+                let mut out = LocalJacobian::new(LocalSize::without_scalars(moved.len(), count));
                 joint.jacobian(at, &mut out);
                 out
             });

@@ -5,8 +5,8 @@ use shared_geom::rotation::vector;
 
 use super::{Hinge, HingeSpring};
 use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
-use crate::elements::{Along, Electric, Element, Local, LocalJacobian, Observations};
-use crate::model::{Conditions, Drive, Node, NodeMotion};
+use crate::elements::{Along, Element, Local, LocalJacobian, LocalSize, Observations};
+use crate::model::{Conditions, Drive, Node, NodeMotion, Scalars};
 
 fn node(x: f64) -> Node {
     Node {
@@ -28,11 +28,11 @@ fn tangent(
     let at = Local {
         nodes,
         multipliers,
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };
-    let mut out = LocalJacobian::new(nodes.len(), multipliers.len());
+    let mut out = LocalJacobian::new(LocalSize::without_scalars(nodes.len(), multipliers.len()));
     match along {
         None => element.jacobian(&at, &mut out),
         Some(nodes) => {
@@ -40,7 +40,7 @@ fn tangent(
             let along = Along {
                 nodes,
                 multipliers,
-                electric: &[],
+                scalars: &[],
             };
             element.prestress(&at, &along, &mut out);
         }
@@ -120,7 +120,7 @@ fn the_relaxed_angle_of_a_spring_follows_a_drive() {
     let at = Local {
         nodes: &motion,
         multipliers: &[0.0; 5],
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

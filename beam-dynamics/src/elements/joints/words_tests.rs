@@ -7,8 +7,8 @@ use shared_geom::rotation::vector;
 
 use super::samples::freedoms;
 use super::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
-use crate::elements::{Electric, Element, Level, Local, LocalResidual};
-use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion};
+use crate::elements::{Element, Level, Local, LocalResidual, LocalSize};
+use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
 
 /// A small motion: what is left of second order is its square.
 const SMALL: f64 = 1e-5;
@@ -19,11 +19,11 @@ fn constraints(joint: &ConstraintJoint, motions: &[NodeMotion]) -> Vec<f64> {
     let at = Local {
         nodes: motions,
         multipliers: &vec![0.0; count],
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };
-    let mut out = LocalResidual::new(motions.len(), count);
+    let mut out = LocalResidual::new(LocalSize::without_scalars(motions.len(), count));
     joint.residual(&at, &mut out);
     out.values()[NODE_UNKNOWNS * motions.len()..].to_vec()
 }

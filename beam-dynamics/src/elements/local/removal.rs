@@ -1,12 +1,10 @@
 //! Constraints that are taken out of an element.
 
 use super::{LocalJacobian, LocalResidual};
-use crate::model::NODE_UNKNOWNS;
-
 impl LocalResidual {
     /// Puts "the multiplier is zero" in the place of a constraint.
     pub fn remove_constraint(&mut self, constraint: usize, multiplier: f64) {
-        let row = NODE_UNKNOWNS * self.nodes + constraint;
+        let row = self.size.multiplier(constraint);
         self.values[row] = multiplier;
         self.sizes[row] = multiplier.abs();
     }
@@ -16,7 +14,7 @@ impl LocalJacobian {
     /// Puts "the multiplier is zero" in the place of a constraint: nothing is left of its
     /// row and its column.
     pub fn remove_constraint(&mut self, constraint: usize) {
-        let place = NODE_UNKNOWNS * self.nodes + constraint;
+        let place = self.size.multiplier(constraint);
         for matrix in [&mut self.by_unknowns, &mut self.by_rates] {
             matrix.row_mut(place).fill(0.0);
             matrix.column_mut(place).fill(0.0);

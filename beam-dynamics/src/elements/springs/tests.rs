@@ -7,8 +7,10 @@ use shared_geom::rotation::{skew, vector};
 use super::{End, Measure, Rod, Spring, SpringLaw};
 use crate::elements::laws::{Cubic, Driven, Law, LawKind, Term};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
-use crate::elements::{Electric, Element, Local, LocalResidual, Observations, Signal};
-use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Ramp, TurningFrame};
+use crate::elements::{Element, Local, LocalResidual, LocalSize, Observations, Signal};
+use crate::model::{
+    Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Ramp, Scalars, TurningFrame,
+};
 
 fn nodes() -> Vec<Node> {
     let node = |label: &str, position: [f64; 3], turn: [f64; 3]| Node {
@@ -44,7 +46,7 @@ fn loaded() -> Conditions {
 
 /// Force and moment on each node.
 fn forces(element: &dyn Element, motion: &[NodeMotion]) -> Vec<[Vector3<f64>; 2]> {
-    let mut out = LocalResidual::new(motion.len(), 0);
+    let mut out = LocalResidual::new(LocalSize::without_scalars(motion.len(), 0));
     element.residual(&local(motion, &loaded()), &mut out);
     let part = |first: usize| Vector3::from_column_slice(&out.values()[first..first + 3]);
     let first = (0..motion.len()).map(|node| NODE_UNKNOWNS * node);
@@ -57,7 +59,7 @@ fn local<'a>(motion: &'a [NodeMotion], conditions: &'a Conditions) -> Local<'a> 
     Local {
         nodes: motion,
         multipliers: &[],
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     }
@@ -295,7 +297,7 @@ fn a_rod_without_a_relaxed_length_has_no_value() {
             let mut conditions = loaded();
             conditions.loading.time = time;
             let at = local(&motion, &conditions);
-            let mut out = LocalResidual::new(2, 0);
+            let mut out = LocalResidual::new(LocalSize::without_scalars(2, 0));
             rod.residual(&at, &mut out);
             let found = out.values().iter().all(|value| value.is_finite());
             assert_eq!(found, has_value, "{time}");
@@ -414,7 +416,7 @@ fn forces_between_nodes_follow_their_line_and_their_node() {
     motion[0].rotation = turn * motion[0].rotation;
     let mut conditions = Conditions::at_rest();
     conditions.loading.proportional = 0.5;
-    let mut out = LocalResidual::new(2, 0);
+    let mut out = LocalResidual::new(LocalSize::without_scalars(2, 0));
     internal.residual(&local(&motion, &conditions), &mut out);
     let part = |first: usize| Vector3::from_column_slice(&out.values()[first..first + 3]);
     let [force, moment] = [force, moment].map(|vector| 1.5 * (turn * vector));

@@ -7,6 +7,7 @@ use super::{Beam, Draft, boxed};
 use crate::elements::Element;
 use crate::elements::beams::{self, BeamElectrode, Potential};
 use crate::elements::circuits::{Circuit, Electrode};
+use crate::model::Scalar;
 
 /// An electrode as its card means it.
 #[derive(Debug)]
@@ -53,31 +54,33 @@ impl Draft {
         first.on.iter().filter_map(of_beam).sum()
     }
 
-    /// First electric unknown of an electrode.
-    fn first_unknown(&self, number: usize) -> usize {
-        let before = self.electrodes[..number].iter();
-        before.map(|card| card.circuit.unknowns()).sum()
+    /// The unknowns of the circuit of each electrode.
+    pub(super) fn scalars_of_electrodes(&self) -> Vec<Vec<Scalar>> {
+        let of = |card: &ElectrodeCard| {
+            let capacitance = self.capacitance(card, card);
+            card.circuit.scalars(&card.label, capacitance)
+        };
+        self.electrodes.iter().map(of).collect()
     }
 
-    /// The circuits of all electrodes.
-    pub(super) fn circuits(&self) -> Vec<Box<dyn Element>> {
+    /// The circuits of all electrodes, with their unknowns.
+    pub(super) fn circuits(&self, scalars: &[Vec<Scalar>]) -> Vec<Box<dyn Element>> {
         let circuit = |(number, card): (usize, &ElectrodeCard)| {
-            let first = self.first_unknown(number);
             let capacitance = self.capacitance(card, card);
-            let circuit = card.circuit.clone();
-            boxed(Electrode::new(
-                &card.label,
-                number,
-                circuit,
-                first,
-                capacitance,
-            ))
+            let (circuit, scalars) = (card.circuit.clone(), scalars[number].clone());
+            let label = &card.label;
+            boxed(Electrode::new(label, number, circuit, scalars, capacitance))
         };
         self.electrodes.iter().enumerate().map(circuit).collect()
     }
 
     /// The element of beam number `index` with the electrodes that it has.
-    pub(super) fn with_electrodes(&self, index: usize, element: beams::Beam) -> beams::Beam {
+    pub(super) fn with_electrodes(
+        &self,
+        index: usize,
+        element: beams::Beam,
+        scalars: &[Vec<Scalar>],
+    ) -> beams::Beam {
         let beam = &self.beams[index];
         let cards = self.electrodes.iter().enumerate();
         let on = cards.filter_map(|(number, card)| Some((number, card, card.column(index)?)));
@@ -93,9 +96,9 @@ impl Draft {
             number,
             potential: match &card.circuit {
                 Circuit::Held(source) => Potential::Held(source.clone()),
-                Circuit::Open { .. } | Circuit::Shunt { .. } => Potential::Free {
-                    unknown: self.first_unknown(number),
-                },
+                Circuit::Open { .. } | Circuit::Shunt { .. } => {
+                    Potential::Free(scalars[number][0].clone())
+                }
             },
             coupling: [Vector6::from_iterator(piezo.coupling.column(column).iter().copied()); 2],
             capacitance: self.capacitance(card, card),

@@ -4,10 +4,10 @@
 
 use nalgebra::Vector3;
 
-use crate::elements::{Electric, Local};
+use crate::elements::Local;
 use crate::input::Input;
 use crate::input::test_files::read_beside;
-use crate::model::{Conditions, NodeMotion};
+use crate::model::{Conditions, NodeMotion, Scalars};
 
 /// Two nodes at a distance of 2 along x, the first of them clamped, the second a body.
 const NODES: &str = "
@@ -53,11 +53,14 @@ fn on_tip(input: &Input, label: &str, moved: impl Fn(&mut NodeMotion)) -> [Vecto
     let at = Local {
         nodes: &nodes,
         multipliers: &[],
-        electric: Electric::NONE,
+        scalars: Scalars::NONE,
         frame: &conditions.frame,
         loading: &conditions.loading,
     };
-    let mut out = crate::elements::LocalResidual::new(nodes.len(), 0);
+    let mut out = crate::elements::LocalResidual::new(crate::elements::LocalSize::without_scalars(
+        nodes.len(),
+        0,
+    ));
     element.residual(&at, &mut out);
     let tip = 12 * element.nodes().iter().position(|&n| n == 1).unwrap();
     [6, 9].map(|row| Vector3::from_column_slice(&out.values()[tip + row..tip + row + 3]))

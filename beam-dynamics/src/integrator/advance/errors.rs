@@ -51,7 +51,8 @@ impl Integrator {
     /// y(t_n) - y_n = C / (C_p - C) ( y_n - y )                                   (D-116)
     /// ```
     ///
-    /// and that of the velocities (D-119).
+    /// and that of the velocities and scalars (D-119). Scalars count from the first step on, by
+    /// a polynomial of first order where the past is not long enough for another.
     pub(super) fn errors(
         &mut self,
         dae: &dyn Dae,
@@ -63,9 +64,11 @@ impl Integrator {
         };
         let order = formula.order.min(3);
         let states = if order == 1 { 1 } else { 2 };
-        if self.progress.known < states {
+        if self.progress.known == 0 {
             return None;
         }
+        let is_known = self.progress.known >= states;
+        let order = if is_known { order } else { 1 };
         let ratio = match order {
             1 => 1.0,
             _ => self.ratio(plan.length),
@@ -82,9 +85,17 @@ impl Integrator {
                 }
             };
         }
-        let places = dae.error(&self.difference) / control.tolerance;
-        let speeds = (self.progress.speeds).error(dae, formula, plan.end, plan.length);
-        let speeds = speeds / control.tolerance;
-        Some(Errors { places, speeds })
+        let of_speeds = (self.progress.speeds).error(dae, formula, plan.end, plan.length);
+        let speeds = match of_speeds {
+            Some(error) => error,
+            None => dae.error_of_scalars(formula.stages - 1, &self.difference),
+        };
+        let places = match is_known {
+            true => dae.error(&self.difference),
+            false => 0.0,
+        };
+        let [places, speeds] = [places, speeds].map(|error| error / control.tolerance);
+        // Steps do not grow by what little is known of the first ones.
+        (is_known || speeds > 1.0).then_some(Errors { places, speeds })
     }
 }

@@ -285,7 +285,7 @@ fn shares_of_redundant_constraints_do_not_depend_on_the_unit_of_length() {
         let found = states(&model, &question);
         let last = &found[found.len() - 1].multipliers;
         let first = model.system.numbering().unknowns() - last.len();
-        let of_unit = |(i, value): (usize, &f64)| match model.system.unknown(first + i).unit {
+        let of_unit = |(i, value): (usize, &f64)| match &*model.system.unknown(first + i).unit {
             "N" => value / unit,
             _ => value / (unit * unit),
         };
