@@ -13,6 +13,5 @@ pub use combination::{Combination, Variation};
 pub use momenta::{Entry, MasslessMotions};
 pub use pattern::{Pattern, Sparse};
 pub use system::{
-    Contradiction, Loop, Residual, ScalarScales, Settling, Sharing, Slack, System, Tangent,
-    Workspace,
+    Contradiction, Loop, Residual, ScalarScales, Sharing, Slack, System, Tangent, Workspace,
 };

@@ -11,6 +11,10 @@ use crate::solver::{Equations, Factorization, LinearSolver, Worst};
 /// down to 1e-10 or so.
 const ROUND_OFF: f64 = 1e-13;
 
+/// Weight of a change of a scalar beside that of a place: what a voltage follows from is the
+/// difference of strains, with their round-off.
+const OF_SCALARS: f64 = 1e-3;
+
 /// The equations `F(y, 0) = 0` of a system, and a state that is to fulfill them.
 #[derive(Clone)]
 pub(super) struct Balance<'a> {
@@ -209,7 +213,7 @@ impl Scales {
     }
 
     /// Size of a correction: the largest displacement in sizes of the model, rotation in
-    /// radians, and change of a scalar by its scale; `scalars` are their values before it.
+    /// radians, and weighted change of a scalar by its scale; `scalars` are their values before it.
     /// Momenta and multipliers stand in the equations linearly, so that the residual shows
     /// them.
     pub fn size(&self, correction: &[f64], scalars: &[f64]) -> f64 {
@@ -217,7 +221,7 @@ impl Scales {
         let moved = largest_motion(correction[..nodes].chunks(NODE_UNKNOWNS), self.size);
         let changes = &correction[first..];
         let size = |i: usize| scalars[i].abs().max((scalars[i] + changes[i]).abs());
-        let changed = self.scalars.largest(changes, size).part;
+        let changed = OF_SCALARS * self.scalars.largest(changes, size).part;
         match changed > moved || changed.is_nan() {
             true => changed,
             false => moved,

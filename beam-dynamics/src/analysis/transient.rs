@@ -22,6 +22,7 @@ mod placing;
 mod rates;
 mod redundant;
 mod saddle;
+mod scalars;
 mod singular;
 mod snapshot;
 mod start;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 pub use layout::Workspace;
 use layout::{Gathered, Layout};
 pub use loops::Loop;
-pub use scalars::{ScalarScales, Settling};
+pub use scalars::ScalarScales;
 pub use sharing::{Contradiction, Sharing, Slack};
 use size::Lengths;
 

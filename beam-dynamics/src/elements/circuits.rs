@@ -26,9 +26,6 @@
 use super::{Charges, CircuitState, Element, Energy, Flow, Local, LocalJacobian, LocalResidual};
 use crate::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart};
 
-/// Voltage below which those of a circuit are measured by it [V].
-const LEAST_VOLTAGE: f64 = 1e-3;
-
 /// What an electrode is connected to.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Circuit {
@@ -52,12 +49,12 @@ pub enum Circuit {
 
 impl Circuit {
     /// The unknowns of the circuit of the electrode `owner` of the given `capacitance` \[F\]:
-    /// voltage, charge, current, as far as there are such.
+    /// voltage, charge, current, as far as there are such, in scales of one volt.
     pub fn scalars(&self, owner: &str, capacitance: f64) -> Vec<Scalar> {
         let scalar = |[name, unit]: [&str; 2], size: f64, equation: &str, has_rate: bool| {
             Scalar::new(ScalarSpec {
                 owner: owner.to_owned(),
-                unknown: Quantity::new(name, unit, LEAST_VOLTAGE * size),
+                unknown: Quantity::new(name, unit, size),
                 equation: Quantity::new(equation, "V", 1.0),
                 has_rate,
                 start: ScalarStart::Settled,

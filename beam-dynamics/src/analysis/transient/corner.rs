@@ -15,7 +15,7 @@ use std::cell::Cell;
 use std::fmt;
 use std::ops::Range;
 
-use crate::assembly::{Settling, Sharing, System};
+use crate::assembly::{Sharing, System};
 use crate::case::Model;
 use crate::elements::{Element, Level};
 use crate::integrator::{Corner, Renewal};
@@ -26,6 +26,7 @@ use super::multibody::Multibody;
 use super::placing::velocity_constraints;
 use super::rates::{Accelerated, consistent_rates};
 use super::saddle::MOTION;
+use super::scalars::{self, Settling};
 use super::start::find_momenta;
 
 /// The next corner of what is given over time, which stays what it is until it is reached.
@@ -317,7 +318,7 @@ impl Multibody<'_> {
             self.impulses.work += kinetic(&moved) - kinetic(&self.states[0]);
             self.states[0] = moved;
         }
-        let settled = system.settle_scalars(&mut self.states[0], &after, Settling::InMotion);
+        let settled = scalars::settle(system, &mut self.states[0], &after, Settling::InMotion);
         if settled.is_err() {
             return Renewal::Unknown;
         }

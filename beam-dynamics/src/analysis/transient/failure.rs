@@ -21,6 +21,10 @@ fn short(value: f64) -> f64 {
     format!("{value:.9e}").parse().unwrap_or(value)
 }
 
+/// Remedy where scalars have no start.
+const UNDETERMINED: &str = "look for unknowns that no equation determines, as a loop of \
+     voltages, and for laws without a value at the start; give start values";
+
 /// Why a run in time ended before its last instant.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum TransientFailure {
@@ -227,10 +231,7 @@ impl TransientFailure {
                 "look for joints that say the same twice and for a position at which the \
                  mechanism is locked"
             }
-            Self::Scalars(_) => {
-                "look for unknowns that no equation determines, as a loop of voltages, and for \
-                 laws without a value at the start; give start values"
-            }
+            Self::Scalars(_) => UNDETERMINED,
             Self::SingularPosition(_) => "start the mechanism a little beside this position",
             Self::Broken { .. } => {
                 "take joints that hold each direction once, and leave out redundant = \"remove\""

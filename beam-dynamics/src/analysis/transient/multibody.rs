@@ -42,6 +42,8 @@ use own_axes::OwnAxes;
 const KEPT: usize = 2;
 /// Numbers of the velocity of a node.
 const MOTION: usize = 6;
+/// Scalars are resolved down to this part of their scale, which is that of round-off.
+const SMALL: f64 = 1e-3;
 /// Scalars that grow by more in a step are not measured by those before.
 const GROWN: f64 = 2.0;
 /// Trial states.
@@ -79,7 +81,7 @@ pub(super) struct Multibody<'a> {
     /// Size of the model, by which displacements are measured [m].
     size: f64,
     scales: Scales,
-    /// Scales of the scalars that have a rate.
+    /// By which local errors of scalars that have a rate are measured.
     with_rate: ScalarScales,
     /// The constraint of a loop that gives way most in the latest state.
     slack: Option<Slack>,
@@ -127,7 +129,7 @@ impl<'a> Multibody<'a> {
             is_simplified,
             size: system.size(),
             scales: Scales::of(system),
-            with_rate: system.scalar_scales(|scalar| scalar.has_rate),
+            with_rate: system.scalar_scales(|scalar| scalar.has_rate).finer(SMALL),
             impulses: Impulses::default(),
             slack: None,
             pace: Pace::default(),

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use crate::analysis::steady::equilibrium;
-use crate::assembly::{MasslessMotions, Settling, System};
+use crate::assembly::{MasslessMotions, System};
 use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
 use crate::elements::Level;
 use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
@@ -17,6 +17,7 @@ use super::dummy::dummy_rates;
 use super::failure::TransientFailure;
 use super::placing::{Unfulfilled, place, set_moving};
 use super::rates::consistent_rates;
+use super::scalars::{self, Settling};
 
 /// Changes below this part of the size of the model, or of the fastest motion, are
 /// round-off.
@@ -135,11 +136,11 @@ pub(super) fn start(
     let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;
     let changes = changes(model, &given, &state);
     if question.start == Start::Given {
-        system.begin_scalars(&mut state);
-        let settled = system.settle_scalars(&mut state, &conditions, Settling::AtRest);
+        scalars::begin(system, &mut state);
+        let settled = scalars::settle(system, &mut state, &conditions, Settling::AtRest);
         settled.map_err(TransientFailure::Scalars)?;
     }
-    let settled = system.settle_scalars(&mut state, &conditions, Settling::InMotion);
+    let settled = scalars::settle(system, &mut state, &conditions, Settling::InMotion);
     settled.map_err(TransientFailure::Scalars)?;
     find_momenta(system, &mut state, &conditions);
     let mut started = Started {

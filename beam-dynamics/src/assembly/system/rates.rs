@@ -35,7 +35,7 @@ impl System {
         let mut held = held.filter(|(_, element)| element.multipliers() > 0);
         let over = held.find(|(index, element)| {
             let call = |at: &Local<'_>| element.is_turned_over(at);
-            self.seen(*index, state, conditions, call)
+            self.seen_by_few(*index, state, conditions, call) == Some(true)
         });
         over.map(|(_, element)| element.as_ref())
     }

@@ -1,0 +1,134 @@
+//! Values of scalar unknowns that agree with a motion: the start of a run, and what follows a
+//! jump.
+//!
+//! With u the values of the scalars, the residual F of their equations is brought to zero at
+//! the motion given by Newton's method, by the rates of those that keep their values and by
+//! the values of all others.
+
+use std::sync::Arc;
+
+use crate::assembly::{Pattern, Sparse, System, Tangent};
+use crate::model::{Conditions, Name, ScalarStart, State};
+use crate::solver::LinearSolver;
+
+/// Corrections by this part of the scales of the scalars are the last ones.
+const LAST: f64 = 1e-10;
+/// Corrections below this part that do not shrink any more are round-off.
+const FLOOR: f64 = 1e-6;
+/// Iterations at most.
+const MOST: usize = 30;
+
+/// What is unknown of scalars at a given motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Settling {
+    /// Values of those that settle, at rest; rates of those that begin at a given value.
+    AtRest,
+    /// Values of those without a rate, and the rates of the others.
+    InMotion,
+}
+
+/// Sets the scalars of `state` to what they are at the start of a run, before they settle.
+pub(super) fn begin(system: &System, state: &mut State) {
+    for (value, scalar) in state.scalars.iter_mut().zip(system.scalars()) {
+        *value = match scalar.start {
+            ScalarStart::Value(value) => value,
+            ScalarStart::Settled => 0.0,
+        };
+    }
+    state.scalar_rates.fill(0.0);
+}
+
+/// Brings the scalars of a state in line with its motion and with what acts.
+///
+/// # Errors
+///
+/// The equation that is farthest off, where that finds nothing; the state stays as it was.
+pub(super) fn settle(
+    system: &System,
+    state: &mut State,
+    conditions: &Conditions,
+    settling: Settling,
+) -> Result<(), Name> {
+    if system.scalars().is_empty() {
+        return Ok(());
+    }
+    let before = (state.scalars.clone(), state.scalar_rates.clone());
+    state.scalar_rates.fill(0.0);
+    if find(system, state, conditions, settling).is_some() {
+        return Ok(());
+    }
+    let first = system.numbering().first_scalar();
+    let residual = system.residual(state, conditions);
+    let scales = system.scalar_equation_scales();
+    let worst = scales.largest(&residual.values[first..], |i| residual.sizes[first + i]);
+    (state.scalars, state.scalar_rates) = before;
+    Err(system.equation(first + worst.scalar))
+}
+
+fn find(
+    system: &System,
+    state: &mut State,
+    conditions: &Conditions,
+    settling: Settling,
+) -> Option<()> {
+    let is_rate = system.scalars().iter().map(|scalar| {
+        let stays = settling == Settling::InMotion || scalar.start != ScalarStart::Settled;
+        scalar.has_rate && stays
+    });
+    let is_rate: Vec<bool> = is_rate.collect();
+    let pattern = pattern_of_scalars(system);
+    let solver = LinearSolver::new(&pattern)?;
+    let scales = system.scalar_scales(|_| true);
+    let of_rates = scales.finer(0.0);
+    let mut before = f64::INFINITY;
+    for _ in 0..MOST {
+        let tangent = system.tangent(state, conditions);
+        let residual = system.residual(state, conditions).values;
+        let first = system.numbering().first_scalar();
+        let mut change: Vec<_> = residual[first..].iter().map(|value| -value).collect();
+        let matrix = matrix_of_scalars(&tangent, &pattern, (first, &is_rate));
+        solver.factorize(matrix)?.solve(&mut change)?;
+        let mut changes = [vec![0.0; change.len()], vec![0.0; change.len()]];
+        for (i, change) in change.into_iter().enumerate() {
+            let of = usize::from(is_rate[i]);
+            changes[of][i] = change;
+            [&mut state.scalars, &mut state.scalar_rates][of][i] += change;
+        }
+        let of_values = scales.largest(&changes[0], |i| state.scalars[i].abs());
+        let of_rates = of_rates.largest(&changes[1], |i| state.scalar_rates[i].abs());
+        let last = of_values.part.max(of_rates.part);
+        if last <= LAST || last <= FLOOR && last >= 0.5 * before {
+            return Some(());
+        }
+        before = last;
+    }
+    None
+}
+
+/// The block of the scalars in the pattern of the system.
+fn pattern_of_scalars(system: &System) -> Arc<Pattern> {
+    let first = system.numbering().first_scalar();
+    let whole = Sparse::zero(Arc::clone(system.pattern()));
+    let block = whole.triplets().filter(|&(i, j, _)| i.min(j) >= first);
+    let block = block.map(|(i, j, _)| (i - first, j - first)).collect();
+    Arc::new(Pattern::new(system.scalars().len(), block))
+}
+
+/// Derivatives of the equations of scalars, which begin at `first`, by the rates of those for
+/// which it `is_rate` and by the values of the others.
+fn matrix_of_scalars(
+    tangent: &Tangent,
+    pattern: &Arc<Pattern>,
+    (first, is_rate): (usize, &[bool]),
+) -> Sparse {
+    let mut matrix = Sparse::zero(Arc::clone(pattern));
+    for (from, wanted) in [(&tangent.by_unknowns, false), (&tangent.by_rates, true)] {
+        let own = from.triplets().filter(|&(i, j, _)| i.min(j) >= first);
+        for (i, j, value) in own.filter(|&(_, j, _)| is_rate[j - first] == wanted) {
+            if let Some(place) = pattern.place(i - first, j - first) {
+                matrix.values_mut()[place] += value;
+            }
+        }
+    }
+    matrix
+}

@@ -1,0 +1,216 @@
+//! Scalar unknowns in time: circuits and lags that are quicker than the first step, laws that
+//! are not linear in them, and their start.
+
+use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
+
+use super::models::{Kept, node, run, states};
+use crate::analysis::transient::TransientFailure;
+use crate::assembly::System;
+use crate::case::{Model, TransientQuestion};
+use crate::elements::beams::{Beam, BeamElectrode, BeamGeometry, BeamNode, Potential};
+use crate::elements::circuits::{Circuit, Electrode};
+use crate::elements::joints::Clamp;
+use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
+use crate::integrator::{Scheme, StepControl, Stepping};
+use crate::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart, Step};
+
+const SCHEMES: [Scheme; 6] = [
+    Scheme::CrankNicolson,
+    Scheme::Bdf2,
+    Scheme::TwoStep { radius: 0.6 },
+    Scheme::Cubic { radius: 0.6 },
+    Scheme::Parabolic { zeta: -0.8 },
+    Scheme::Parabolic { zeta: -2.0 / 3.0 },
+];
+
+fn question(scheme: Scheme, to: f64, tolerance: f64) -> TransientQuestion {
+    let control = StepControl {
+        first: 1e-3,
+        least: 1e-12,
+        most: 0.1 * to,
+        tolerance,
+    };
+    TransientQuestion {
+        scheme,
+        stepping: Stepping::Variable(control),
+        ..TransientQuestion::new(to, 1e-3)
+    }
+}
+
+/// A beam whose nodes are clamped, with an electrode of 1 uF in `circuit`.
+fn capacitor(circuit: Circuit) -> Model {
+    let nodes = (0..3).map(|i| {
+        let place = Vector3::new(0.5 * f64::from(i), 0.0, 0.0);
+        node(&format!("n{i}"), place, Matrix3::identity())
+    });
+    let nodes: Vec<_> = nodes.collect();
+    let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
+    let ends = [&nodes[0], &nodes[1], &nodes[2]];
+    let beam = Beam::elastic("beam", [0, 1, 2], geometry, ends, [Matrix6::identity(); 2]);
+    let scalars = circuit.scalars("electrode", 1e-6);
+    let electrode = BeamElectrode {
+        number: 0,
+        potential: Potential::Free(scalars[0].clone()),
+        coupling: [Vector6::zeros(); 2],
+        capacitance: 1e-6,
+    };
+    let per_length = DMatrix::from_element(1, 1, 1e-6);
+    let beam = beam.with_electrodes(vec![electrode], [per_length.clone(), per_length]);
+    let mut elements: Vec<Box<dyn Element>> = vec![
+        Box::new(beam),
+        Box::new(Electrode::new("electrode", 0, circuit, scalars, 1e-6)),
+    ];
+    for (i, own) in nodes.iter().enumerate() {
+        elements.push(Box::new(Clamp::new(&own.label, i, own)));
+    }
+    Model::new("capacitor", System::new(nodes, elements))
+}
+
+// 10 V behind 100 Ohm: V = E (1 - exp(-t / RC)), RC = 0.1 ms, a tenth of the first step. The
+// steps of the charge each miss it by the tolerance of the 10 V at most; some hundred of them
+// lie in the time in which it forgets. Before, the charge was left to the step of 1 ms.
+#[test]
+fn a_quick_circuit_is_resolved_from_the_first_step_on() {
+    let source = Drive::Step(Step {
+        from: 0.0,
+        to: 10.0,
+        time: 0.01,
+    });
+    let model = capacitor(Circuit::Shunt {
+        source,
+        resistance: 100.0,
+        inductance: 0.0,
+    });
+    for scheme in SCHEMES {
+        for tolerance in [1e-4, 1e-6] {
+            let (Kept { times, states, .. }, outcome) =
+                run(&model, &question(scheme, 0.02, tolerance));
+            assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+            let off = times.iter().zip(&states).map(|(time, state)| {
+                let since = (time - 0.01).max(0.0);
+                let exact = 1e-5 * (1.0 - (-since / 1e-4).exp());
+                (state.scalars[1] - exact).abs() / 1e-5
+            });
+            let off = off.fold(0.0, f64::max);
+            let early = times.iter().filter(|time| (0.01..0.0101).contains(*time));
+            assert!(off < 100.0 * tolerance, "{scheme:?} {tolerance:e}: {off:e}");
+            assert!(early.count() > 3, "{scheme:?} {tolerance:e}");
+        }
+    }
+}
+
+/// `x' + rate ( law(x) - law(rest) ) = 0`, with `law(x) = x + cubic x^3`; without rate, the
+/// rest alone.
+#[derive(Debug)]
+struct Lag {
+    scalars: [Scalar; 1],
+    rate: f64,
+    cubic: f64,
+    rest: f64,
+}
+
+impl Lag {
+    fn new(start: ScalarStart, has_rate: bool, rate: f64) -> Self {
+        let scalar = Scalar::new(ScalarSpec {
+            owner: "lag".to_owned(),
+            unknown: Quantity::new("state", "-", 1.0),
+            equation: Quantity::new("balance", "1/s", rate),
+            has_rate,
+            start,
+        });
+        Self {
+            scalars: [scalar],
+            rate,
+            cubic: 0.0,
+            rest: 0.0,
+        }
+    }
+
+    fn law(&self, x: f64) -> f64 {
+        x + self.cubic * x.powi(3)
+    }
+}
+
+impl Element for Lag {
+    fn label(&self) -> &str {
+        "lag"
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &[]
+    }
+
+    fn scalars(&self) -> &[Scalar] {
+        &self.scalars
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        out.add_scalar(0, self.rate * self.law(at.scalars.values[0]));
+        out.add_scalar(0, -self.rate * self.law(self.rest));
+        if self.scalars[0].has_rate {
+            out.add_scalar(0, at.scalars.rates[0]);
+        }
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let slope = 1.0 + 3.0 * self.cubic * at.scalars.values[0].powi(2);
+        out.add_scalar(0, 0, self.rate * slope, false);
+        if self.scalars[0].has_rate {
+            out.add_scalar(0, 0, 1.0, true);
+        }
+    }
+}
+
+fn alone(lag: Lag) -> Model {
+    let nodes = vec![node("fixed", Vector3::zeros(), Matrix3::identity())];
+    let clamp = Clamp::new("fixed", 0, &nodes[0]);
+    let elements: Vec<Box<dyn Element>> = vec![Box::new(clamp), Box::new(lag)];
+    Model::new("lag", System::new(nodes, elements))
+}
+
+// x = exp(-1e4 t) from the start of a run on, where no corner asks for a short step.
+#[test]
+fn a_quick_state_is_resolved_from_its_start_value_on() {
+    for scheme in SCHEMES {
+        let model = alone(Lag::new(ScalarStart::Value(1.0), true, 1e4));
+        let (Kept { times, states, .. }, _) = run(&model, &question(scheme, 0.01, 1e-5));
+        assert_eq!(states[0].scalars, [1.0]);
+        assert_eq!(states[0].scalar_rates, [-1e4]);
+        for (time, state) in times.iter().zip(&states) {
+            let off = state.scalars[0] - (-1e4 * time).exp();
+            assert!(off.abs() < 1e-3, "{scheme:?} {time}: {off:e}");
+        }
+    }
+}
+
+// x + 3 x^3 = 2 + 24, from a first guess of zero; and a lag that begins at its rest.
+#[test]
+fn scalars_settle_by_newtons_method() {
+    for (start, has_rate) in [
+        (ScalarStart::Settled, false),
+        (ScalarStart::Value(0.1), false),
+        (ScalarStart::Settled, true),
+    ] {
+        let mut lag = Lag::new(start, has_rate, 50.0);
+        (lag.cubic, lag.rest) = (3.0, 2.0);
+        let model = alone(lag);
+        let found = states(&model, &TransientQuestion::new(0.01, 1e-3));
+        for state in [&found[0], &found[found.len() - 1]] {
+            assert!((state.scalars[0] - 2.0).abs() < 1e-9, "{:?}", state.scalars);
+            assert!(state.scalar_rates[0].abs() < 1e-6);
+        }
+    }
+}
+
+// An equation without its own unknown.
+#[test]
+fn a_scalar_that_nothing_determines_is_named() {
+    let model = alone(Lag::new(ScalarStart::Settled, false, 0.0));
+    let (_, outcome) = run(&model, &TransientQuestion::new(0.01, 1e-3));
+    let failure = outcome.failure.unwrap();
+    assert!(matches!(failure, TransientFailure::Scalars(_)), "{failure}");
+    assert!(
+        failure.to_string().contains("balance of \"lag\""),
+        "{failure}"
+    );
+}
