@@ -9,6 +9,7 @@ use crate::model::{Drive, Loading, NodeMotion, Scalar, Scalars, TurningFrame};
 pub mod beams;
 pub mod bodies;
 pub mod circuits;
+pub mod control;
 pub mod joints;
 pub mod laws;
 pub mod loads;
@@ -21,6 +22,7 @@ mod local;
 mod motion;
 mod observation;
 mod reduced;
+mod sensor;
 mod signal;
 
 #[cfg(test)]
@@ -41,7 +43,8 @@ pub use observation::{
     JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
 };
 pub use reduced::ReducedElement;
-pub use signal::{Post, Sensed, Sensor, Signal};
+pub use sensor::{Post, Sensed, Sensor};
+pub use signal::{Input, Signal};
 
 /// What an element sees: the motion of its nodes, its multipliers, its scalars, and the frame.
 #[derive(Debug, Clone, Copy)]
@@ -139,7 +142,7 @@ pub trait Element: Debug + Send + Sync {
         Drive::common_domain(self.drives().into_iter())
     }
 
-    /// Whether it acts on what it senses of nodes.
+    /// Whether what it acts with depends on scalars.
     fn senses(&self) -> bool {
         false
     }

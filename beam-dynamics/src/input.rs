@@ -56,6 +56,7 @@ mod sensors;
 mod shapes;
 mod speeds;
 mod springs;
+mod state_spaces;
 mod summary;
 mod transient;
 
@@ -82,6 +83,7 @@ pub use laws::LawProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
+pub use state_spaces::StateSpaceProblem;
 pub use summary::Summary;
 pub use transient::TransientProblem;
 
@@ -220,8 +222,8 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     joints::read_joints(&root, &mut draft);
     rods::read(&root, &mut draft);
     springs::read(&root, &mut draft);
-    let sensors = sensors::read(&root, &mut draft);
-    draft.set_sensors(sensors);
+    sensors::read(&root, &mut draft);
+    state_spaces::read(&root, &mut draft);
     loads::read(&root, &mut draft);
     internal_forces::read(&root, &mut draft);
     electrodes::read(&root, &mut draft);

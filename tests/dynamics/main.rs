@@ -9,6 +9,7 @@ mod blade_roots;
 mod buckling;
 mod case_files;
 mod chain;
+mod control;
 mod damped_in_time;
 mod damping;
 mod elastic_pendulums;

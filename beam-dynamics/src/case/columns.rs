@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::elements::Signal;
 use crate::model::Drive;
 
 /// A number of every state that is written, with its name and its unit.
@@ -84,6 +85,8 @@ pub enum Quantity {
     },
     /// The value of a drive \[its unit\].
     Drive(Drive),
+    /// A number that depends on time and on scalars \[its unit\].
+    Signal(Signal),
     /// Energy of the model \[J\].
     Energy(EnergyPart),
     /// Length of the step that led to the state \[s\].

@@ -17,7 +17,7 @@ use super::hub::Hub;
 use super::joints::HingeCard;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
-use super::sensors::Sensors;
+use super::sensors::Readable;
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
@@ -59,7 +59,7 @@ pub(super) struct Draft {
     properties: Catalog,
     drives: drives::Catalog,
     frames: Frames,
-    sensors: Sensors,
+    readable: Readable,
     hub: Option<Hub>,
     nodes: Vec<Node>,
     initial: Vec<InitialMotion>,
@@ -93,7 +93,7 @@ impl Draft {
             properties,
             drives: drives::Catalog::default(),
             frames: Frames::default(),
-            sensors: Sensors::new(),
+            readable: Readable::new(),
             hub,
             nodes: Vec::new(),
             initial: Vec::new(),
@@ -184,7 +184,7 @@ impl Draft {
         true
     }
 
-    /// Adds a load or an imposed motion.
+    /// Adds an element that is no part of the structure: a load, an imposed motion, a sensor.
     pub fn add_load(&mut self, load: Box<dyn Element>) {
         self.loads.push(load);
     }

@@ -77,7 +77,16 @@ pub(super) fn read(
     dimension: Dimension,
     catalog: &Catalog,
 ) -> Option<Drive> {
-    used(&table.item(key)?, dimension, catalog, Counts::Value)
+    read_value(&table.item(key)?, dimension, catalog)
+}
+
+/// As [`read`], of a value wherever it stands.
+pub(super) fn read_value(
+    item: &Item<'_>,
+    dimension: Dimension,
+    catalog: &Catalog,
+) -> Option<Drive> {
+    used(item, dimension, catalog, Counts::Value)
 }
 
 /// As [`read`], of what moves: its slope counts too.

@@ -385,6 +385,11 @@ fn loads_sense_nodes() {
     let mut state = system.rest();
     state.nodes[0].position.z = 0.5;
     state.nodes[0].velocity.z = 0.02;
+    // The equations of the sensors: s - q = 0.
+    let first = system.numbering().first_scalar();
+    let sensed = system.residual(&state, &conditions(0.0)).values;
+    state.scalars = sensed[first..].iter().map(|off| -off).collect();
+    assert_eq!(state.scalars, [0.5, 0.02]);
     let residual = system.residual(&state, &conditions(0.0));
     assert!((residual.values[8] - 90.0).abs() < 1e-12, "{residual:?}");
     assert_eq!(found.model.gravity_at(1.0).z, -5.0);
@@ -403,7 +408,7 @@ fn loads_sense_nodes() {
             .replace("3*fall", "3"),
     );
     assert!(
-        sensor.contains("\"sin\" is no name of a sensor"),
+        sensor.contains("\"sin\" is no name of a signal"),
         "{sensor}"
     );
 }

@@ -1,14 +1,14 @@
-//! What loads may sense: `[sensors.NAME]`.
+//! What signals may read: `[sensors.NAME]`.
 
 use std::collections::BTreeMap;
 
-use shared_geom::document::{DocumentProblem, Table};
+use shared_geom::document::{DocumentProblem, Item, Table};
 use shared_geom::expression::{Names, written};
 use shared_geom::units::{self, Dimension};
 
 use super::draft::Draft;
 use super::drives;
-use crate::elements::{Post, Sensed, Sensor, Signal};
+use crate::elements::{Input, Post, Sensed, Sensor, Signal};
 
 const QUANTITIES: [(&str, Sensed, Dimension); 5] = [
     ("position", Sensed::Position, Dimension::LENGTH),
@@ -22,38 +22,59 @@ const QUANTITIES: [(&str, Sensed, Dimension); 5] = [
     ),
 ];
 
-/// The sensors of an input by name; those that are wrong are `None`.
-pub(super) type Sensors = BTreeMap<String, Option<Sensor>>;
+/// What expressions may read by name; what is wrong is `None`.
+pub(super) type Readable = BTreeMap<String, Option<Input>>;
 
-/// Names of the sensors of an input, before the nodes are known that they sense.
+/// Names that signals may read, before the nodes are known that are sensed: those of sensors,
+/// and of the outputs of systems of states.
 pub(super) fn names(root: &Table<'_>) -> Vec<String> {
-    match root.has("sensors") && root.is_table("sensors") {
-        true => root
-            .table("sensors")
-            .map_or(Vec::new(), |table| table.keys()),
-        false => Vec::new(),
+    let sensors = root.is_table("sensors").then(|| root.table("sensors"));
+    let mut names = sensors.flatten().map_or(Vec::new(), |table| table.keys());
+    if root.is_list("state_space") {
+        for table in root.tables("state_space") {
+            if table.is_list("outputs") {
+                names.extend(table.texts("outputs").unwrap_or_default());
+            }
+        }
     }
+    names
+}
+
+/// Adds `name`, which stands under `key`, to those that expressions may read, where it is one
+/// that is free; whether it is.
+pub(super) fn take_name(name: &str, table: &Table<'_>, key: &str, draft: &mut Draft) -> bool {
+    let is_free = shared_geom::expression::is_name(name)
+        && name != "t"
+        && !draft.readable().contains_key(name)
+        && !table
+            .document()
+            .parameters()
+            .iter()
+            .any(|own| own.0 == name);
+    if !is_free {
+        let name = name.to_owned();
+        table.note(key, &drives::DriveProblem::SensorName { name });
+    }
+    is_free
 }
 
 /// Reads every `[sensors.NAME]`.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) -> Sensors {
-    let mut sensors = Sensors::new();
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for (name, table) in root.named_tables("sensors") {
-        let is_free = shared_geom::expression::is_name(&name)
-            && name != "t"
-            && !root.document().parameters().iter().any(|own| own.0 == name);
-        if !is_free {
-            let name = name.clone();
-            table.note("", &drives::DriveProblem::SensorName { name });
-        }
+        let is_free = take_name(&name, &table, "", draft);
         let sensor = sensor(&table, &name, draft);
         table.finish();
-        sensors.insert(name, sensor.filter(|_| is_free));
+        let input = sensor.filter(|_| is_free).map(|(sensor, unit)| {
+            let scalar = sensor.scalar().clone();
+            draft.add_load(Box::new(sensor));
+            Input { scalar, unit }
+        });
+        draft.add_readable(name, input);
     }
-    sensors
 }
 
-fn sensor(table: &Table<'_>, name: &str, draft: &mut Draft) -> Option<Sensor> {
+/// A sensor, and SI units in one of its unit.
+fn sensor(table: &Table<'_>, name: &str, draft: &mut Draft) -> Option<(Sensor, f64)> {
     let words = format!("sensor \"{name}\"");
     let known = QUANTITIES.map(|quantity| quantity.0);
     let quantity = table
@@ -100,45 +121,55 @@ fn sensor(table: &Table<'_>, name: &str, draft: &mut Draft) -> Option<Sensor> {
         table.note("axes_of", &problem);
         return None;
     }
-    Some(Sensor::new(sensed, post, component?, unit?, draft.nodes()))
+    let sensor = Sensor::new(name, sensed, post, component?, draft.nodes());
+    Some((sensor, unit?))
 }
 
-/// Reads what a load is multiplied by under `key`: a drive, or an expression of what is
-/// sensed too. One without the key; `None` when it is wrong.
+/// Reads what a load is multiplied by under `key`, see [`signal_of`]. One without the key;
+/// `None` when it is wrong.
 pub(super) fn signal(table: &Table<'_>, key: &str, draft: &Draft) -> Option<Signal> {
-    const PURE: Dimension = Dimension::NUMBER;
-    let Some(item) = table.item(key) else {
-        return Some(Signal::default());
+    match table.item(key) {
+        Some(item) => signal_of(&item, draft),
+        None => Some(Signal::default()),
+    }
+}
+
+/// Reads a pure number that depends on time and on what expressions may read: a number, the
+/// name of a drive, a drive, an expression, or a name that expressions may read.
+pub(super) fn signal_of(item: &Item<'_>, draft: &Draft) -> Option<Signal> {
+    let drive = || drives::read_value(item, Dimension::NUMBER, draft.drives()).map(Signal::Drive);
+    let readable = draft.readable();
+    let Some(text) = item.text() else {
+        return drive();
     };
-    let sensors = draft.sensors();
-    let text = item.text().and_then(written);
-    let (Some(text), false) = (text, sensors.is_empty()) else {
-        return drives::read(table, key, PURE, draft.drives()).map(Signal::Drive);
+    let text = match written(text) {
+        Some(text) => text,
+        None if readable.contains_key(text.trim()) => text.trim(),
+        None => return drive(),
     };
-    let document = table.document();
+    let document = item.document();
     let constants = document.parameters();
-    let variables: Vec<_> = ["t"]
-        .into_iter()
-        .chain(sensors.keys().map(String::as_str))
-        .collect();
+    let variables = ["t"].into_iter();
+    let variables = variables.chain(readable.keys().map(String::as_str));
+    let variables: Vec<_> = variables.collect();
     let names = Names {
         variables: &variables,
         constants: &constants,
     };
-    let expression = document.expression(key, item.line(), text, &names)?;
+    let expression = document.expression(item.key(), item.line(), text, &names)?;
     if !(1..variables.len()).any(|index| expression.uses(index)) {
-        return drives::read(table, key, PURE, draft.drives()).map(Signal::Drive);
+        return drive();
     }
     if constants.iter().any(|own| own.1.is_nan()) {
         // Which of the parameters is wrong has been told.
         return None;
     }
-    // A sensor that is not used may be wrong: only those that are used are kept.
+    // What is not used may be wrong: only what is used is kept.
     let mut used = Vec::new();
     let mut kept = vec!["t"];
-    for (index, (name, sensor)) in sensors.iter().enumerate() {
+    for (index, (name, input)) in readable.iter().enumerate() {
         if expression.uses(index + 1) {
-            used.push(sensor.clone()?);
+            used.push(input.clone()?);
             kept.push(name);
         }
     }
@@ -146,7 +177,7 @@ pub(super) fn signal(table: &Table<'_>, key: &str, draft: &Draft) -> Option<Sign
         variables: &kept,
         constants: &constants,
     };
-    let expression = document.expression(key, item.line(), text, &names)?;
+    let expression = document.expression(item.key(), item.line(), text, &names)?;
     let units = [document.factor(Dimension::TIME), 1.0];
     Some(Signal::sensing(expression, used, units))
 }

@@ -10,8 +10,8 @@ use crate::case::{
     Axes, Column, ElectrodeQuantity, EnergyPart, JointMotion, Model, NodeQuantity, NodeVector,
     OutputQuestion, Part, Quantity, SpringVector,
 };
-use crate::elements::{ElectrodeState, Energy, Observations, Reaction, SectionState};
-use crate::model::{NodeMotion, State};
+use crate::elements::{ElectrodeState, Energy, Local, Observations, Reaction, SectionState};
+use crate::model::{NodeMotion, Scalars, State};
 
 /// Finds the numbers of columns. Only elements that some column needs are asked.
 #[derive(Debug)]
@@ -26,6 +26,8 @@ pub struct ColumnValues<'a> {
     energy: Vec<usize>,
     /// Columns of electrodes.
     electrodes: Vec<usize>,
+    /// Columns of signals, with the numbers of the scalars that each reads.
+    signals: Vec<(usize, Vec<usize>)>,
     observed: Observations,
     /// Angles of joints with their full turns at the latest moment, by name [rad].
     angles: BTreeMap<String, f64>,
@@ -49,6 +51,7 @@ impl<'a> ColumnValues<'a> {
             direct: Vec::new(),
             energy: Vec::new(),
             electrodes: Vec::new(),
+            signals: Vec::new(),
             observed: Observations::default(),
             angles: BTreeMap::new(),
         };
@@ -62,6 +65,12 @@ impl<'a> ColumnValues<'a> {
                 }
                 Quantity::Energy(_) => values.energy.push(index),
                 Quantity::Electrode { .. } => values.electrodes.push(index),
+                Quantity::Signal(signal) => {
+                    let all = model.system.scalars();
+                    let number = |scalar| all.iter().position(|own| own == scalar);
+                    let numbers = signal.scalars().iter().filter_map(number);
+                    values.signals.push((index, numbers.collect()));
+                }
                 _ => values.direct.push(index),
             }
         }
@@ -134,6 +143,7 @@ impl<'a> ColumnValues<'a> {
             }
         }
         self.evaluate_electrodes(moment, out);
+        self.evaluate_signals(moment, out);
         for asked in &self.asked {
             self.observed.sections.clear();
             self.observed.reactions.clear();
@@ -184,6 +194,27 @@ impl<'a> ColumnValues<'a> {
         }
     }
 
+    fn evaluate_signals(&self, moment: &Moment<'_>, out: &mut [f64]) {
+        for (index, numbers) in &self.signals {
+            let Quantity::Signal(signal) = &self.columns[*index].quantity else {
+                continue;
+            };
+            let values = numbers.iter().map(|&i| moment.state.scalars[i]);
+            let values: Vec<_> = values.collect();
+            let at = Local {
+                nodes: &[],
+                multipliers: &[],
+                scalars: Scalars {
+                    values: &values,
+                    rates: &[],
+                },
+                frame: &moment.conditions.frame,
+                loading: &moment.conditions.loading,
+            };
+            out[*index] = signal.value(&at, 0);
+        }
+    }
+
     /// A number that needs no element, in SI units.
     fn direct_value(&self, quantity: &Quantity, moment: &Moment<'_>) -> f64 {
         let state = moment.state;
@@ -210,6 +241,7 @@ impl<'a> ColumnValues<'a> {
             | Quantity::Joint { .. }
             | Quantity::Spring { .. }
             | Quantity::Electrode { .. }
+            | Quantity::Signal(_)
             | Quantity::Energy(_) => f64::NAN,
         }
     }

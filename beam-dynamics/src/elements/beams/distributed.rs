@@ -110,7 +110,7 @@ impl DistributedLoad {
     /// The load times a signal.
     #[must_use]
     pub fn driven(mut self, signal: Signal) -> Self {
-        self.head.signal = signal.seated(&mut self.head.nodes);
+        self.head.signal = signal;
         self
     }
 
@@ -156,11 +156,10 @@ impl DistributedLoad {
                 sums[node][usize::from(equation == Moment)] += value;
             });
         });
-        self.head.signal.gradient(at, |place, variable, row| {
+        self.head.signal.gradient(at, 0, |scalar, slope| {
             for (node, sums) in sums.iter().enumerate() {
                 for (equation, sum) in [Force, Moment].into_iter().zip(sums) {
-                    let block = sum * row.transpose();
-                    out.add((node, equation), (place, variable), &block);
+                    out.add_by_scalar((node, equation), scalar, &(slope * sum));
                 }
             }
         });
@@ -173,7 +172,7 @@ impl Load for DistributedLoad {
     }
 
     fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
-        let factor = factor * self.head.signal.value(at);
+        let factor = factor * self.head.signal.value(at, 0);
         let formulation = self.geometry.formulation;
         self.each(at, factor, |portion, section, load| {
             formulation.add_on_line(portion, section, load, |node, equation, value| {
@@ -183,7 +182,7 @@ impl Load for DistributedLoad {
     }
 
     fn add_variation(&self, load_factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
-        let factor = load_factor * self.head.signal.value(at);
+        let factor = load_factor * self.head.signal.value(at, 0);
         let formulation = self.geometry.formulation;
         self.each(at, factor, |portion, section, load| {
             formulation.add_on_line_variation(portion, section, load, out);

@@ -1,15 +1,15 @@
-//! Loads that sense the motion of nodes.
+//! Sensors, and loads that depend on scalars.
 
 use shared_geom::expression::{Expression, Names};
 
 use super::{Random, beam_nodes, check, geometries, kinds};
 use crate::elements::beams::DistributedLoad;
 use crate::elements::loads::{NodalForce, NodalLoad};
-use crate::elements::{Element, Post, Sensed, Sensor, Signal};
-use crate::model::Node;
+use crate::elements::{Element, Input, Post, Sensed, Sensor, Signal};
+use crate::model::{Node, Quantity, Scalar, ScalarSpec, ScalarStart};
 
-/// A signal of everything that can be sensed, of three nodes against each other.
-pub(super) fn sensing(nodes: &[Node]) -> Signal {
+/// Everything that can be sensed, of three nodes against each other.
+fn sensors(nodes: &[Node]) -> Vec<Sensor> {
     let kinds = [
         Sensed::Position,
         Sensed::Displacement,
@@ -39,29 +39,47 @@ pub(super) fn sensing(nodes: &[Node]) -> Signal {
         .collect();
     posts.extend(turning.map(|post| (Sensed::Rotation, post)));
     let sensor = |(i, (kind, post)): (usize, (Sensed, Post))| {
-        Sensor::new(kind, post, i % 3, 0.5 + 0.1 * i as f64, nodes)
+        Sensor::new(format!("sensor {i}"), kind, post, i % 3, nodes)
     };
-    let sensors: Vec<_> = posts.into_iter().enumerate().map(sensor).collect();
-    let names: Vec<_> = (0..sensors.len()).map(|i| format!("q{i}")).collect();
-    let text: Vec<_> = names
-        .iter()
-        .enumerate()
-        .map(|(i, name)| format!("sin({name}*{})/(2 + t^2)", 0.2 + 0.03 * i as f64))
-        .collect();
-    let variables: Vec<_> = ["t"]
-        .into_iter()
-        .chain(names.iter().map(String::as_str))
-        .collect();
+    posts.into_iter().enumerate().map(sensor).collect()
+}
+
+/// A signal of time and three scalars.
+pub(super) fn sensing() -> Signal {
+    let names = ["t", "a", "b", "c"];
+    let inputs = names[1..].iter().zip([0.5, 0.6, 0.7]).map(|(name, unit)| {
+        let quantity = Quantity::new(*name, "m", 1.0);
+        let scalar = Scalar::new(ScalarSpec {
+            owner: "sensor".to_owned(),
+            unknown: quantity.clone(),
+            equation: quantity,
+            has_rate: false,
+            start: ScalarStart::Settled,
+        });
+        Input { scalar, unit }
+    });
+    let inputs = inputs.collect();
     let names = Names {
-        variables: &variables,
+        variables: &names,
         constants: &[],
     };
-    let expression = Expression::parse(&text.join(" + "), &names).expect("a sum of known names");
-    Signal::sensing(expression, sensors, [0.3, 0.7])
+    let text = "(sin(0.2*a) + b*cos(c))/(2 + t^2)";
+    let expression = Expression::parse(text, &names).expect("a sum of known names");
+    Signal::sensing(expression, inputs, [0.3, 0.7])
 }
 
 #[test]
-fn loads_that_sense_nodes() {
+fn sensors_of_all_kinds() {
+    let mut random = Random(20);
+    let nodes = beam_nodes(&mut random);
+    for sensor in sensors(&nodes) {
+        let own: Vec<_> = sensor.nodes().iter().map(|&i| nodes[i].clone()).collect();
+        check(&sensor, &own, &mut random);
+    }
+}
+
+#[test]
+fn loads_that_depend_on_scalars() {
     let mut random = Random(21);
     for (turning, factor) in kinds() {
         let nodes = beam_nodes(&mut random);
@@ -72,9 +90,8 @@ fn loads_that_sense_nodes() {
             turning,
             factor,
         };
-        let load = NodalLoad::new("load", 0, &nodes[0], load).driven(sensing(&nodes));
-        assert_eq!(load.nodes(), [0, 1, 2]);
-        check(&load, &nodes, &mut random);
+        let load = NodalLoad::new("load", 0, &nodes[0], load).driven(sensing());
+        check(&load, &nodes[..1], &mut random);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let [a, b] = [(); 2].map(|()| random.vector(1.0));
         let kind = (turning, factor);
@@ -82,7 +99,7 @@ fn loads_that_sense_nodes() {
             let on = [0, 1, 2];
             let load =
                 DistributedLoad::new("load", on, geometry, undeformed, kind, &[], |_| [a, b]);
-            check(&load.driven(sensing(&nodes)), &nodes, &mut random);
+            check(&load.driven(sensing()), &nodes, &mut random);
         }
     }
 }

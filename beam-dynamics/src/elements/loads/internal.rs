@@ -96,7 +96,7 @@ impl InternalForce {
         factor: LoadFactor,
         signal: Signal,
     ) -> Self {
-        let (mut on, acting) = match between {
+        let (on, acting) = match between {
             Between::Line { ends, tension } => {
                 let line = Line::new(ends);
                 (line.nodes().to_vec(), Acting::Line { line, tension })
@@ -119,7 +119,7 @@ impl InternalForce {
         Self {
             head: Head {
                 label: label.into(),
-                signal: signal.seated(&mut on),
+                signal,
                 nodes: on,
                 factor,
             },
@@ -159,7 +159,7 @@ impl Load for InternalForce {
     }
 
     fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
-        let size = factor * self.head.signal.value(at);
+        let size = factor * self.head.signal.value(at, 0);
         self.wrenches(at.nodes, |node, [force, moment]| {
             out.add(node, Force, &(size * force));
             out.add(node, Moment, &(size * moment));
@@ -167,7 +167,7 @@ impl Load for InternalForce {
     }
 
     fn add_variation(&self, factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
-        let size = factor * self.head.signal.value(at);
+        let size = factor * self.head.signal.value(at, 0);
         match &self.acting {
             Acting::Line { line, tension } => {
                 let state = line.state(at.nodes);
@@ -179,11 +179,11 @@ impl Load for InternalForce {
             }
             Acting::Axes(axes) => axes.pair(size, at.nodes).add_variation(out),
         }
-        self.head.signal.gradient(at, |place, variable, row| {
-            let row = factor * row.transpose();
+        self.head.signal.gradient(at, 0, |scalar, slope| {
+            let slope = factor * slope;
             self.wrenches(at.nodes, |node, [force, moment]| {
-                out.add((node, Force), (place, variable), &(force * row));
-                out.add((node, Moment), (place, variable), &(moment * row));
+                out.add_by_scalar((node, Force), scalar, &(slope * force));
+                out.add_by_scalar((node, Moment), scalar, &(slope * moment));
             });
         });
     }

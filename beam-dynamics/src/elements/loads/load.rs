@@ -4,13 +4,13 @@ use std::fmt::Debug;
 
 use super::factor::LoadFactor;
 use crate::elements::{Along, Element, Exchange, Local, LocalJacobian, LocalResidual, Signal};
-use crate::model::Drive;
+use crate::model::{Drive, Scalar};
 
 /// What all loads have.
 #[derive(Debug, Clone)]
 pub(in crate::elements) struct Head {
     pub label: String,
-    /// The nodes that carry the load, then those that are sensed.
+    /// The nodes that carry the load.
     pub nodes: Vec<usize>,
     pub factor: LoadFactor,
     pub signal: Signal,
@@ -40,6 +40,10 @@ impl<T: Load> Element for T {
 
     fn nodes(&self) -> &[usize] {
         &self.head().nodes
+    }
+
+    fn scalars(&self) -> &[Scalar] {
+        self.head().signal.scalars()
     }
 
     fn senses(&self) -> bool {

@@ -77,7 +77,7 @@ impl NodalLoad {
     /// The load times a signal.
     #[must_use]
     pub fn driven(mut self, signal: Signal) -> Self {
-        self.head.signal = signal.seated(&mut self.head.nodes);
+        self.head.signal = signal;
         self
     }
 
@@ -107,14 +107,14 @@ impl Load for NodalLoad {
 
     fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
         let acting = self.acting(&at.nodes[0]);
-        let factor = factor * self.head.signal.value(at);
+        let factor = factor * self.head.signal.value(at, 0);
         out.add(0, Force, &(factor * acting.force));
         out.add(0, Moment, &(factor * acting.moment));
     }
 
     fn add_variation(&self, load_factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
         let Acting { force, arm, moment } = self.acting(&at.nodes[0]);
-        let factor = load_factor * self.head.signal.value(at);
+        let factor = load_factor * self.head.signal.value(at, 0);
         let column = (0, Variable::Rotation);
         match self.load.turning {
             Turning::Dead => {
@@ -126,10 +126,10 @@ impl Load for NodalLoad {
                 out.add((0, Moment), column, &(-factor * skew(&moment)));
             }
         }
-        self.head.signal.gradient(at, |place, variable, row| {
-            let row = load_factor * row.transpose();
-            out.add((0, Force), (place, variable), &(force * row));
-            out.add((0, Moment), (place, variable), &(moment * row));
+        self.head.signal.gradient(at, 0, |scalar, slope| {
+            let slope = load_factor * slope;
+            out.add_by_scalar((0, Force), scalar, &(slope * force));
+            out.add_by_scalar((0, Moment), scalar, &(slope * moment));
         });
     }
 }

@@ -36,6 +36,8 @@ pub(super) enum Source {
     Electrode(ElectrodeQuantity),
     /// Value of a drive; what it measures is that of its unit.
     Drive,
+    /// A signal.
+    Signal,
     /// Energy of the model.
     Energy(EnergyPart),
     /// Length of the step.
@@ -73,7 +75,7 @@ pub(super) fn unit_factor(unit: &str, dimension: Dimension) -> Result<f64, UnitP
 }
 
 /// All quantities.
-pub(super) const KINDS: [Kind; 35] = [
+pub(super) const KINDS: [Kind; 36] = [
     (
         "position",
         Source::Node(NodeVector::Position),
@@ -237,6 +239,7 @@ pub(super) const KINDS: [Kind; 35] = [
         "A",
     ),
     ("drive", Source::Drive, Dimension::NUMBER, "1"),
+    ("signal", Source::Signal, Dimension::NUMBER, "1"),
     (
         "kinetic_energy",
         Source::Energy(EnergyPart::Kinetic),

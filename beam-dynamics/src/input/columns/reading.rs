@@ -12,7 +12,7 @@ use crate::case::{
     Axes, ElectrodeQuantity, JointMotion, NodeQuantity, NodeVector, Part, Quantity, SpringVector,
 };
 use crate::input::draft::Draft;
-use crate::input::drives;
+use crate::input::{drives, sensors};
 
 /// Words for the parts of a vector.
 const PARTS: [(&str, Part); 4] = [
@@ -86,6 +86,7 @@ impl Reading<'_> {
             Source::Spring(vector) => self.of_spring(kind, vector),
             Source::Electrode(quantity) => self.of_electrode(kind, quantity),
             Source::Drive => self.of_drive(),
+            Source::Signal => self.of_signal(),
             Source::Energy(part) => one(Quantity::Energy(part)),
             Source::StepLength => one(Quantity::StepLength),
             Source::Iterations => one(Quantity::Iterations),
@@ -407,6 +408,18 @@ impl Reading<'_> {
             words: format!("drive {name}"),
             quantity: Quantity::Drive(drive),
             dimension,
+            unit: "1",
+        }])
+    }
+
+    fn of_signal(&self) -> Option<Vec<Found>> {
+        let name = (self.table).require_text("of", "the name of a signal, or \"= ...\"")?;
+        let signal = sensors::signal_of(&self.table.item("of")?, self.draft)?;
+        Some(vec![Found {
+            word: "",
+            words: format!("signal {name}"),
+            quantity: Quantity::Signal(signal),
+            dimension: Dimension::NUMBER,
             unit: "1",
         }])
     }

@@ -1,9 +1,11 @@
-//! What the cards of a model may use by name beside its parts: drives, frames, sensors.
+//! What the cards of a model may use by name beside its parts: drives, frames, and what
+//! expressions read.
 
 use super::Draft;
+use crate::elements::Input;
 use crate::input::drives;
 use crate::input::frames::Frames;
-use crate::input::sensors::Sensors;
+use crate::input::sensors::Readable;
 
 impl Draft {
     /// The drives by name.
@@ -26,13 +28,13 @@ impl Draft {
         self.frames = frames;
     }
 
-    /// What loads may sense.
-    pub fn sensors(&self) -> &Sensors {
-        &self.sensors
+    /// What expressions may read.
+    pub fn readable(&self) -> &Readable {
+        &self.readable
     }
 
-    /// Says what loads may sense.
-    pub fn set_sensors(&mut self, sensors: Sensors) {
-        self.sensors = sensors;
+    /// Adds a name that expressions may read; `None` when it is wrong.
+    pub fn add_readable(&mut self, name: String, input: Option<Input>) {
+        self.readable.insert(name, input);
     }
 }

@@ -119,9 +119,9 @@ pub enum DriveProblem {
         /// The sensor.
         name: String,
     },
-    /// A name that no sensor can have.
+    /// A name that no signal can have.
     #[error(
-        "\"{name}\" is no name of a sensor, expected letters, digits and \"_\", and no name \
+        "\"{name}\" is no name of a signal, expected letters, digits and \"_\", and no name \
          that expressions know already"
     )]
     SensorName {

@@ -1,0 +1,244 @@
+//! Linear systems of states: `[[state_space]]`.
+//!
+//! The matrices stand in the card, in a file, or follow from transfer functions. The outputs
+//! are names that expressions read, those of the inputs of all cards among them.
+
+use std::collections::BTreeMap;
+
+use nalgebra::DMatrix;
+use shared_geom::document::{Document, Table};
+
+use super::draft::Draft;
+use super::{ends, sensors};
+use crate::elements::Input;
+use crate::elements::control::{Matrices, StateSpace};
+use crate::model::{Scalar, ScalarStart};
+
+mod problem;
+
+pub use problem::StateSpaceProblem;
+
+/// Keys of the matrices.
+const MATRICES: [&str; 4] = ["a", "b", "c", "d"];
+
+/// A card whose outputs have names.
+struct Named<'a> {
+    table: Table<'a>,
+    label: String,
+    is_new: bool,
+    /// The outputs; `None` where their names are wrong.
+    outputs: Option<Vec<Scalar>>,
+}
+
+/// Adds every `[[state_space]]` to the model.
+pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+    let tables = root.tables("state_space").into_iter().enumerate();
+    let named = tables.map(|(number, table)| {
+        let label = ends::label(&table, "state space", number);
+        Named {
+            is_new: draft.take_label("state space", &label, &table),
+            outputs: outputs(&table, &label, draft),
+            table,
+            label,
+        }
+    });
+    let named: Vec<_> = named.collect();
+    for card in named {
+        let element = element(&card, draft);
+        card.table.finish();
+        match element {
+            Some(element) if card.is_new => draft.add_load(Box::new(element)),
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+/// The outputs, by names that expressions may read from here on.
+fn outputs(table: &Table<'_>, label: &str, draft: &mut Draft) -> Option<Vec<Scalar>> {
+    const KEY: &str = "outputs";
+    table.require_item(KEY, "names of the outputs")?;
+    let names = table.texts(KEY)?;
+    let mut complete = true;
+    let mut outputs = Vec::new();
+    for name in names {
+        let scalar = StateSpace::output(label, &name);
+        if !sensors::take_name(&name, table, KEY, draft) {
+            complete = false;
+            continue;
+        }
+        let input = Input {
+            scalar: scalar.clone(),
+            unit: 1.0,
+        };
+        draft.add_readable(name, Some(input));
+        outputs.push(scalar);
+    }
+    complete.then_some(outputs)
+}
+
+fn element(card: &Named<'_>, draft: &Draft) -> Option<StateSpace> {
+    let table = &card.table;
+    let inputs = table
+        .require_item("inputs", "a list of numbers, drives or expressions")
+        .and_then(|item| item.list());
+    let inputs = inputs.map(|items| {
+        let signals = items.iter().map(|item| sensors::signal_of(item, draft));
+        // Each is looked at, so that all that is wrong is noted.
+        signals.collect::<Vec<_>>()
+    });
+    let count = inputs.as_ref().map(Vec::len);
+    let names = table.texts("outputs").unwrap_or_default();
+    let matrices = matrices(table, (count, &names));
+    let start = start(table, matrices.as_ref().map(|found| found.a.nrows()));
+    let inputs: Option<Vec<_>> = inputs?.into_iter().collect();
+    let outputs = card.outputs.clone()?;
+    Some(StateSpace::new(
+        &card.label,
+        matrices?,
+        inputs?,
+        outputs,
+        &start?,
+    ))
+}
+
+/// Starts of the states: zero unless they are given, or found at rest.
+fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
+    const KEY: &str = "start";
+    if !table.has(KEY) {
+        return Some(vec![ScalarStart::Value(0.0); states?]);
+    }
+    if table.is_text(KEY) {
+        table.word(KEY, &["settled"])?;
+        return Some(vec![ScalarStart::Settled; states?]);
+    }
+    let numbers = table.item(KEY)?.list()?;
+    let numbers = numbers.iter().map(|number| {
+        let number = number.quantity(shared_geom::units::Dimension::NUMBER);
+        number.map(ScalarStart::Value)
+    });
+    let numbers: Option<Vec<_>> = numbers.collect();
+    let (numbers, states) = (numbers?, states?);
+    if numbers.len() != states {
+        let found = numbers.len();
+        table.note(KEY, &StateSpaceProblem::Starts { found, states });
+        return None;
+    }
+    Some(numbers)
+}
+
+/// The matrices in the one way in which a card gives them.
+fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matrices> {
+    let has_matrices = MATRICES.iter().any(|key| table.has(key));
+    let has_transfer = table.has("numerator") || table.has("denominator");
+    let ways = [
+        ("\"a\" to \"d\"", has_matrices),
+        ("\"file\"", table.has("file")),
+        ("\"numerator\" and \"denominator\"", has_transfer),
+        ("\"transfer\"", table.has("transfer")),
+    ];
+    let given = ways.iter().filter(|way| way.1).map(|way| way.0);
+    let given: Vec<_> = given.collect();
+    let &[_] = &given[..] else {
+        table.note("", &StateSpaceProblem::Ways { given });
+        return None;
+    };
+    if has_matrices {
+        return from_keys(table, sizes);
+    }
+    if table.has("file") {
+        let written = table.text("file")?;
+        let path = table.existing("file", &written)?;
+        let document = Document::read(&path);
+        let document = table.document().keep(document)?;
+        let root = document.root();
+        let found = from_keys(&root, sizes);
+        root.finish();
+        return table.document().keep(document.finish(found));
+    }
+    let (inputs, outputs) = (sizes.0?, sizes.1);
+    if has_transfer {
+        if [inputs, outputs.len()] != [1, 1] {
+            let found = [inputs, outputs.len()];
+            table.note("numerator", &StateSpaceProblem::NotSingle { found });
+            return None;
+        }
+        return transfer(table);
+    }
+    from_transfers(table, inputs, outputs)
+}
+
+/// Matrices under "a" to "d": those that are left out are zero.
+fn from_keys(table: &Table<'_>, (inputs, names): (Option<usize>, &[String])) -> Option<Matrices> {
+    let states = table.row_count("a").unwrap_or(0);
+    let (inputs, outputs) = (inputs?, names.len());
+    let read = |key: &str, rows: usize, columns: usize| match table.has(key) {
+        false => Some(DMatrix::zeros(rows, columns)),
+        true => {
+            let found = table.rows(key, rows, columns)?;
+            let numbers = found.into_iter().flatten();
+            Some(DMatrix::from_row_iterator(rows, columns, numbers))
+        }
+    };
+    // Each is looked at, so that all that is wrong is noted.
+    let (a, b) = (read("a", states, states), read("b", states, inputs));
+    let (c, d) = (read("c", outputs, states), read("d", outputs, inputs));
+    Some(Matrices {
+        a: a?,
+        b: b?,
+        c: c?,
+        d: d?,
+    })
+}
+
+/// "numerator" over "denominator".
+fn transfer(table: &Table<'_>) -> Option<Matrices> {
+    let coefficients = |key: &str| {
+        let item = table.require_item(key, "coefficients of falling powers of s")?;
+        let numbers = item.list()?;
+        let number = |item: &shared_geom::document::Item<'_>| {
+            item.quantity(shared_geom::units::Dimension::NUMBER)
+        };
+        let numbers: Vec<_> = numbers.iter().map(number).collect();
+        numbers.into_iter().collect::<Option<Vec<f64>>>()
+    };
+    let (numerator, denominator) = (coefficients("numerator"), coefficients("denominator"));
+    let (numerator, denominator) = (numerator?, denominator?);
+    let found = Matrices::transfer(&numerator, &denominator);
+    if found.is_none() {
+        let degrees = [numerator, denominator].map(|of| of.len());
+        table.note("numerator", &StateSpaceProblem::Improper { degrees });
+    }
+    found
+}
+
+/// `[[state_space.transfer]]`: one for each output and input between which there is one.
+fn from_transfers(table: &Table<'_>, inputs: usize, outputs: &[String]) -> Option<Matrices> {
+    let mut entries: Vec<Vec<_>> = vec![vec![None; inputs]; outputs.len()];
+    let mut lines = BTreeMap::new();
+    let mut complete = true;
+    for card in table.tables("transfer") {
+        let known: Vec<_> = outputs.iter().map(String::as_str).collect();
+        let output = card.require_text("output", "the name of an output");
+        let output = output.and_then(|_| card.word("output", &known));
+        let input = card.require_count("input").filter(|&input| {
+            let is_one = (1..=inputs).contains(&input);
+            if !is_one {
+                card.wrong("input", &format!("the number of an input, 1 to {inputs}"));
+            }
+            is_one
+        });
+        let found = transfer(&card);
+        card.finish();
+        let (Some(i), Some(j), Some(found)) = (output, input, found) else {
+            complete = false;
+            continue;
+        };
+        if let Some(line) = lines.insert((i, j), card.line()) {
+            let line = table.document().line_words(line);
+            card.note("output", &StateSpaceProblem::Doubled { line });
+            complete = false;
+        }
+        entries[i][j - 1] = Some(found);
+    }
+    complete.then(|| Matrices::of_entries(&entries, inputs))
+}
