@@ -55,6 +55,8 @@ pub struct Local<'a> {
     pub multipliers: &'a [f64],
     /// The element's scalars, in its own order.
     pub scalars: Scalars<'a>,
+    /// What the element remembers of accepted steps, see [`Element::memory`] [unit of each].
+    pub memory: &'a [f64],
     /// The frame of the model.
     pub frame: &'a TurningFrame,
     /// Gravity and the factors of the loads.
@@ -113,6 +115,19 @@ pub trait Element: Debug + Send + Sync {
         self.multipliers() == 0
     }
 
+    /// Number of what it remembers of accepted steps.
+    fn memory(&self) -> usize {
+        0
+    }
+
+    /// Writes the memory with which a run in time begins from a state.
+    fn begin(&self, _at: &Local<'_>, _memory: &mut [f64]) {}
+
+    /// Takes notice of an accepted state: `memory` is that from which it was found, and becomes
+    /// that of the steps from here on. At the times at which it changes,
+    /// [`Element::next_corner`] must have a corner.
+    fn accept(&self, _at: &Local<'_>, _memory: &mut [f64]) {}
+
     /// The longest arm from a node to a point at which the element acts in the undeformed
     /// model, or distance between two such points \[m\].
     fn reach(&self) -> f64 {
@@ -140,6 +155,11 @@ pub trait Element: Debug + Send + Sync {
     /// The first and the last time at which all drives of the element have a value \[s\].
     fn domain(&self) -> [f64; 2] {
         Drive::common_domain(self.drives().into_iter())
+    }
+
+    /// Whether it acts on its nodes; a sensor does not.
+    fn acts(&self) -> bool {
+        true
     }
 
     /// Whether what it acts with depends on scalars.

@@ -19,6 +19,7 @@ mod energy;
 mod growth;
 mod layout;
 mod loops;
+mod memory;
 mod names;
 mod rates;
 mod removal;
@@ -84,7 +85,10 @@ impl System {
         let used = elements.iter().flat_map(|element| element.scalars());
         let (used, scalars) = Scalar::number(used);
         let uses = elements.iter().map(|element| element.scalars().len());
-        let numbering = Numbering::new(nodes.len(), counts).with_scalars(uses, used);
+        let memory = elements.iter().map(|element| element.memory());
+        let numbering = Numbering::new(nodes.len(), counts)
+            .with_scalars(uses, used)
+            .with_memory(memory);
         let mut system = Self {
             pattern: Arc::new(Pattern::new(0, Vec::new())),
             layouts: Vec::new(),

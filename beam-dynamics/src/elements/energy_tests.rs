@@ -79,6 +79,7 @@ fn local<'a>(
         nodes: motion,
         multipliers: &NONE[..element.multipliers()],
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     }

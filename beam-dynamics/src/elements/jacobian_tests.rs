@@ -132,10 +132,12 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
         let multipliers: Vec<_> = numbers(element.multipliers());
         let count = element.scalars().len();
         let (scalars, scalar_rates) = (numbers(count), numbers(count));
+        let memory = numbers(element.memory());
         let own = Own {
             multipliers,
             scalars,
             scalar_rates,
+            memory,
         };
         let conditions = Conditions {
             frame: TurningFrame {
@@ -161,6 +163,7 @@ struct Own {
     multipliers: Vec<f64>,
     scalars: Vec<f64>,
     scalar_rates: Vec<f64>,
+    memory: Vec<f64>,
 }
 
 impl Own {
@@ -172,6 +175,7 @@ impl Own {
                 values: &self.scalars,
                 rates: &self.scalar_rates,
             },
+            memory: &self.memory,
             frame: &conditions.frame,
             loading: &conditions.loading,
         }

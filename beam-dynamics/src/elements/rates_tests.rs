@@ -83,6 +83,7 @@ fn found(
         nodes: &motions,
         multipliers: &vec![0.0; count],
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::{
-    Along, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level, Local,
+    Along, Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level, Local,
     LocalJacobian, LocalResidual, Motion, Observations, PlaceJump,
 };
-use crate::model::{Drive, Loading, NodeMotion};
+use crate::model::{Drive, Loading, NodeMotion, Scalar};
 
 /// Number of multipliers of all but unusual elements.
 const FEW: usize = 16;
@@ -58,6 +58,34 @@ impl Element for ReducedElement {
 
     fn multipliers(&self) -> usize {
         self.element.multipliers()
+    }
+
+    fn scalars(&self) -> &[Scalar] {
+        self.element.scalars()
+    }
+
+    fn memory(&self) -> usize {
+        self.element.memory()
+    }
+
+    fn begin(&self, at: &Local<'_>, memory: &mut [f64]) {
+        self.with(at, |at| self.element.begin(at, memory));
+    }
+
+    fn accept(&self, at: &Local<'_>, memory: &mut [f64]) {
+        self.with(at, |at| self.element.accept(at, memory));
+    }
+
+    fn acts(&self) -> bool {
+        self.element.acts()
+    }
+
+    fn joins_nodes(&self) -> bool {
+        self.element.joins_nodes()
+    }
+
+    fn charges(&self, at: &Local<'_>, out: &mut Charges) {
+        self.with(at, |at| self.element.charges(at, out));
     }
 
     fn level(&self, constraint: usize) -> Level {

@@ -217,6 +217,10 @@ impl Element for Sensor {
         &self.scalars
     }
 
+    fn acts(&self) -> bool {
+        false
+    }
+
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         out.add_scalar(0, at.scalars.values[0]);
         out.add_scalar(0, -self.sense(at.nodes, &mut |_, _, _| {}));

@@ -81,6 +81,7 @@ fn tangents(element: &dyn Element, motion: &[NodeMotion], random: &mut Random) -
         nodes: motion,
         multipliers: &multipliers,
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

@@ -10,11 +10,12 @@ use shared_geom::document::{Document, Table};
 
 use super::draft::Draft;
 use super::{ends, sensors};
-use crate::elements::Input;
-use crate::elements::control::{Matrices, StateSpace};
+use crate::elements::control::{Matrices, Sampled, StateSpace};
+use crate::elements::{Element, Input};
 use crate::model::{Scalar, ScalarStart};
 
 mod problem;
+mod sampled;
 
 pub use problem::StateSpaceProblem;
 
@@ -47,7 +48,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
         let element = element(&card, draft);
         card.table.finish();
         match element {
-            Some(element) if card.is_new => draft.add_load(Box::new(element)),
+            Some(element) if card.is_new => draft.add_load(element),
             _ => draft.note_broken(),
         }
     }
@@ -76,7 +77,7 @@ fn outputs(table: &Table<'_>, label: &str, draft: &mut Draft) -> Option<Vec<Scal
     complete.then_some(outputs)
 }
 
-fn element(card: &Named<'_>, draft: &Draft) -> Option<StateSpace> {
+fn element(card: &Named<'_>, draft: &Draft) -> Option<Box<dyn Element>> {
     let table = &card.table;
     let inputs = table
         .require_item("inputs", "a list of numbers, drives or expressions")
@@ -89,16 +90,24 @@ fn element(card: &Named<'_>, draft: &Draft) -> Option<StateSpace> {
     let count = inputs.as_ref().map(Vec::len);
     let names = table.texts("outputs").unwrap_or_default();
     let matrices = matrices(table, (count, &names));
-    let start = start(table, matrices.as_ref().map(|found| found.a.nrows()));
+    let states = matrices.as_ref().map(|found| found.a.nrows());
+    let start = start(table, states);
+    let sampled = sampled::read(table, names.len());
     let inputs: Option<Vec<_>> = inputs?.into_iter().collect();
-    let outputs = card.outputs.clone()?;
-    Some(StateSpace::new(
-        &card.label,
-        matrices?,
-        inputs?,
-        outputs,
-        &start?,
-    ))
+    let (inputs, outputs) = (inputs?, card.outputs.clone()?);
+    let (label, matrices, start) = (&card.label, matrices?, start?);
+    Some(match sampled? {
+        None => Box::new(StateSpace::new(label, matrices, inputs, outputs, &start)),
+        Some((sampling, limits)) => {
+            let start = start.into_iter().map(|start| match start {
+                ScalarStart::Value(value) => value,
+                ScalarStart::Settled => 0.0,
+            });
+            let outputs = outputs.into_iter().zip(limits).collect();
+            let law = (matrices, sampling);
+            Box::new(Sampled::new(label, law, inputs, outputs, start.collect()))
+        }
+    })
 }
 
 /// Starts of the states: zero unless they are given, or found at rest.
@@ -109,6 +118,10 @@ fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
     }
     if table.is_text(KEY) {
         table.word(KEY, &["settled"])?;
+        if table.has("sample_time") {
+            table.note(KEY, &StateSpaceProblem::Sampled);
+            return None;
+        }
         return Some(vec![ScalarStart::Settled; states?]);
     }
     let numbers = table.item(KEY)?.list()?;

@@ -156,6 +156,8 @@ pub struct Numbering {
     /// The scalar of each use.
     used: Vec<usize>,
     scalars: usize,
+    /// Elements that remember, with the first number of each, and how many there are.
+    remembering: Vec<(usize, std::ops::Range<usize>)>,
 }
 
 impl Numbering {
@@ -172,6 +174,7 @@ impl Numbering {
             first_use: Vec::new(),
             used: Vec::new(),
             scalars: 0,
+            remembering: Vec::new(),
         }
     }
 
@@ -215,6 +218,37 @@ impl Numbering {
     /// The scalars of an element in its own order, counted among the scalars.
     pub fn scalars_of(&self, element: usize) -> &[usize] {
         &self.used[self.first_use[element]..self.first_use[element + 1]]
+    }
+
+    /// The same with what the elements remember, given by how much that is of each.
+    #[must_use]
+    pub fn with_memory(self, counts: impl Iterator<Item = usize>) -> Self {
+        let mut end = 0;
+        let ranges = counts.enumerate().map(|(element, count)| {
+            end += count;
+            (element, end - count..end)
+        });
+        let remembering = ranges.filter(|(_, range)| !range.is_empty()).collect();
+        Self {
+            remembering,
+            ..self
+        }
+    }
+
+    /// Length of what the elements remember.
+    pub fn memory(&self) -> usize {
+        self.remembering.last().map_or(0, |last| last.1.end)
+    }
+
+    /// Elements that remember, with their parts of the memory.
+    pub fn remembering(&self) -> &[(usize, std::ops::Range<usize>)] {
+        &self.remembering
+    }
+
+    /// The part of the memory that is an element's own.
+    pub fn memory_of(&self, element: usize) -> std::ops::Range<usize> {
+        let place = self.remembering.binary_search_by_key(&element, |own| own.0);
+        place.map_or(0..0, |place| self.remembering[place].1.clone())
     }
 
     /// Place of the first scalar unknown.

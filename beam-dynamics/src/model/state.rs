@@ -63,6 +63,8 @@ pub struct State {
     pub scalars: Vec<f64>,
     /// Rates of those that have one, else zero [unit of each/s].
     pub scalar_rates: Vec<f64>,
+    /// What elements remember of accepted steps, in their order [unit of each].
+    pub memory: Vec<f64>,
 }
 
 impl State {
@@ -73,6 +75,7 @@ impl State {
             multipliers: vec![0.0; numbering.multipliers()],
             scalars: vec![0.0; numbering.scalars()],
             scalar_rates: vec![0.0; numbering.scalars()],
+            memory: vec![0.0; numbering.memory()],
         }
     }
 
@@ -82,6 +85,7 @@ impl State {
         self.multipliers.copy_from_slice(&other.multipliers);
         self.scalars.copy_from_slice(&other.scalars);
         self.scalar_rates.copy_from_slice(&other.scalar_rates);
+        self.memory.copy_from_slice(&other.memory);
     }
 
     /// Adds a correction of the unknowns, in the order of the numbering: positions,

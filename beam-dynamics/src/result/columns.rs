@@ -208,6 +208,7 @@ impl<'a> ColumnValues<'a> {
                     values: &values,
                     rates: &[],
                 },
+                memory: &[],
                 frame: &moment.conditions.frame,
                 loading: &moment.conditions.loading,
             };

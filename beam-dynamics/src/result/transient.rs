@@ -65,7 +65,7 @@ pub struct Snapshot {
     /// Time of the run so far [s].
     pub total_time: f64,
     /// The latest states, the last one first: thirty numbers a node, then the
-    /// multipliers, then the scalars and their rates [unit of each].
+    /// multipliers, then the scalars, their rates, and the memory [unit of each].
     pub states: Vec<Vec<f64>>,
     /// The angles with their full turns of joints, by name, of those that were followed
     /// [rad].

@@ -78,6 +78,7 @@ fn with_local<T>(motion: &[NodeMotion], user: impl FnOnce(&Local<'_>) -> T) -> T
         nodes: motion,
         multipliers: &[],
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     })

@@ -73,15 +73,16 @@ pub(super) enum Jump {
     Rates(Vec<usize>),
 }
 
-/// What jumps between the conditions just before a corner and just after it, where steps of
-/// the length `step` \[s\] are wished for; `None` when an element cannot tell.
+/// What jumps between a state under the conditions just before a corner, with the memory then,
+/// and the state under those just after it, where steps of the length `step` \[s\] are wished for; `None` when an element cannot tell.
 pub(super) fn jump(
     system: &System,
-    state: &State,
+    [past, state]: [&State; 2],
     [before, after]: [&Conditions; 2],
     step: f64,
 ) -> Option<Jump> {
-    let [earlier, later] = [before, after].map(|at| system.residual(state, at));
+    let earlier = system.residual(past, before);
+    let later = system.residual(state, after);
     let (by_time_before, left_before) = system.constraint_rates(state, before)?;
     let (by_time_after, left_after) = system.constraint_rates(state, after)?;
     let first = NODE_UNKNOWNS * state.nodes.len();
@@ -296,7 +297,12 @@ impl Multibody<'_> {
         let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
         let system = &model.system;
         let state = self.state();
-        let jump = jump(system, state, [&before, &after], step);
+        // What elements remember may have changed here, as an output that is sampled.
+        let past = State {
+            memory: self.states[1].memory.clone(),
+            ..state.clone()
+        };
+        let jump = jump(system, [&past, state], [&before, &after], step);
         let mut renewal = Renewal::Rates;
         let moved = match jump {
             None => return Renewal::Unknown,

@@ -333,6 +333,7 @@ impl Dae for Multibody<'_> {
         move_own(&mut trial.base, latest, own);
         let first = latest.multipliers.len();
         (trial.base.scalar_rates).copy_from_slice(&own_rates[first..]);
+        trial.base.memory.copy_from_slice(&latest.memory);
         trial.state.copy_from(&trial.base);
         for turn in &mut trial.turns {
             turn.parameters.fill(0.0);
@@ -417,6 +418,11 @@ impl Dae for Multibody<'_> {
         for node in &mut self.states[0].nodes {
             node.rotation = orthogonal(&node.rotation);
         }
+        // At a corner what acts is that before it, and the time the corner itself.
+        let conditions = &self.trials[stage].conditions;
+        let time = conditions.loading.time.next_up();
+        let system = &self.model.system;
+        system.remember(&mut self.states[0], (conditions, time), &mut self.work);
     }
 
     fn next_corner(&self, time: f64) -> f64 {

@@ -54,7 +54,12 @@ fn numbers(state: &State) -> Vec<f64> {
         numbers
     };
     let of_nodes = state.nodes.iter().flat_map(of_node);
-    let rest = [&state.multipliers, &state.scalars, &state.scalar_rates];
+    let rest = [
+        &state.multipliers,
+        &state.scalars,
+        &state.scalar_rates,
+        &state.memory,
+    ];
     let rest = rest.into_iter().flatten().copied();
     of_nodes.chain(rest).collect()
 }
@@ -68,7 +73,7 @@ pub(super) fn states(model: &Model, snapshot: &Snapshot) -> Result<[State; 2], T
     let nodes = model.system.nodes().len();
     let numbering = model.system.numbering();
     let own = [numbering.multipliers(), numbering.scalars()];
-    let length = OF_NODE * nodes + own[0] + 2 * own[1];
+    let length = OF_NODE * nodes + own[0] + 2 * own[1] + numbering.memory();
     match &snapshot.states[..] {
         [latest, before] if latest.len() == length && before.len() == length => {
             Ok([latest, before].map(|numbers| state(numbers, nodes, own)))
@@ -94,11 +99,12 @@ pub fn difference(model: &Model, snapshot: &Snapshot) -> Option<String> {
         .then(|| format!("its joints have {found} constraints, those of the model {expected}"))
 }
 
-/// The state of so many nodes, multipliers and scalars.
+/// The state of so many nodes, multipliers and scalars; the rest is memory.
 fn state(numbers: &[f64], nodes: usize, [multipliers, scalars]: [usize; 2]) -> State {
     let (of_nodes, rest) = numbers.split_at(OF_NODE * nodes);
     let (multipliers, rest) = rest.split_at(multipliers);
-    let (scalars, scalar_rates) = rest.split_at(scalars);
+    let (scalars, rest) = rest.split_at(scalars);
+    let (scalar_rates, memory) = rest.split_at(scalars.len());
     let of_node = |numbers: &[f64]| {
         let vector = |first: usize| Vector3::from_column_slice(&numbers[first..first + 3]);
         NodeMotion {
@@ -117,5 +123,6 @@ fn state(numbers: &[f64], nodes: usize, [multipliers, scalars]: [usize; 2]) -> S
         multipliers: multipliers.to_vec(),
         scalars: scalars.to_vec(),
         scalar_rates: scalar_rates.to_vec(),
+        memory: memory.to_vec(),
     }
 }

@@ -140,8 +140,16 @@ pub(super) fn start(
         let settled = scalars::settle(system, &mut state, &conditions, Settling::AtRest);
         settled.map_err(TransientFailure::Scalars)?;
     }
-    let settled = scalars::settle(system, &mut state, &conditions, Settling::InMotion);
-    settled.map_err(TransientFailure::Scalars)?;
+    let settle = |state: &mut State| {
+        let settled = scalars::settle(system, state, &conditions, Settling::InMotion);
+        settled.map_err(TransientFailure::Scalars)
+    };
+    settle(&mut state)?;
+    if !state.memory.is_empty() {
+        // What is remembered of the start acts from there on.
+        system.begin_memory(&mut state, &conditions);
+        settle(&mut state)?;
+    }
     find_momenta(system, &mut state, &conditions);
     let mut started = Started {
         state,

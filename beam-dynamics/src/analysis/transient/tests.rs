@@ -12,6 +12,7 @@ mod jacobian;
 mod linkages;
 mod models;
 mod rigid;
+mod sampled;
 mod scalars;
 mod speeds;
 mod starting;

@@ -76,6 +76,7 @@ impl System {
                 nodes,
                 multipliers: &state.multipliers[self.numbering.multipliers_of(index)],
                 scalars: Scalars::NONE,
+                memory: &[],
                 frame: &conditions.frame,
                 loading: &conditions.loading,
             })

@@ -133,6 +133,9 @@ impl System {
                 values: scalars,
                 rates,
             },
+            memory: (state.memory)
+                .get(self.numbering.memory_of(index))
+                .unwrap_or_default(),
             frame: &conditions.frame,
             loading: &conditions.loading,
         }

@@ -76,6 +76,7 @@ fn nodal_forces_balance() {
         nodes: &motion,
         multipliers: &[],
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

@@ -27,11 +27,11 @@ use crate::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart};
 pub struct Matrices {
     /// States x states [1/s].
     pub a: DMatrix<f64>,
-    /// States x inputs [1/s by input].
+    /// States x inputs [1/s].
     pub b: DMatrix<f64>,
-    /// Outputs x states [output].
+    /// Outputs x states [-].
     pub c: DMatrix<f64>,
-    /// Outputs x inputs [output by input].
+    /// Outputs x inputs [-].
     pub d: DMatrix<f64>,
 }
 

@@ -31,6 +31,7 @@ fn seen<T>(
             nodes: motions,
             multipliers,
             scalars: Scalars::NONE,
+            memory: &[],
             frame: &conditions.frame,
             loading: &loading,
         },

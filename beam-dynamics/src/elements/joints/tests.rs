@@ -29,6 +29,7 @@ fn tangent(
         nodes,
         multipliers,
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     };
@@ -121,6 +122,7 @@ fn the_relaxed_angle_of_a_spring_follows_a_drive() {
         nodes: &motion,
         multipliers: &[0.0; 5],
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

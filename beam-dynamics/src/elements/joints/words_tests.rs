@@ -20,6 +20,7 @@ fn constraints(joint: &ConstraintJoint, motions: &[NodeMotion]) -> Vec<f64> {
         nodes: motions,
         multipliers: &vec![0.0; count],
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

@@ -60,6 +60,7 @@ fn local<'a>(motion: &'a [NodeMotion], conditions: &'a Conditions) -> Local<'a> 
         nodes: motion,
         multipliers: &[],
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     }

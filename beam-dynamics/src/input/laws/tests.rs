@@ -54,6 +54,7 @@ fn on_tip(input: &Input, label: &str, moved: impl Fn(&mut NodeMotion)) -> [Vecto
         nodes: &nodes,
         multipliers: &[],
         scalars: Scalars::NONE,
+        memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     };

@@ -37,6 +37,15 @@ pub enum StateSpaceProblem {
         /// States of the system.
         states: usize,
     },
+    /// A system that samples has no rest of its own.
+    #[error("a system with \"sample_time\" starts from numbers, found \"settled\"")]
+    Sampled,
+    /// A key of systems that sample.
+    #[error("\"{key}\" is of systems that sample, and there is no \"sample_time\"")]
+    NotSampled {
+        /// The key.
+        key: &'static str,
+    },
     /// Two transfer functions between the same signals.
     #[error("there is a transfer function from this input to this output already ({line})")]
     Doubled {
@@ -65,6 +74,10 @@ impl Explain for StateSpaceProblem {
                  denominator where the numerator differentiates"
             }
             Self::Starts { .. } => "leave out \"start\" for zeros, or write start = \"settled\"",
+            Self::Sampled => {
+                "give its states before the first sample, or leave out \"start\" for zeros"
+            }
+            Self::NotSampled { .. } => "add \"sample_time\", or leave the key out",
             Self::Doubled { .. } => "add both into one",
         };
         Some(text.to_owned())

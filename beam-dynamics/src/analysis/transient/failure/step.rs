@@ -89,7 +89,8 @@ fn acting(system: &System, place: usize) -> Vec<String> {
     // The balances of the nodes come first.
     for element in system.elements().skip(system.nodes().len()) {
         let is_new = names.last().is_none_or(|last| last != element.label());
-        if is_new && node < system.nodes().len() && element.nodes().contains(&node) {
+        let acts = element.acts() && element.nodes().contains(&node);
+        if is_new && node < system.nodes().len() && acts {
             names.push(element.label().to_owned());
         }
     }

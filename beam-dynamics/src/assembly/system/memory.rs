@@ -1,0 +1,36 @@
+//! What elements remember of accepted steps.
+
+use super::System;
+use super::layout::Workspace;
+use crate::model::{Conditions, State};
+
+impl System {
+    /// Begins the memory of a run in time from `state`.
+    pub fn begin_memory(&self, state: &mut State, conditions: &Conditions) {
+        let mut memory = std::mem::take(&mut state.memory);
+        for (index, range) in self.numbering.remembering() {
+            let own = &mut memory[range.clone()];
+            let element = &self.elements[*index];
+            self.seen(*index, state, conditions, |at| element.begin(at, own));
+        }
+        state.memory = memory;
+    }
+
+    /// Lets the elements take notice of the accepted `state`, the last one before `time` \[s\],
+    /// for which they see what acts. Without allocation.
+    pub fn remember(
+        &self,
+        state: &mut State,
+        (conditions, time): (&Conditions, f64),
+        work: &mut Workspace,
+    ) {
+        let mut conditions = *conditions;
+        conditions.loading.time = time;
+        let mut memory = std::mem::take(&mut state.memory);
+        for (index, range) in self.numbering.remembering() {
+            let at = self.placed(*index, state, &conditions, &mut work.gathered);
+            self.elements[*index].accept(&at, &mut memory[range.clone()]);
+        }
+        state.memory = memory;
+    }
+}

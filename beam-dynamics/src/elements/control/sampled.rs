@@ -1,0 +1,209 @@
+//! A linear system of states that a computer runs: it samples, and holds its outputs.
+//!
+//! At the instants `t_k = t_0 + k T`, with the inputs u_k there and the outputs limited in
+//! place and in rate,
+//!
+//! ```text
+//! y_k     = sat( C x_k + D u_k ) ,     |y_k - y_{k-1}| <= r T
+//! x_{k+1} = A x_k + B u_k
+//! y(t)    = y_{k-d}      t_k < t <= t_{k+1}                                    (D-277)
+//! ```
+//!
+//! d being the samples that the computation takes. The outputs jump at samples, which are
+//! corners of a run: steps end there, and rates are found anew behind them.
+
+use nalgebra::DVector;
+
+use super::Matrices;
+use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
+use crate::model::{Drive, Scalar};
+
+/// Instants that are nearer to each other, in periods, are the same.
+const SAME: f64 = 1e-6;
+
+/// When a system samples.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampling {
+    /// T [s].
+    pub period: f64,
+    /// t_0 [s].
+    pub offset: f64,
+    /// d: samples from an input to the output that follows from it.
+    pub delay: usize,
+}
+
+impl Sampling {
+    /// The sample number `k` \[s\].
+    fn instant(&self, k: f64) -> f64 {
+        self.offset + k * self.period
+    }
+
+    /// Number of the first sample at or after `time` \[s\].
+    fn first(&self, time: f64) -> f64 {
+        ((time - self.offset) / self.period - SAME).ceil()
+    }
+
+    /// The first sample after `time` \[s\].
+    fn next(&self, time: f64) -> f64 {
+        let mut k = ((time - self.offset) / self.period).floor();
+        while self.instant(k) <= time {
+            k += 1.0;
+        }
+        self.instant(k)
+    }
+}
+
+/// Limits of an output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Least and largest value [unit of the output].
+    pub range: [f64; 2],
+    /// Largest rate [unit of the output/s].
+    pub rate: f64,
+}
+
+impl Default for Limits {
+    /// None.
+    fn default() -> Self {
+        Self {
+            range: [f64::NEG_INFINITY, f64::INFINITY],
+            rate: f64::INFINITY,
+        }
+    }
+}
+
+/// A sampled linear system between signals and scalars.
+///
+/// It remembers the number of the next sample, the states, the outputs before the delay of
+/// this sample and of the d before it, the newest first.
+#[derive(Debug, Clone)]
+pub struct Sampled {
+    label: String,
+    matrices: Matrices,
+    sampling: Sampling,
+    limits: Vec<Limits>,
+    inputs: Vec<Signal>,
+    start: Vec<f64>,
+    /// The outputs, and the scalars of all inputs in turn.
+    scalars: Vec<Scalar>,
+}
+
+impl Sampled {
+    /// The system `matrices`, of states from sample to sample, from the `inputs` to the
+    /// `outputs` with their limits (see [`super::StateSpace::output`]); `start` are the states before
+    /// the first sample.
+    pub fn new(
+        label: impl Into<String>,
+        (matrices, sampling): (Matrices, Sampling),
+        inputs: Vec<Signal>,
+        outputs: Vec<(Scalar, Limits)>,
+        start: Vec<f64>,
+    ) -> Self {
+        let (mut scalars, limits): (Vec<_>, Vec<_>) = outputs.into_iter().unzip();
+        for input in &inputs {
+            scalars.extend_from_slice(input.scalars());
+        }
+        Self {
+            label: label.into(),
+            matrices,
+            sampling,
+            limits,
+            inputs,
+            start,
+            scalars,
+        }
+    }
+
+    /// Place of the outputs of the sample `back` before the latest in the memory.
+    fn outputs(&self, back: usize) -> std::ops::Range<usize> {
+        let [states, _, outputs] = self.matrices.sizes();
+        let first = 1 + states + back * outputs;
+        first..first + outputs
+    }
+
+    /// Samples what it finds at a state.
+    fn sample(&self, at: &Local<'_>, memory: &mut [f64]) {
+        let [states, _, outputs] = self.matrices.sizes();
+        let mut first = outputs;
+        let inputs = self.inputs.iter().map(|input| {
+            let value = input.value(at, first);
+            first += input.scalars().len();
+            value
+        });
+        let u = DVector::from_iterator(self.inputs.len(), inputs);
+        let x = DVector::from_column_slice(&memory[1..=states]);
+        let Matrices { a, b, c, d } = &self.matrices;
+        let asked = c * &x + d * &u;
+        let next = a * x + b * u;
+        let latest = self.outputs(0);
+        let before: Vec<_> = memory[latest.clone()].to_vec();
+        let delayed = latest.start..memory.len() - outputs;
+        memory.copy_within(delayed, latest.end);
+        for (i, limits) in self.limits.iter().enumerate() {
+            let [least, most] = limits.range;
+            let far = limits.rate * self.sampling.period;
+            let [low, high] = [least.max(before[i] - far), most.min(before[i] + far)];
+            // The nearer end where a limit of place is farther away than the rate reaches.
+            memory[latest.start + i] = asked[i].max(low).min(high);
+        }
+        memory[1..=states].copy_from_slice(next.as_slice());
+        memory[0] += 1.0;
+    }
+}
+
+impl Element for Sampled {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &[]
+    }
+
+    fn scalars(&self) -> &[Scalar] {
+        &self.scalars
+    }
+
+    fn memory(&self) -> usize {
+        self.outputs(self.sampling.delay).end
+    }
+
+    fn begin(&self, at: &Local<'_>, memory: &mut [f64]) {
+        let time = at.loading.time;
+        memory.fill(0.0);
+        memory[0] = self.sampling.first(time);
+        memory[1..=self.start.len()].copy_from_slice(&self.start);
+        self.accept(at, memory);
+    }
+
+    fn accept(&self, at: &Local<'_>, memory: &mut [f64]) {
+        let soon = at.loading.time + SAME * self.sampling.period;
+        if self.sampling.instant(memory[0]) <= soon {
+            self.sample(at, memory);
+        }
+    }
+
+    fn senses(&self) -> bool {
+        self.inputs.iter().any(Signal::senses)
+    }
+
+    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+        self.inputs.iter().filter_map(Signal::drive).for_each(visit);
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        self.sampling.next(time)
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        let held = &at.memory[self.outputs(self.sampling.delay)];
+        for (i, held) in held.iter().enumerate() {
+            out.add_scalar(i, at.scalars.values[i]);
+            out.add_scalar(i, -held);
+        }
+    }
+
+    fn jacobian(&self, _at: &Local<'_>, out: &mut LocalJacobian) {
+        (0..self.limits.len()).for_each(|i| out.add_scalar(i, i, 1.0, false));
+    }
+}
