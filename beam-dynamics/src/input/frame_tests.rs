@@ -455,3 +455,114 @@ fn ten_mistakes_are_told_at_once() {
             >= 10
     );
 }
+
+/// A system of states between the sensors of [`SPRUNG`] and its load.
+const SYSTEM: &str = "\
+[[state_space]]
+name = \"law\"
+inputs = [\"height\", \"= 2*fall + t\", 3]
+outputs = [\"push\", \"second\"]
+a = [[-1, 0], [0, -2]]
+b = [[1, 0, 0], [0, 1, 0]]
+c = [[1, 1], [0, 1]]
+";
+
+#[test]
+fn systems_of_states_stand_between_sensors_and_loads() {
+    let text = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push - second") + SYSTEM;
+    let found = input(&text).unwrap();
+    let system = &found.model.system;
+    let names: Vec<_> = system.scalars().iter().collect();
+    let names = names
+        .iter()
+        .map(|own| format!("{} {}", own.owner, own.unknown.name));
+    assert_eq!(
+        names.collect::<Vec<_>>(),
+        [
+            "height position",
+            "fall velocity",
+            "law state 1",
+            "law state 2",
+            "law push",
+            "law second",
+        ]
+    );
+    // The same as a computer runs it, which remembers two states and three pairs of outputs.
+    let keys = "sample_time = 0.01\ndelay = 2\nlimits = [-1, 1]\nrate_limits = [5, 6]\n";
+    let sampled = input(&format!("{text}{keys}")).unwrap();
+    assert_eq!(sampled.model.system.numbering().memory(), 1 + 2 + 6);
+    assert_eq!(sampled.model.next_corner(0.013), 0.02);
+}
+
+#[test]
+fn what_is_wrong_with_systems_of_states_is_told() {
+    let load = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push - second");
+    let single = "[[state_space]]\nname = \"law\"\ninputs = [\"height\"]\noutputs = [\"push\"]\n";
+    let single_load = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push");
+    for (from, to, told) in [
+        (
+            "outputs = [\"push\", \"second\"]",
+            "outputs = [\"push\", \"height\"]",
+            "\"height\" is no name of a signal",
+        ),
+        (
+            "b = [[1, 0, 0], [0, 1, 0]]",
+            "b = [[1, 0], [0, 1]]",
+            "expected a row of 3 numbers",
+        ),
+        (
+            "c = [[1, 1], [0, 1]]",
+            "start = [1]",
+            "\"start\" has 1 numbers, and the system 2 states",
+        ),
+        ("c = [[1, 1], [0, 1]]", "start = \"settle\"", "settled"),
+        (
+            "c = [[1, 1], [0, 1]]",
+            "delay = 1",
+            "\"delay\" is of systems that sample",
+        ),
+        (
+            "c = [[1, 1], [0, 1]]",
+            "numerator = [1]",
+            "given by \"a\" to \"d\" and \"numerator\"",
+        ),
+        ("c = [[1, 1], [0, 1]]", "sample_time = 0", "sample_time"),
+        (
+            "c = [[1, 1], [0, 1]]",
+            "sample_time = 0.1\nlimits = [1, -1]",
+            "the least value before the largest",
+        ),
+        (
+            "c = [[1, 1], [0, 1]]",
+            "sample_time = 0.1\nrate_limits = [0, 1]",
+            "rates greater than zero",
+        ),
+        (
+            "inputs = [\"height\", \"= 2*fall + t\", 3]",
+            "inputs = [\"heigt\", \"= 2*fal\", 3]",
+            "heigt",
+        ),
+        ("inputs = [\"height\", \"= 2*fall + t\", 3]", "", "inputs"),
+    ] {
+        let text = format!("{load}{SYSTEM}");
+        assert!(text.contains(from), "{from}");
+        let found = refused(&text.replace(from, to));
+        assert!(found.contains(told), "{told}\n{found}");
+    }
+    for (keys, told) in [
+        ("", "the system is given by nothing, expected one way"),
+        (
+            "numerator = [1, 0]\ndenominator = [1]",
+            "\"numerator\" has 2 coefficients",
+        ),
+        ("numerator = [1]", "denominator"),
+        ("file = \"no.toml\"", "no.toml"),
+        (
+            "[[state_space.transfer]]\noutput = \"pull\"\ninput = 2\nnumerator = [1]\ndenominator = [1, 1]",
+            "the number of an input, 1 to 1",
+        ),
+    ] {
+        let found = refused(&format!("{single_load}{single}{keys}\n"));
+        assert!(found.contains(told), "{told}\n{found}");
+    }
+}
