@@ -15,6 +15,7 @@ use crate::assembly::{massless, mechanism};
 use crate::case::{
     BucklingQuestion, Model, ModesQuestion, OutputQuestion, StaticQuestion, TransientQuestion,
 };
+use crate::elements::Element;
 use crate::result::Measured;
 
 mod along;
@@ -167,6 +168,9 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     if !only_in_time {
         input.remarks.extend(free_hinges(&mobility.free_hinges));
     }
+    if input.modes.is_some() || input.statics.is_some() || input.buckling.is_some() {
+        input.remarks.extend(sampled(&input.model));
+    }
     input.free_hinges = mobility.free_hinges;
     problems.into_result(input)
 }
@@ -182,6 +186,21 @@ fn free_hinges(names: &[String]) -> Option<String> {
     };
     Some(format!(
         "joint \"{first}\"{others} can move freely: at rest this is a motion of frequency zero"
+    ))
+}
+
+/// What the reader must know of systems that sample, where there is no time.
+fn sampled(model: &Model) -> Option<String> {
+    let elements = model.system.elements();
+    let mut names = elements.filter(|one| one.memory() > 0).map(Element::label);
+    let first = names.next()?;
+    let others = match names.count() {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    Some(format!(
+        "\"{first}\"{others}, which samples, acts in runs in time alone: in statics, buckling and \
+         modes its outputs are zero"
     ))
 }
 

@@ -492,13 +492,19 @@ fn systems_of_states_stand_between_sensors_and_loads() {
     let sampled = input(&format!("{text}{keys}")).unwrap();
     assert_eq!(sampled.model.system.numbering().memory(), 1 + 2 + 6);
     assert_eq!(sampled.model.next_corner(0.013), 0.02);
+    let with_modes = format!("{text}{keys}[[clamp]]\nnode = \"a\"\n[modes]\nspeeds = [0]\n");
+    let remarks = input(&with_modes).unwrap().remarks;
+    assert!(
+        remarks
+            .iter()
+            .any(|text| text.contains("\"law\", which samples")),
+        "{remarks:?}"
+    );
 }
 
 #[test]
 fn what_is_wrong_with_systems_of_states_is_told() {
     let load = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push - second");
-    let single = "[[state_space]]\nname = \"law\"\ninputs = [\"height\"]\noutputs = [\"push\"]\n";
-    let single_load = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push");
     for (from, to, told) in [
         (
             "outputs = [\"push\", \"second\"]",
@@ -549,6 +555,12 @@ fn what_is_wrong_with_systems_of_states_is_told() {
         let found = refused(&text.replace(from, to));
         assert!(found.contains(told), "{told}\n{found}");
     }
+}
+
+#[test]
+fn what_is_wrong_with_transfer_functions_is_told() {
+    let single = "[[state_space]]\nname = \"law\"\ninputs = [\"height\"]\noutputs = [\"push\"]\n";
+    let single_load = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push");
     for (keys, told) in [
         ("", "the system is given by nothing, expected one way"),
         (

@@ -142,7 +142,8 @@ fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
 /// The matrices in the one way in which a card gives them.
 fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matrices> {
     let has_matrices = MATRICES.iter().any(|key| table.has(key));
-    let has_transfer = table.has("numerator") || table.has("denominator");
+    let transfer_keys = ["numerator", "denominator"].map(|key| table.has(key));
+    let has_transfer = transfer_keys.contains(&true);
     let ways = [
         ("\"a\" to \"d\"", has_matrices),
         ("\"file\"", table.has("file")),
