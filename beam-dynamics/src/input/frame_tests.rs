@@ -492,8 +492,8 @@ fn systems_of_states_stand_between_sensors_and_loads() {
     let sampled = input(&format!("{text}{keys}")).unwrap();
     assert_eq!(sampled.model.system.numbering().memory(), 1 + 2 + 6);
     assert_eq!(sampled.model.next_corner(0.013), 0.02);
-    let with_modes = format!("{text}{keys}[[clamp]]\nnode = \"a\"\n[modes]\nspeeds = [0]\n");
-    let remarks = input(&with_modes).unwrap().remarks;
+    let at_rest = format!("{text}{keys}[[clamp]]\nnode = \"a\"\n[static]\n");
+    let remarks = input(&at_rest).unwrap().remarks;
     assert!(
         remarks
             .iter()
