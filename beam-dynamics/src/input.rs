@@ -256,7 +256,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     transient::check(&root, &draft);
     let times = questions.as_ref().and_then(Questions::times);
     if let Some(times) = times {
-        draft.drives().check_run(document, times);
+        check_run(document, &draft, times);
     }
     draft
         .drives()
@@ -278,6 +278,12 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
     Some(input)
+}
+
+/// Notes what is wrong with what acts in a run from and to the given `times` \[s\].
+fn check_run(document: &Document, draft: &Draft, times: [f64; 2]) {
+    draft.drives().check_run(document, times);
+    state_spaces::check_run(document, draft, times);
 }
 
 /// The input as a value, when the model is complete.

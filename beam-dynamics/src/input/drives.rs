@@ -306,6 +306,16 @@ impl Catalog {
         self.check_lengths(document, times);
     }
 
+    /// Whether a drive has the name.
+    pub fn has(&self, name: &str) -> bool {
+        self.named.contains_key(name)
+    }
+
+    /// The names.
+    pub fn names(&self) -> impl Iterator<Item = String> {
+        self.named.keys().cloned()
+    }
+
     fn find(&self, name: &str, item: &Item<'_>) -> Option<Named> {
         let found = self.named.get(name);
         if found.is_none() {

@@ -487,6 +487,23 @@ fn systems_of_states_stand_between_sensors_and_loads() {
             "law second",
         ]
     );
+    // One input needs no list, and no delay is one.
+    let short = text.replace("[\"height\", \"= 2*fall + t\", 3]", "\"height\"");
+    let short = short.replace(
+        "b = [[1, 0, 0], [0, 1, 0]]",
+        "b = [[1], [0]]\nsample_time = 1\ndelay = 0",
+    );
+    assert_eq!(
+        input(&short).unwrap().model.system.numbering().memory(),
+        1 + 2 + 2
+    );
+    let taken = refused(&format!(
+        "{text}[drives.push]\nkind = \"ramp\"\nto = 1\nend = 2\n"
+    ));
+    assert!(
+        taken.contains("\"push\" is the name of a drive already"),
+        "{taken}"
+    );
     // The same as a computer runs it, which remembers two states and three pairs of outputs.
     let keys = "sample_time = 0.01\ndelay = 2\nlimits = [-1, 1]\nrate_limits = [5, 6]\n";
     let sampled = input(&format!("{text}{keys}")).unwrap();
@@ -509,7 +526,7 @@ fn what_is_wrong_with_systems_of_states_is_told() {
         (
             "outputs = [\"push\", \"second\"]",
             "outputs = [\"push\", \"height\"]",
-            "\"height\" is no name of a signal",
+            "\"height\" is the name of a sensor or an output already",
         ),
         (
             "b = [[1, 0, 0], [0, 1, 0]]",
@@ -562,6 +579,28 @@ fn what_is_wrong_with_transfer_functions_is_told() {
     let single = "[[state_space]]\nname = \"law\"\ninputs = [\"height\"]\noutputs = [\"push\"]\n";
     let single_load = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push");
     for (keys, told) in [
+        (
+            "numerator = 1\ndenominator = [1, 1]",
+            "expected a list of coefficients",
+        ),
+        ("transfer = []", "given by nothing"),
+        (
+            "d = [[1]]\nsample_time = 0.01\ndelay = 1e7",
+            "a whole number of samples, 0 to 100000",
+        ),
+        (
+            "d = [[1]]\nsample_time = 0.01\ndelay = 0.5",
+            "a whole number of samples, 0 to 100000",
+        ),
+        (
+            "d = [[1]]\nsample_time = 0.01\noffset = 1e16",
+            "less than 1e9 sample times",
+        ),
+        (
+            "d = [[1]]\nsample_time = 1e-300",
+            "\"sample_time\" makes 1.0e300 samples in the run",
+        ),
+        ("d = [[1]]\nstart = 1", "a list of numbers, or \"settled\""),
         ("", "the system is given by nothing, expected one way"),
         (
             "numerator = [1, 0]\ndenominator = [1]",

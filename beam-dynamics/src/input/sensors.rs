@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use shared_geom::document::{DocumentProblem, Item, Table};
-use shared_geom::expression::{Names, written};
+use shared_geom::expression::{Names, is_name, written};
 use shared_geom::units::{self, Dimension};
 
 use super::draft::Draft;
-use super::drives;
+use super::{InputProblem, drives};
 use crate::elements::{Input, Post, Sensed, Sensor, Signal};
 
 const QUANTITIES: [(&str, Sensed, Dimension); 5] = [
@@ -32,9 +32,9 @@ pub(super) fn names(root: &Table<'_>) -> Vec<String> {
     let mut names = sensors.flatten().map_or(Vec::new(), |table| table.keys());
     if root.is_list("state_space") {
         for table in root.tables("state_space") {
-            if table.is_list("outputs") {
-                names.extend(table.texts("outputs").unwrap_or_default());
-            }
+            let outputs = table.item("outputs").and_then(|item| item.list());
+            let texts = outputs.iter().flatten().filter_map(|item| item.text());
+            names.extend(texts.map(str::to_owned));
         }
     }
     names
@@ -43,19 +43,30 @@ pub(super) fn names(root: &Table<'_>) -> Vec<String> {
 /// Adds `name`, which stands under `key`, to those that expressions may read, where it is one
 /// that is free; whether it is.
 pub(super) fn take_name(name: &str, table: &Table<'_>, key: &str, draft: &mut Draft) -> bool {
-    let is_free = shared_geom::expression::is_name(name)
-        && name != "t"
-        && !draft.readable().contains_key(name)
-        && !table
+    let own = name.to_owned();
+    let problem = match () {
+        () if !is_name(name) || name == "t" => drives::DriveProblem::SignalName { name: own },
+        () if draft.readable().contains_key(name) => {
+            let by = "a sensor or an output";
+            drives::DriveProblem::SignalTaken { name: own, by }
+        }
+        () if table
             .document()
             .parameters()
             .iter()
-            .any(|own| own.0 == name);
-    if !is_free {
-        let name = name.to_owned();
-        table.note(key, &drives::DriveProblem::SensorName { name });
-    }
-    is_free
+            .any(|known| known.0 == name) =>
+        {
+            let by = "a parameter";
+            drives::DriveProblem::SignalTaken { name: own, by }
+        }
+        () if draft.drives().has(name) => {
+            let by = "a drive";
+            drives::DriveProblem::SignalTaken { name: own, by }
+        }
+        () => return true,
+    };
+    table.note(key, &problem);
+    false
 }
 
 /// Reads every `[sensors.NAME]`.
@@ -145,7 +156,20 @@ pub(super) fn signal_of(item: &Item<'_>, draft: &Draft) -> Option<Signal> {
     let text = match written(text) {
         Some(text) => text,
         None if readable.contains_key(text.trim()) => text.trim(),
-        None => return drive(),
+        None => {
+            let name = text.trim();
+            if !readable.is_empty() && is_name(name) && !draft.drives().has(name) {
+                let known = readable.keys().cloned().chain(draft.drives().names());
+                item.note(&InputProblem::UnknownName {
+                    kind: "signal",
+                    name: name.to_owned(),
+                    user: format!("\"{}\"", item.key()),
+                    known: known.collect(),
+                });
+                return None;
+            }
+            return drive();
+        }
     };
     let document = item.document();
     let constants = document.parameters();

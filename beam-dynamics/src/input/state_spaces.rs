@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use nalgebra::DMatrix;
-use shared_geom::document::{Document, Table};
+use shared_geom::document::{Document, Item, Table};
 
 use super::draft::Draft;
 use super::{ends, sensors};
@@ -19,6 +19,8 @@ mod sampled;
 
 pub use problem::StateSpaceProblem;
 
+/// Samples of a run at most.
+const MOST_SAMPLES: f64 = 1e8;
 /// Keys of the matrices.
 const MATRICES: [&str; 4] = ["a", "b", "c", "d"];
 
@@ -27,6 +29,8 @@ struct Named<'a> {
     table: Table<'a>,
     label: String,
     is_new: bool,
+    /// Names of the outputs.
+    names: Vec<String>,
     /// The outputs; `None` where their names are wrong.
     outputs: Option<Vec<Scalar>>,
 }
@@ -36,9 +40,12 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     let tables = root.tables("state_space").into_iter().enumerate();
     let named = tables.map(|(number, table)| {
         let label = ends::label(&table, "state space", number);
+        let is_new = draft.take_label("state space", &label, &table);
+        let names = names(&table);
         Named {
-            is_new: draft.take_label("state space", &label, &table),
-            outputs: outputs(&table, &label, draft),
+            is_new,
+            outputs: (names.as_deref()).and_then(|names| outputs(&table, &label, names, draft)),
+            names: names.unwrap_or_default(),
             table,
             label,
         }
@@ -46,6 +53,11 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     let named: Vec<_> = named.collect();
     for card in named {
         let element = element(&card, draft);
+        if element.is_some()
+            && let Some(period) = sampled::period(&card.table)
+        {
+            draft.add_sampling(card.table.line_of("sample_time"), period);
+        }
         card.table.finish();
         match element {
             Some(element) if card.is_new => draft.add_load(element),
@@ -54,16 +66,35 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     }
 }
 
+/// Notes systems that sample more often than a run can take, of a run from and to the given
+/// `times` \[s\].
+pub(super) fn check_run(document: &Document, draft: &Draft, [from, to]: [f64; 2]) {
+    for &(line, period) in draft.samplings() {
+        let samples = (to - from) / period;
+        if samples > MOST_SAMPLES {
+            document.note(line, &StateSpaceProblem::ManySamples { samples });
+        }
+    }
+}
+
+/// Names of the outputs.
+fn names(table: &Table<'_>) -> Option<Vec<String>> {
+    table.require_item("outputs", "names of the outputs")?;
+    table.texts("outputs")
+}
+
 /// The outputs, by names that expressions may read from here on.
-fn outputs(table: &Table<'_>, label: &str, draft: &mut Draft) -> Option<Vec<Scalar>> {
-    const KEY: &str = "outputs";
-    table.require_item(KEY, "names of the outputs")?;
-    let names = table.texts(KEY)?;
+fn outputs(
+    table: &Table<'_>,
+    label: &str,
+    names: &[String],
+    draft: &mut Draft,
+) -> Option<Vec<Scalar>> {
     let mut complete = true;
     let mut outputs = Vec::new();
     for name in names {
-        let scalar = StateSpace::output(label, &name);
-        if !sensors::take_name(&name, table, KEY, draft) {
+        let scalar = StateSpace::output(label, name);
+        if !sensors::take_name(name, table, "outputs", draft) {
             complete = false;
             continue;
         }
@@ -71,7 +102,7 @@ fn outputs(table: &Table<'_>, label: &str, draft: &mut Draft) -> Option<Vec<Scal
             scalar: scalar.clone(),
             unit: 1.0,
         };
-        draft.add_readable(name, Some(input));
+        draft.add_readable(name.clone(), Some(input));
         outputs.push(scalar);
     }
     complete.then_some(outputs)
@@ -79,17 +110,16 @@ fn outputs(table: &Table<'_>, label: &str, draft: &mut Draft) -> Option<Vec<Scal
 
 fn element(card: &Named<'_>, draft: &Draft) -> Option<Box<dyn Element>> {
     let table = &card.table;
-    let inputs = table
-        .require_item("inputs", "a list of numbers, drives or expressions")
-        .and_then(|item| item.list());
-    let inputs = inputs.map(|items| {
+    let inputs = table.require_item("inputs", "a list of numbers, drives or expressions");
+    let inputs = inputs.map(|item| {
+        let items = item.list().unwrap_or_else(|| vec![item]);
         let signals = items.iter().map(|item| sensors::signal_of(item, draft));
         // Each is looked at, so that all that is wrong is noted.
         signals.collect::<Vec<_>>()
     });
     let count = inputs.as_ref().map(Vec::len);
-    let names = table.texts("outputs").unwrap_or_default();
-    let matrices = matrices(table, (count, &names));
+    let names = &card.names;
+    let matrices = matrices(table, (count, names));
     let states = matrices.as_ref().map(|found| found.a.nrows());
     let start = start(table, states);
     let sampled = sampled::read(table, names.len());
@@ -110,6 +140,11 @@ fn element(card: &Named<'_>, draft: &Draft) -> Option<Box<dyn Element>> {
     })
 }
 
+/// The values of a list; notes when it is none.
+fn list<'a>(item: &Item<'a>, expected: &str) -> Option<Vec<Item<'a>>> {
+    item.list().or_else(|| item.wrong(expected))
+}
+
 /// Starts of the states: zero unless they are given, or found at rest.
 fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
     const KEY: &str = "start";
@@ -124,7 +159,8 @@ fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
         }
         return Some(vec![ScalarStart::Settled; states?]);
     }
-    let numbers = table.item(KEY)?.list()?;
+    let item = table.item(KEY)?;
+    let numbers = list(&item, "a list of numbers, or \"settled\"")?;
     let numbers = numbers.iter().map(|number| {
         let number = number.quantity(shared_geom::units::Dimension::NUMBER);
         number.map(ScalarStart::Value)
@@ -165,6 +201,9 @@ fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matr
         let document = Document::read(&path);
         let document = table.document().keep(document)?;
         let root = document.root();
+        if !MATRICES.iter().any(|key| root.has(key)) {
+            root.note("", &StateSpaceProblem::Ways { given: Vec::new() });
+        }
         let found = from_keys(&root, sizes);
         root.finish();
         return table.document().keep(document.finish(found));
@@ -207,11 +246,10 @@ fn from_keys(table: &Table<'_>, (inputs, names): (Option<usize>, &[String])) -> 
 /// "numerator" over "denominator".
 fn transfer(table: &Table<'_>) -> Option<Matrices> {
     let coefficients = |key: &str| {
-        let item = table.require_item(key, "coefficients of falling powers of s")?;
-        let numbers = item.list()?;
-        let number = |item: &shared_geom::document::Item<'_>| {
-            item.quantity(shared_geom::units::Dimension::NUMBER)
-        };
+        const EXPECTED: &str = "a list of coefficients of falling powers of s";
+        let item = table.require_item(key, EXPECTED)?;
+        let numbers = list(&item, EXPECTED)?;
+        let number = |item: &Item<'_>| item.quantity(shared_geom::units::Dimension::NUMBER);
         let numbers: Vec<_> = numbers.iter().map(number).collect();
         numbers.into_iter().collect::<Option<Vec<f64>>>()
     };
@@ -230,7 +268,12 @@ fn from_transfers(table: &Table<'_>, inputs: usize, outputs: &[String]) -> Optio
     let mut entries: Vec<Vec<_>> = vec![vec![None; inputs]; outputs.len()];
     let mut lines = BTreeMap::new();
     let mut complete = true;
-    for card in table.tables("transfer") {
+    let cards = table.tables("transfer");
+    if cards.is_empty() {
+        table.note("transfer", &StateSpaceProblem::Ways { given: Vec::new() });
+        return None;
+    }
+    for card in cards {
         let known: Vec<_> = outputs.iter().map(String::as_str).collect();
         let output = card.require_text("output", "the name of an output");
         let output = output.and_then(|_| card.word("output", &known));

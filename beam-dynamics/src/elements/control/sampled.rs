@@ -45,11 +45,11 @@ impl Sampling {
 
     /// The first sample after `time` \[s\].
     fn next(&self, time: f64) -> f64 {
-        let mut k = ((time - self.offset) / self.period).floor();
-        while self.instant(k) <= time {
-            k += 1.0;
-        }
-        self.instant(k)
+        let before = ((time - self.offset) / self.period).floor();
+        let near = [before, before + 1.0, before + 2.0].map(|k| self.instant(k));
+        let next = near.into_iter().find(|instant| *instant > time);
+        // Samples that are nearer to each other than instants can be.
+        next.unwrap_or_else(|| time.next_up())
     }
 }
 

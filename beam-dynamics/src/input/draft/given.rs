@@ -28,6 +28,16 @@ impl Draft {
         self.frames = frames;
     }
 
+    /// Lines of cards that sample, and from sample to sample \[s\].
+    pub fn samplings(&self) -> &[(usize, f64)] {
+        &self.samplings
+    }
+
+    /// Notes that a card samples.
+    pub fn add_sampling(&mut self, line: usize, period: f64) {
+        self.samplings.push((line, period));
+    }
+
     /// What expressions may read.
     pub fn readable(&self) -> &Readable {
         &self.readable

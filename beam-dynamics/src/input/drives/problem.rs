@@ -124,9 +124,17 @@ pub enum DriveProblem {
         "\"{name}\" is no name of a signal, expected letters, digits and \"_\", and no name \
          that expressions know already"
     )]
-    SensorName {
+    SignalName {
         /// The name.
         name: String,
+    },
+    /// A name that something else has that expressions read.
+    #[error("\"{name}\" is the name of {by} already")]
+    SignalTaken {
+        /// The name.
+        name: String,
+        /// What has it.
+        by: &'static str,
     },
     /// A rotation in axes of a third node.
     #[error("a rotation is sensed in the axes of the node against which it is, or of the model")]
@@ -197,8 +205,8 @@ impl Explain for DriveProblem {
                 "give the drive another \"unit\", or none: it then counts in the unit of each key"
             }
             Self::Senses { .. } => {
-                "only the \"drive\" of a load may sense: what moves in a given way, gravity and \
-                 laws need derivatives by time"
+                "loads, internal forces and inputs of [[state_space]] may sense: what moves in a \
+                 given way, gravity and laws need derivatives by time"
             }
             Self::UnitInPlace => {
                 "give it a name, [drives.NAME], or write the values with their unit"

@@ -46,6 +46,12 @@ pub enum StateSpaceProblem {
         /// The key.
         key: &'static str,
     },
+    /// A sample time that no run can take.
+    #[error("\"sample_time\" makes {samples:.1e} samples in the run, expected 1e8 at most")]
+    ManySamples {
+        /// Samples of the run.
+        samples: f64,
+    },
     /// Two transfer functions between the same signals.
     #[error("there is a transfer function from this input to this output already ({line})")]
     Doubled {
@@ -78,6 +84,10 @@ impl Explain for StateSpaceProblem {
                 "give its states before the first sample, or leave out \"start\" for zeros"
             }
             Self::NotSampled { .. } => "add \"sample_time\", or leave the key out",
+            Self::ManySamples { .. } => {
+                "sample less often, or leave out \"sample_time\": a system of \
+                                         states of its own resolves what is quick"
+            }
             Self::Doubled { .. } => "add both into one",
         };
         Some(text.to_owned())

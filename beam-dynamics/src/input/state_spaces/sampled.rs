@@ -9,6 +9,11 @@ use crate::elements::control::{Limits, Sampling};
 /// Keys that only a system that samples has.
 const KEYS: [&str; 4] = ["offset", "delay", "limits", "rate_limits"];
 
+/// Sample times below this part of an instant are lost in its digits.
+const DISTINCT: f64 = 1e-9;
+/// Largest delay, in samples: that of a second at 100 kHz.
+const MOST_DELAY: f64 = 1e5;
+
 /// When a system samples, and the limits of its outputs; nothing of one that does not sample,
 /// and `None` when something is wrong.
 #[expect(clippy::option_option, reason = "wrong, or absent, or there")]
@@ -29,9 +34,28 @@ pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling
         false => Some(0.0),
     };
     let delay = match table.has("delay") {
-        true => table.count("delay"),
+        true => delay(table),
         false => Some(0),
     };
+    let limits = limits(table, outputs);
+    let (period, offset) = (period?, offset?);
+    let sampling = Sampling {
+        period,
+        offset,
+        delay: delay?,
+    };
+    if period < DISTINCT * offset.abs() {
+        table.wrong(
+            "offset",
+            "less than 1e9 sample times, as instants are no finer",
+        );
+        return None;
+    }
+    Some(Some((sampling, limits?)))
+}
+
+/// Limits of so many outputs; `None` when something is wrong.
+fn limits(table: &Table<'_>, outputs: usize) -> Option<Vec<Limits>> {
     let ranges = match table.has("limits") {
         false => Some(Vec::new()),
         true if table.is_nested("limits") => table.rows("limits", outputs, 2),
@@ -40,11 +64,6 @@ pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling
     let rates = match table.has("rate_limits") {
         false => Some(Vec::new()),
         true => numbers(table, "rate_limits", outputs),
-    };
-    let sampling = Sampling {
-        period: period?,
-        offset: offset?,
-        delay: delay?,
     };
     let (ranges, rates) = (ranges?, rates?);
     let mut limits = vec![Limits::default(); outputs];
@@ -64,7 +83,27 @@ pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling
     if !has_rate {
         table.wrong("rate_limits", "rates greater than zero");
     }
-    (has_range && has_rate).then_some(Some((sampling, limits)))
+    (has_range && has_rate).then_some(limits)
+}
+
+/// From sample to sample, where that is given rightly \[s\].
+pub(super) fn period(table: &Table<'_>) -> Option<f64> {
+    let item = table.item("sample_time")?;
+    item.quantity(Dimension::TIME)
+        .filter(|period| *period > 0.0)
+}
+
+/// A whole number of samples.
+fn delay(table: &Table<'_>) -> Option<usize> {
+    let number = table.quantity("delay", Dimension::NUMBER)?;
+    if number.fract() != 0.0 || !(0.0..=MOST_DELAY).contains(&number) {
+        table.wrong(
+            "delay",
+            &format!("a whole number of samples, 0 to {MOST_DELAY}"),
+        );
+        return None;
+    }
+    Some(number as usize)
 }
 
 /// A list of so many numbers.
