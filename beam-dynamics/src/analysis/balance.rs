@@ -22,8 +22,6 @@ pub(super) struct Balance<'a> {
     pub solver: &'a LinearSolver,
     pub conditions: Conditions,
     pub state: State,
-    /// Size of the model, by which displacements are measured [m].
-    size: f64,
     scales: Scales,
 }
 
@@ -39,7 +37,6 @@ impl<'a> Balance<'a> {
             solver,
             conditions,
             state,
-            size: system.size(),
             scales: Scales::of(system),
         }
     }
@@ -56,7 +53,7 @@ impl<'a> Balance<'a> {
 
     /// Size of the model [m].
     pub fn reach(&self) -> f64 {
-        self.size
+        self.scales.reach()
     }
 
     /// The factorized derivative by the unknowns; `None` when it is singular.
@@ -102,7 +99,7 @@ impl<'a> Balance<'a> {
             largest[row] = largest[row].max(value.abs());
         }
         let scaled = residual.iter().zip(&largest);
-        let reach = self.size.max(1.0);
+        let reach = self.reach().max(1.0);
         let mut scaled = scaled.map(|(value, size)| value.abs() <= ROUND_OFF * size * reach);
         scaled.all(|is_small| is_small)
     }
@@ -127,7 +124,7 @@ impl<'a> Balance<'a> {
         let pairs = a.chunks(NODE_UNKNOWNS).zip(b.chunks(NODE_UNKNOWNS));
         let of_node = |(a, b): (&[f64], &[f64])| {
             let part = |i: usize| (0..3).map(|k| a[i + k] * b[i + k]).sum::<f64>();
-            part(0) / (self.size * self.size) + part(3)
+            part(0) / (self.reach() * self.reach()) + part(3)
         };
         pairs.take(nodes).map(of_node).sum::<f64>() / nodes.max(1) as f64
     }
@@ -212,10 +209,15 @@ impl Scales {
         }
     }
 
+    /// Size of the model \[m\].
+    pub fn reach(&self) -> f64 {
+        self.size
+    }
+
     /// Size of a correction: the largest displacement in sizes of the model, rotation in
-    /// radians, and weighted change of a scalar by its scale; `scalars` are their values before it.
-    /// Momenta and multipliers stand in the equations linearly, so that the residual shows
-    /// them.
+    /// radians, and weighted change of a scalar by its scale; `scalars` are their values
+    /// before it. Momenta and multipliers stand in the equations linearly, so that the residual
+    /// shows them.
     pub fn size(&self, correction: &[f64], scalars: &[f64]) -> f64 {
         let [nodes, first] = self.first;
         let moved = largest_motion(correction[..nodes].chunks(NODE_UNKNOWNS), self.size);

@@ -1,5 +1,6 @@
 //! Elements that act by signals alone: filters and control laws.
 
+mod inputs;
 mod sampled;
 mod state_space;
 

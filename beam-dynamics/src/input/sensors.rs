@@ -40,30 +40,24 @@ pub(super) fn names(root: &Table<'_>) -> Vec<String> {
     names
 }
 
-/// Adds `name`, which stands under `key`, to those that expressions may read, where it is one
-/// that is free; whether it is.
-pub(super) fn take_name(name: &str, table: &Table<'_>, key: &str, draft: &mut Draft) -> bool {
+/// Whether `name`, which stands under `key`, is one that expressions may read and that is free;
+/// notes what is wrong with it.
+pub(super) fn is_free(name: &str, table: &Table<'_>, key: &str, draft: &Draft) -> bool {
+    let document = table.document();
+    let taken = [
+        ("a sensor or an output", draft.readable().contains_key(name)),
+        (
+            "a parameter",
+            document.parameters().iter().any(|own| own.0 == name),
+        ),
+        ("a drive", draft.drives().has(name)),
+    ];
+    let by = taken.iter().find(|taken| taken.1).map(|taken| taken.0);
     let own = name.to_owned();
-    let problem = match () {
-        () if !is_name(name) || name == "t" => drives::DriveProblem::SignalName { name: own },
-        () if draft.readable().contains_key(name) => {
-            let by = "a sensor or an output";
-            drives::DriveProblem::SignalTaken { name: own, by }
-        }
-        () if table
-            .document()
-            .parameters()
-            .iter()
-            .any(|known| known.0 == name) =>
-        {
-            let by = "a parameter";
-            drives::DriveProblem::SignalTaken { name: own, by }
-        }
-        () if draft.drives().has(name) => {
-            let by = "a drive";
-            drives::DriveProblem::SignalTaken { name: own, by }
-        }
-        () => return true,
+    let problem = match by {
+        _ if !is_name(name) || name == "t" => drives::DriveProblem::SignalName { name: own },
+        Some(by) => drives::DriveProblem::SignalTaken { name: own, by },
+        None => return true,
     };
     table.note(key, &problem);
     false
@@ -72,7 +66,7 @@ pub(super) fn take_name(name: &str, table: &Table<'_>, key: &str, draft: &mut Dr
 /// Reads every `[sensors.NAME]`.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for (name, table) in root.named_tables("sensors") {
-        let is_free = take_name(&name, &table, "", draft);
+        let is_free = is_free(&name, &table, "", draft);
         let sensor = sensor(&table, &name, draft);
         table.finish();
         let input = sensor.filter(|_| is_free).map(|(sensor, unit)| {

@@ -6,7 +6,8 @@
 use std::collections::BTreeMap;
 
 use nalgebra::DMatrix;
-use shared_geom::document::{Document, Item, Table};
+use shared_geom::document::{Document, Table};
+use shared_geom::units::Dimension;
 
 use super::draft::Draft;
 use super::{ends, sensors};
@@ -53,15 +54,17 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     let named: Vec<_> = named.collect();
     for card in named {
         let element = element(&card, draft);
-        if element.is_some()
-            && let Some(period) = sampled::period(&card.table)
-        {
+        card.table.finish();
+        let Some((element, period)) = element else {
+            draft.note_broken();
+            continue;
+        };
+        if let Some(period) = period {
             draft.add_sampling(card.table.line_of("sample_time"), period);
         }
-        card.table.finish();
-        match element {
-            Some(element) if card.is_new => draft.add_load(element),
-            _ => draft.note_broken(),
+        match card.is_new {
+            true => draft.add_load(element),
+            false => draft.note_broken(),
         }
     }
 }
@@ -94,7 +97,7 @@ fn outputs(
     let mut outputs = Vec::new();
     for name in names {
         let scalar = StateSpace::output(label, name);
-        if !sensors::take_name(name, table, "outputs", draft) {
+        if !sensors::is_free(name, table, "outputs", draft) {
             complete = false;
             continue;
         }
@@ -108,7 +111,8 @@ fn outputs(
     complete.then_some(outputs)
 }
 
-fn element(card: &Named<'_>, draft: &Draft) -> Option<Box<dyn Element>> {
+/// The element of a card, and from sample to sample where it samples \[s\].
+fn element(card: &Named<'_>, draft: &Draft) -> Option<(Box<dyn Element>, Option<f64>)> {
     let table = &card.table;
     let inputs = table.require_item("inputs", "a list of numbers, drives or expressions");
     let inputs = inputs.map(|item| {
@@ -127,7 +131,10 @@ fn element(card: &Named<'_>, draft: &Draft) -> Option<Box<dyn Element>> {
     let (inputs, outputs) = (inputs?, card.outputs.clone()?);
     let (label, matrices, start) = (&card.label, matrices?, start?);
     Some(match sampled? {
-        None => Box::new(StateSpace::new(label, matrices, inputs, outputs, &start)),
+        None => {
+            let element = StateSpace::new(label, matrices, inputs, outputs, &start);
+            (Box::new(element), None)
+        }
         Some((sampling, limits)) => {
             let start = start.into_iter().map(|start| match start {
                 ScalarStart::Value(value) => value,
@@ -135,14 +142,19 @@ fn element(card: &Named<'_>, draft: &Draft) -> Option<Box<dyn Element>> {
             });
             let outputs = outputs.into_iter().zip(limits).collect();
             let law = (matrices, sampling);
-            Box::new(Sampled::new(label, law, inputs, outputs, start.collect()))
+            let element = Sampled::new(label, law, inputs, outputs, start.collect());
+            (Box::new(element), Some(sampling.period))
         }
     })
 }
 
-/// The values of a list; notes when it is none.
-fn list<'a>(item: &Item<'a>, expected: &str) -> Option<Vec<Item<'a>>> {
-    item.list().or_else(|| item.wrong(expected))
+/// The numbers of a list under `key`; notes when it is none.
+fn list(table: &Table<'_>, key: &str, expected: &str) -> Option<Vec<f64>> {
+    if !table.is_list(key) {
+        table.wrong(key, expected);
+        return None;
+    }
+    table.quantities(key, Dimension::NUMBER)
 }
 
 /// Starts of the states: zero unless they are given, or found at rest.
@@ -159,20 +171,14 @@ fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
         }
         return Some(vec![ScalarStart::Settled; states?]);
     }
-    let item = table.item(KEY)?;
-    let numbers = list(&item, "a list of numbers, or \"settled\"")?;
-    let numbers = numbers.iter().map(|number| {
-        let number = number.quantity(shared_geom::units::Dimension::NUMBER);
-        number.map(ScalarStart::Value)
-    });
-    let numbers: Option<Vec<_>> = numbers.collect();
+    let numbers = list(table, KEY, "a list of numbers, or \"settled\"");
     let (numbers, states) = (numbers?, states?);
     if numbers.len() != states {
         let found = numbers.len();
         table.note(KEY, &StateSpaceProblem::Starts { found, states });
         return None;
     }
-    Some(numbers)
+    Some(numbers.into_iter().map(ScalarStart::Value).collect())
 }
 
 /// The matrices in the one way in which a card gives them.
@@ -247,11 +253,8 @@ fn from_keys(table: &Table<'_>, (inputs, names): (Option<usize>, &[String])) -> 
 fn transfer(table: &Table<'_>) -> Option<Matrices> {
     let coefficients = |key: &str| {
         const EXPECTED: &str = "a list of coefficients of falling powers of s";
-        let item = table.require_item(key, EXPECTED)?;
-        let numbers = list(&item, EXPECTED)?;
-        let number = |item: &Item<'_>| item.quantity(shared_geom::units::Dimension::NUMBER);
-        let numbers: Vec<_> = numbers.iter().map(number).collect();
-        numbers.into_iter().collect::<Option<Vec<f64>>>()
+        table.require_item(key, EXPECTED)?;
+        list(table, key, EXPECTED)
     };
     let (numerator, denominator) = (coefficients("numerator"), coefficients("denominator"));
     let (numerator, denominator) = (numerator?, denominator?);

@@ -163,14 +163,9 @@ pub struct Numbering {
 impl Numbering {
     /// Numbers `nodes` nodes and elements with the given numbers of multipliers.
     pub fn new(nodes: usize, multipliers_of_elements: impl Iterator<Item = usize>) -> Self {
-        let mut first_multiplier = vec![0];
-        for count in multipliers_of_elements {
-            let end = first_multiplier.last().copied().unwrap_or(0);
-            first_multiplier.push(end + count);
-        }
         Self {
             nodes,
-            first_multiplier,
+            first_multiplier: firsts(multipliers_of_elements),
             first_use: Vec::new(),
             used: Vec::new(),
             scalars: 0,
@@ -182,14 +177,9 @@ impl Numbering {
     /// number of the scalar of each use.
     #[must_use]
     pub fn with_scalars(self, counts: impl Iterator<Item = usize>, used: Vec<usize>) -> Self {
-        let mut first_use = vec![0];
-        for count in counts {
-            let end = first_use.last().copied().unwrap_or(0);
-            first_use.push(end + count);
-        }
         Self {
             scalars: used.iter().max().map_or(0, |last| last + 1),
-            first_use,
+            first_use: firsts(counts),
             used,
             ..self
         }
@@ -270,4 +260,13 @@ impl Numbering {
     pub fn first_multiplier_of(&self, element: usize) -> usize {
         NODE_UNKNOWNS * self.nodes + self.first_multiplier[element]
     }
+}
+
+/// The first number of each of those that have so many, and the end.
+fn firsts(counts: impl Iterator<Item = usize>) -> Vec<usize> {
+    let ends = counts.scan(0, |end, count| {
+        *end += count;
+        Some(*end)
+    });
+    std::iter::once(0).chain(ends).collect()
 }

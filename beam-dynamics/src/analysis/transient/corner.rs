@@ -15,7 +15,7 @@ use std::cell::Cell;
 use std::fmt;
 use std::ops::Range;
 
-use crate::assembly::{Sharing, System};
+use crate::assembly::{Residual, Sharing, System};
 use crate::case::Model;
 use crate::elements::{Element, Level};
 use crate::integrator::{Corner, Renewal};
@@ -73,15 +73,15 @@ pub(super) enum Jump {
     Rates(Vec<usize>),
 }
 
-/// What jumps between a state under the conditions just before a corner, with the memory then,
-/// and the state under those just after it, where steps of the length `step` \[s\] are wished for; `None` when an element cannot tell.
+/// What jumps at a state between the conditions just before a corner, where its residual was
+/// `earlier`, and those just after it, where steps of the length `step` \[s\] are wished for;
+/// `None` when an element cannot tell.
 pub(super) fn jump(
     system: &System,
-    [past, state]: [&State; 2],
+    (state, earlier): (&State, &Residual),
     [before, after]: [&Conditions; 2],
     step: f64,
 ) -> Option<Jump> {
-    let earlier = system.residual(past, before);
     let later = system.residual(state, after);
     let (by_time_before, left_before) = system.constraint_rates(state, before)?;
     let (by_time_after, left_after) = system.constraint_rates(state, after)?;
@@ -296,13 +296,16 @@ impl Multibody<'_> {
         let model = self.model;
         let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
         let system = &model.system;
-        let state = self.state();
         // What elements remember may have changed here, as an output that is sampled.
-        let past = State {
-            memory: self.states[1].memory.clone(),
-            ..state.clone()
+        let earlier = {
+            let [latest, previous] = &mut self.states;
+            std::mem::swap(&mut latest.memory, &mut previous.memory);
+            let residual = system.residual(latest, &before);
+            std::mem::swap(&mut latest.memory, &mut previous.memory);
+            residual
         };
-        let jump = jump(system, [&past, state], [&before, &after], step);
+        let state = self.state();
+        let jump = jump(system, (state, &earlier), [&before, &after], step);
         let mut renewal = Renewal::Rates;
         let moved = match jump {
             None => return Renewal::Unknown,

@@ -117,7 +117,8 @@ pub enum TransientFailure {
     },
     /// No values of the scalar unknowns agree with the motion.
     #[error(
-        "start: no values of the scalar unknowns fulfill their equations at the given motion; the worst is {0}"
+        "start: no values of the scalar unknowns fulfill their equations at the given motion; \
+         the worst is {0}"
     )]
     Scalars(Name),
     /// A velocity is driven at which the model does not turn as a whole.

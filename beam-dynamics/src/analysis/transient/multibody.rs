@@ -81,8 +81,6 @@ pub(super) struct Multibody<'a> {
     work: Workspace,
     algebraic: Vec<bool>,
     is_simplified: bool,
-    /// Size of the model, by which displacements are measured [m].
-    size: f64,
     scales: Scales,
     /// By which local errors of scalars that have a rate are measured.
     with_rate: ScalarScales,
@@ -130,7 +128,6 @@ impl<'a> Multibody<'a> {
                 .chain(system.scalars().iter().map(|scalar| !scalar.has_rate))
                 .collect(),
             is_simplified,
-            size: system.size(),
             scales: Scales::of(system),
             with_rate: system.scalar_scales(|scalar| scalar.has_rate).finer(SMALL),
             impulses: Impulses::default(),
@@ -346,7 +343,7 @@ impl Dae for Multibody<'_> {
 
     fn error(&self, difference: &[f64]) -> f64 {
         let (nodes, _) = split(difference, self.states[0].nodes.len());
-        largest_motion(nodes, self.size)
+        largest_motion(nodes, self.scales.reach())
     }
 
     fn error_of_scalars(&self, stage: usize, difference: &[f64]) -> f64 {
@@ -368,7 +365,7 @@ impl Dae for Multibody<'_> {
 
     fn drift(&self, missed: &[f64], [now, largest]: [&[f64]; 2], time: f64) -> f64 {
         let first = MOTION * self.states[0].nodes.len();
-        let moved = time * largest_motion(missed[..first].chunks(MOTION), self.size);
+        let moved = time * largest_motion(missed[..first].chunks(MOTION), self.scales.reach());
         let [missed, now, largest] = [missed, now, largest].map(|all| &all[first..]);
         let of_scalars = self.with_rate.error(missed, [now, largest], GROWN);
         match of_scalars > moved {
@@ -380,7 +377,7 @@ impl Dae for Multibody<'_> {
     fn describe_error(&self, difference: &[f64]) -> String {
         let system = &self.model.system;
         let scaled = |place: usize| match place % NODE_UNKNOWNS {
-            0..3 => (difference[place] / self.size).abs(),
+            0..3 => (difference[place] / self.scales.reach()).abs(),
             3..6 => difference[place].abs(),
             _ => 0.0,
         };
@@ -396,7 +393,7 @@ impl Dae for Multibody<'_> {
             return name.off_by(of_scalars.part, of_scalars.scale);
         };
         let scale = match place % NODE_UNKNOWNS {
-            0..3 => self.size,
+            0..3 => self.scales.reach(),
             _ => 1.0,
         };
         system.unknown(place).off_by(scaled(place), scale)

@@ -135,20 +135,19 @@ pub(super) fn start(
     };
     let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;
     let changes = changes(model, &given, &state);
-    if question.start == Start::Given {
-        scalars::begin(system, &mut state);
-        let settled = scalars::settle(system, &mut state, &conditions, Settling::AtRest);
-        settled.map_err(TransientFailure::Scalars)?;
-    }
-    let settle = |state: &mut State| {
-        let settled = scalars::settle(system, state, &conditions, Settling::InMotion);
+    let settle = |state: &mut State, settling: Settling| {
+        let settled = scalars::settle(system, state, &conditions, settling);
         settled.map_err(TransientFailure::Scalars)
     };
-    settle(&mut state)?;
+    if question.start == Start::Given {
+        scalars::begin(system, &mut state);
+        settle(&mut state, Settling::AtRest)?;
+    }
+    settle(&mut state, Settling::InMotion)?;
     if !state.memory.is_empty() {
         // What is remembered of the start acts from there on.
         system.begin_memory(&mut state, &conditions);
-        settle(&mut state)?;
+        settle(&mut state, Settling::InMotion)?;
     }
     find_momenta(system, &mut state, &conditions);
     let mut started = Started {

@@ -15,6 +15,7 @@
 use nalgebra::DVector;
 
 use super::Matrices;
+use super::inputs::Inputs;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::{Drive, Scalar};
 
@@ -82,7 +83,7 @@ pub struct Sampled {
     matrices: Matrices,
     sampling: Sampling,
     limits: Vec<Limits>,
-    inputs: Vec<Signal>,
+    inputs: Inputs,
     start: Vec<f64>,
     /// The outputs, and the scalars of all inputs in turn.
     scalars: Vec<Scalar>,
@@ -100,15 +101,12 @@ impl Sampled {
         start: Vec<f64>,
     ) -> Self {
         let (mut scalars, limits): (Vec<_>, Vec<_>) = outputs.into_iter().unzip();
-        for input in &inputs {
-            scalars.extend_from_slice(input.scalars());
-        }
         Self {
             label: label.into(),
             matrices,
             sampling,
             limits,
-            inputs,
+            inputs: Inputs::new(inputs, &mut scalars),
             start,
             scalars,
         }
@@ -123,14 +121,8 @@ impl Sampled {
 
     /// Samples what it finds at a state.
     fn sample(&self, at: &Local<'_>, memory: &mut [f64]) {
-        let [states, _, outputs] = self.matrices.sizes();
-        let mut first = outputs;
-        let inputs = self.inputs.iter().map(|input| {
-            let value = input.value(at, first);
-            first += input.scalars().len();
-            value
-        });
-        let u = DVector::from_iterator(self.inputs.len(), inputs);
+        let [states, inputs, outputs] = self.matrices.sizes();
+        let u = DVector::from_iterator(inputs, self.inputs.values(at));
         let x = DVector::from_column_slice(&memory[1..=states]);
         let Matrices { a, b, c, d } = &self.matrices;
         let asked = c * &x + d * &u;
@@ -184,11 +176,11 @@ impl Element for Sampled {
     }
 
     fn senses(&self) -> bool {
-        self.inputs.iter().any(Signal::senses)
+        self.inputs.sense()
     }
 
     fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
-        self.inputs.iter().filter_map(Signal::drive).for_each(visit);
+        self.inputs.drives().for_each(visit);
     }
 
     fn next_corner(&self, time: f64) -> f64 {

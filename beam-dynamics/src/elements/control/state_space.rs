@@ -19,6 +19,7 @@
 
 use nalgebra::DMatrix;
 
+use super::inputs::Inputs;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart};
 
@@ -119,7 +120,7 @@ impl Matrices {
 pub struct StateSpace {
     label: String,
     matrices: Matrices,
-    inputs: Vec<Signal>,
+    inputs: Inputs,
     /// The states, the outputs, and the scalars of all inputs in turn.
     scalars: Vec<Scalar>,
 }
@@ -157,13 +158,10 @@ impl StateSpace {
             })
         });
         let mut scalars: Vec<_> = states.chain(outputs).collect();
-        for input in &inputs {
-            scalars.extend_from_slice(input.scalars());
-        }
         Self {
             label,
             matrices,
-            inputs,
+            inputs: Inputs::new(inputs, &mut scalars),
             scalars,
         }
     }
@@ -171,17 +169,6 @@ impl StateSpace {
     /// The unknowns of the states.
     pub fn states(&self) -> &[Scalar] {
         &self.scalars[..self.matrices.a.nrows()]
-    }
-
-    /// The inputs, each with its number and the number of its first scalar.
-    fn inputs(&self) -> impl Iterator<Item = (usize, usize, &Signal)> {
-        let [states, _, outputs] = self.matrices.sizes();
-        let mut first = states + outputs;
-        self.inputs.iter().enumerate().map(move |(j, input)| {
-            let own = first;
-            first += input.scalars().len();
-            (j, own, input)
-        })
     }
 
     /// Factors of the states and of the inputs in the equation of the scalar `row`.
@@ -209,16 +196,15 @@ impl Element for StateSpace {
     }
 
     fn senses(&self) -> bool {
-        self.inputs.iter().any(Signal::senses)
+        self.inputs.sense()
     }
 
     fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
-        self.inputs.iter().filter_map(Signal::drive).for_each(visit);
+        self.inputs.drives().for_each(visit);
     }
 
     fn next_corner(&self, time: f64) -> f64 {
-        let corners = self.inputs.iter().map(|input| input.next_corner(time));
-        corners.fold(f64::INFINITY, f64::min)
+        self.inputs.next_corner(time)
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
@@ -235,8 +221,7 @@ impl Element for StateSpace {
             (0..states).for_each(|i| out.add_scalar(i, -a[(i, j)] * x));
             (0..outputs).for_each(|i| out.add_scalar(states + i, -c[(i, j)] * x));
         }
-        for (j, first, input) in self.inputs() {
-            let u = input.value(at, first);
+        for (j, u) in self.inputs.values(at).enumerate() {
             (0..states).for_each(|i| out.add_scalar(i, -b[(i, j)] * u));
             (0..outputs).for_each(|i| out.add_scalar(states + i, -d[(i, j)] * u));
         }
@@ -250,11 +235,9 @@ impl Element for StateSpace {
             for (j, value) in by_states.iter().enumerate() {
                 out.add_scalar(row, j, -value, false);
             }
-            for (j, first, input) in self.inputs() {
-                input.gradient(at, first, |scalar, slope| {
-                    out.add_scalar(row, scalar, -by_inputs[j] * slope, false);
-                });
-            }
+            self.inputs.gradient(at, |j, scalar, slope| {
+                out.add_scalar(row, scalar, -by_inputs[j] * slope, false);
+            });
         }
     }
 }

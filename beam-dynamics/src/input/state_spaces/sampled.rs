@@ -86,13 +86,6 @@ fn limits(table: &Table<'_>, outputs: usize) -> Option<Vec<Limits>> {
     (has_range && has_rate).then_some(limits)
 }
 
-/// From sample to sample, where that is given rightly \[s\].
-pub(super) fn period(table: &Table<'_>) -> Option<f64> {
-    let item = table.item("sample_time")?;
-    item.quantity(Dimension::TIME)
-        .filter(|period| *period > 0.0)
-}
-
 /// A whole number of samples.
 fn delay(table: &Table<'_>) -> Option<usize> {
     let number = table.quantity("delay", Dimension::NUMBER)?;

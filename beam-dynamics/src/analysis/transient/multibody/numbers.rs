@@ -41,10 +41,10 @@ pub(super) fn orthogonal(r: &Matrix3<f64>) -> Matrix3<f64> {
 
 /// Where an angular momentum is integrated: in space, or in axes that follow a node from
 /// its latest accepted attitude.
-pub(super) type Axes<'a> = Option<(&'a OwnAxes, &'a Matrix3<f64>)>;
+type Axes<'a> = Option<(&'a OwnAxes, &'a Matrix3<f64>)>;
 
 /// Angular momentum and its rate as they are integrated.
-pub(super) fn integrated(node: &NodeMotion, axes: Axes<'_>) -> [Vector3<f64>; 2] {
+fn integrated(node: &NodeMotion, axes: Axes<'_>) -> [Vector3<f64>; 2] {
     let (gamma, rate) = (node.angular_momentum, node.angular_momentum_rate);
     let Some((own, origin)) = axes else {
         return [gamma, rate];

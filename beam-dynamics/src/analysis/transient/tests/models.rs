@@ -276,3 +276,18 @@ pub fn driven_beam(angle: Drive) -> Model {
     parts.push(Box::new(hub));
     Model::new("rotating beam", System::new(nodes, parts))
 }
+
+/// Numbers from -1 to 1 by a linear congruence.
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn number(&mut self) -> f64 {
+        self.0 = (self.0).wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    pub fn vector(&mut self) -> Vector3<f64> {
+        Vector3::from_fn(|_, _| self.number())
+    }
+}

@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 
-use super::models::{Kept, node, run, states};
+use super::models::{Kept, Random, node, run, states};
 use crate::analysis::transient::TransientFailure;
 use crate::assembly::System;
 use crate::case::{Model, TransientQuestion};
@@ -278,19 +278,8 @@ fn a_filter_answers_a_step_to_the_tolerance() {
     }
 }
 
-/// Numbers from -1 to 1 by a linear congruence.
-struct Random(u64);
-
-impl Random {
-    fn number(&mut self) -> f64 {
-        self.0 = (self.0).wrapping_mul(6_364_136_223_846_793_005);
-        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn matrix(&mut self, rows: usize, columns: usize) -> DMatrix<f64> {
-        DMatrix::from_fn(rows, columns, |_, _| self.number())
-    }
+fn matrix(random: &mut Random, rows: usize, columns: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(rows, columns, |_, _| random.number())
 }
 
 // x = exp(A t) x_0 + int exp(A s) B u ds for constant inputs, by the exponential of both; two
@@ -304,13 +293,13 @@ fn random_systems_of_states_are_those_of_the_exponential() {
         let [order, inputs, outputs] =
             [5.0, 3.0, 3.0].map(|most: f64| 1 + ((random.number() + 1.0) / 2.0 * most) as usize);
         let matrices = Matrices {
-            a: 4.0 * random.matrix(order, order),
-            b: random.matrix(order, inputs),
-            c: random.matrix(outputs, order),
-            d: random.matrix(outputs, inputs),
+            a: 4.0 * matrix(&mut random, order, order),
+            b: matrix(&mut random, order, inputs),
+            c: matrix(&mut random, outputs, order),
+            d: matrix(&mut random, outputs, inputs),
         };
-        let u = random.matrix(inputs, 1);
-        let start = random.matrix(order, 1);
+        let u = matrix(&mut random, inputs, 1);
+        let start = matrix(&mut random, order, 1);
         let mut whole = DMatrix::zeros(order + 1, order + 1);
         whole
             .view_mut((0, 0), (order, order))

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::expression::{Expression, Names};
 
-use super::models::{body, moving, node, revolute_about_z, spherical, states};
+use super::models::{Random, body, moving, node, revolute_about_z, spherical, states};
 use crate::assembly::System;
 use crate::case::{Model, Redundant, TransientQuestion};
 use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, axes_along};
@@ -188,21 +188,6 @@ fn a_short_pulse_is_not_stepped_over() {
             let v = found[found.len() - 1].nodes[0].velocity.x;
             assert!((v - 1.0).abs() < 1.5e-4, "{scheme:?} {width:e}: {v}");
         }
-    }
-}
-
-/// Numbers from -1 to 1 by a linear congruence.
-struct Random(u64);
-
-impl Random {
-    fn number(&mut self) -> f64 {
-        self.0 = (self.0).wrapping_mul(6_364_136_223_846_793_005);
-        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn vector(&mut self) -> Vector3<f64> {
-        Vector3::from_fn(|_, _| self.number())
     }
 }
 
