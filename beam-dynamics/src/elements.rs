@@ -44,7 +44,7 @@ pub use observation::{
 };
 pub use reduced::ReducedElement;
 pub use sensor::{Post, Sensed, Sensor};
-pub use signal::{Input, Signal};
+pub use signal::{Input, Instant, Signal, Smoothness};
 
 /// What an element sees: the motion of its nodes, its multipliers, its scalars, and the frame.
 #[derive(Debug, Clone, Copy)]
@@ -61,6 +61,16 @@ pub struct Local<'a> {
     pub frame: &'a TurningFrame,
     /// Gravity and the factors of the loads.
     pub loading: &'a Loading,
+}
+
+impl<'a> Local<'a> {
+    /// The instant at which signals of the element are evaluated.
+    pub fn instant(&self) -> Instant<'a> {
+        Instant {
+            time: self.loading.time,
+            scalars: self.scalars,
+        }
+    }
 }
 
 /// A small motion of an element's nodes, and the change of its multipliers.
@@ -134,21 +144,21 @@ pub trait Element: Debug + Send + Sync {
         0.0
     }
 
-    /// Visits all that it is given over time.
-    fn each_drive<'a>(&'a self, _visit: &mut dyn FnMut(&'a Drive)) {}
+    /// Visits all that it is given from outside.
+    fn each_signal<'a>(&'a self, _visit: &mut dyn FnMut(&'a Signal)) {}
 
-    /// All that it is given over time.
+    /// All that it is given over time alone.
     fn drives(&self) -> Vec<&Drive> {
         let mut drives = Vec::new();
-        self.each_drive(&mut |drive| drives.push(drive));
+        self.each_signal(&mut |signal| drives.extend(signal.drive()));
         drives
     }
 
-    /// The first time after `time` at which a drive of the element has a corner or a
-    /// jump \[s\]; infinite when there is none.
+    /// The first time after `time` at which time alone makes a corner or a jump in a signal of
+    /// the element \[s\]; infinite when there is none.
     fn next_corner(&self, time: f64) -> f64 {
         let mut first = f64::INFINITY;
-        self.each_drive(&mut |drive| first = first.min(drive.next_corner(time)));
+        self.each_signal(&mut |signal| first = first.min(signal.next_corner(time)));
         first
     }
 
@@ -162,13 +172,16 @@ pub trait Element: Debug + Send + Sync {
         true
     }
 
-    /// Whether what it acts with depends on scalars.
+    /// Whether a signal with which it acts depends on scalars.
     fn senses(&self) -> bool {
-        false
+        let mut senses = false;
+        self.each_signal(&mut |signal| senses |= signal.senses());
+        senses
     }
 
-    /// What its drives hold in place and jumps between two instants: no motion follows that.
-    fn jump(&self, _between: [&Loading; 2]) -> Option<PlaceJump> {
+    /// What its signals hold in place and jumps between two instants, at the same scalars: no
+    /// motion follows that.
+    fn jump(&self, _between: [&Loading; 2], _scalars: Scalars<'_>) -> Option<PlaceJump> {
         None
     }
 

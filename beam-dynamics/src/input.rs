@@ -26,6 +26,7 @@ mod blades;
 mod bodies;
 mod clamps;
 mod columns;
+mod control;
 mod csv_rows;
 mod curved;
 mod damping;
@@ -53,11 +54,9 @@ mod problem;
 mod properties;
 mod questions;
 mod rods;
-mod sensors;
 mod shapes;
 mod speeds;
 mod springs;
-mod state_spaces;
 mod summary;
 mod transient;
 
@@ -75,6 +74,7 @@ mod tests;
 pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
+pub use control::StateSpaceProblem;
 pub use drives::DriveProblem;
 pub use electrodes::ElectrodeProblem;
 pub use frames::FrameProblem;
@@ -84,7 +84,7 @@ pub use laws::LawProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
-pub use state_spaces::StateSpaceProblem;
+
 pub use summary::Summary;
 pub use transient::TransientProblem;
 
@@ -223,7 +223,8 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let root = document.root();
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
     let _declared = (root.has("units"), root.has("parameters"));
-    let drives = drives::read_named(&root);
+    let mut drives = drives::read_named(&root);
+    let control = control::declare(&root, &mut drives);
     let properties = properties::read(&root, &drives);
     let hub = hub::read(&root);
 
@@ -241,8 +242,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     joints::read_joints(&root, &mut draft);
     rods::read(&root, &mut draft);
     springs::read(&root, &mut draft);
-    sensors::read(&root, &mut draft);
-    state_spaces::read(&root, &mut draft);
+    control::read(control, &mut draft);
     loads::read(&root, &mut draft);
     internal_forces::read(&root, &mut draft);
     electrodes::read(&root, &mut draft);
@@ -283,7 +283,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
 /// Notes what is wrong with what acts in a run from and to the given `times` \[s\].
 fn check_run(document: &Document, draft: &Draft, times: [f64; 2]) {
     draft.drives().check_run(document, times);
-    state_spaces::check_run(document, draft, times);
+    control::check_run(document, draft, times);
 }
 
 /// The input as a value, when the model is complete.

@@ -8,7 +8,7 @@
 //! ```
 
 use beam_dynamics::model::State;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Complex, Matrix3, Matrix4, Vector3};
 
 use crate::case_files::{Case, table};
 use crate::in_time::Run;
@@ -45,6 +45,20 @@ fn tilt(state: &State) -> f64 {
     axis.x.atan2(axis.z)
 }
 
+/// Rates of q, q', a and a' of the pendulum on an arm, for small angles: `a'' = w^2 (u - a) -
+/// 2 z w a'` and `J q'' = m g l q - m l L a''`, with the command u.
+fn on_an_arm() -> Matrix4<f64> {
+    let (w, z, lever) = (30.0, 0.7, 0.5);
+    let command = [0.8018, 0.2505, 1.0934, 0.1339];
+    let mut arm = command.map(|gain| w * w * gain);
+    arm[2] -= w * w;
+    arm[3] -= 2.0 * z * w;
+    let mut tilt = arm.map(|of| -lever / J * of);
+    tilt[0] += WEIGHT / J;
+    let rows = [[0.0, 1.0, 0.0, 0.0], tilt, [0.0, 0.0, 0.0, 1.0], arm];
+    Matrix4::from_fn(|i, j| rows[i][j])
+}
+
 /// The case with a push by `rate` \[rad/s\].
 fn pushed(rate: f64) -> Case {
     let case = Case::new(CASE);
@@ -57,24 +71,51 @@ fn pushed(rate: f64) -> Case {
     case
 }
 
-// The pair of poles of the loop; the third is real and no oscillation.
+/// Frequency \[Hz\] and damping ratio of every mode of a file at rest, against the poles of
+/// positive frequency.
+fn check_poles(file: &str, exact: &[Complex<f64>]) {
+    let found = table(&Case::new(CASE).path(file));
+    let mut pairs: Vec<_> = exact.iter().filter(|pole| pole.im > 0.0).collect();
+    pairs.sort_by(|a, b| a.im.total_cmp(&b.im));
+    assert_eq!(found.branches.len(), pairs.len());
+    for (branch, pole) in found.branches.iter().zip(pairs) {
+        let point = branch.points[0].as_ref().unwrap();
+        let exact = [pole.im / std::f64::consts::TAU, -pole.re / pole.norm()];
+        let told = [point.frequency, point.damping_ratio];
+        let quantities = ["frequency [Hz]", "damping ratio"].into_iter();
+        for (quantity, (found, exact)) in quantities.zip(told.into_iter().zip(exact)) {
+            let error = (found / exact - 1.0).abs();
+            record::value(SOURCE, file, quantity, [found, exact], error, 1e-9);
+            assert!(error < 1e-9, "{file} {quantity}: {found} {exact}");
+        }
+    }
+}
+
+// By a torque the third pole is real and no oscillation; by an angle there are two pairs.
 #[test]
 fn poles_are_those_of_the_linear_equations() {
-    let case = Case::new(CASE);
-    let found = table(&case.path(FILE));
-    let exact = closed_loop().complex_eigenvalues();
-    let pair = exact.iter().find(|pole| pole.im > 0.0).unwrap();
-    let point = found.branches[0].points[0].as_ref().unwrap();
-    let exact = [pair.im / std::f64::consts::TAU, -pair.re / pair.norm()];
-    let told = [point.frequency, point.damping_ratio];
-    for (quantity, (found, exact)) in ["frequency [Hz]", "damping ratio"]
-        .into_iter()
-        .zip(told.into_iter().zip(exact))
-    {
-        let error = (found / exact - 1.0).abs();
-        record::value(SOURCE, "poles", quantity, [found, exact], error, 1e-9);
-        assert!(error < 1e-9, "{quantity}: {found} {exact}");
-    }
+    check_poles(FILE, closed_loop().complex_eigenvalues().as_slice());
+    let exact = on_an_arm().complex_eigenvalues();
+    check_poles("angle.dynamics.toml", exact.as_slice());
+}
+
+// Seven degrees at most, and upright at the end; with the arm held still it falls.
+#[test]
+fn a_driven_angle_holds_the_pendulum_upright() {
+    let last = |case: &Case| {
+        let run = Run::of_file(&case.path("angle.dynamics.toml"), 1, |_| ());
+        assert!(run.outcome.failure.is_none(), "{:?}", run.outcome.failure);
+        let tilts = run.instants.iter().map(|(_, state)| {
+            let axis = state.nodes[1].rotation.column(2).into_owned();
+            axis.x.atan2(axis.z).abs()
+        });
+        tilts.collect::<Vec<_>>()
+    };
+    let held = last(&Case::new(CASE));
+    assert!(held.iter().all(|tilt| *tilt < 0.12) && held[held.len() - 1] < 0.005);
+    let free = Case::new(CASE);
+    free.replace("angle.dynamics.toml", "angle = \"arm_angle\"", "angle = 0");
+    assert!(last(&free).iter().any(|tilt| *tilt > 3.0));
 }
 
 // A push of 1e-4 rad/s: what is left of sines is 1e-10 of the angle. Steps of 0.5 ms leave the

@@ -137,7 +137,7 @@ pub fn rotor(inertia: Inertia) -> Model {
         a: None,
         b: (hub, &parts.nodes[hub]),
     };
-    let turning = Some(Turning::Speed(Drive::Constant(SPEED)));
+    let turning = Some(Turning::Speed(Drive::Constant(SPEED).into()));
     let drive = ConstraintJoint::revolute("drive", &ends, &about_z, turning);
     parts.add(drive);
     let section = Section {

@@ -311,7 +311,7 @@ impl Run<'_> {
     /// No place that a drive holds may jump at a corner, and no drives may contradict each
     /// other just after it.
     fn check_corner(&self, corner: &Corner) -> Result<(), TransientFailure> {
-        corner::place_jump(self.model, corner)?;
+        corner::check_corner(self.model, self.dae.state(), corner)?;
         if corner.after >= self.question.to {
             return Ok(());
         }

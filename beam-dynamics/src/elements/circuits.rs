@@ -23,14 +23,16 @@
 //!
 //! References: [Masarati], piezoelectric beams; [HagoodFlotow1991], shunts.
 
-use super::{Charges, CircuitState, Element, Energy, Flow, Local, LocalJacobian, LocalResidual};
-use crate::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart};
+use super::{
+    Charges, CircuitState, Element, Energy, Flow, Local, LocalJacobian, LocalResidual, Signal,
+};
+use crate::model::{Quantity, Scalar, ScalarSpec, ScalarStart};
 
 /// What an electrode is connected to.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Circuit {
     /// A source of voltage [V].
-    Held(Drive),
+    Held(Signal),
     /// Nothing: its charge is held.
     Open {
         /// The charge [C].
@@ -39,7 +41,7 @@ pub enum Circuit {
     /// A source through a resistor and an inductance.
     Shunt {
         /// Voltage of the source [V].
-        source: Drive,
+        source: Signal,
         /// Resistance, above zero where there is no inductance [Ohm].
         resistance: f64,
         /// Inductance; zero for none [H].
@@ -57,6 +59,7 @@ impl Circuit {
                 unknown: Quantity::new(name, unit, size),
                 equation: Quantity::new(equation, "V", 1.0),
                 has_rate,
+                rate: None,
                 start: ScalarStart::Settled,
             })
         };
@@ -81,7 +84,7 @@ impl Circuit {
     }
 
     /// The voltage that is given.
-    fn source(&self) -> Option<&Drive> {
+    fn source(&self) -> Option<&Signal> {
         match self {
             Self::Held(source) | Self::Shunt { source, .. } => Some(source),
             Self::Open { .. } => None,
@@ -95,8 +98,11 @@ pub struct Electrode {
     label: String,
     number: usize,
     circuit: Circuit,
-    /// Its voltage, charge and current, as far as they are unknown.
+    /// Its voltage, charge and current, as far as they are unknown, then those that its source
+    /// reads.
     scalars: Vec<Scalar>,
+    /// The number of the first of these.
+    own: usize,
     /// Capacitance at constant strain [F].
     capacitance: f64,
 }
@@ -107,13 +113,18 @@ impl Electrode {
     pub fn new(
         label: impl Into<String>,
         number: usize,
-        circuit: Circuit,
-        scalars: Vec<Scalar>,
+        mut circuit: Circuit,
+        mut scalars: Vec<Scalar>,
         capacitance: f64,
     ) -> Self {
+        let own = scalars.len();
+        if let Circuit::Held(source) | Circuit::Shunt { source, .. } = &mut circuit {
+            source.bind(&mut scalars);
+        }
         Self {
             label: label.into(),
             number,
+            own,
             scalars,
             circuit,
             capacitance,
@@ -128,7 +139,7 @@ impl Electrode {
     fn source(&self, at: &Local<'_>) -> f64 {
         let source = self.circuit.source();
         source.map_or(0.0, |source| {
-            at.loading.voltages * source.at(at.loading.time).value
+            at.loading.voltages * source.value(&at.instant())
         })
     }
 }
@@ -146,7 +157,7 @@ impl Element for Electrode {
         &self.scalars
     }
 
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         self.circuit.source().into_iter().for_each(visit);
     }
 
@@ -176,7 +187,7 @@ impl Element for Electrode {
                 let [voltage, _] = unknown(0, at);
                 let [charge, charge_rate] = unknown(1, at);
                 out.add_scalar(0, charge / self.capacitance);
-                let last = self.scalars.len() - 1;
+                let last = self.own - 1;
                 out.add_scalar(last, voltage);
                 out.add_scalar(last, -self.source(at));
                 if last == 1 {
@@ -193,18 +204,22 @@ impl Element for Electrode {
         }
     }
 
-    fn jacobian(&self, _at: &Local<'_>, out: &mut LocalJacobian) {
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         let Circuit::Shunt {
+            source,
             resistance,
             inductance,
-            ..
-        } = self.circuit
+        } = &self.circuit
         else {
             return;
         };
-        let last = self.scalars.len() - 1;
+        let (resistance, inductance) = (*resistance, *inductance);
+        let last = self.own - 1;
         out.add_scalar(0, 1, 1.0 / self.capacitance, false);
         out.add_scalar(last, 0, 1.0, false);
+        source.gradient(&at.instant(), |scalar, slope| {
+            out.add_scalar(last, scalar, -at.loading.voltages * slope, false);
+        });
         if last == 1 {
             out.add_scalar(1, 1, resistance, true);
             return;
@@ -219,13 +234,13 @@ impl Element for Electrode {
     fn charges(&self, at: &Local<'_>, out: &mut Charges) {
         let (voltage, flow) = match &self.circuit {
             Circuit::Held(source) => {
-                let now = source.at(at.loading.time);
+                let now = source.at(&at.instant());
                 (now.value, Flow::Voltage(now.rate))
             }
             Circuit::Open { .. } => (unknown(0, at)[0], Flow::Current(0.0)),
             Circuit::Shunt { resistance, .. } => {
                 let [voltage, _] = unknown(0, at);
-                let current = match self.scalars.len() {
+                let current = match self.own {
                     3 => unknown(2, at)[0],
                     _ => (self.source(at) - voltage) / resistance,
                 };

@@ -1,8 +1,10 @@
-//! Elements that act by signals alone: filters and control laws.
+//! Elements that act by signals alone: filters, control laws and actuators.
 
+mod actuator;
 mod inputs;
 mod sampled;
 mod state_space;
 
+pub use actuator::{Actuator, Servo};
 pub use sampled::{Limits, Sampled, Sampling};
 pub use state_space::{Matrices, StateSpace};

@@ -213,7 +213,7 @@ fn energy_of_springs() {
             "rod",
             ends,
             &nodes,
-            Some(Drive::Constant(0.7)),
+            Some(Drive::Constant(0.7).into()),
             (measure, cubic()),
         );
         check_stored(&rod, &nodes);
@@ -277,7 +277,7 @@ fn relaxing(nodes: &[Node; 2], k: f64) -> [Box<dyn Element>; 4] {
     });
     let rod = |measure| -> Box<dyn Element> {
         let law = (measure, Law::linear(Matrix1::new(k)));
-        Box::new(Rod::new("rod", ends, nodes, Some(moving()), law))
+        Box::new(Rod::new("rod", ends, nodes, Some(moving().into()), law))
     };
     let relaxed = HingeSpring {
         stiffness: k,
@@ -292,7 +292,7 @@ fn relaxing(nodes: &[Node; 2], k: f64) -> [Box<dyn Element>; 4] {
         },
         prestrain: Some(Driven {
             vector: Vector3::z(),
-            drive: moving(),
+            signal: moving().into(),
         }),
         prestress: None,
     }]);

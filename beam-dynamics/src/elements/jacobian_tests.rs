@@ -20,12 +20,13 @@ use super::loads::{
     Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
-use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize};
+use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Signal};
 use crate::model::{
     Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, Scalars, TurningFrame, Variable,
 };
 
 mod control;
+mod driven;
 mod piezo;
 mod sensing;
 
@@ -485,12 +486,16 @@ fn laws<const N: usize>(random: &mut Random) -> [Law<N>; 2] {
     [cubic.into(), Law::sum(sum)]
 }
 
+fn by_time(mean: f64) -> Signal {
+    samples::drive(mean).into()
+}
+
 /// Cubic and viscous, with a prestrain and a prestress that move.
-fn driven_law<const N: usize>(random: &mut Random) -> Law<N> {
+fn driven_law<const N: usize>(random: &mut Random, drive: fn(f64) -> Signal) -> Law<N> {
     let mut driven = || {
         Some(Driven {
             vector: SVector::from_fn(|_, _| 0.5 * random.number()),
-            drive: samples::drive(0.3),
+            signal: drive(0.3),
         })
     };
     let cubic = Cubic {
@@ -522,13 +527,13 @@ fn rods_between_nodes_and_from_the_frame() {
     for (law, measure) in [
         (elastic, Measure::Strain),
         (viscous, Measure::Elongation),
-        (driven_law(&mut random), Measure::Strain),
-        (driven_law(&mut random), Measure::Elongation),
+        (driven_law(&mut random, by_time), Measure::Strain),
+        (driven_law(&mut random, by_time), Measure::Elongation),
     ] {
         let law = || (measure, law.clone());
         let between = [end(0, &mut random), end(1, &mut random)];
         for relaxed in [Drive::Constant(0.8), samples::drive(0.8)] {
-            let rod = Rod::new("rod", between, &nodes, Some(relaxed), law());
+            let rod = Rod::new("rod", between, &nodes, Some(relaxed.into()), law());
             check(&rod, &nodes, &mut random);
         }
         let frame = End::Frame { position };
@@ -553,10 +558,10 @@ fn springs_between_nodes_and_from_the_frame() {
         rotation,
     };
     let driven = [
-        SpringLaw::Together(driven_law(&mut random)),
+        SpringLaw::Together(driven_law(&mut random, by_time)),
         SpringLaw::Apart {
-            displacement: Some(driven_law(&mut random)),
-            rotation: Some(driven_law(&mut random)),
+            displacement: Some(driven_law(&mut random, by_time)),
+            rotation: Some(driven_law(&mut random, by_time)),
         },
     ];
     let all = together
@@ -578,7 +583,7 @@ fn springs_between_nodes_and_from_the_frame() {
 fn beams_of_any_law_with_offsets_and_turned_sections() {
     let mut random = Random(13);
     let [elastic, viscous] = laws(&mut random);
-    for law in [elastic, viscous, driven_law(&mut random)] {
+    for law in [elastic, viscous, driven_law(&mut random, by_time)] {
         let nodes = beam_nodes(&mut random);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
         let stiff = Law::linear(random.stiffness());
@@ -592,14 +597,14 @@ fn beams_of_any_law_with_offsets_and_turned_sections() {
 
 /// `K psi + 1/2 T q q + sum c_i T_i q`, T of unit size over the components that a section
 /// has it for, under two states, and a viscosity beside it.
-fn prestressed_law(random: &mut Random) -> Law<6> {
+fn prestressed_law(random: &mut Random, drive: fn(f64) -> Signal) -> Law<6> {
     let table = CubicTable::from_fn(|_| random.number());
-    let mut state = |drive| laws::Imposed {
+    let mut state = |signal: Signal| laws::Imposed {
         free_strain: Vector6::from_fn(|_, _| 0.2 * random.number()),
         change: 0.1 * random.stiffness(),
-        drive,
+        signal,
     };
-    let imposed = vec![state(Drive::Constant(0.7)), state(Drive::Constant(-1.3))];
+    let imposed = vec![state(drive(0.7)), state(drive(-1.3))];
     Law::sum(vec![
         LawKind::Viscoelastic {
             stiffness: random.stiffness(),
@@ -617,7 +622,8 @@ fn beams_of_prestressed_sections() {
         let nodes = beam_nodes(&mut random);
         let [geometry, ..] = geometries(&mut random);
         let undeformed = [&nodes[0], &nodes[1], &nodes[2]];
-        let laws = [prestressed_law(&mut random), prestressed_law(&mut random)];
+        let laws =
+            [(); 2].map(|()| prestressed_law(&mut random, |value| Drive::Constant(value).into()));
         let beam = Beam::new("beam", [0, 1, 2], geometry, undeformed, laws);
         check(&beam, &nodes, &mut random);
     }

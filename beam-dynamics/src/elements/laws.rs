@@ -28,7 +28,8 @@ pub use kind::LawKind;
 pub use per_component::{Bilinear, Cubic};
 pub use quadratic::{Imposed, Quadratic};
 
-use crate::model::Drive;
+use crate::elements::{Instant, Signal};
+use crate::model::Scalar;
 
 /// A force, with its derivatives by strain and by rate of strain.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,13 +53,13 @@ impl<const N: usize> Response<N> {
     }
 }
 
-/// A constant vector times a drive.
+/// A constant vector times a signal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Driven<const N: usize> {
-    /// The vector for the drive one [unit of strain or force].
+    /// The vector for the signal one [unit of strain or force].
     pub vector: SVector<f64, N>,
     /// What it is multiplied with [-].
-    pub drive: Drive,
+    pub signal: Signal,
 }
 
 /// One term of a law.
@@ -78,6 +79,24 @@ impl<const N: usize> From<LawKind<N>> for Term<N> {
             kind,
             prestrain: None,
             prestress: None,
+        }
+    }
+}
+
+impl<const N: usize> Term<N> {
+    /// Strain and rate of strain less those without force.
+    fn elastic(
+        &self,
+        strain: &SVector<f64, N>,
+        rate: &SVector<f64, N>,
+        now: &Instant<'_>,
+    ) -> (SVector<f64, N>, SVector<f64, N>) {
+        match &self.prestrain {
+            None => (*strain, *rate),
+            Some(Driven { vector, signal }) => {
+                let free = signal.at(now);
+                (strain - vector * free.value, rate - vector * free.rate)
+            }
         }
     }
 }
@@ -117,34 +136,82 @@ impl<const N: usize> Law<N> {
         LawKind::Linear { stiffness }.into()
     }
 
-    /// The force at a strain, a rate of strain and a time.
-    pub fn at(&self, strain: &SVector<f64, N>, rate: &SVector<f64, N>, time: f64) -> Response<N> {
+    /// Lets its signals find what they read among the `scalars` of an element.
+    pub fn bind(&mut self, scalars: &mut Vec<Scalar>) {
+        for term in &mut self.terms {
+            let driven = [&mut term.prestrain, &mut term.prestress];
+            for driven in driven.into_iter().flatten() {
+                driven.signal.bind(scalars);
+            }
+            if let LawKind::Quadratic(law) = &mut term.kind {
+                let imposed = law.imposed.iter_mut();
+                imposed.for_each(|state| state.signal.bind(scalars));
+            }
+        }
+    }
+
+    /// The force at a strain, a rate of strain and an instant.
+    pub fn at(
+        &self,
+        strain: &SVector<f64, N>,
+        rate: &SVector<f64, N>,
+        now: &Instant<'_>,
+    ) -> Response<N> {
         let mut sum = Response::zero();
         for term in &self.terms {
-            let (mut strain, mut rate) = (*strain, *rate);
-            if let Some(Driven { vector, drive }) = &term.prestrain {
-                let now = drive.at(time);
-                strain -= vector * now.value;
-                rate -= vector * now.rate;
-            }
-            term.kind.add(&strain, &rate, time, &mut sum);
-            if let Some(Driven { vector, drive }) = &term.prestress {
-                sum.force += vector * drive.at(time).value;
+            let (strain, rate) = term.elastic(strain, rate, now);
+            term.kind.add(&strain, &rate, now, &mut sum);
+            if let Some(Driven { vector, signal }) = &term.prestress {
+                sum.force += vector * signal.value(now);
             }
         }
         sum
     }
 
+    /// Calls `add` with the derivatives of the force by scalars: number of the scalar in the
+    /// element, derivative, whether it is by the rate of the scalar.
+    pub fn by_scalars(
+        &self,
+        strain: &SVector<f64, N>,
+        rate: &SVector<f64, N>,
+        now: &Instant<'_>,
+        mut add: impl FnMut(usize, &SVector<f64, N>, bool),
+    ) {
+        for term in &self.terms {
+            let (strain, rate) = term.elastic(strain, rate, now);
+            if let Some(Driven { vector, signal }) = &term.prestress {
+                signal.gradient(now, |scalar, slope| add(scalar, &(slope * vector), false));
+            }
+            if let Some(Driven { vector, signal }) = &term.prestrain
+                && signal.senses()
+            {
+                let mut response = Response::zero();
+                term.kind.add(&strain, &rate, now, &mut response);
+                let by_value = -response.by_strain * vector;
+                signal.gradient(now, |scalar, slope| add(scalar, &(slope * by_value), false));
+                if term.kind.is_viscous() {
+                    let by_rate = -response.by_rate * vector;
+                    signal.gradient_of_rate(now, |scalar, slope, of_rate| {
+                        add(scalar, &(slope * by_rate), of_rate);
+                    });
+                }
+            }
+            if let LawKind::Quadratic(law) = &term.kind {
+                law.by_scalars(&strain, now, &mut add);
+            }
+        }
+    }
+
     /// Elastic energy at a strain: that of the terms that have one, and of the
     /// prestresses, `f_0 . eps` [J, or J per unit length].
-    pub fn energy(&self, strain: &SVector<f64, N>, time: f64) -> f64 {
+    pub fn energy(&self, strain: &SVector<f64, N>, now: &Instant<'_>) -> f64 {
         let of_term = |term: &Term<N>| {
             let value = |driven: &Option<Driven<N>>| match driven {
-                Some(driven) => driven.vector * driven.drive.at(time).value,
+                Some(driven) => driven.vector * driven.signal.value(now),
                 None => SVector::zeros(),
             };
             let elastic = strain - value(&term.prestrain);
-            term.kind.energy(&elastic, time) + value(&term.prestress).dot(strain)
+            term.kind.energy(&elastic, now) + value(&term.prestress).dot(strain)
         };
         self.terms.iter().map(of_term).sum()
     }
@@ -159,10 +226,10 @@ impl<const N: usize> Law<N> {
         sum
     }
 
-    /// Stiffness without strain, at the time zero.
+    /// Stiffness without strain, at the time zero, all scalars being zero.
     pub fn stiffness_at_rest(&self) -> SMatrix<f64, N, N> {
         let zero = SVector::zeros();
-        self.at(&zero, &zero, 0.0).by_strain
+        self.at(&zero, &zero, &Instant::START).by_strain
     }
 
     /// Whether the force depends on the rate of strain.
@@ -174,16 +241,16 @@ impl<const N: usize> Law<N> {
     /// with the time.
     pub fn keeps_energy(&self) -> bool {
         let has_energy = |term: &Term<N>| !matches!(term.kind, LawKind::Expression(_));
-        let mut drives = self.drives();
-        self.terms.iter().all(has_energy) && drives.all(|drive| drive.constant().is_some())
+        let mut signals = self.signals();
+        self.terms.iter().all(has_energy) && signals.all(|signal| signal.constant().is_some())
     }
 
-    /// The drives of prestrains, prestresses and imposed states.
-    pub fn drives(&self) -> impl Iterator<Item = &Drive> {
+    /// The signals of prestrains, prestresses and imposed states.
+    pub fn signals(&self) -> impl Iterator<Item = &Signal> {
         let terms = self.terms.iter();
         let driven = terms.flat_map(|term| [&term.prestrain, &term.prestress]);
-        let driven = driven.flatten().map(|driven| &driven.drive);
-        driven.chain(self.imposed().map(|state| &state.drive))
+        let driven = driven.flatten().map(|driven| &driven.signal);
+        driven.chain(self.imposed().map(|state| &state.signal))
     }
 
     /// The imposed states of the terms whose force is quadratic.
@@ -199,7 +266,11 @@ impl Law<6> {
     /// Least and largest change of the stiffness by prestress, as parts of the stiffness
     /// itself \[-\]: the eigenvalues of the change that quadratic forces make of it, beside
     /// the rest. `None` for a law without such a force, or without stiffness.
-    pub fn change_by_prestress(&self, strain: &Vector6<f64>, time: f64) -> Option<[f64; 2]> {
+    pub fn change_by_prestress(
+        &self,
+        strain: &Vector6<f64>,
+        now: &Instant<'_>,
+    ) -> Option<[f64; 2]> {
         let mut change = None;
         let zero = Vector6::zeros();
         let mut rest = Response::zero();
@@ -207,11 +278,11 @@ impl Law<6> {
             match &term.kind {
                 LawKind::Quadratic(law) => {
                     let mut response = Response::zero();
-                    law.add(strain, time, &mut response);
+                    law.add(strain, now, &mut response);
                     let sum = change.get_or_insert_with(Matrix6::zeros);
                     *sum += response.by_strain;
                 }
-                kind => kind.add(&zero, &zero, time, &mut rest),
+                kind => kind.add(&zero, &zero, now, &mut rest),
             }
         }
         let factor = rest.by_strain.cholesky()?.l();

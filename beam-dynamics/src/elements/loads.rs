@@ -11,5 +11,5 @@ mod nodal;
 pub use factor::{LoadFactor, Turning};
 pub use imposed::{Imposed, ImposedMotion};
 pub use internal::{Between, InternalForce};
-pub(in crate::elements) use load::{Head, Load};
+pub(in crate::elements) use load::{Add, Head, Load};
 pub use nodal::{NodalForce, NodalLoad};

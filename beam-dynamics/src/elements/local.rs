@@ -209,11 +209,22 @@ impl LocalJacobian {
         self.add_row(self.size.multiplier(constraint), column, row);
     }
 
-    /// Adds `d equation / d scalar`.
-    pub fn add_by_scalar(&mut self, row: (usize, Equation), scalar: usize, column: &Vector3<f64>) {
+    /// Adds `d equation / d scalar`, or by its rate where `scalar.1` says so.
+    pub fn add_by_scalar(
+        &mut self,
+        row: (usize, Equation),
+        (scalar, rate): (usize, bool),
+        column: &Vector3<f64>,
+    ) {
         let first_row = NODE_UNKNOWNS * row.0 + row.1.row();
         let place = self.size.scalar(scalar);
-        self.add_column((first_row, place), column.as_slice(), false);
+        self.add_column((first_row, place), column.as_slice(), rate);
+    }
+
+    /// Adds `d constraint / d scalar`.
+    pub fn add_constraint_by_scalar(&mut self, constraint: usize, scalar: usize, value: f64) {
+        let row = self.size.multiplier(constraint);
+        self.add_column((row, self.size.scalar(scalar)), &[value], false);
     }
 
     /// Adds `d scalar equation / d variable`.

@@ -79,30 +79,31 @@ fn found(
     conditions.loading.constant = 0.7;
     conditions.loading.proportional = 1.3;
     let count = element.multipliers();
+    let [values, scalar_rates] = scalars(element, t);
     let at = Local {
         nodes: &motions,
         multipliers: &vec![0.0; count],
-        scalars: Scalars::NONE,
+        scalars: Scalars {
+            values: &values,
+            rates: &scalar_rates,
+        },
         memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
     };
-    let mut residual = LocalResidual::new(LocalSize::without_scalars(motions.len(), count));
+    let mut residual = LocalResidual::new(LocalSize::of(element));
     element.residual(&at, &mut residual);
-    let mut jacobian = LocalJacobian::new(LocalSize::without_scalars(motions.len(), count));
+    let mut jacobian = LocalJacobian::new(LocalSize::of(element));
     element.jacobian(&at, &mut jacobian);
     let first = NODE_UNKNOWNS * motions.len();
     let product = |row: usize, of_rates: bool, with: &[[Vector3<f64>; 2]]| {
+        let matrix = [jacobian.by_unknowns(), jacobian.by_rates()][usize::from(of_rates)];
         let mut sum = 0.0;
         for (node, pair) in with.iter().enumerate() {
             for (variable, rate) in [Variable::Position, Variable::Rotation].iter().zip(pair) {
                 for axis in 0..3 {
                     let place = (first + row, NODE_UNKNOWNS * node + variable.column() + axis);
-                    sum += rate[axis]
-                        * match of_rates {
-                            true => jacobian.by_rates()[place],
-                            false => jacobian.by_unknowns()[place],
-                        };
+                    sum += rate[axis] * matrix[place];
                 }
             }
         }
@@ -119,12 +120,26 @@ fn found(
         Level::Velocity => product(row, true, second),
     };
     Found {
-        values: residual.values()[first..].to_vec(),
+        values: residual.values()[first..first + count].to_vec(),
         by_places: (0..count).map(|row| product(row, false, rates)).collect(),
         by_velocities: (0..count).map(by).collect(),
         by_time,
         convective,
     }
+}
+
+/// Scalars of an element that move as polynomials, and their rates.
+fn scalars(element: &dyn Element, t: f64) -> [Vec<f64>; 2] {
+    let all = element.scalars();
+    let mut found = [vec![0.0; all.len()], vec![0.0; all.len()]];
+    for (i, scalar) in all.iter().enumerate() {
+        let Some(rate) = &scalar.rate else { continue };
+        let rate = all.iter().position(|own| own == rate).unwrap();
+        let speed = 0.7 - 0.5 * t;
+        found[0][i] = 0.3 + 0.1 * i as f64 + 0.7 * t - 0.25 * t * t;
+        (found[1][i], found[0][rate], found[1][rate]) = (speed, speed, -0.5);
+    }
+    found
 }
 
 /// Checks Phi' and Phi'' of a position, Phi' of a velocity.
@@ -233,4 +248,26 @@ fn joints_of_every_kind() {
             check(&joint, &nodes[..count], &mut Random::new(5));
         }
     }
+}
+
+#[test]
+fn joints_that_follow_scalars() {
+    let mut random = Random::new(6);
+    let nodes = nodes(&mut random, 2);
+    for mut setting in samples::settings(&nodes, || random.vector(1.0)) {
+        setting.drive = samples::signal;
+        let count = 1 + usize::from(setting.ends.a.is_some());
+        for joint in samples::all(&setting) {
+            check(&joint, &nodes[..count], &mut Random::new(7));
+        }
+    }
+    let motion = ImposedMotion {
+        displacement: [Some(0.3), None, Some(-0.2)],
+        rotation: [Some(0.4), Some(-0.5), Some(0.2)],
+        axes: random.rotation(1.0),
+        factor: LoadFactor::Proportional,
+    };
+    let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
+    let imposed = imposed.driven_by(samples::signal(0.8));
+    check(&imposed, &nodes[..1], &mut random);
 }

@@ -6,9 +6,9 @@ use nalgebra::Vector3;
 
 use super::{
     Along, Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, PlaceJump,
+    LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Signal,
 };
-use crate::model::{Drive, Loading, NodeMotion, Scalar};
+use crate::model::{Loading, NodeMotion, Scalar, Scalars};
 
 /// Number of multipliers of all but unusual elements.
 const FEW: usize = 16;
@@ -105,28 +105,20 @@ impl Element for ReducedElement {
         knows
     }
 
-    fn senses(&self) -> bool {
-        self.element.senses()
-    }
-
     fn reach(&self) -> f64 {
         self.element.reach()
     }
 
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
-        self.element.each_drive(visit);
-    }
-
-    fn domain(&self) -> [f64; 2] {
-        self.element.domain()
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        self.element.each_signal(visit);
     }
 
     fn next_corner(&self, time: f64) -> f64 {
         self.element.next_corner(time)
     }
 
-    fn jump(&self, between: [&Loading; 2]) -> Option<PlaceJump> {
-        self.element.jump(between)
+    fn jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
+        self.element.jump(between, scalars)
     }
 
     fn held(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {

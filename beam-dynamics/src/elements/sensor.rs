@@ -79,25 +79,29 @@ pub struct Sensor {
 }
 
 impl Sensor {
-    /// Component number `component` (from zero) of what is sensed at `post` of a model
-    /// with the given nodes.
+    /// The unknown of a sensor called `label`.
+    pub fn output(label: &str, sensed: Sensed) -> Scalar {
+        let [name, unit] = sensed.words();
+        let quantity = Quantity::new(name, unit, 1.0);
+        Scalar::new(ScalarSpec {
+            owner: label.to_owned(),
+            equation: Quantity::new(format!("sensed {name}"), unit, 1.0),
+            unknown: quantity,
+            has_rate: false,
+            rate: None,
+            start: ScalarStart::Settled,
+        })
+    }
+
+    /// The sensor of a scalar (see [`Self::output`]): component number `component` (from zero)
+    /// of a quantity at `post`, of a model with the given nodes.
     pub fn new(
         label: impl Into<String>,
-        sensed: Sensed,
+        (scalar, sensed): (Scalar, Sensed),
         post: Post,
         component: usize,
         nodes: &[Node],
     ) -> Self {
-        let label = label.into();
-        let [name, unit] = sensed.words();
-        let quantity = Quantity::new(name, unit, 1.0);
-        let scalar = Scalar::new(ScalarSpec {
-            owner: label.clone(),
-            equation: Quantity::new(format!("sensed {name}"), unit, 1.0),
-            unknown: quantity,
-            has_rate: false,
-            start: ScalarStart::Settled,
-        });
         let [own, against] = [Some(post.node), post.against].map(|node| {
             node.map_or((Vector3::zeros(), Matrix3::identity()), |node| {
                 (nodes[node].position, nodes[node].rotation)
@@ -120,7 +124,7 @@ impl Sensor {
             axes: post.axes.map(&mut place),
         };
         Self {
-            label,
+            label: label.into(),
             nodes: used,
             scalars: [scalar],
             sensed,

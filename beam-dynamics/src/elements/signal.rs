@@ -1,16 +1,43 @@
-//! Signals: numbers that depend on time and on scalars, as what sensors find and what
-//! controllers put out.
+//! Signals: numbers that depend on time and on scalars, as a drive, the value of a sensor or
+//! the output of a controller.
 //!
 //! ```text
-//! s = f( t, q_1, q_2, ... ) ,     d s = sum_i f_,i d q_i
+//! s   = f( t, q_1, q_2, ... ) ,     d s = sum_i f_,i d q_i
+//! s'  = f_,t + sum_i f_,i q_i'
+//! s'' = f_,tt + 2 sum_i f_,ti q_i' + sum_ij f_,ij q_i' q_j' + sum_i f_,i q_i''     (D-278)
 //! ```
+//!
+//! The rate of a scalar is an unknown where an equation has it, and its second derivative is
+//! known where its rate is a scalar too ([`crate::model::ScalarSpec::rate`]), as of an
+//! actuator.
 
 use std::sync::Arc;
 
 use shared_geom::expression::{Expression, Jet};
 
-use super::Local;
-use crate::model::{Drive, Scalar};
+use crate::model::{Drive, DriveValue, Scalar, Scalars};
+
+/// The instant at which signals are evaluated. Scalars that are not there count as zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instant<'a> {
+    /// The time [s].
+    pub time: f64,
+    /// The scalars of the element.
+    pub scalars: Scalars<'a>,
+}
+
+impl Instant<'_> {
+    /// The time zero; all scalars count as zero.
+    pub const START: Self = Self::at(0.0);
+
+    /// A time [s]; all scalars count as zero.
+    pub const fn at(time: f64) -> Self {
+        Self {
+            time,
+            scalars: Scalars::NONE,
+        }
+    }
+}
 
 /// A scalar that an expression reads.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,12 +54,29 @@ pub struct Sensing {
     /// Its variables are time, then the inputs in their order.
     expression: Expression,
     inputs: Vec<Input>,
-    /// The scalars of the inputs.
-    scalars: Vec<Scalar>,
     /// Unit of time of the expression [s].
     second: f64,
     /// Unit of its value [unit of the signal].
     factor: f64,
+}
+
+/// Numbers of an input, and of its rate where that is a scalar too, among the scalars of an
+/// element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    value: usize,
+    rate: Option<usize>,
+}
+
+/// The derivatives of a signal that must be known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Smoothness {
+    /// None: the value may jump.
+    Value,
+    /// The rate: the value does not jump.
+    Rate,
+    /// The second derivative too: the rate does not jump.
+    Acceleration,
 }
 
 /// A number that depends on time and on scalars.
@@ -41,7 +85,12 @@ pub enum Signal {
     /// Of time alone.
     Drive(Drive),
     /// Of time and of scalars.
-    Sensing(Arc<Sensing>),
+    Sensing {
+        /// The expression.
+        of: Arc<Sensing>,
+        /// Where the element has the inputs, see [`Signal::bind`].
+        places: Vec<Place>,
+    },
 }
 
 impl Default for Signal {
@@ -51,90 +100,217 @@ impl Default for Signal {
     }
 }
 
+impl From<Drive> for Signal {
+    fn from(drive: Drive) -> Self {
+        Self::Drive(drive)
+    }
+}
+
+/// The number of a scalar in a list, at the end of which it is added if it is not there.
+pub(super) fn place_in(scalars: &mut Vec<Scalar>, scalar: &Scalar) -> usize {
+    let known = scalars.iter().position(|own| own == scalar);
+    known.unwrap_or_else(|| {
+        scalars.push(scalar.clone());
+        scalars.len() - 1
+    })
+}
+
 impl Signal {
     /// An expression whose variables are time, in units of `second` \[s\], and then the
     /// inputs; its value is in units of `factor`.
     pub fn sensing(expression: Expression, inputs: Vec<Input>, [second, factor]: [f64; 2]) -> Self {
-        Self::Sensing(Arc::new(Sensing {
-            expression,
-            scalars: inputs.iter().map(|input| input.scalar.clone()).collect(),
-            inputs,
-            second,
-            factor,
-        }))
+        Self::Sensing {
+            of: Arc::new(Sensing {
+                expression,
+                inputs,
+                second,
+                factor,
+            }),
+            places: Vec::new(),
+        }
     }
 
     /// Whether it depends on scalars.
     pub fn senses(&self) -> bool {
-        matches!(self, Self::Sensing(_))
+        matches!(self, Self::Sensing { .. })
     }
 
-    /// The scalars on which it depends.
-    pub fn scalars(&self) -> &[Scalar] {
-        match self {
-            Self::Drive(_) => &[],
-            Self::Sensing(sensing) => &sensing.scalars,
+    /// Lets it find its inputs among the `scalars` of an element, to which those are added that
+    /// are not there. Every other method needs this first, unless it is a drive.
+    pub fn bind(&mut self, scalars: &mut Vec<Scalar>) {
+        if let Self::Sensing { of, places } = self {
+            let place = |input: &Input| Place {
+                value: place_in(scalars, &input.scalar),
+                rate: (input.scalar.rate.as_ref()).map(|rate| place_in(scalars, rate)),
+            };
+            *places = of.inputs.iter().map(place).collect();
         }
     }
 
-    /// Its value for an element whose scalars are its own from number `first` on \[unit of the
-    /// signal\].
-    pub fn value(&self, at: &Local<'_>, first: usize) -> f64 {
+    /// The same, bound to `scalars`.
+    #[must_use]
+    pub fn bound(mut self, scalars: &mut Vec<Scalar>) -> Self {
+        self.bind(scalars);
+        self
+    }
+
+    /// Its value \[unit of the signal\].
+    pub fn value(&self, at: &Instant<'_>) -> f64 {
         match self {
-            Self::Drive(drive) => drive.at(at.loading.time).value,
-            Self::Sensing(sensing) => {
-                let variable = |index| Jet::constant(sensing.variable(index, at, first));
-                sensing.factor * sensing.expression.at(variable).value
+            Self::Drive(drive) => drive.at(at.time).value,
+            Self::Sensing { of, places } => {
+                let variable = |index| Jet::constant(of.variable(index, places, at));
+                of.factor * of.expression.at(variable).value
+            }
+        }
+    }
+
+    /// Its value, with its first and second derivative as far as they are known
+    /// ([`Self::rougher_than`]); zero where they are not.
+    pub fn at(&self, at: &Instant<'_>) -> DriveValue {
+        match self {
+            Self::Drive(drive) => drive.at(at.time),
+            Self::Sensing { of, places } => {
+                let found = of.expression.at(|index| of.jet(index, places, at));
+                DriveValue {
+                    value: of.factor * found.value,
+                    rate: of.factor * found.first,
+                    acceleration: of.factor * found.second,
+                }
             }
         }
     }
 
     /// Calls `add` with its derivatives: number of the scalar in the element, derivative.
-    pub fn gradient(&self, at: &Local<'_>, first: usize, mut add: impl FnMut(usize, f64)) {
-        let Self::Sensing(sensing) = self else {
+    pub fn gradient(&self, at: &Instant<'_>, mut add: impl FnMut(usize, f64)) {
+        let Self::Sensing { of, places } = self else {
             return;
         };
-        for (i, input) in sensing.inputs.iter().enumerate() {
-            let jet = sensing.expression.at(|index| {
-                let value = sensing.variable(index, at, first);
-                match index == i + 1 {
-                    true => Jet::variable(value),
-                    false => Jet::constant(value),
-                }
+        for (i, (input, place)) in of.inputs.iter().zip(places).enumerate() {
+            let jet = of.expression.at(|index| {
+                let value = of.variable(index, places, at);
+                Jet::line(value, f64::from(u8::from(index == i + 1)))
             });
-            add(first + i, sensing.factor * jet.first / input.unit);
+            add(place.value, of.factor * jet.first / input.unit);
         }
+    }
+
+    /// Its derivative by a scalar of the element.
+    pub fn slope(&self, at: &Instant<'_>, scalar: usize) -> f64 {
+        let mut slope = 0.0;
+        self.gradient(at, |by, value| {
+            if by == scalar {
+                slope += value;
+            }
+        });
+        slope
+    }
+
+    /// Calls `add` with the derivatives of its rate: number of the scalar in the element,
+    /// derivative, whether it is by the rate of the scalar.
+    pub fn gradient_of_rate(&self, at: &Instant<'_>, mut add: impl FnMut(usize, f64, bool)) {
+        let Self::Sensing { of, places } = self else {
+            return;
+        };
+        for (i, (input, place)) in of.inputs.iter().zip(places).enumerate() {
+            // Along time, along the input, and along both: the mixed derivative is half of
+            // what the second derivative along both has more than the others.
+            let along = |time: f64, own: f64| {
+                of.expression.at(|index| {
+                    let jet = of.jet(index, places, at);
+                    let step = if index == i + 1 { own } else { 0.0 };
+                    Jet::line(jet.value, time * jet.first + step)
+                })
+            };
+            let [both, by_time, own] = [along(1.0, 1.0), along(1.0, 0.0), along(0.0, 1.0)];
+            let factor = of.factor / input.unit;
+            let mixed = 0.5 * (both.second - by_time.second - own.second);
+            add(place.value, factor * mixed, false);
+            match place.rate {
+                Some(rate) => add(rate, factor * own.first, false),
+                None => add(place.value, factor * own.first, true),
+            }
+        }
+    }
+
+    /// Whether it depends on a scalar of the element.
+    pub fn reads(&self, scalar: usize) -> bool {
+        match self {
+            Self::Drive(_) => false,
+            Self::Sensing { places, .. } => places.iter().any(|place| place.value == scalar),
+        }
+    }
+
+    /// A scalar that it reads, and of which less is known than is needed.
+    pub fn rougher_than(&self, needed: Smoothness) -> Option<&Scalar> {
+        let Self::Sensing { of, .. } = self else {
+            return None;
+        };
+        let rough = |scalar: &&Scalar| match needed {
+            Smoothness::Value => false,
+            Smoothness::Rate => !scalar.has_rate,
+            Smoothness::Acceleration => scalar.rate.is_none(),
+        };
+        of.inputs.iter().map(|input| &input.scalar).find(rough)
     }
 
     /// The drive that it is, where it depends on no scalar.
     pub fn drive(&self) -> Option<&Drive> {
         match self {
             Self::Drive(drive) => Some(drive),
-            Self::Sensing(_) => None,
+            Self::Sensing { .. } => None,
         }
+    }
+
+    /// The number that it always is, where it does not change.
+    pub fn constant(&self) -> Option<f64> {
+        self.drive()?.constant()
     }
 
     /// The first corner or jump after `time` that time alone makes \[s\].
     pub fn next_corner(&self, time: f64) -> f64 {
         match self {
             Self::Drive(drive) => drive.next_corner(time),
-            Self::Sensing(sensing) => {
+            Self::Sensing { of, .. } => {
                 let variable = |index, time: f64| match index {
-                    0 => Jet::line(time / sensing.second, 1.0 / sensing.second),
+                    0 => Jet::line(time / of.second, 1.0 / of.second),
                     // Scalars are not known ahead, and nothing follows from them.
                     _ => Jet::constant(f64::NAN),
                 };
-                sensing.expression.next_corner(time, variable)
+                of.expression.next_corner(time, variable)
             }
         }
     }
 }
 
+/// A number of a list, zero where it ends before.
+fn number(of: &[f64], place: usize) -> f64 {
+    of.get(place).copied().unwrap_or(0.0)
+}
+
 impl Sensing {
-    fn variable(&self, index: usize, at: &Local<'_>, first: usize) -> f64 {
+    fn variable(&self, index: usize, places: &[Place], at: &Instant<'_>) -> f64 {
         match index.checked_sub(1) {
-            None => at.loading.time / self.second,
-            Some(i) => at.scalars.values[first + i] / self.inputs[i].unit,
+            None => at.time / self.second,
+            Some(i) => number(at.scalars.values, places[i].value) / self.inputs[i].unit,
+        }
+    }
+
+    /// A variable with its derivatives by the time in seconds.
+    fn jet(&self, index: usize, places: &[Place], at: &Instant<'_>) -> Jet {
+        let Some(i) = index.checked_sub(1) else {
+            return Jet::line(at.time / self.second, 1.0 / self.second);
+        };
+        let Place { value, rate } = places[i];
+        let [first, second] = match rate {
+            Some(rate) => [at.scalars.values, at.scalars.rates].map(|of| number(of, rate)),
+            None => [number(at.scalars.rates, value), 0.0],
+        };
+        let unit = self.inputs[i].unit;
+        Jet {
+            value: number(at.scalars.values, value) / unit,
+            first: first / unit,
+            second: second / unit,
         }
     }
 }

@@ -142,7 +142,7 @@ impl Along {
             change: state
                 .stiffness
                 .map_or_else(Matrix6::zeros, |four| among_six(&four)),
-            drive: state.force.drive.clone(),
+            signal: state.force.signal.clone(),
         };
         self.heat.iter().map(of_state).collect()
     }

@@ -17,7 +17,6 @@ use super::hub::Hub;
 use super::joints::HingeCard;
 use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
-use super::sensors::Readable;
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::Element;
@@ -59,7 +58,6 @@ pub(super) struct Draft {
     properties: Catalog,
     drives: drives::Catalog,
     frames: Frames,
-    readable: Readable,
     samplings: Vec<(usize, f64)>,
     hub: Option<Hub>,
     nodes: Vec<Node>,
@@ -94,7 +92,6 @@ impl Draft {
             properties,
             drives: drives::Catalog::default(),
             frames: Frames::default(),
-            readable: Readable::new(),
             samplings: Vec::new(),
             hub,
             nodes: Vec::new(),

@@ -16,15 +16,20 @@ mod kinds;
 mod measure;
 mod positive;
 mod problem;
+mod signals;
 #[cfg(test)]
 mod tests;
 
 pub(super) use columns::from_file;
+pub(super) use measure::Measure;
 pub use problem::DriveProblem;
+pub(super) use signals::{
+    Read, is_smooth, read_distance, read_factor, read_length, read_place, read_signal, read_speed, signal_of,
+};
 
 use super::problem::InputProblem;
 use crate::model::{Drive, Formula};
-use measure::Measure;
+use signals::Readable;
 
 /// Corners of a drive in a run at most: a step ends at each of them.
 const MOST_CORNERS: usize = 500_000;
@@ -64,8 +69,8 @@ pub(super) struct Catalog {
     bounded: RefCell<Vec<(usize, String, [f64; 2])>>,
     /// The drives of the model where they are used.
     used: RefCell<Vec<Used>>,
-    /// Names of what may be sensed, but not by a drive.
-    sensors: Vec<String>,
+    /// Scalars that expressions read by name.
+    readable: Readable,
 }
 
 /// Reads the drive under `key` of a card, in SI units of `dimension`: a number or a
@@ -87,31 +92,6 @@ pub(super) fn read_value(
     catalog: &Catalog,
 ) -> Option<Drive> {
     used(item, dimension, catalog, Counts::Value)
-}
-
-/// As [`read`], of what moves: its slope counts too.
-pub(super) fn read_motion(
-    table: &Table<'_>,
-    key: &str,
-    dimension: Dimension,
-    catalog: &Catalog,
-) -> Option<Drive> {
-    used(&table.item(key)?, dimension, catalog, Counts::Slope)
-}
-
-/// As [`read_motion`], of a length above zero at all times.
-pub(super) fn read_length(table: &Table<'_>, key: &str, catalog: &Catalog) -> Option<Drive> {
-    let length = used(
-        &table.item(key)?,
-        Dimension::LENGTH,
-        catalog,
-        Counts::Positive,
-    )?;
-    if length.at(0.0).value <= 0.0 {
-        table.wrong(key, "a length greater than zero at all times");
-        return None;
-    }
-    Some(length)
 }
 
 /// A drive that must have a value where a run starts.
@@ -220,7 +200,7 @@ pub(super) fn read_named(root: &Table<'_>) -> Catalog {
         named: reader.done.into_inner(),
         bounded: RefCell::default(),
         used: RefCell::default(),
-        sensors: super::sensors::names(root),
+        readable: Readable::new(),
     }
 }
 
@@ -325,11 +305,11 @@ impl Catalog {
         found?.clone()
     }
 
-    /// The first sensor that stands in an expression.
+    /// The first scalar that stands in an expression.
     fn sensed(&self, item: &Item<'_>) -> Option<String> {
         let text = item.text().and_then(written)?;
         let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-        let mut sensed = words.filter(|word| self.sensors.iter().any(|own| own == word));
+        let mut sensed = words.filter(|word| self.readable.contains_key(*word));
         sensed.next().map(str::to_owned)
     }
 

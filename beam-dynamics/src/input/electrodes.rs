@@ -280,8 +280,8 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
         return None;
     }
     let source = match given[0] {
-        true => drives::read(table, "voltage", Dimension::VOLTAGE, draft.drives()),
-        false => Some(Drive::Constant(0.0)),
+        true => drives::read_signal(table, "voltage", Dimension::VOLTAGE, draft.drives()),
+        false => Some(Drive::Constant(0.0).into()),
     };
     let resistance = not_negative(table, "resistance", Dimension::RESISTANCE);
     let inductance = not_negative(table, "inductance", Dimension::INDUCTANCE);

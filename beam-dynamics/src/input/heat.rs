@@ -19,6 +19,7 @@ use super::drives::{self, Catalog};
 use super::number::short_number;
 use super::properties::Properties;
 use crate::elements::laws::Driven;
+use crate::elements::{Instant, Signal};
 use crate::model::Drive;
 
 /// The keys, as cards have them.
@@ -189,10 +190,11 @@ fn same(a: &[Acting], b: &[Acting]) -> bool {
 
 fn line((cards, acting): &(Vec<&str>, &[Acting])) -> String {
     let state = |state: &Acting| {
-        let now = short_number(state.force.drive.at(0.0).value, DIGITS);
-        let when = match state.force.drive {
-            Drive::Constant(_) => "",
-            _ => " at the time zero",
+        let now = short_number(state.force.signal.value(&Instant::START), DIGITS);
+        let when = match &state.force.signal {
+            Signal::Drive(Drive::Constant(_)) => "",
+            Signal::Drive(_) => " at the time zero",
+            Signal::Sensing { .. } => " while all that it reads is zero",
         };
         match state.name.as_str() {
             TEMPERATURE => format!("temperature {now} K{when}"),
@@ -246,12 +248,12 @@ pub(super) fn read(
 fn acting(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Option<Vec<Acting>> {
     let mut found = Vec::new();
     if table.has("temperature") {
-        let drive = drives::read(table, "temperature", Dimension::TEMPERATURE, drives);
+        let signal = drives::read_signal(table, "temperature", Dimension::TEMPERATURE, drives);
         match heat.thermal_force {
-            Some(vector) => found.push(drive.map(|drive| Acting {
+            Some(vector) => found.push(signal.map(|signal| Acting {
                 card: user.to_owned(),
                 name: TEMPERATURE.to_owned(),
-                force: Driven { vector, drive },
+                force: Driven { vector, signal },
                 stiffness: heat.stiffness_per_kelvin,
             })),
             None => {
@@ -275,7 +277,7 @@ fn acting(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Optio
 fn states(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Vec<Option<Acting>> {
     let names = table.keys();
     let state = |name: &String| {
-        let drive = drives::read(table, name, Dimension::NUMBER, drives);
+        let signal = drives::read_signal(table, name, Dimension::NUMBER, drives);
         let known = heat.imposed.iter().find(|state| state.name == *name);
         let Some(state) = known else {
             let problem = HeatProblem::UnknownState {
@@ -295,7 +297,7 @@ fn states(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Vec<O
             name: name.clone(),
             force: Driven {
                 vector: state.restrained_force,
-                drive: drive?,
+                signal: signal?,
             },
             stiffness: state.stiffness_change,
         })

@@ -7,7 +7,7 @@ use shared_geom::units::Dimension;
 use super::draft::Draft;
 use super::frames::Frame;
 use super::laws::LawProblem;
-use super::{ends, sensors};
+use super::{drives, ends};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
 
 /// Adds every `[[internal_force]]` to the model.
@@ -27,7 +27,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalForce> {
     let words = format!("internal force \"{label}\"");
     let nodes = ends::nodes(table, draft, &words, false);
-    let signal = sensors::signal(table, "drive", draft);
+    let signal = drives::read_factor(table, "drive", draft.drives());
     let factor = match table.has("constant") {
         true => table.boolean("constant"),
         false => Some(false),

@@ -9,6 +9,7 @@ use super::drives::{self, Catalog};
 use super::ends::{label, pair};
 use super::number::not_negative;
 use super::problem::InputProblem;
+use crate::elements::Signal;
 use crate::elements::joints::HingeSpring;
 use crate::model::Drive;
 
@@ -91,7 +92,7 @@ pub(super) struct HingeCard {
     /// The spring, with the relaxed angle where that does not change.
     pub spring: HingeSpring,
     /// The relaxed angle where it changes \[rad\].
-    pub relaxed: Option<Drive>,
+    pub relaxed: Option<Signal>,
 }
 
 /// Spring and damper of a hinge: `stiffness`, `damping`, `angle`.
@@ -103,10 +104,10 @@ pub(super) fn spring(table: &Table<'_>, drives: &Catalog) -> Option<HingeCard> {
     let stiffness = number("stiffness", Dimension::MOMENT);
     let damping = number("damping", Dimension::TURNING_DAMPER);
     let angle = match table.has("angle") {
-        true => drives::read(table, "angle", Dimension::ANGLE, drives),
-        false => Some(Drive::Constant(0.0)),
+        true => drives::read_signal(table, "angle", Dimension::ANGLE, drives),
+        false => Some(Drive::Constant(0.0).into()),
     };
-    let constant = angle.as_ref().and_then(Drive::constant);
+    let constant = angle.as_ref().and_then(Signal::constant);
     if let Some(found) = constant.map(f64::to_degrees)
         && found.abs() >= 180.0
     {

@@ -7,7 +7,7 @@ use shared_geom::units::Dimension;
 
 use super::drives::{self, Catalog};
 use crate::elements::laws::{Driven, Law, Term};
-use crate::model::Drive;
+use crate::elements::{Instant, Signal, Smoothness};
 
 mod kinds;
 mod numbers;
@@ -133,9 +133,16 @@ fn term<const N: usize>(
     if kinds::is_known(table) {
         table.finish();
     }
+    let (kind, prestrain) = (kind?, prestrain?);
+    if let (Some(driven), Some(item)) = (&prestrain, table.item("prestrain_drive"))
+        && kind.is_viscous()
+        && !drives::is_smooth(&item, &driven.signal, Smoothness::Rate)
+    {
+        return None;
+    }
     let term = Term {
-        kind: kind?,
-        prestrain: prestrain?,
+        kind,
+        prestrain,
         prestress: prestress?,
     };
     if let Some(found) = not_finite_at_rest(&term) {
@@ -159,10 +166,10 @@ fn not_finite_at_rest<const N: usize>(term: &Term<N>) -> Option<f64> {
         prestress: None,
         ..term.clone()
     };
-    let has_value = |driven: &Driven<N>| driven.drive.at(0.0).value.is_finite();
+    let has_value = |driven: &Driven<N>| driven.signal.value(&Instant::START).is_finite();
     term.prestrain = term.prestrain.filter(has_value);
     let zero = SVector::zeros();
-    let found = Law::sum(vec![term]).at(&zero, &zero, 0.0);
+    let found = Law::sum(vec![term]).at(&zero, &zero, &Instant::START);
     let slopes = found.by_strain.iter().chain(&found.by_rate);
     let mut all = found.force.iter().chain(slopes);
     all.find(|value| !value.is_finite()).copied()
@@ -184,13 +191,13 @@ fn driven<const N: usize>(
         return Some(None);
     }
     let vector = numbers::vector(table, key, dimensions);
-    let drive = match table.has(drive_key) {
-        true => drives::read(table, drive_key, Dimension::NUMBER, drives),
-        false => Some(Drive::Constant(1.0)),
+    let signal = match table.has(drive_key) {
+        true => drives::read_signal(table, drive_key, Dimension::NUMBER, drives),
+        false => Some(Signal::default()),
     };
     let vector: SVector<f64, N> = vector?;
     Some(Some(Driven {
         vector,
-        drive: drive?,
+        signal: signal?,
     }))
 }

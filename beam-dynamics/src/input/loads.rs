@@ -8,7 +8,7 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
-use super::{drives, sensors};
+use super::drives;
 use crate::elements::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 use crate::model::Drive;
 
@@ -47,7 +47,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
         let node = node(table, draft, &label);
         let load = nodal(table);
         let frame = draft.frames().of(table);
-        let signal = sensors::signal(table, "drive", draft);
+        let signal = drives::read_factor(table, "drive", draft.drives());
         table.finish();
         match (node, load, frame, signal) {
             (Some(node), Some((mut load, in_node)), Some(frame), Some(signal)) if is_new => {
@@ -151,9 +151,7 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
         let motion = imposed(table);
         let frame = draft.frames().of(table);
         let drive = match table.has("drive") {
-            true => {
-                drives::read_motion(table, "drive", Dimension::NUMBER, draft.drives()).map(Some)
-            }
+            true => drives::read_place(table, "drive", Dimension::NUMBER, draft.drives()).map(Some),
             false => Some(None),
         };
         table.finish();
@@ -179,7 +177,7 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
         motion.axes = frame.axes(&motion.axes);
         let imposed = Imposed::new(label, node, &draft.nodes()[node], motion);
         let imposed = match drive {
-            Some(drive) => imposed.driven_by(drive),
+            Some(signal) => imposed.driven_by(signal),
             None => imposed,
         };
         draft.add_load(Box::new(imposed));

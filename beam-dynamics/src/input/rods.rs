@@ -5,8 +5,8 @@ use shared_geom::document::Table;
 use super::draft::Draft;
 use super::laws::{self, Components, LawProblem};
 use super::{drives, ends};
-use crate::elements::Element;
 use crate::elements::springs::{End, Measure, Rod};
+use crate::elements::{Element, Smoothness};
 use crate::model::NodeMotion;
 
 /// Part of the largest coordinate below which a length counts as none: digits lost in the
@@ -54,6 +54,12 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
     let law = laws::read(table, "law", &of, draft.drives());
     let measure = [Measure::Strain, Measure::Elongation][measure?];
     let (ends, relaxed, law) = (ends?, relaxed?, law?);
+    if let (Some(item), Some(relaxed)) = (table.item("length"), &relaxed)
+        && law.is_viscous()
+        && !drives::is_smooth(&item, relaxed, Smoothness::Rate)
+    {
+        return None;
+    }
     let rod = Rod::new(label, ends, draft.nodes(), relaxed, (measure, law));
     let rest: Vec<_> = draft.nodes().iter().map(NodeMotion::at_rest).collect();
     let of_rod: Vec<_> = rod.nodes().iter().map(|&node| rest[node]).collect();

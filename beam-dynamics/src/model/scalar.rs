@@ -50,6 +50,9 @@ pub struct ScalarSpec {
     pub equation: Quantity,
     /// Whether its rate stands in an equation. Without, it may jump.
     pub has_rate: bool,
+    /// The scalar that its equation makes its rate, where there is one. Then its rate does not
+    /// jump.
+    pub rate: Option<Scalar>,
     /// Its value at the start.
     pub start: ScalarStart,
 }
@@ -122,6 +125,7 @@ mod tests {
             unknown: Quantity::new("voltage", "V", 1.0),
             equation: Quantity::new("charge", "C", 1.0),
             has_rate: false,
+            rate: None,
             start: ScalarStart::Settled,
         })
     }

@@ -10,7 +10,9 @@ use crate::case::{
     Axes, Column, ElectrodeQuantity, EnergyPart, JointMotion, Model, NodeQuantity, NodeVector,
     OutputQuestion, Part, Quantity, SpringVector,
 };
-use crate::elements::{ElectrodeState, Energy, Local, Observations, Reaction, SectionState};
+use crate::elements::{
+    ElectrodeState, Energy, Instant, Observations, Reaction, SectionState, Signal,
+};
 use crate::model::{NodeMotion, Scalars, State};
 
 /// Finds the numbers of columns. Only elements that some column needs are asked.
@@ -27,7 +29,7 @@ pub struct ColumnValues<'a> {
     /// Columns of electrodes.
     electrodes: Vec<usize>,
     /// Columns of signals, with the numbers of the scalars that each reads.
-    signals: Vec<(usize, Vec<usize>)>,
+    signals: Vec<(usize, Signal)>,
     observed: Observations,
     /// Angles of joints with their full turns at the latest moment, by name [rad].
     angles: BTreeMap<String, f64>,
@@ -66,10 +68,9 @@ impl<'a> ColumnValues<'a> {
                 Quantity::Energy(_) => values.energy.push(index),
                 Quantity::Electrode { .. } => values.electrodes.push(index),
                 Quantity::Signal(signal) => {
-                    let all = model.system.scalars();
-                    let number = |scalar| all.iter().position(|own| own == scalar);
-                    let numbers = signal.scalars().iter().filter_map(number);
-                    values.signals.push((index, numbers.collect()));
+                    // Scalars of which no element makes an unknown come behind, and count as zero.
+                    let mut all = model.system.scalars().to_vec();
+                    values.signals.push((index, signal.clone().bound(&mut all)));
                 }
                 _ => values.direct.push(index),
             }
@@ -195,24 +196,16 @@ impl<'a> ColumnValues<'a> {
     }
 
     fn evaluate_signals(&self, moment: &Moment<'_>, out: &mut [f64]) {
-        for (index, numbers) in &self.signals {
-            let Quantity::Signal(signal) = &self.columns[*index].quantity else {
-                continue;
-            };
-            let values = numbers.iter().map(|&i| moment.state.scalars[i]);
-            let values: Vec<_> = values.collect();
-            let at = Local {
-                nodes: &[],
-                multipliers: &[],
-                scalars: Scalars {
-                    values: &values,
-                    rates: &[],
-                },
-                memory: &[],
-                frame: &moment.conditions.frame,
-                loading: &moment.conditions.loading,
-            };
-            out[*index] = signal.value(&at, 0);
+        let state = moment.state;
+        let now = Instant {
+            time: moment.conditions.loading.time,
+            scalars: Scalars {
+                values: &state.scalars,
+                rates: &state.scalar_rates,
+            },
+        };
+        for (index, signal) in &self.signals {
+            out[*index] = signal.value(&now);
         }
     }
 

@@ -87,7 +87,7 @@ impl Link {
             ],
             ..at
         };
-        let turned = Some(Turning::Angle(growing(0.1)));
+        let turned = Some(Turning::Angle(growing(0.1).into()));
         let freedoms = std::array::from_fn(|i| match self.held >> i & 1 {
             0 => Freedom::Free,
             _ => Freedom::Locked,
@@ -99,7 +99,7 @@ impl Link {
             3 => ConstraintJoint::revolute(label, ends, &at, turned),
             4 => ConstraintJoint::cylindrical(label, ends, &at, Freedom::Free, None),
             5 => {
-                let slide = Freedom::Driven(growing(0.02));
+                let slide = Freedom::Driven(growing(0.02).into());
                 ConstraintJoint::cylindrical(label, ends, &at, slide, turned)
             }
             6 => ConstraintJoint::universal(label, ends, &across),
@@ -156,7 +156,7 @@ impl Recipe {
             "rod",
             ends,
             nodes,
-            Some(Drive::Constant(self.relaxed * length)),
+            Some(Drive::Constant(self.relaxed * length).into()),
             law,
         );
         parts.chain.elements.push(Box::new(rod));

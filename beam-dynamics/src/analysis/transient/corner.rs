@@ -17,9 +17,9 @@ use std::ops::Range;
 
 use crate::assembly::{Residual, Sharing, System};
 use crate::case::Model;
-use crate::elements::{Element, Level};
+use crate::elements::{Element, Level, PlaceJump};
 use crate::integrator::{Corner, Renewal};
-use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Scalars, State};
 
 use super::failure::TransientFailure;
 use super::multibody::Multibody;
@@ -341,32 +341,32 @@ impl Multibody<'_> {
     }
 }
 
-/// The first jump between two instants of a place that a drive holds.
-pub(super) fn place_jump(model: &Model, corner: &Corner) -> Result<(), TransientFailure> {
-    let mut held = model.system.elements().filter(|one| one.multipliers() > 0);
-    held.try_for_each(|element| place_jump_of(model, element, corner))
-}
-
-fn place_jump_of(
-    model: &Model,
-    element: &dyn Element,
-    corner: &Corner,
-) -> Result<(), TransientFailure> {
-    let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
-    match element.jump([&before.loading, &after.loading]) {
-        None => Ok(()),
-        Some(jump) => Err(TransientFailure::Jump {
-            joint: element.label().to_owned(),
-            jump,
-            time: corner.after,
-        }),
+fn jumped(element: &dyn Element, jump: PlaceJump, corner: &Corner) -> TransientFailure {
+    TransientFailure::Jump {
+        joint: element.label().to_owned(),
+        jump,
+        time: corner.after,
     }
 }
 
-/// No place that a drive holds may jump in a run \[s\].
+/// No place in which something is held may jump at a corner.
+pub(super) fn check_corner(
+    model: &Model,
+    state: &State,
+    corner: &Corner,
+) -> Result<(), TransientFailure> {
+    let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
+    match model.system.place_jump(state, [&before, &after]) {
+        None => Ok(()),
+        Some((element, jump)) => Err(jumped(element, jump, corner)),
+    }
+}
+
+/// No place in which time alone holds something may jump in a run \[s\].
 pub(super) fn check_places(model: &Model, [from, to]: [f64; 2]) -> Result<(), TransientFailure> {
     for element in model.system.elements() {
-        if element.multipliers() == 0 {
+        // Scalars are not known ahead.
+        if element.multipliers() == 0 || element.senses() {
             continue;
         }
         let mut time = from;
@@ -379,7 +379,12 @@ pub(super) fn check_places(model: &Model, [from, to]: [f64; 2]) -> Result<(), Tr
                 before: time.next_down(),
                 after: time,
             };
-            place_jump_of(model, element, &corner)?;
+            let [before, after] =
+                [corner.before, corner.after].map(|time| model.conditions_at(time));
+            let jump = element.jump([&before.loading, &after.loading], Scalars::NONE);
+            if let Some(jump) = jump {
+                return Err(jumped(element, jump, &corner));
+            }
         }
     }
     Ok(())

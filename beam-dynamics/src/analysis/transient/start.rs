@@ -32,6 +32,11 @@ const SEEN: f64 = 0.1;
 /// Relative residual of an eigenvalue that is one.
 const SURE: f64 = 1e-6;
 
+/// Rounds at most in which scalars and the joints that follow them are brought to agree, and
+/// the part of a scalar, or of one, to which they do.
+const ROUNDS: usize = 30;
+const AGREED: f64 = 1e-9;
+
 /// Driven velocities that differ by a larger part of the speed at which a model is to turn
 /// are those of another motion; where it is deformed they differ by less.
 const FAR: f64 = 0.1;
@@ -114,6 +119,85 @@ pub(super) fn start(
         turns_as_a_whole(model, &conditions, &kind, speed)?;
     }
     let given = with_velocities(kind, &model.initial);
+    let (mut state, remark) = placed(model, question, &conditions, &given)?;
+    let changes = changes(model, &given, &state);
+    let settle = |state: &mut State| {
+        let settled = scalars::settle(system, state, &conditions, Settling::InMotion);
+        settled.map_err(TransientFailure::Scalars)
+    };
+    settle(&mut state)?;
+    if !state.memory.is_empty() {
+        // What is remembered of the start acts from there on.
+        system.begin_memory(&mut state, &conditions);
+        settle(&mut state)?;
+    }
+    find_momenta(system, &mut state, &conditions);
+    let mut started = Started {
+        state,
+        changes,
+        remarks: unstable.into_iter().chain(remark).collect(),
+    };
+    find_rates(model, question, &conditions, &mut started)?;
+    Ok(started)
+}
+
+/// Places, velocities and scalars that agree with each other, as near to those that are `given`
+/// as the constraints allow, and a remark where they are not at rest as they should.
+fn placed(
+    model: &Model,
+    question: &TransientQuestion,
+    conditions: &Conditions,
+    given: &State,
+) -> Result<(State, Option<String>), TransientFailure> {
+    let system = &model.system;
+    let mut state = given.clone();
+    if question.start != Start::Given {
+        return Ok((moved(model, question, conditions, &state)?, None));
+    }
+    scalars::begin(system, &mut state);
+    let at_rest = |state: &mut State| {
+        let settled = scalars::settle(system, state, conditions, Settling::AtRest);
+        settled.map_err(TransientFailure::Scalars)
+    };
+    let mut held = system.elements().filter(|one| one.multipliers() > 0);
+    if held.all(|one| one.scalars().is_empty()) {
+        state = moved(model, question, conditions, &state)?;
+        at_rest(&mut state)?;
+        return Ok((state, None));
+    }
+    // Joints follow scalars, which may follow the motion of the joints.
+    for _ in 0..ROUNDS {
+        at_rest(&mut state)?;
+        let from = State {
+            scalars: state.scalars,
+            scalar_rates: state.scalar_rates,
+            ..given.clone()
+        };
+        let found = moved(model, question, conditions, &from)?;
+        let mut again = found.clone();
+        at_rest(&mut again)?;
+        let pairs = again.scalars.iter().zip(&found.scalars);
+        let off = pairs.map(|(again, found)| (again - found).abs() / found.abs().max(1.0));
+        if off.fold(0.0, f64::max) < AGREED {
+            return Ok((found, None));
+        }
+        state = again;
+    }
+    state = moved(model, question, conditions, &state)?;
+    let remark = "joints follow signals that depend on the motion of the joints: no start was \
+                  found at which all that should be at rest is at rest";
+    Ok((state, Some(remark.to_owned())))
+}
+
+/// Places and velocities that fulfill the constraints, as near to those that are `given` as
+/// the weights of the nodes say.
+fn moved(
+    model: &Model,
+    question: &TransientQuestion,
+    conditions: &Conditions,
+    given: &State,
+) -> Result<State, TransientFailure> {
+    let system = &model.system;
     let not_placed = |off: Unfulfilled| {
         let constraint = system.equation(off.place);
         match off.is_turned_over {
@@ -128,35 +212,12 @@ pub(super) fn start(
             },
         }
     };
-    let placed = place(system, &given, &conditions, &model.initial).map_err(not_placed)?;
+    let placed = place(system, given, conditions, &model.initial).map_err(not_placed)?;
     let not_moving = |off: Unfulfilled| TransientFailure::Velocities {
         constraint: system.equation(off.place),
         value: off.value,
     };
-    let mut state = set_moving(system, &placed, &conditions, &model.initial).map_err(not_moving)?;
-    let changes = changes(model, &given, &state);
-    let settle = |state: &mut State, settling: Settling| {
-        let settled = scalars::settle(system, state, &conditions, settling);
-        settled.map_err(TransientFailure::Scalars)
-    };
-    if question.start == Start::Given {
-        scalars::begin(system, &mut state);
-        settle(&mut state, Settling::AtRest)?;
-    }
-    settle(&mut state, Settling::InMotion)?;
-    if !state.memory.is_empty() {
-        // What is remembered of the start acts from there on.
-        system.begin_memory(&mut state, &conditions);
-        settle(&mut state, Settling::InMotion)?;
-    }
-    find_momenta(system, &mut state, &conditions);
-    let mut started = Started {
-        state,
-        changes,
-        remarks: unstable.into_iter().collect(),
-    };
-    find_rates(model, question, &conditions, &mut started)?;
-    Ok(started)
+    set_moving(system, &placed, conditions, &model.initial).map_err(not_moving)
 }
 
 /// Places and velocities of the kind of start that is asked for, and a remark where it is

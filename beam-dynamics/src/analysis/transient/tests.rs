@@ -8,6 +8,7 @@ mod contradicting;
 mod corners;
 mod failing;
 mod flexible;
+mod following;
 mod jacobian;
 mod linkages;
 mod models;

@@ -2,7 +2,7 @@
 
 use super::System;
 use crate::elements::{
-    Element, Energy, Local, LocalJacobian, LocalResidual, LocalSize, Observations,
+    Element, Energy, Local, LocalJacobian, LocalResidual, LocalSize, Observations, PlaceJump,
 };
 use crate::model::{Conditions, State};
 
@@ -72,6 +72,25 @@ impl System {
         elements.find_map(|(index, element)| {
             let why = self.why_without_value(index, state, conditions)?;
             Some((element.as_ref(), why))
+        })
+    }
+
+    /// The first jump of what an element holds in place, between two instants at a state, and the
+    /// element.
+    pub fn place_jump(
+        &self,
+        state: &State,
+        between: [&Conditions; 2],
+    ) -> Option<(&dyn Element, PlaceJump)> {
+        let loadings = between.map(|at| &at.loading);
+        let mut elements = self.elements.iter().enumerate();
+        elements.find_map(|(index, element)| {
+            if element.multipliers() == 0 {
+                return None;
+            }
+            let jump = |at: &Local<'_>| element.jump(loadings, at.scalars);
+            let jump = self.seen(index, state, between[1], jump)?;
+            Some((element.as_ref(), jump))
         })
     }
 

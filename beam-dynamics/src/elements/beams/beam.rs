@@ -26,9 +26,9 @@ use super::strain::{StrainPoint, Variation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Charges, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Observations,
-    SectionState,
+    SectionState, Signal,
 };
-use crate::model::{Drive, Node, NodeMotion, Scalar};
+use crate::model::{Node, NodeMotion, Scalar};
 
 /// xi of the evaluation points: the Gauss points, which make the beam of constant
 /// properties exact at its ends.
@@ -42,6 +42,8 @@ pub struct Beam {
     geometry: BeamGeometry,
     points: [Point; 2],
     electrodes: Electrodes,
+    /// Those that the laws and the electrodes read.
+    scalars: Vec<Scalar>,
 }
 
 #[derive(Debug, Clone)]
@@ -56,6 +58,8 @@ struct At<'a> {
     strain: StrainPoint<'a>,
     now: Vector6<f64>,
     test: Test,
+    /// Its rate, zero where the law does not resist it.
+    rate: Vector6<f64>,
     /// Forces of the law and of the electrodes.
     response: Response<6>,
 }
@@ -70,7 +74,11 @@ impl Beam {
         undeformed: [&Node; 3],
         laws: [Law<6>; 2],
     ) -> Self {
-        let [first, second] = laws;
+        let mut scalars = Vec::new();
+        let [first, second] = laws.map(|mut law| {
+            law.bind(&mut scalars);
+            law
+        });
         let point = |place: usize, law: Law<6>| Point {
             shape: Shape::at(EVALUATION_POINTS[place]),
             reference: geometry.reference_point(&undeformed, EVALUATION_POINTS[place]),
@@ -82,6 +90,7 @@ impl Beam {
             geometry,
             points: [point(0, first), point(1, second)],
             electrodes: Electrodes::default(),
+            scalars,
         }
     }
 
@@ -107,7 +116,8 @@ impl Beam {
         capacitance: [DMatrix<f64>; 2],
     ) -> Self {
         let lengths = self.points.each_ref().map(|point| point.reference.j0);
-        self.electrodes = Electrodes::new(electrodes, capacitance, lengths);
+        let scalars = &mut self.scalars;
+        self.electrodes = Electrodes::new(electrodes, capacitance, lengths, scalars);
         self
     }
 
@@ -163,33 +173,42 @@ impl Beam {
             false => Vector6::zeros(),
         };
         let now = point.reference.strain(&strain.section.point);
-        let mut response = point.law.at(&now, &rate, at.loading.time);
+        let mut response = point.law.at(&now, &rate, &at.instant());
         response.force += self.electrodes.force(place, voltages);
         At {
             now,
+            rate,
             test: self.geometry.formulation.test(place, &strain),
             strain,
             response,
         }
     }
 
-    /// Adds the forces and charges of an electrode that are linear in its voltage, and in
-    /// the strain.
-    fn add_by_electrodes(
+    /// Adds the variation of the forces by scalars, and that of the charges.
+    fn add_by_scalars(
         &self,
         place: usize,
-        at: &At<'_>,
-        voltages: &[Voltage],
+        (point, at): (&At<'_>, &Local<'_>),
         out: &mut LocalJacobian,
     ) {
-        for (k, voltage) in voltages.iter().enumerate() {
-            let Some(column) = voltage.scalar else {
-                continue;
-            };
-            add_column(&at.test, self.electrodes.coupling(k, place), column, out);
+        if self.scalars.is_empty() {
+            return;
         }
-        self.electrodes
-            .add_charge_rows(place, &at.strain.variation, voltages, out);
+        let law = &self.points[place].law;
+        law.by_scalars(
+            &point.now,
+            &point.rate,
+            &at.instant(),
+            |scalar, q, of_rate| {
+                add_column(&point.test, q, (scalar, of_rate), out);
+            },
+        );
+        self.electrodes.by_scalars(at, |k, scalar, slope| {
+            let q = slope * self.electrodes.coupling(k, place);
+            add_column(&point.test, &q, (scalar, false), out);
+        });
+        let variation = (&point.strain.variation, at);
+        self.electrodes.add_charge_rows(place, variation, out);
     }
 }
 
@@ -207,7 +226,7 @@ impl Element for Beam {
     }
 
     fn scalars(&self) -> &[Scalar] {
-        self.electrodes.scalars()
+        &self.scalars
     }
 
     fn reach(&self) -> f64 {
@@ -215,9 +234,9 @@ impl Element for Beam {
         offsets.fold(0.0, f64::max)
     }
 
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
-        let laws = self.points.iter().flat_map(|point| point.law.drives());
-        laws.chain(self.electrodes.drives()).for_each(visit);
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        let laws = self.points.iter().flat_map(|point| point.law.signals());
+        laws.chain(self.electrodes.signals()).for_each(visit);
     }
 
     fn without_value(&self, at: &Local<'_>) -> Option<String> {
@@ -235,7 +254,7 @@ impl Element for Beam {
     fn energy(&self, at: &Local<'_>) -> Energy {
         let strains = self.strains(at.nodes);
         let of_point = |(point, strain): (&Point, &Vector6<f64>)| {
-            point.law.energy(strain, at.loading.time) * point.reference.j0
+            point.law.energy(strain, &at.instant()) * point.reference.j0
         };
         Energy {
             elastic: self.points.iter().zip(&strains).map(of_point).sum(),
@@ -284,7 +303,7 @@ impl Element for Beam {
             add_tangent(&point.test, &by_unknowns, false, out);
             let formulation = self.geometry.formulation;
             formulation.add_geometric(place, &point.strain, force, out);
-            self.add_by_electrodes(place, &point, &voltages, out);
+            self.add_by_scalars(place, (&point, at), out);
         }
     }
 
@@ -319,7 +338,7 @@ impl Element for Beam {
                 axes: point.strain.section.point.r,
                 strain: point.now,
                 internal_force: point.response.force,
-                change_of_stiffness: law.change_by_prestress(&point.now, at.loading.time),
+                change_of_stiffness: law.change_by_prestress(&point.now, &at.instant()),
                 turn,
             });
         }

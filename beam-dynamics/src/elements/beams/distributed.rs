@@ -26,9 +26,8 @@ use super::geometry::BeamGeometry;
 use super::interpolation::{NodalKinematics, Shape};
 use super::mass::{intervals, portion_of};
 use super::strain::SectionPoint;
-use crate::elements::loads::{Head, Load, LoadFactor, Turning};
-use crate::elements::{Local, LocalJacobian, LocalResidual, Signal};
-use crate::model::Equation::{Force, Moment};
+use crate::elements::loads::{Add, Head, Load, LoadFactor, Turning};
+use crate::elements::{Local, LocalJacobian, Signal};
 use crate::model::Node;
 
 /// Gauss points between two neighboring limits: exact for a load of the fifth degree
@@ -95,12 +94,7 @@ impl DistributedLoad {
             }
         }
         Self {
-            head: Head {
-                label: label.into(),
-                nodes: nodes.to_vec(),
-                factor,
-                signal: Signal::default(),
-            },
+            head: Head::new(label, nodes.to_vec(), factor),
             geometry,
             turning,
             points,
@@ -110,7 +104,7 @@ impl DistributedLoad {
     /// The load times a signal.
     #[must_use]
     pub fn driven(mut self, signal: Signal) -> Self {
-        self.head.signal = signal;
+        self.head.drive(signal);
         self
     }
 
@@ -146,24 +140,6 @@ impl DistributedLoad {
             );
         }
     }
-
-    /// Adds what the change of the signal does.
-    fn add_signal(&self, at: &Local<'_>, load_factor: f64, out: &mut LocalJacobian) {
-        let formulation = self.geometry.formulation;
-        let mut sums = [[Vector3::zeros(); 2]; 3];
-        self.each(at, load_factor, |portion, section, load| {
-            formulation.add_on_line(portion, section, load, |node, equation, value| {
-                sums[node][usize::from(equation == Moment)] += value;
-            });
-        });
-        self.head.signal.gradient(at, 0, |scalar, slope| {
-            for (node, sums) in sums.iter().enumerate() {
-                for (equation, sum) in [Force, Moment].into_iter().zip(sums) {
-                    out.add_by_scalar((node, equation), scalar, &(slope * sum));
-                }
-            }
-        });
-    }
 }
 
 impl Load for DistributedLoad {
@@ -171,22 +147,17 @@ impl Load for DistributedLoad {
         &self.head
     }
 
-    fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
-        let factor = factor * self.head.signal.value(at, 0);
+    fn add(&self, size: f64, at: &Local<'_>, add: &mut Add<'_>) {
         let formulation = self.geometry.formulation;
-        self.each(at, factor, |portion, section, load| {
-            formulation.add_on_line(portion, section, load, |node, equation, value| {
-                out.add(node, equation, value);
-            });
+        self.each(at, size, |portion, section, load| {
+            formulation.add_on_line(portion, section, load, &mut *add);
         });
     }
 
-    fn add_variation(&self, load_factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
-        let factor = load_factor * self.head.signal.value(at, 0);
+    fn add_variation(&self, size: f64, at: &Local<'_>, out: &mut LocalJacobian) {
         let formulation = self.geometry.formulation;
-        self.each(at, factor, |portion, section, load| {
+        self.each(at, size, |portion, section, load| {
             formulation.add_on_line_variation(portion, section, load, out);
         });
-        self.add_signal(at, load_factor, out);
     }
 }

@@ -26,14 +26,15 @@ use nalgebra::{DMatrix, RowVector3, Vector6};
 use super::beam::EVALUATION_POINTS;
 use super::geometry::BeamGeometry;
 use super::strain::Variation;
-use crate::elements::{Along, Charges, Local, LocalJacobian, LocalResidual};
-use crate::model::{Drive, Node, Scalar, Variable};
+use crate::elements::signal::place_in;
+use crate::elements::{Along, Charges, Local, LocalJacobian, LocalResidual, Signal};
+use crate::model::{Node, Scalar, Variable};
 
 /// Where the voltage of an electrode comes from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Potential {
-    /// It is given over time [V].
-    Held(Drive),
+    /// It is given [V].
+    Held(Signal),
     /// It is an unknown of the model.
     Free(Scalar),
 }
@@ -72,8 +73,8 @@ impl BeamElectrode {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Electrodes {
     list: Vec<BeamElectrode>,
-    /// Unknown voltages, in the order of the electrodes that have one.
-    scalars: Vec<Scalar>,
+    /// Numbers of the unknown voltages among the scalars of the beam.
+    places: Vec<Option<usize>>,
     /// J0 at the evaluation points [m].
     lengths: [f64; 2],
     /// Electrodes x electrodes at the evaluation points [F/m].
@@ -87,17 +88,22 @@ pub(super) struct Voltage {
 }
 
 impl Electrodes {
+    /// Those of a beam with the given scalars, to which their own are added.
     pub fn new(
-        list: Vec<BeamElectrode>,
+        mut list: Vec<BeamElectrode>,
         capacitance: [DMatrix<f64>; 2],
         lengths: [f64; 2],
+        scalars: &mut Vec<Scalar>,
     ) -> Self {
-        let unknown = |electrode: &BeamElectrode| match &electrode.potential {
-            Potential::Held(_) => None,
-            Potential::Free(scalar) => Some(scalar.clone()),
+        let place = |electrode: &mut BeamElectrode| match &mut electrode.potential {
+            Potential::Held(signal) => {
+                signal.bind(scalars);
+                None
+            }
+            Potential::Free(scalar) => Some(place_in(scalars, scalar)),
         };
         Self {
-            scalars: list.iter().filter_map(unknown).collect(),
+            places: list.iter_mut().map(place).collect(),
             list,
             lengths,
             capacitance: capacitance.into(),
@@ -108,28 +114,24 @@ impl Electrodes {
         self.list.is_empty()
     }
 
-    pub fn scalars(&self) -> &[Scalar] {
-        &self.scalars
-    }
-
     /// Coupling of electrode number `k` of the beam at an evaluation point.
     pub fn coupling(&self, k: usize, place: usize) -> &Vector6<f64> {
         &self.list[k].coupling[place]
     }
 
-    /// The drives of voltages that are given.
-    pub fn drives(&self) -> impl Iterator<Item = &Drive> {
+    /// The signals of voltages that are given.
+    pub fn signals(&self) -> impl Iterator<Item = &Signal> {
         self.list
             .iter()
             .filter_map(|electrode| match &electrode.potential {
-                Potential::Held(drive) => Some(drive),
+                Potential::Held(signal) => Some(signal),
                 Potential::Free(_) => None,
             })
     }
 
     pub fn voltages(&self, at: &Local<'_>) -> Vec<Voltage> {
         self.each(
-            |drive| at.loading.voltages * drive.at(at.loading.time).value,
+            |signal| at.loading.voltages * signal.value(&at.instant()),
             |scalar| at.scalars.values[scalar],
         )
     }
@@ -139,22 +141,33 @@ impl Electrodes {
         self.each(|_| 0.0, |scalar| along.scalars[scalar])
     }
 
-    fn each(&self, held: impl Fn(&Drive) -> f64, free: impl Fn(usize) -> f64) -> Vec<Voltage> {
-        let mut scalars = 0..;
-        let of = |electrode: &BeamElectrode| match &electrode.potential {
-            Potential::Held(drive) => Voltage {
-                value: held(drive),
-                scalar: None,
-            },
-            Potential::Free(_) => {
-                let scalar = scalars.next().unwrap_or_default();
-                Voltage {
-                    value: free(scalar),
-                    scalar: Some(scalar),
-                }
-            }
+    fn each(&self, held: impl Fn(&Signal) -> f64, free: impl Fn(usize) -> f64) -> Vec<Voltage> {
+        let value = |electrode: &BeamElectrode, place: Option<usize>| match &electrode.potential {
+            Potential::Held(signal) => held(signal),
+            Potential::Free(_) => place.map_or(0.0, &free),
         };
-        self.list.iter().map(of).collect()
+        let places = self.list.iter().zip(&self.places);
+        let voltage = places.map(|(electrode, &scalar)| Voltage {
+            value: value(electrode, scalar),
+            scalar,
+        });
+        voltage.collect()
+    }
+
+    /// Calls `add` with the derivatives of all voltages by scalars: number of the electrode of
+    /// the beam, number of the scalar, derivative.
+    pub fn by_scalars(&self, at: &Local<'_>, mut add: impl FnMut(usize, usize, f64)) {
+        let electrodes = self.list.iter().zip(&self.places).enumerate();
+        for (k, (electrode, place)) in electrodes {
+            match (&electrode.potential, place) {
+                (Potential::Held(signal), _) => {
+                    let size = at.loading.voltages;
+                    signal.gradient(&at.instant(), |scalar, slope| add(k, scalar, size * slope));
+                }
+                (Potential::Free(_), Some(scalar)) => add(k, *scalar, 1.0),
+                (Potential::Free(_), None) => {}
+            }
+        }
     }
 
     /// Force of all voltages at an evaluation point, section axes.
@@ -211,13 +224,12 @@ impl Electrodes {
     pub fn add_charge_rows(
         &self,
         place: usize,
-        variation: &Variation,
-        voltages: &[Voltage],
+        (variation, at): (&Variation, &Local<'_>),
         out: &mut LocalJacobian,
     ) {
         const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
-        for (k, voltage) in voltages.iter().enumerate() {
-            let Some(row) = voltage.scalar else { continue };
+        for (k, row) in self.places.iter().enumerate() {
+            let Some(row) = *row else { continue };
             let weight = self.lengths[place] / self.list[k].capacitance;
             let values = weight * self.coupling(k, place).transpose() * variation;
             for (node, variable) in (0..3).flat_map(|node| [(node, 0), (node, 1)]) {
@@ -225,11 +237,10 @@ impl Electrodes {
                 let values = RowVector3::from_fn(|_, i| values[first + i]);
                 out.add_scalar_row(row, (node, UNKNOWNS[variable]), &values);
             }
-            for (l, other) in voltages.iter().enumerate() {
-                let Some(column) = other.scalar else { continue };
+            self.by_scalars(at, |l, column, slope| {
                 let charge = weight * self.capacitance[place][(k, l)];
-                out.add_scalar(row, column, -charge, false);
-            }
+                out.add_scalar(row, column, -charge * slope, false);
+            });
         }
     }
 

@@ -152,9 +152,14 @@ pub(super) fn add_tangent(test: &Test, by: &Variation, rates: bool, out: &mut Lo
     }
 }
 
-/// Adds the variation of the forces on the nodes by a scalar that makes the section force `q`
-/// for each unit.
-pub(super) fn add_column(test: &Test, q: &Vector6<f64>, column: usize, out: &mut LocalJacobian) {
+/// Adds the variation of the forces on the nodes by a scalar, or its rate, that makes the
+/// section force `q` for each unit.
+pub(super) fn add_column(
+    test: &Test,
+    q: &Vector6<f64>,
+    column: (usize, bool),
+    out: &mut LocalJacobian,
+) {
     let forces = -test.tr_mul(q);
     for node in 0..3 {
         for (row, equation) in [(0, Force), (3, Moment)] {

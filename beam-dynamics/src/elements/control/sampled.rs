@@ -17,7 +17,7 @@ use nalgebra::DVector;
 use super::Matrices;
 use super::inputs::Inputs;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
-use crate::model::{Drive, Scalar};
+use crate::model::Scalar;
 
 /// Instants that are nearer to each other, in periods, are the same.
 const SAME: f64 = 1e-6;
@@ -175,12 +175,8 @@ impl Element for Sampled {
         }
     }
 
-    fn senses(&self) -> bool {
-        self.inputs.sense()
-    }
-
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
-        self.inputs.drives().for_each(visit);
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        self.inputs.signals().iter().for_each(visit);
     }
 
     fn next_corner(&self, time: f64) -> f64 {

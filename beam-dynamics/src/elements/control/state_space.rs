@@ -21,7 +21,7 @@ use nalgebra::DMatrix;
 
 use super::inputs::Inputs;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
-use crate::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart};
+use crate::model::{Quantity, Scalar, ScalarSpec, ScalarStart};
 
 /// The matrices of a linear system.
 #[derive(Debug, Clone, PartialEq)]
@@ -133,6 +133,7 @@ impl StateSpace {
             unknown: Quantity::new(name, "-", 1.0),
             equation: Quantity::new(format!("output \"{name}\""), "-", 1.0),
             has_rate: false,
+            rate: None,
             start: ScalarStart::Settled,
         })
     }
@@ -154,6 +155,7 @@ impl StateSpace {
                 equation: Quantity::new(format!("rate of {name}"), "1/s", 1.0),
                 unknown: Quantity::new(name, "-", 1.0),
                 has_rate: true,
+                rate: None,
                 start: *start,
             })
         });
@@ -195,16 +197,8 @@ impl Element for StateSpace {
         &self.scalars
     }
 
-    fn senses(&self) -> bool {
-        self.inputs.sense()
-    }
-
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
-        self.inputs.drives().for_each(visit);
-    }
-
-    fn next_corner(&self, time: f64) -> f64 {
-        self.inputs.next_corner(time)
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        self.inputs.signals().iter().for_each(visit);
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {

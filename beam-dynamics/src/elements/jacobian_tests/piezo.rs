@@ -35,7 +35,7 @@ fn beams_with_electrodes_of_all_kinds() {
         let free = [open(), open()];
         let potentials = [
             Potential::Free(free[1].clone()),
-            Potential::Held(held),
+            Potential::Held(held.into()),
             Potential::Free(free[0].clone()),
         ];
         let electrodes = potentials.into_iter().enumerate();
@@ -58,15 +58,15 @@ fn circuits() {
     let mut random = Random(61);
     let source = || Drive::Constant(0.4);
     for circuit in [
-        Circuit::Held(source()),
+        Circuit::Held(source().into()),
         Circuit::Open { charge: 0.3 },
         Circuit::Shunt {
-            source: source(),
+            source: source().into(),
             resistance: 0.8,
             inductance: 0.0,
         },
         Circuit::Shunt {
-            source: source(),
+            source: source().into(),
             resistance: 0.8,
             inductance: 0.6,
         },

@@ -39,7 +39,9 @@ fn sensors(nodes: &[Node]) -> Vec<Sensor> {
         .collect();
     posts.extend(turning.map(|post| (Sensed::Rotation, post)));
     let sensor = |(i, (kind, post)): (usize, (Sensed, Post))| {
-        Sensor::new(format!("sensor {i}"), kind, post, i % 3, nodes)
+        let label = format!("sensor {i}");
+        let of = (Sensor::output(&label, kind), kind);
+        Sensor::new(label, of, post, i % 3, nodes)
     };
     posts.into_iter().enumerate().map(sensor).collect()
 }
@@ -54,6 +56,7 @@ pub(super) fn sensing() -> Signal {
             unknown: quantity.clone(),
             equation: quantity,
             has_rate: false,
+            rate: None,
             start: ScalarStart::Settled,
         });
         Input { scalar, unit }

@@ -36,15 +36,20 @@ macro_rules! is_a_joint {
                 self.joint.reach()
             }
 
-            fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a crate::model::Drive)) {
-                self.joint.each_drive(visit);
+            fn scalars(&self) -> &[crate::model::Scalar] {
+                self.joint.scalars()
+            }
+
+            fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a crate::elements::Signal)) {
+                self.joint.each_signal(visit);
             }
 
             fn jump(
                 &self,
                 between: [&crate::model::Loading; 2],
+                scalars: crate::model::Scalars<'_>,
             ) -> Option<crate::elements::PlaceJump> {
-                self.joint.jump(between)
+                self.joint.jump(between, scalars)
             }
 
             fn is_turned_over(&self, at: &crate::elements::Local<'_>) -> bool {

@@ -39,11 +39,11 @@ use shared_geom::rotation::skew;
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
 use crate::elements::{
-    Along, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Local, LocalJacobian,
-    LocalResidual, Motion, Observations, prestress_of_multipliers,
+    Along, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Instant, Local,
+    LocalJacobian, LocalResidual, Motion, Observations, Signal, prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
-use crate::model::{Drive, Node, NodeMotion, Variable};
+use crate::model::{Node, NodeMotion, Scalar, Variable};
 
 /// Spring and damper of a hinge.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -64,7 +64,9 @@ pub struct Hinge {
     axis: Vector3<f64>,
     spring: HingeSpring,
     /// Where the relaxed angle changes, what it is [rad].
-    relaxed: Option<Drive>,
+    relaxed: Option<Signal>,
+    /// Those that it reads.
+    scalars: Vec<Scalar>,
 }
 
 /// The hinge at a state.
@@ -97,20 +99,21 @@ impl Hinge {
             axis: axes.column(0).into_owned(),
             spring,
             relaxed: None,
+            scalars: Vec::new(),
         }
     }
 
-    /// The same with a spring whose relaxed angle follows a drive [rad].
-    pub fn relaxed_by(self, angle: Drive) -> Self {
-        Self {
-            relaxed: Some(angle),
-            ..self
-        }
+    /// The same with a spring whose relaxed angle follows a signal [rad].
+    #[must_use]
+    pub fn relaxed_by(mut self, angle: impl Into<Signal>) -> Self {
+        self.scalars.clear();
+        self.relaxed = Some(angle.into().bound(&mut self.scalars));
+        self
     }
 
     /// Angle from that of the relaxed spring, at most half a turn.
-    fn turned(&self, state: &State, time: f64) -> f64 {
-        let driven = self.relaxed.as_ref().map(|drive| drive.at(time).value);
+    fn turned(&self, state: &State, now: &Instant<'_>) -> f64 {
+        let driven = self.relaxed.as_ref().map(|signal| signal.value(now));
         let apart = state.angle() - driven.unwrap_or(self.spring.angle);
         apart - TAU * (apart / TAU).round()
     }
@@ -129,14 +132,14 @@ impl Hinge {
     }
 
     /// Moment of spring and damper, positive where it drives the angle back \[N m\].
-    fn moment(&self, state: &State, time: f64) -> f64 {
+    fn moment(&self, state: &State, now: &Instant<'_>) -> f64 {
         let HingeSpring {
             stiffness, damping, ..
         } = self.spring;
         let mut moment = 0.0;
         // A free hinge may stand at any angle, also where the angle has no value.
         if stiffness != 0.0 {
-            moment += stiffness * self.turned(state, time);
+            moment += stiffness * self.turned(state, now);
         }
         moment + damping * state.axis().dot(&state.rate)
     }
@@ -145,7 +148,7 @@ impl Hinge {
         self.spring.stiffness == 0.0 && self.spring.damping == 0.0
     }
 
-    fn spring_jacobian(&self, state: &State, time: f64, out: &mut LocalJacobian) {
+    fn spring_jacobian(&self, state: &State, now: &Instant<'_>, out: &mut LocalJacobian) {
         let HingeSpring {
             stiffness, damping, ..
         } = self.spring;
@@ -157,7 +160,7 @@ impl Hinge {
         };
         let turning = damping * h.cross(&state.rate);
         // Derivatives of M h_a by the rotations of a and b, and by the velocity of b.
-        let by_a = h * (turning - gradient).transpose() - self.moment(state, time) * skew(&h);
+        let by_a = h * (turning - gradient).transpose() - self.moment(state, now) * skew(&h);
         let by_b = h * gradient.transpose();
         let by_velocity = damping * h * h.transpose();
         for (node, sign) in [(0, 1.0), (1, -1.0)] {
@@ -168,6 +171,13 @@ impl Hinge {
                 out.add((node, Moment), (0, Variable::AngularVelocity), &a);
                 out.add((node, Moment), (1, Variable::AngularVelocity), &b);
             }
+        }
+        if let Some(relaxed) = self.relaxed.as_ref().filter(|_| stiffness != 0.0) {
+            relaxed.gradient(now, |scalar, slope| {
+                let moment = stiffness * slope * h;
+                out.add_by_scalar((0, Moment), (scalar, false), &-moment);
+                out.add_by_scalar((1, Moment), (scalar, false), &moment);
+            });
         }
     }
 }
@@ -221,7 +231,7 @@ impl Element for Hinge {
     fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
         let is_loaded = self.spring.stiffness != 0.0;
         is_loaded.then(|| {
-            let turned = self.turned(&self.state(at.nodes), at.loading.time);
+            let turned = self.turned(&self.state(at.nodes), &at.instant());
             turned * Vector3::x()
         })
     }
@@ -230,7 +240,11 @@ impl Element for Hinge {
         self.joint.reach()
     }
 
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+    fn scalars(&self) -> &[Scalar] {
+        &self.scalars
+    }
+
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         self.relaxed.iter().for_each(visit);
     }
 
@@ -239,7 +253,7 @@ impl Element for Hinge {
         // A free hinge may stand where its angle has no value.
         let turned = match stiffness == 0.0 {
             true => 0.0,
-            false => self.turned(&self.state(at.nodes), at.loading.time),
+            false => self.turned(&self.state(at.nodes), &at.instant()),
         };
         Energy {
             elastic: 0.5 * stiffness * turned * turned,
@@ -255,7 +269,7 @@ impl Element for Hinge {
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         self.joint.residual(at, out);
         let state = self.state(at.nodes);
-        let moment = self.moment(&state, at.loading.time) * state.axis();
+        let moment = self.moment(&state, &at.instant()) * state.axis();
         out.add(0, Moment, &moment);
         out.add(1, Moment, &-moment);
     }
@@ -263,7 +277,7 @@ impl Element for Hinge {
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         self.joint.jacobian(at, out);
         if !self.is_free() {
-            self.spring_jacobian(&self.state(at.nodes), at.loading.time, out);
+            self.spring_jacobian(&self.state(at.nodes), &at.instant(), out);
         }
     }
 
@@ -292,7 +306,7 @@ impl Element for Hinge {
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
         let state = self.state(at.nodes);
-        let moment = self.moment(&state, at.loading.time) * state.axis();
+        let moment = self.moment(&state, &at.instant()) * state.axis();
         self.joint.observe_with(at, &moment, out);
     }
 }

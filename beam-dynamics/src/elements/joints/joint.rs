@@ -13,10 +13,10 @@ use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
 use crate::elements::loads::LoadFactor;
 use crate::elements::{
-    ConstraintRates, ConstraintWords, Element, Level, Local, LocalJacobian, LocalResidual, Motion,
-    Observations, PlaceJump, Reaction,
+    ConstraintRates, ConstraintWords, Element, Instant, Level, Local, LocalJacobian, LocalResidual,
+    Motion, Observations, PlaceJump, Reaction, Signal,
 };
-use crate::model::{Drive, DriveValue, Loading, Node, NodeMotion};
+use crate::model::{DriveValue, Loading, Node, NodeMotion, Scalar, Scalars};
 
 mod held;
 mod jump;
@@ -32,11 +32,13 @@ pub struct ConstraintJoint {
     axes: Matrix3<f64>,
     rows: Vec<Row>,
     /// Components of the rotation vector that turns the axes of a.
-    turn: Option<[Drive; 3]>,
+    turn: Option<[Signal; 3]>,
     /// What the targets and that rotation grow with.
     factor: Option<LoadFactor>,
     /// What both are multiplied with.
-    scale: Option<Drive>,
+    scale: Option<Signal>,
+    /// Those that the targets, the rotation and the scale read.
+    scalars: Vec<Scalar>,
     /// The axis about which b turns against a, where there is one.
     angle_about: Option<usize>,
     /// Motions that are free on purpose.
@@ -73,8 +75,8 @@ impl JointEnds<'_> {
 pub(super) type Place = (Vector3<f64>, Matrix3<f64>);
 
 impl ConstraintJoint {
-    /// All that is given over time.
-    fn given(&self) -> impl Iterator<Item = &Drive> {
+    /// All that is given.
+    fn given(&self) -> impl Iterator<Item = &Signal> {
         let targets = self.rows.iter().filter_map(|row| row.target.as_ref());
         targets.chain(self.turn.iter().flatten()).chain(&self.scale)
     }
@@ -84,13 +86,16 @@ impl ConstraintJoint {
         label: impl Into<String>,
         ends: &JointEnds<'_>,
         places: [Place; 2],
-        rows: Vec<Row>,
+        mut rows: Vec<Row>,
     ) -> Self {
         let [(at_a, axes_a), (at_b, axes_b)] = &places;
         let a = match ends.a {
             Some((_, node)) => Attachment::to(node, at_a, axes_a),
             None => Attachment::to_frame(at_a, axes_a),
         };
+        let mut scalars = Vec::new();
+        let targets = rows.iter_mut().filter_map(|row| row.target.as_mut());
+        targets.for_each(|target| target.bind(&mut scalars));
         let mut joint = Self {
             label: label.into(),
             nodes: ends.nodes(),
@@ -100,6 +105,7 @@ impl ConstraintJoint {
             turn: None,
             factor: None,
             scale: None,
+            scalars,
             angle_about: None,
             motions: Vec::new(),
             reach: ends.reach([at_a, at_b]),
@@ -111,8 +117,8 @@ impl ConstraintJoint {
     }
 
     /// With the axes of a turned by a rotation vector.
-    pub(super) fn turned_by(mut self, turn: [Drive; 3]) -> Self {
-        self.turn = Some(turn);
+    pub(super) fn turned_by(mut self, turn: [Signal; 3]) -> Self {
+        self.turn = Some(turn.map(|signal| signal.bound(&mut self.scalars)));
         self
     }
 
@@ -122,9 +128,9 @@ impl ConstraintJoint {
         self
     }
 
-    /// With targets and rotation that are multiplied by a drive.
-    pub(in crate::elements) fn scaled_by(mut self, scale: Drive) -> Self {
-        self.scale = Some(scale);
+    /// With targets and rotation that are multiplied by a signal.
+    pub(in crate::elements) fn scaled_by(mut self, scale: Signal) -> Self {
+        self.scale = Some(scale.bound(&mut self.scalars));
         self
     }
 
@@ -155,9 +161,9 @@ impl ConstraintJoint {
     }
 
     /// What the targets are multiplied with, now.
-    fn scale(&self, loading: &Loading) -> DriveValue {
+    fn scale(&self, loading: &Loading, now: &Instant<'_>) -> DriveValue {
         let one = DriveValue::constant(1.0);
-        let scale = self.scale.as_ref().map_or(one, |s| s.at(loading.time));
+        let scale = self.scale.as_ref().map_or(one, |s| s.at(now));
         match self.factor {
             None => scale,
             Some(factor) => scale.scaled(factor.value(loading)),
@@ -165,13 +171,22 @@ impl ConstraintJoint {
     }
 
     /// What the rows need to know of a state.
-    pub(super) fn seen(&self, nodes: &[NodeMotion], loading: &Loading) -> Seen<'_> {
+    pub(super) fn seen<'a>(
+        &'a self,
+        nodes: &[NodeMotion],
+        loading: &Loading,
+        scalars: Scalars<'a>,
+    ) -> Seen<'a> {
         let ends = self.ends(nodes);
-        let scale = self.scale(loading);
+        let now = Instant {
+            time: loading.time,
+            scalars,
+        };
+        let scale = self.scale(loading, &now);
         let turned = match &self.turn {
             None => Turned::fixed(&ends.a.axes),
             Some(turn) => {
-                let mut by = by_axis(turn, loading.time, &scale);
+                let mut by = by_axis(turn, &now, &scale);
                 if loading.turns != 1.0 {
                     let shortest = vector::from_rotation(&vector::to_rotation(&by[0]));
                     by = [loading.turns * shortest, Vector3::zeros(), Vector3::zeros()];
@@ -183,13 +198,13 @@ impl ConstraintJoint {
             ends,
             frame: &self.axes,
             turned,
-            time: loading.time,
+            now,
             scale,
         }
     }
 
-    fn seen_at(&self, at: &Local<'_>) -> Seen<'_> {
-        self.seen(at.nodes, at.loading)
+    fn seen_at<'a>(&'a self, at: &Local<'a>) -> Seen<'a> {
+        self.seen(at.nodes, at.loading, at.scalars)
     }
 
     /// Force and moment on each node about the node, model axes.
@@ -225,11 +240,55 @@ impl ConstraintJoint {
     }
 }
 
+impl ConstraintJoint {
+    /// w of the axes of a when the components of the rotation vector grow by `growth`.
+    fn turn_by(&self, seen: &Seen<'_>, growth: impl Fn(&Signal) -> f64) -> Vector3<f64> {
+        let turn = |turn: &[Signal; 3]| {
+            let phi = by_axis(turn, &seen.now, &seen.scale)[0];
+            let growth = Vector3::from(turn.each_ref().map(growth));
+            Turned::by(&seen.ends.a.axes, &[phi, growth, Vector3::zeros()]).spin
+        };
+        self.turn.as_ref().map_or_else(Vector3::zeros, turn)
+    }
+
+    /// Derivatives of the constraints and of the reactions by the scalars that are read.
+    fn jacobian_by_scalars(&self, seen: &Seen<'_>, at: &Local<'_>, out: &mut LocalJacobian) {
+        let factor = self.factor.map_or(1.0, |factor| factor.value(at.loading));
+        let reads = |signal: Option<&Signal>, k: usize| signal.is_some_and(|one| one.reads(k));
+        for k in 0..self.scalars.len() {
+            let scale = self.scale.as_ref();
+            let by_scale = scale.map_or(0.0, |scale| factor * scale.slope(&seen.now, k));
+            let growth = |signal: &Signal| {
+                seen.scale.value * signal.slope(&seen.now, k) + by_scale * signal.value(&seen.now)
+            };
+            let turn = self.turn_by(seen, growth);
+            let turns = self.turn.iter().flatten().any(|signal| signal.reads(k));
+            for (i, row) in self.rows.iter().enumerate() {
+                let is_moved = reads(row.target.as_ref(), k) || reads(scale, k);
+                if !is_moved && !(turns && row.is_turned()) {
+                    continue;
+                }
+                let rate = row.target.as_ref().map_or(0.0, growth);
+                let change = row.at(seen).by_target(
+                    at.multipliers[i],
+                    (rate, &turn),
+                    |node, equation, force| {
+                        if row.is_turned() {
+                            out.add_by_scalar((node, equation), (k, false), force);
+                        }
+                    },
+                );
+                out.add_constraint_by_scalar(i, k, change);
+            }
+        }
+    }
+}
+
 /// A rotation vector and its derivatives.
-fn by_axis(turn: &[Drive; 3], time: f64, scale: &DriveValue) -> [Vector3<f64>; 3] {
+fn by_axis(turn: &[Signal; 3], at: &Instant<'_>, scale: &DriveValue) -> [Vector3<f64>; 3] {
     let mut found = [Vector3::zeros(); 3];
-    for (axis, drive) in turn.iter().enumerate() {
-        let now = drive.at(time).times(*scale);
+    for (axis, signal) in turn.iter().enumerate() {
+        let now = signal.at(at).times(*scale);
         found[0][axis] = now.value;
         found[1][axis] = now.rate;
         found[2][axis] = now.acceleration;
@@ -275,12 +334,16 @@ impl Element for ConstraintJoint {
         self.reach
     }
 
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+    fn scalars(&self) -> &[Scalar] {
+        &self.scalars
+    }
+
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         self.given().for_each(visit);
     }
 
-    fn jump(&self, between: [&Loading; 2]) -> Option<PlaceJump> {
-        self.place_jump(between)
+    fn jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
+        self.place_jump(between, scalars)
     }
 
     fn held(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
@@ -320,6 +383,7 @@ impl Element for ConstraintJoint {
         for (i, row) in self.rows.iter().enumerate() {
             row.at(&seen).jacobian(i, at.multipliers[i], out);
         }
+        self.jacobian_by_scalars(&seen, at, out);
     }
 
     fn motions(&self) -> Vec<Motion> {
@@ -332,21 +396,18 @@ impl Element for ConstraintJoint {
         };
         let seen = self.seen_at(at);
         // The targets for a factor of one, times its slope: their growth.
-        let whole = self.scale.as_ref().map_or(1.0, |s| s.at(seen.time).value);
+        let whole = self.scale.as_ref().map_or(1.0, |s| s.value(&seen.now));
         let slope = factor.derivative() * whole;
-        let turn = self.turn.as_ref().map_or_else(Vector3::zeros, |turn| {
-            let phi = by_axis(turn, seen.time, &seen.scale)[0];
-            let growth = turn
-                .each_ref()
-                .map(|drive| slope * drive.at(seen.time).value);
-            let growth = Vector3::from(growth);
-            Turned::by(&seen.ends.a.axes, &[phi, growth, Vector3::zeros()]).spin
-        });
+        let growth = |signal: &Signal| slope * signal.value(&seen.now);
+        let turn = self.turn_by(&seen, growth);
         for (i, row) in self.rows.iter().enumerate() {
-            let target = row.target.as_ref();
-            let rate = target.map_or(0.0, |drive| slope * drive.at(seen.time).value);
-            let growth = (rate, &turn);
-            row.at(&seen).by_factor((i, at.multipliers[i]), growth, out);
+            let rate = row.target.as_ref().map_or(0.0, growth);
+            let change = (row.at(&seen)).by_target(
+                at.multipliers[i],
+                (rate, &turn),
+                |node, equation, force| out.add(node, equation, force),
+            );
+            out.add_constraint(i, change);
         }
     }
 

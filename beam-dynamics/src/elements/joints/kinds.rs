@@ -31,6 +31,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::algebra::{Carrier, Held, Row};
 use super::joint::{ConstraintJoint, JointEnds, Place, same_point};
+use crate::elements::Signal;
 use crate::model::Drive;
 
 /// What becomes of one of the six relative freedoms of a joint.
@@ -40,8 +41,8 @@ pub enum Freedom {
     Free,
     /// It stays as in the undeformed model.
     Locked,
-    /// It follows a drive, in m or rad.
-    Driven(Drive),
+    /// It follows a signal, in m or rad.
+    Driven(Signal),
 }
 
 impl Freedom {
@@ -55,14 +56,14 @@ impl Freedom {
             Self::Free => None,
             Self::Locked if now == 0.0 => Some(Row::zero(held)),
             Self::Locked => Some(Row::driven(held, Drive::Constant(now))),
-            Self::Driven(drive) => Some(Row::driven(held, drive)),
+            Self::Driven(signal) => Some(Row::driven(held, signal)),
         }
     }
 
-    fn drive(self) -> Drive {
+    fn signal(self) -> Signal {
         match self {
-            Self::Driven(drive) => drive,
-            Self::Free | Self::Locked => Drive::Constant(0.0),
+            Self::Driven(signal) => signal,
+            Self::Free | Self::Locked => Drive::Constant(0.0).into(),
         }
     }
 }
@@ -71,9 +72,9 @@ impl Freedom {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Turning {
     /// By an angle of b against a [rad].
-    Angle(Drive),
+    Angle(Signal),
     /// By the angular velocity of b against a [rad/s].
-    Speed(Drive),
+    Speed(Signal),
 }
 
 /// Points and axes of a joint in the undeformed model.
@@ -133,9 +134,13 @@ fn across_the_axis() -> [Row; 2] {
     [1, 2].map(|axis| Row::zero(Held::Along(Carrier::A, axis)))
 }
 
-/// Three drives, the first of them given.
-fn about_first(drive: Drive) -> [Drive; 3] {
-    [drive, Drive::Constant(0.0), Drive::Constant(0.0)]
+/// Three signals, the first of them given.
+fn about_first(angle: Signal) -> [Signal; 3] {
+    [
+        angle,
+        Drive::Constant(0.0).into(),
+        Drive::Constant(0.0).into(),
+    ]
 }
 
 impl ConstraintJoint {
@@ -244,7 +249,7 @@ impl ConstraintJoint {
         label: impl Into<String>,
         ends: &JointEnds<'_>,
         at: &Placing,
-        height: Option<Drive>,
+        height: Option<Signal>,
     ) -> Self {
         let held = Held::Along(Carrier::A, 0);
         let row = match height {
@@ -269,7 +274,7 @@ impl ConstraintJoint {
         label: impl Into<String>,
         ends: &JointEnds<'_>,
         at: &Placing,
-        length: Drive,
+        length: impl Into<Signal>,
     ) -> Self {
         let rows = vec![Row::driven(Held::Distance, length)];
         Self::of_rows(label, ends, at.places(), rows)
@@ -300,7 +305,7 @@ impl ConstraintJoint {
         label: impl Into<String>,
         ends: &JointEnds<'_>,
         at: &Placing,
-        rates: [Option<Drive>; 6],
+        rates: [Option<Signal>; 6],
     ) -> Self {
         let rows = rates.into_iter().enumerate().filter_map(|(i, rate)| {
             let held = match i {
@@ -340,7 +345,7 @@ impl ConstraintJoint {
             .iter()
             .any(|freedom| matches!(freedom, Freedom::Driven(_)))
         {
-            true => joint.turned_by(rotations.map(Freedom::drive)),
+            true => joint.turned_by(rotations.map(Freedom::signal)),
             false => joint,
         }
     }

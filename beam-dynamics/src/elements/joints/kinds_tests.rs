@@ -119,7 +119,7 @@ fn allowed(setting: &Setting<'_>, random: &mut Random) -> Vec<Allowed> {
     let (at, zero, one) = (setting.placing(), Vector3::zeros(), Matrix3::identity());
     let universal = setting.universal();
     let seven = Drive::Constant(7.0);
-    let angle = || Turning::Angle(seven.clone());
+    let angle = || Turning::Angle(seven.clone().into());
     let [x, y, z] = random.vector(2.0).into();
     let (turn, any) = (about(0, 4.0 * x), random.rotation(2.0));
     let (along, across) = (Vector3::new(x, 0.0, 0.0), Vector3::new(0.0, y, z));
@@ -184,7 +184,7 @@ fn total_joints_hold_what_they_name() {
             let held = |i: usize| bits >> i & 1 == 1;
             let now: [f64; 6] = std::array::from_fn(|_| 1.5 * random.number());
             let freedoms = std::array::from_fn(|i| match held(i) {
-                true => Freedom::Driven(Drive::Constant(now[i])),
+                true => Freedom::Driven(Drive::Constant(now[i]).into()),
                 false => Freedom::Free,
             });
             let d = Vector3::new(now[0], now[1], now[2]);

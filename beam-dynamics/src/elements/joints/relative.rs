@@ -5,7 +5,7 @@ use shared_geom::rotation::vector;
 
 use super::joint::ConstraintJoint;
 use crate::elements::{Element, JointState, Level, Motion};
-use crate::model::{Loading, NodeMotion};
+use crate::model::{Loading, NodeMotion, Scalars};
 
 /// Singular values below this part of the largest count as zero: entries of order one.
 const ZERO: f64 = 1e-9;
@@ -46,7 +46,7 @@ pub(super) fn state(
 /// constraints leave free at the undeformed state: the null space of the forces and
 /// moments that they can exert on b at its point.
 pub(super) fn free_motions(joint: &ConstraintJoint, undeformed: &[NodeMotion]) -> Vec<Motion> {
-    let seen = joint.seen(undeformed, &Loading::none());
+    let seen = joint.seen(undeformed, &Loading::none(), Scalars::NONE);
     let (a, b) = (&seen.ends.a, &seen.ends.b);
     let mut rows = nalgebra::DMatrix::zeros(joint.rows().len().max(6), 6);
     let held = joint

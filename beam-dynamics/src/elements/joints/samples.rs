@@ -1,9 +1,11 @@
 //! One joint of every kind, with every way to drive it, for tests.
 
 use nalgebra::{Matrix3, Vector3};
+use shared_geom::expression::{Expression, Names};
 
 use super::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
-use crate::model::{Drive, Harmonic, Node};
+use crate::elements::{Input, Signal};
+use crate::model::{Drive, Harmonic, Node, Quantity, Scalar, ScalarSpec, ScalarStart};
 
 /// A drive with three derivatives of order one.
 pub(in crate::elements) fn drive(mean: f64) -> Drive {
@@ -17,6 +19,34 @@ pub(in crate::elements) fn drive(mean: f64) -> Drive {
     })
 }
 
+/// A scalar with a rate, which is the scalar `rate` if there is one.
+fn scalar(rate: Option<Scalar>) -> Scalar {
+    let quantity = Quantity::new("place", "m", 1.0);
+    Scalar::new(ScalarSpec {
+        owner: "actuator".to_owned(),
+        unknown: quantity.clone(),
+        equation: quantity,
+        has_rate: true,
+        rate,
+        start: ScalarStart::Settled,
+    })
+}
+
+/// A signal of time and two scalars whose rates are scalars, with derivatives of order one.
+pub(in crate::elements) fn signal(mean: f64) -> Signal {
+    let inputs = [0.5, 0.8].map(|unit| Input {
+        scalar: scalar(Some(scalar(None))),
+        unit,
+    });
+    let names = Names {
+        variables: &["t", "a", "b"],
+        constants: &[],
+    };
+    let text = format!("{mean} + (0.2*sin(a) + 0.1*b*cos(a))/(5 + t)");
+    let expression = Expression::parse(&text, &names).expect("a sum of known names");
+    Signal::sensing(expression, inputs.into(), [0.3, 0.7])
+}
+
 /// Where the joints of [`all`] stand.
 pub(in crate::elements) struct Setting<'a> {
     pub ends: JointEnds<'a>,
@@ -27,6 +57,8 @@ pub(in crate::elements) struct Setting<'a> {
     pub other: Vector3<f64>,
     /// A further axis, on b.
     pub second_axis: Vector3<f64>,
+    /// A signal of a mean by which they are driven.
+    pub drive: fn(f64) -> Signal,
 }
 
 impl Setting<'_> {
@@ -50,19 +82,21 @@ impl Setting<'_> {
     }
 }
 
-/// Freedoms of a total joint: bits for held ones; every second of them driven.
-pub(in crate::elements) fn freedoms(bits: u32, driven: bool) -> [Freedom; 6] {
-    std::array::from_fn(|i| match (bits >> i & 1 == 1, driven && i % 2 == 1) {
-        (false, _) => Freedom::Free,
-        (true, false) => Freedom::Locked,
-        (true, true) => Freedom::Driven(drive(0.1)),
-    })
+/// Freedoms of a total joint: bits for held ones; every second of them driven, if by anything.
+pub(in crate::elements) fn freedoms(bits: u32, drive: Option<fn(f64) -> Signal>) -> [Freedom; 6] {
+    std::array::from_fn(
+        |i| match (bits >> i & 1 == 1, drive.filter(|_| i % 2 == 1)) {
+            (false, _) => Freedom::Free,
+            (true, None) => Freedom::Locked,
+            (true, Some(drive)) => Freedom::Driven(drive(0.1)),
+        },
+    )
 }
 
 /// Every kind of joint.
 pub(in crate::elements) fn all(setting: &Setting<'_>) -> Vec<ConstraintJoint> {
     use ConstraintJoint as Joint;
-    let ends = &setting.ends;
+    let (ends, drive) = (&setting.ends, setting.drive);
     let (at, apart) = (setting.placing(), setting.apart());
     let angle = || Some(Turning::Angle(drive(2.0)));
     let speed = || Some(Turning::Speed(drive(2.0)));
@@ -92,8 +126,8 @@ pub(in crate::elements) fn all(setting: &Setting<'_>) -> Vec<ConstraintJoint> {
         Joint::velocity("velocities", ends, &apart, rates(0b101_101)),
     ];
     for bits in 1..64 {
-        joints.push(Joint::total("total", ends, &at, freedoms(bits, false)));
-        let driven = freedoms(bits, true);
+        joints.push(Joint::total("total", ends, &at, freedoms(bits, None)));
+        let driven = freedoms(bits, Some(drive));
         joints.push(Joint::total("driven total", ends, &apart, driven));
     }
     joints
@@ -112,5 +146,6 @@ pub(in crate::elements) fn settings<'a>(
         axes: axes_along(&vector()),
         other: b.1.position - Vector3::new(1.2, 0.0, 0.0) + 0.2 * vector(),
         second_axis: vector(),
+        drive: |mean| drive(mean).into(),
     })
 }

@@ -31,8 +31,8 @@ fn constraints(joint: &ConstraintJoint, motions: &[NodeMotion]) -> Vec<f64> {
 
 fn joints(ends: &JointEnds<'_>, at: &Placing) -> Vec<ConstraintJoint> {
     use ConstraintJoint as Joint;
-    let speed = || Turning::Speed(Drive::Constant(0.0));
-    let rates = [const { Some(Drive::Constant(0.0)) }; 6];
+    let speed = || Turning::Speed(Drive::Constant(0.0).into());
+    let rates = std::array::from_fn(|_| Some(Drive::Constant(0.0).into()));
     let mut joints = vec![
         Joint::clamp("clamp", ends, at),
         Joint::spherical("spherical", ends, at),
@@ -45,7 +45,7 @@ fn joints(ends: &JointEnds<'_>, at: &Placing) -> Vec<ConstraintJoint> {
         Joint::spin("spin", ends, at, speed()),
         Joint::velocity("velocity", ends, at, rates),
     ];
-    joints.extend((1..64).map(|bits| Joint::total("total", ends, at, freedoms(bits, false))));
+    joints.extend((1..64).map(|bits| Joint::total("total", ends, at, freedoms(bits, None))));
     joints
 }
 

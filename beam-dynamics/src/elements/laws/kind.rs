@@ -22,6 +22,7 @@ use nalgebra::{SMatrix, SVector};
 use shared_geom::section::{CubicTable, PRESTRESS_COMPONENTS};
 
 use super::{Bilinear, Cubic, Curve, ExpressionLaw, Imposed, Quadratic, Response};
+use crate::elements::Instant;
 
 /// A function of strain and rate of strain.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,7 +62,7 @@ impl<const N: usize> LawKind<N> {
         &self,
         strain: &SVector<f64, N>,
         rate: &SVector<f64, N>,
-        time: f64,
+        now: &Instant<'_>,
         out: &mut Response<N>,
     ) {
         match self {
@@ -81,26 +82,26 @@ impl<const N: usize> LawKind<N> {
                 out.by_strain += stiffness;
                 out.by_rate += viscosity;
             }
-            Self::Quadratic(law) => law.add(strain, time, out),
+            Self::Quadratic(law) => law.add(strain, now, out),
             Self::Cubic(of) => add_each(strain, out, |i, e| of[i].at(e)),
             Self::Bilinear(of) => add_each(strain, out, |i, e| of[i].at(e)),
             Self::Table(of) => add_each(strain, out, |i, e| match &of[i] {
                 Some(curve) => curve.at(e),
                 None => (0.0, 0.0),
             }),
-            Self::Expression(law) => law.add(strain, rate, time, out),
+            Self::Expression(law) => law.add(strain, rate, now.time, out),
         }
     }
 
-    /// Elastic energy at a time; zero for what has none.
-    pub(super) fn energy(&self, strain: &SVector<f64, N>, time: f64) -> f64 {
+    /// Elastic energy at an instant; zero for what has none.
+    pub(super) fn energy(&self, strain: &SVector<f64, N>, now: &Instant<'_>) -> f64 {
         let sum = |of: &dyn Fn(usize, f64) -> f64| (0..N).map(|i| of(i, strain[i])).sum();
         match self {
             Self::Linear { stiffness } | Self::Viscoelastic { stiffness, .. } => {
                 0.5 * strain.dot(&(stiffness * strain))
             }
             Self::Viscous { .. } | Self::Expression(_) => 0.0,
-            Self::Quadratic(law) => law.energy(strain, time),
+            Self::Quadratic(law) => law.energy(strain, now),
             Self::Cubic(of) => sum(&|i, e| of[i].energy(e)),
             Self::Bilinear(of) => sum(&|i, e| of[i].energy(e)),
             Self::Table(of) => sum(&|i, e| of[i].as_ref().map_or(0.0, |curve| curve.integral(e))),
@@ -116,7 +117,7 @@ impl<const N: usize> LawKind<N> {
     }
 
     /// Whether the force depends on the rate of strain.
-    pub(super) fn is_viscous(&self) -> bool {
+    pub fn is_viscous(&self) -> bool {
         match self {
             Self::Viscous { .. } | Self::Viscoelastic { .. } => true,
             Self::Expression(law) => law.is_viscous(),

@@ -10,7 +10,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::Response;
-use crate::model::Drive;
+use crate::elements::{Instant, Signal};
 
 /// `f = 1/2 T q q + sum c_i T_i q`, with q the strain that is not free.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +31,7 @@ pub struct Imposed<const N: usize> {
     /// [unit of force / unit of strain].
     pub change: SMatrix<f64, N, N>,
     /// c_i [-].
-    pub drive: Drive,
+    pub signal: Signal,
 }
 
 impl<const N: usize> Quadratic<N> {
@@ -44,16 +44,36 @@ impl<const N: usize> Quadratic<N> {
     }
 
     /// Adds force and derivative.
-    pub(super) fn add(&self, strain: &SVector<f64, N>, time: f64, out: &mut Response<N>) {
-        let (q, change) = self.now(strain, time);
+    pub(super) fn add(&self, strain: &SVector<f64, N>, now: &Instant<'_>, out: &mut Response<N>) {
+        let (q, change) = self.now(strain, now);
         let by_strain = self.by_strain(&q);
         out.force += 0.5 * (by_strain * q) + change * q;
         out.by_strain += by_strain + change;
     }
 
-    /// Energy at a time.
-    pub(super) fn energy(&self, strain: &SVector<f64, N>, time: f64) -> f64 {
-        let (q, change) = self.now(strain, time);
+    /// Calls `add` with the derivatives by scalars, see [`super::Law::by_scalars`]:
+    /// `df/dc_i = -( T q + sum c_j T_j ) psi_i + T_i q`.
+    pub(super) fn by_scalars(
+        &self,
+        strain: &SVector<f64, N>,
+        now: &Instant<'_>,
+        add: &mut impl FnMut(usize, &SVector<f64, N>, bool),
+    ) {
+        if !self.imposed.iter().any(|state| state.signal.senses()) {
+            return;
+        }
+        let (q, change) = self.now(strain, now);
+        let by_strain = self.by_strain(&q) + change;
+        for state in &self.imposed {
+            let force = state.change * q - by_strain * state.free_strain;
+            let mut add = |scalar, slope: f64| add(scalar, &(slope * force), false);
+            state.signal.gradient(now, &mut add);
+        }
+    }
+
+    /// Energy at an instant.
+    pub(super) fn energy(&self, strain: &SVector<f64, N>, now: &Instant<'_>) -> f64 {
+        let (q, change) = self.now(strain, now);
         q.dot(&(self.by_strain(&q) * q)) / 6.0 + 0.5 * q.dot(&(change * q))
     }
 
@@ -63,10 +83,14 @@ impl<const N: usize> Quadratic<N> {
     }
 
     /// q, and the change of the stiffness by the imposed states.
-    fn now(&self, strain: &SVector<f64, N>, time: f64) -> (SVector<f64, N>, SMatrix<f64, N, N>) {
+    fn now(
+        &self,
+        strain: &SVector<f64, N>,
+        now: &Instant<'_>,
+    ) -> (SVector<f64, N>, SMatrix<f64, N, N>) {
         let (mut q, mut change) = (*strain, SMatrix::zeros());
         for state in &self.imposed {
-            let factor = state.drive.at(time).value;
+            let factor = state.signal.value(now);
             q -= factor * state.free_strain;
             change += factor * state.change;
         }

@@ -12,6 +12,7 @@ use super::{
     Between, Bilinear, Cubic, Curve, Driven, ExpressionLaw, Imposed, Law, LawKind, Outside,
     Quadratic, Term,
 };
+use crate::elements::Instant;
 use crate::model::{Drive, Ramp};
 
 fn symmetric() -> Matrix3<f64> {
@@ -54,7 +55,7 @@ fn heated() -> Quadratic<3> {
             .map(|drive| Imposed {
                 free_strain: Vector3::new(0.2, 0.1, -0.3),
                 change: 0.4 * symmetric(),
-                drive,
+                signal: drive.into(),
             })
             .collect(),
     }
@@ -97,7 +98,7 @@ fn laws() -> Vec<Law<3>> {
     let driven = |x, y, z| {
         Some(Driven {
             vector: Vector3::new(x, y, z),
-            drive: Drive::Constant(0.5),
+            signal: Drive::Constant(0.5).into(),
         })
     };
     let term = |kind: &LawKind<3>| Term {
@@ -127,21 +128,21 @@ fn derivatives_are_those_of_the_force_and_forces_those_of_the_energy() {
     let rate = Vector3::new(0.3, -0.8, 0.5);
     for law in laws() {
         for strain in STRAINS.map(Vector3::from) {
-            let at = law.at(&strain, &rate, 0.3);
-            let still = law.at(&strain, &Vector3::zeros(), 0.3);
+            let at = law.at(&strain, &rate, &Instant::at(0.3));
+            let still = law.at(&strain, &Vector3::zeros(), &Instant::at(0.3));
             assert_eq!(at.by_rate != Matrix3::zeros(), law.is_viscous());
             for i in 0..3 {
                 let mut by = Vector3::zeros();
                 by[i] = STEP;
                 let ends = [strain + by, strain - by];
-                let [up, down] = ends.map(|strain| law.at(&strain, &rate, 0.3).force);
+                let [up, down] = ends.map(|strain| law.at(&strain, &rate, &Instant::at(0.3)).force);
                 let error = (up - down) / (2.0 * STEP) - at.by_strain.column(i);
                 assert!(error.amax() < 1e-8, "{law:?} {error}");
-                let [up, down] =
-                    [rate + by, rate - by].map(|rate| law.at(&strain, &rate, 0.3).force);
+                let [up, down] = [rate + by, rate - by]
+                    .map(|rate| law.at(&strain, &rate, &Instant::at(0.3)).force);
                 let error = (up - down) / (2.0 * STEP) - at.by_rate.column(i);
                 assert!(error.amax() < 1e-8, "{law:?} {error}");
-                let [up, down] = ends.map(|strain| law.energy(&strain, 0.3));
+                let [up, down] = ends.map(|strain| law.energy(&strain, &Instant::at(0.3)));
                 let error = (up - down) / (2.0 * STEP) - still.force[i];
                 assert!(error.abs() < 1e-7, "{law:?} {error}");
             }
@@ -151,8 +152,8 @@ fn derivatives_are_those_of_the_force_and_forces_those_of_the_energy() {
 
 fn one(kind: LawKind<1>, strain: f64) -> (f64, f64, f64) {
     let law = Law::from(kind);
-    let at = law.at(&Vector1::new(strain), &Vector1::zeros(), 0.0);
-    let energy = law.energy(&Vector1::new(strain), 0.0);
+    let at = law.at(&Vector1::new(strain), &Vector1::zeros(), &Instant::at(0.0));
+    let energy = law.energy(&Vector1::new(strain), &Instant::at(0.0));
     (at.force[0], at.by_strain[(0, 0)], energy)
 }
 
@@ -193,7 +194,10 @@ fn the_slope_of_a_quadratic_force_grows_with_the_strain() {
     let law = Law::from(LawKind::Quadratic(heated()));
     let growth = Vector3::new(0.2, -0.3, 0.7);
     let strain = Vector3::new(1.1, 0.4, -0.6);
-    let slope = |strain| law.at(&strain, &Vector3::zeros(), 0.0).by_strain;
+    let slope = |strain| {
+        law.at(&strain, &Vector3::zeros(), &Instant::at(0.0))
+            .by_strain
+    };
     let difference = slope(strain + growth) - slope(strain);
     assert!(difference.amax() > 1.0);
     assert!((law.growth_of_stiffness(&growth) - difference).amax() < 1e-13);
@@ -214,7 +218,7 @@ fn sums_prestrains_and_prestresses() {
     let driven = |value: f64| {
         Some(Driven {
             vector: SVector::<f64, 1>::new(value),
-            drive: Drive::Constant(2.0),
+            signal: Drive::Constant(2.0).into(),
         })
     };
     let term = Term {
@@ -223,12 +227,12 @@ fn sums_prestrains_and_prestresses() {
         prestress: driven(10.0),
     };
     let law = Law::sum(vec![term, kind.into()]);
-    let found = law.at(&Vector1::new(0.3), &Vector1::new(0.7), 1.0);
+    let found = law.at(&Vector1::new(0.3), &Vector1::new(0.7), &Instant::at(1.0));
     let expected = k * (0.3 - 0.1) + d * 0.7 + 20.0 + k * 0.3 + d * 0.7;
     assert!((found.force[0] - expected).abs() < 1e-14);
     assert_eq!(law.stiffness_at_rest()[(0, 0)], 2.0 * k);
     assert_eq!(
-        law.drives()
+        law.signals()
             .map(|drive| drive.next_corner(0.0))
             .fold(f64::INFINITY, f64::min),
         f64::INFINITY
@@ -253,12 +257,12 @@ fn expressions_count_in_their_own_units() {
     assert!(law.is_viscous());
     let strain = Vector3::new(3e-3, 7e-3, 0.0);
     let rate = Vector3::new(1.0, 0.5e-3 / 60.0, 1.0);
-    let found = law.at(&strain, &rate, 120.0);
+    let found = law.at(&strain, &rate, &Instant::at(120.0));
     let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-14;
     assert!(near(found.force.x, 29e3) && found.force.yz().norm() == 0.0);
     assert!(near(found.by_strain[(0, 0)], 27e6));
     assert!(near(found.by_rate[(0, 1)], 54e6 * 60.0));
     assert_eq!(found.by_strain.norm(), found.by_strain[(0, 0)]);
     assert_eq!(found.by_rate.norm(), found.by_rate[(0, 1)]);
-    assert_eq!(law.energy(&strain, 0.0), 0.0);
+    assert_eq!(law.energy(&strain, &Instant::at(0.0)), 0.0);
 }

@@ -25,6 +25,7 @@
 use nalgebra::Matrix3;
 
 use super::factor::LoadFactor;
+use crate::elements::Signal;
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, is_a_joint};
 use crate::model::{Drive, Node};
 
@@ -61,7 +62,7 @@ impl Imposed {
         let [about_x, about_y, about_z] = motion.rotation;
         let freedoms = [x, y, z, about_x, about_y, about_z].map(|component| match component {
             None => Freedom::Free,
-            Some(value) => Freedom::Driven(Drive::Constant(value)),
+            Some(value) => Freedom::Driven(Drive::Constant(value).into()),
         });
         let joint = ConstraintJoint::total(label, &ends, &at, freedoms);
         Self {
@@ -69,10 +70,11 @@ impl Imposed {
         }
     }
 
-    /// The same motion times a drive.
-    pub fn driven_by(self, drive: Drive) -> Self {
+    /// The same motion times a signal.
+    #[must_use]
+    pub fn driven_by(self, signal: impl Into<Signal>) -> Self {
         Self {
-            joint: self.joint.scaled_by(drive),
+            joint: self.joint.scaled_by(signal.into()),
         }
     }
 }

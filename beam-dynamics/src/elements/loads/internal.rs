@@ -24,10 +24,10 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
 use super::factor::LoadFactor;
-use super::load::{Head, Load};
+use super::load::{Add, Head, Load};
 use crate::elements::springs::End;
 use crate::elements::springs::line::{Line, PullVariation};
-use crate::elements::{Local, LocalJacobian, LocalResidual, Signal};
+use crate::elements::{Local, LocalJacobian, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
 
@@ -116,15 +116,9 @@ impl InternalForce {
                 (vec![a, b], Acting::Axes(axes))
             }
         };
-        Self {
-            head: Head {
-                label: label.into(),
-                signal,
-                nodes: on,
-                factor,
-            },
-            acting,
-        }
+        let mut head = Head::new(label, on, factor);
+        head.drive(signal);
+        Self { head, acting }
     }
 
     /// Tells `add` force and moment on each of the nodes, for the factor and the signal one.
@@ -158,16 +152,14 @@ impl Load for InternalForce {
         }
     }
 
-    fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
-        let size = factor * self.head.signal.value(at, 0);
+    fn add(&self, size: f64, at: &Local<'_>, add: &mut Add<'_>) {
         self.wrenches(at.nodes, |node, [force, moment]| {
-            out.add(node, Force, &(size * force));
-            out.add(node, Moment, &(size * moment));
+            add(node, Force, &(size * force));
+            add(node, Moment, &(size * moment));
         });
     }
 
-    fn add_variation(&self, factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
-        let size = factor * self.head.signal.value(at, 0);
+    fn add_variation(&self, size: f64, at: &Local<'_>, out: &mut LocalJacobian) {
         match &self.acting {
             Acting::Line { line, tension } => {
                 let state = line.state(at.nodes);
@@ -179,13 +171,6 @@ impl Load for InternalForce {
             }
             Acting::Axes(axes) => axes.pair(size, at.nodes).add_variation(out),
         }
-        self.head.signal.gradient(at, 0, |scalar, slope| {
-            let slope = factor * slope;
-            self.wrenches(at.nodes, |node, [force, moment]| {
-                out.add_by_scalar((node, Force), scalar, &(slope * force));
-                out.add_by_scalar((node, Moment), scalar, &(slope * moment));
-            });
-        });
     }
 }
 

@@ -2,19 +2,45 @@
 
 use std::fmt::Debug;
 
+use nalgebra::Vector3;
+
 use super::factor::LoadFactor;
 use crate::elements::{Along, Element, Exchange, Local, LocalJacobian, LocalResidual, Signal};
-use crate::model::{Drive, Scalar};
+use crate::model::{Equation, Scalar};
 
 /// What all loads have.
 #[derive(Debug, Clone)]
 pub(in crate::elements) struct Head {
-    pub label: String,
+    label: String,
     /// The nodes that carry the load.
-    pub nodes: Vec<usize>,
-    pub factor: LoadFactor,
-    pub signal: Signal,
+    nodes: Vec<usize>,
+    factor: LoadFactor,
+    signal: Signal,
+    /// Those of the signal.
+    scalars: Vec<Scalar>,
 }
+
+impl Head {
+    /// That of a load on the nodes with the given numbers.
+    pub fn new(label: impl Into<String>, nodes: Vec<usize>, factor: LoadFactor) -> Self {
+        Self {
+            label: label.into(),
+            nodes,
+            factor,
+            signal: Signal::default(),
+            scalars: Vec::new(),
+        }
+    }
+
+    /// Multiplies the load with a signal.
+    pub fn drive(&mut self, signal: Signal) {
+        self.scalars.clear();
+        self.signal = signal.bound(&mut self.scalars);
+    }
+}
+
+/// Takes a force or a moment on a node of the element.
+pub(in crate::elements) type Add<'a> = dyn FnMut(usize, Equation, &Vector3<f64>) + 'a;
 
 /// Forces and moments that are proportional to a factor.
 pub(in crate::elements) trait Load: Debug + Send + Sync {
@@ -26,11 +52,30 @@ pub(in crate::elements) trait Load: Debug + Send + Sync {
         0.0
     }
 
-    /// Adds the load times `factor`, and times its signal.
-    fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual);
+    /// Adds the load times `size`.
+    fn add(&self, size: f64, at: &Local<'_>, add: &mut Add<'_>);
 
-    /// Adds its variation likewise, that of the signal included.
-    fn add_variation(&self, factor: f64, at: &Local<'_>, out: &mut LocalJacobian);
+    /// Adds the variation of the load times `size` by the motion of its nodes.
+    fn add_variation(&self, size: f64, at: &Local<'_>, out: &mut LocalJacobian);
+}
+
+/// Adds the variation of a load times `factor` and its signal, that of the signal included.
+fn add_variations(load: &impl Load, factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
+    let (signal, now) = (&load.head().signal, at.instant());
+    load.add_variation(factor * signal.value(&now), at, out);
+    signal.gradient(&now, |scalar, slope| {
+        load.add(factor * slope, at, &mut |node, equation, value| {
+            out.add_by_scalar((node, equation), (scalar, false), value);
+        });
+    });
+}
+
+/// Adds a load times `factor` and its signal.
+fn add_whole(load: &impl Load, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
+    let size = factor * load.head().signal.value(&at.instant());
+    load.add(size, at, &mut |node, equation, value| {
+        out.add(node, equation, value);
+    });
 }
 
 impl<T: Load> Element for T {
@@ -43,23 +88,15 @@ impl<T: Load> Element for T {
     }
 
     fn scalars(&self) -> &[Scalar] {
-        self.head().signal.scalars()
-    }
-
-    fn senses(&self) -> bool {
-        self.head().signal.senses()
+        &self.head().scalars
     }
 
     fn reach(&self) -> f64 {
         self.arm()
     }
 
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
-        self.head().signal.drive().into_iter().for_each(visit);
-    }
-
-    fn next_corner(&self, time: f64) -> f64 {
-        self.head().signal.next_corner(time)
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        visit(&self.head().signal);
     }
 
     fn exchange(&self) -> Exchange {
@@ -67,18 +104,18 @@ impl<T: Load> Element for T {
     }
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(self.head().factor.value(at.loading), at, out);
+        add_whole(self, self.head().factor.value(at.loading), at, out);
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        self.add_variation(self.head().factor.value(at.loading), at, out);
+        add_variations(self, self.head().factor.value(at.loading), at, out);
     }
 
     fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.add(self.head().factor.derivative(), at, out);
+        add_whole(self, self.head().factor.derivative(), at, out);
     }
 
     fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
-        self.add_variation(self.head().factor.derivative(), at, out);
+        add_variations(self, self.head().factor.derivative(), at, out);
     }
 }

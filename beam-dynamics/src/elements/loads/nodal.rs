@@ -22,8 +22,8 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::skew;
 
 use super::factor::{LoadFactor, Turning};
-use super::load::{Head, Load};
-use crate::elements::{Local, LocalJacobian, LocalResidual, Signal};
+use super::load::{Add, Head, Load};
+use crate::elements::{Local, LocalJacobian, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
 
@@ -63,12 +63,7 @@ impl NodalLoad {
     /// `load` on node number `index`.
     pub fn new(label: impl Into<String>, index: usize, node: &Node, load: NodalForce) -> Self {
         Self {
-            head: Head {
-                label: label.into(),
-                nodes: vec![index],
-                factor: load.factor,
-                signal: Signal::default(),
-            },
+            head: Head::new(label, vec![index], load.factor),
             load,
             rotation: node.rotation,
         }
@@ -77,7 +72,7 @@ impl NodalLoad {
     /// The load times a signal.
     #[must_use]
     pub fn driven(mut self, signal: Signal) -> Self {
-        self.head.signal = signal;
+        self.head.drive(signal);
         self
     }
 
@@ -105,31 +100,24 @@ impl Load for NodalLoad {
         self.load.offset.norm()
     }
 
-    fn add(&self, factor: f64, at: &Local<'_>, out: &mut LocalResidual) {
+    fn add(&self, size: f64, at: &Local<'_>, add: &mut Add<'_>) {
         let acting = self.acting(&at.nodes[0]);
-        let factor = factor * self.head.signal.value(at, 0);
-        out.add(0, Force, &(factor * acting.force));
-        out.add(0, Moment, &(factor * acting.moment));
+        add(0, Force, &(size * acting.force));
+        add(0, Moment, &(size * acting.moment));
     }
 
-    fn add_variation(&self, load_factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
+    fn add_variation(&self, size: f64, at: &Local<'_>, out: &mut LocalJacobian) {
         let Acting { force, arm, moment } = self.acting(&at.nodes[0]);
-        let factor = load_factor * self.head.signal.value(at, 0);
         let column = (0, Variable::Rotation);
         match self.load.turning {
             Turning::Dead => {
-                let by_rotation = factor * skew(&force) * skew(&arm);
+                let by_rotation = size * skew(&force) * skew(&arm);
                 out.add((0, Moment), column, &by_rotation);
             }
             Turning::Follower => {
-                out.add((0, Force), column, &(-factor * skew(&force)));
-                out.add((0, Moment), column, &(-factor * skew(&moment)));
+                out.add((0, Force), column, &(-size * skew(&force)));
+                out.add((0, Moment), column, &(-size * skew(&moment)));
             }
         }
-        self.head.signal.gradient(at, 0, |scalar, slope| {
-            let slope = load_factor * slope;
-            out.add_by_scalar((0, Force), scalar, &(slope * force));
-            out.add_by_scalar((0, Moment), scalar, &(slope * moment));
-        });
     }
 }

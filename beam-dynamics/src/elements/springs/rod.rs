@@ -23,9 +23,9 @@ use super::line::{End, Line, LineState, PullVariation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    SpringState,
+    Signal, SpringState,
 };
-use crate::model::{Drive, Node, NodeMotion};
+use crate::model::{Drive, Equation, Node, NodeMotion, Scalar};
 
 /// What the law of a rod takes for its strain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,9 +43,11 @@ pub struct Rod {
     line: Line,
     undeformed: Vec<NodeMotion>,
     /// Relaxed length `l_0` [m].
-    relaxed: Drive,
+    relaxed: Signal,
     measure: Measure,
     law: Law<1>,
+    /// Those that the relaxed length and the law read.
+    scalars: Vec<Scalar>,
 }
 
 /// The rod at a state and a time.
@@ -55,8 +57,8 @@ struct Strained {
     relaxed: f64,
     /// `s` of the equations [m], and its rate [m/s].
     scale: [f64; 2],
-    /// Strain or elongation `e` [-, m].
-    strain: f64,
+    /// Strain or elongation `e` [-, m], and its rate [1/s, m/s].
+    strain: [f64; 2],
     response: Response<1>,
 }
 
@@ -68,8 +70,8 @@ impl Rod {
         label: impl Into<String>,
         ends: [End; 2],
         nodes: &[Node],
-        relaxed: Option<Drive>,
-        (measure, law): (Measure, Law<1>),
+        relaxed: Option<Signal>,
+        (measure, mut law): (Measure, Law<1>),
     ) -> Self {
         let line = Line::new(ends);
         let rest = line
@@ -77,14 +79,18 @@ impl Rod {
             .iter()
             .map(|&node| NodeMotion::at_rest(&nodes[node]));
         let undeformed: Vec<_> = rest.collect();
-        let relaxed = relaxed.unwrap_or_else(|| Drive::Constant(line.state(&undeformed).length));
+        let relaxed =
+            relaxed.unwrap_or_else(|| Drive::Constant(line.state(&undeformed).length).into());
+        let mut scalars = Vec::new();
+        law.bind(&mut scalars);
         Self {
             label: label.into(),
             line,
             undeformed,
-            relaxed,
+            relaxed: relaxed.bound(&mut scalars),
             measure,
             law,
+            scalars,
         }
     }
 
@@ -95,7 +101,7 @@ impl Rod {
 
     fn state(&self, at: &Local<'_>) -> Strained {
         let line = self.line.state(at.nodes);
-        let mut relaxed = self.relaxed.at(at.loading.time);
+        let mut relaxed = self.relaxed.at(&at.instant());
         if relaxed.value <= 0.0 {
             relaxed.value = f64::NAN;
         }
@@ -110,8 +116,61 @@ impl Rod {
             line,
             relaxed: relaxed.value,
             scale,
-            strain,
-            response: self.law.at(&e, &e_rate, at.loading.time),
+            strain: [strain, rate],
+            response: self.law.at(&e, &e_rate, &at.instant()),
+        }
+    }
+}
+
+impl Strained {
+    /// Derivatives of `[e, e']` by `l_0` and by its rate:
+    ///
+    /// ```text
+    /// e  = ( l - l_0 ) / s                  e' = ( l' - l_0' - e s' ) / s
+    /// ```
+    ///
+    /// with `s = l_0` of a strain and `s = 1` of an elongation.
+    fn by_relaxed(&self, measure: Measure) -> [[f64; 2]; 2] {
+        let ([s, s_rate], [e, e_rate]) = (self.scale, self.strain);
+        match measure {
+            Measure::Elongation => [[-1.0, 0.0], [0.0, -1.0]],
+            Measure::Strain => {
+                let by_length = -(1.0 + e) / s;
+                let of_rate = -(by_length * s_rate + e_rate) / s;
+                [[by_length, of_rate], [0.0, by_length]]
+            }
+        }
+    }
+}
+
+impl Rod {
+    /// Adds the variation of the tension by scalars.
+    fn add_by_scalars(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        if self.scalars.is_empty() {
+            return;
+        }
+        let (state, now) = (self.state(at), at.instant());
+        let [e, e_rate] = state.strain.map(Vector1::new);
+        let mut add = |scalar: usize, tension: f64, of_rate: bool| {
+            for (node, [force, moment]) in state.line.pulls(tension) {
+                out.add_by_scalar((node, Equation::Force), (scalar, of_rate), &force);
+                out.add_by_scalar((node, Equation::Moment), (scalar, of_rate), &moment);
+            }
+        };
+        (self.law).by_scalars(&e, &e_rate, &now, |scalar, tension, of_rate| {
+            add(scalar, tension[0], of_rate);
+        });
+        let Response {
+            by_strain, by_rate, ..
+        } = &state.response;
+        let [by_length, by_growth] = (state.by_relaxed(self.measure))
+            .map(|[e, e_rate]| by_strain[(0, 0)] * e + by_rate[(0, 0)] * e_rate);
+        self.relaxed
+            .gradient(&now, |scalar, slope| add(scalar, by_length * slope, false));
+        if self.law.is_viscous() {
+            (self.relaxed).gradient_of_rate(&now, |scalar, slope, of_rate| {
+                add(scalar, by_growth * slope, of_rate);
+            });
         }
     }
 }
@@ -130,12 +189,16 @@ impl Element for Rod {
         self.line.reach().max(length)
     }
 
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
-        self.law.drives().chain([&self.relaxed]).for_each(visit);
+    fn scalars(&self) -> &[Scalar] {
+        &self.scalars
+    }
+
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        self.law.signals().chain([&self.relaxed]).for_each(visit);
     }
 
     fn without_value(&self, at: &Local<'_>) -> Option<String> {
-        let relaxed = self.relaxed.at(at.loading.time).value;
+        let relaxed = self.relaxed.value(&at.instant());
         (relaxed <= 0.0).then(|| {
             let time = at.loading.time;
             format!("its relaxed length is zero or less: {relaxed:.3e} m at {time} s")
@@ -144,9 +207,9 @@ impl Element for Rod {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         let state = self.state(at);
-        let strain = Vector1::new(state.strain);
+        let strain = Vector1::new(state.strain[0]);
         Energy {
-            elastic: self.law.energy(&strain, at.loading.time) * state.scale[0],
+            elastic: self.law.energy(&strain, &at.instant()) * state.scale[0],
             ..Energy::default()
         }
     }
@@ -179,6 +242,7 @@ impl Element for Rod {
             by_rate: self.law.is_viscous().then(|| viscosity * along),
         };
         state.add_variation(tension, &by, out);
+        self.add_by_scalars(at, out);
     }
 
     /// The part that is proportional to the tension, for its growth along the motion.

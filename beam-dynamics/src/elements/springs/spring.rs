@@ -42,10 +42,10 @@ use super::spring_law::SpringLaw;
 use crate::elements::laws::Response;
 use crate::elements::{
     Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    Reaction, SpringState,
+    Reaction, Signal, SpringState,
 };
 use crate::model::Equation::{Force, Moment};
-use crate::model::{Drive, Node, NodeMotion, Variable};
+use crate::model::{Equation, Node, NodeMotion, Scalar, Variable};
 
 const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
 const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
@@ -66,6 +66,8 @@ pub struct Spring {
     /// `(E_a^T r)_0` [m].
     relaxed: Vector3<f64>,
     law: SpringLaw,
+    /// Those that the law reads.
+    scalars: Vec<Scalar>,
 }
 
 /// Derivatives of strains, or of their rates, by position and rotation of a and of b.
@@ -115,7 +117,9 @@ impl Spring {
             fixed: *place,
             relaxed: Vector3::zeros(),
             law: law.into(),
+            scalars: Vec::new(),
         };
+        spring.law.bind(&mut spring.scalars);
         let [a, b] = spring.ends(&spring.undeformed);
         spring.axes = [a, b].map(|end| end.rotation.transpose() * axes);
         spring.offset = b.rotation.transpose() * (place - b.position);
@@ -163,13 +167,31 @@ impl Spring {
         }
     }
 
-    fn response(&self, state: &State, time: f64) -> Response<6> {
-        self.law.at(&state.strain, &state.rate, time)
+    fn response(&self, state: &State, at: &Local<'_>) -> Response<6> {
+        self.law.at(&state.strain, &state.rate, &at.instant())
     }
 
     /// Place of an end among the nodes of the element; `None` for the frame.
     fn local(&self, end: usize) -> Option<usize> {
         (end + self.nodes.len()).checked_sub(2)
+    }
+
+    /// Calls `add` with what acts on the nodes.
+    fn each_wrench(
+        &self,
+        state: &State,
+        wrench: &Wrench,
+        mut add: impl FnMut(usize, Equation, &Vector3<f64>),
+    ) {
+        let Wrench { force, moment, .. } = wrench;
+        let arms = [(state.r, 1.0), (state.f, -1.0)];
+        for (end, (arm, sign)) in arms.into_iter().enumerate() {
+            if let Some(row) = self.local(end) {
+                add(row, Force, &(sign * force));
+                add(row, Moment, &(sign * arm.cross(force)));
+                add(row, Moment, &(sign * moment));
+            }
+        }
     }
 
     /// Adds the variation of forces and moments, where those of the law vary by
@@ -362,8 +384,12 @@ impl Element for Spring {
         on_a.max(self.offset.norm())
     }
 
-    fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
-        self.law.each_drive(visit);
+    fn scalars(&self) -> &[Scalar] {
+        &self.scalars
+    }
+
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        self.law.each_signal(visit);
     }
 
     fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
@@ -371,9 +397,7 @@ impl Element for Spring {
         let psi = state.psi();
         let of = |psi: &Vector3<f64>| {
             let u = state.strain.fixed_rows::<3>(0).into_owned();
-            let law = self
-                .law
-                .at(&six(&u, psi), &Vector6::zeros(), at.loading.time);
+            let law = self.law.at(&six(&u, psi), &Vector6::zeros(), &at.instant());
             let [force, inner] = [0, 3].map(|k| law.force.fixed_rows::<3>(k).into_owned());
             let moment = vector::tangent_inverse(psi).transpose() * inner;
             ([force, moment], law.by_strain)
@@ -389,7 +413,7 @@ impl Element for Spring {
     fn energy(&self, at: &Local<'_>) -> Energy {
         let strain = self.state(at.nodes).strain;
         Energy {
-            elastic: self.law.energy(&strain, at.loading.time),
+            elastic: self.law.energy(&strain, &at.instant()),
             ..Energy::default()
         }
     }
@@ -400,24 +424,25 @@ impl Element for Spring {
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         let state = self.state(at.nodes);
-        let Wrench { force, moment, .. } =
-            state.wrench(&self.response(&state, at.loading.time).force);
-        let arms = [(state.r, 1.0), (state.f, -1.0)];
-        for (end, (arm, sign)) in arms.into_iter().enumerate() {
-            if let Some(row) = self.local(end) {
-                out.add(row, Force, &(sign * force));
-                out.add(row, Moment, &(sign * arm.cross(&force)));
-                out.add(row, Moment, &(sign * moment));
-            }
-        }
+        let wrench = state.wrench(&self.response(&state, at).force);
+        self.each_wrench(&state, &wrench, |row, equation, value| {
+            out.add(row, equation, value);
+        });
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         let state = self.state(at.nodes);
-        let response = self.response(&state, at.loading.time);
+        let response = self.response(&state, at);
         let wrench = state.wrench(&response.force);
         let slopes = [&response.by_strain, &response.by_rate];
         self.add_variation(&state, &wrench, slopes, out);
+        let (strain, rate) = (&state.strain, &state.rate);
+        let now = at.instant();
+        (self.law).by_scalars(strain, rate, &now, |scalar, force, of_rate| {
+            self.each_wrench(&state, &state.wrench(force), |row, equation, value| {
+                out.add_by_scalar((row, equation), (scalar, of_rate), value);
+            });
+        });
     }
 
     /// The part that is proportional to force and moment, for their growth along the motion.
@@ -430,7 +455,7 @@ impl Element for Spring {
                 strain += by[0] * displacement + by[1] * rotation;
             }
         }
-        let growth = self.response(&state, at.loading.time).by_strain * strain;
+        let growth = self.response(&state, at).by_strain * strain;
         let none = Matrix6::zeros();
         self.add_variation(&state, &state.wrench(&growth), [&none, &none], out);
     }
@@ -452,7 +477,7 @@ impl Element for Spring {
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
         let state = self.state(at.nodes);
-        let section = self.response(&state, at.loading.time).force;
+        let section = self.response(&state, at).force;
         let Wrench { force, moment, .. } = state.wrench(&section);
         out.springs.push(SpringState {
             spring: self.label.clone(),

@@ -4,7 +4,8 @@
 use nalgebra::{Matrix6, Vector6};
 
 use crate::elements::laws::{Law, Response};
-use crate::model::Drive;
+use crate::elements::{Instant, Signal};
+use crate::model::Scalar;
 
 /// Laws of a spring.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,14 +57,33 @@ impl SpringLaw {
         placed.filter_map(|(first, law)| Some((first, law?)))
     }
 
-    pub(super) fn at(&self, strain: &Vector6<f64>, rate: &Vector6<f64>, time: f64) -> Response<6> {
+    /// See [`Law::bind`].
+    pub(super) fn bind(&mut self, scalars: &mut Vec<Scalar>) {
+        match self {
+            Self::Together(law) => law.bind(scalars),
+            Self::Apart {
+                displacement,
+                rotation,
+            } => {
+                let parts = [displacement, rotation].into_iter().flatten();
+                parts.for_each(|law| law.bind(scalars));
+            }
+        }
+    }
+
+    pub(super) fn at(
+        &self,
+        strain: &Vector6<f64>,
+        rate: &Vector6<f64>,
+        now: &Instant<'_>,
+    ) -> Response<6> {
         if let Self::Together(law) = self {
-            return law.at(strain, rate, time);
+            return law.at(strain, rate, now);
         }
         let mut both = Response::<6>::zero();
         for (first, law) in self.apart() {
             let [strain, rate] = [strain, rate].map(|all| all.fixed_rows::<3>(first).into_owned());
-            let part = law.at(&strain, &rate, time);
+            let part = law.at(&strain, &rate, now);
             both.force.fixed_rows_mut::<3>(first).copy_from(&part.force);
             let place = (first, first);
             let mut view = both.by_strain.fixed_view_mut::<3, 3>(place.0, place.1);
@@ -74,19 +94,40 @@ impl SpringLaw {
         both
     }
 
-    pub(super) fn energy(&self, strain: &Vector6<f64>, time: f64) -> f64 {
+    /// See [`Law::by_scalars`].
+    pub(super) fn by_scalars(
+        &self,
+        strain: &Vector6<f64>,
+        rate: &Vector6<f64>,
+        now: &Instant<'_>,
+        mut add: impl FnMut(usize, &Vector6<f64>, bool),
+    ) {
         if let Self::Together(law) = self {
-            return law.energy(strain, time);
+            return law.by_scalars(strain, rate, now, add);
+        }
+        for (first, law) in self.apart() {
+            let [strain, rate] = [strain, rate].map(|all| all.fixed_rows::<3>(first).into_owned());
+            law.by_scalars(&strain, &rate, now, |scalar, part, of_rate| {
+                let mut force = Vector6::zeros();
+                force.fixed_rows_mut::<3>(first).copy_from(part);
+                add(scalar, &force, of_rate);
+            });
+        }
+    }
+
+    pub(super) fn energy(&self, strain: &Vector6<f64>, now: &Instant<'_>) -> f64 {
+        if let Self::Together(law) = self {
+            return law.energy(strain, now);
         }
         let of = |(first, law): (usize, &Law<3>)| {
-            law.energy(&strain.fixed_rows::<3>(first).into_owned(), time)
+            law.energy(&strain.fixed_rows::<3>(first).into_owned(), now)
         };
         self.apart().map(of).sum()
     }
 
     pub(super) fn stiffness_at_rest(&self) -> Matrix6<f64> {
         let zero = Vector6::zeros();
-        self.at(&zero, &zero, 0.0).by_strain
+        self.at(&zero, &zero, &Instant::START).by_strain
     }
 
     /// Whether there can be a force, beside a moment.
@@ -114,12 +155,12 @@ impl SpringLaw {
         }
     }
 
-    pub(super) fn each_drive<'a>(&'a self, visit: &mut dyn FnMut(&'a Drive)) {
+    pub(super) fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         match self {
-            Self::Together(law) => law.drives().for_each(visit),
+            Self::Together(law) => law.signals().for_each(visit),
             Self::Apart { .. } => self
                 .apart()
-                .flat_map(|part| part.1.drives())
+                .flat_map(|part| part.1.signals())
                 .for_each(visit),
         }
     }

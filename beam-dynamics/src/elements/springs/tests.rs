@@ -204,7 +204,7 @@ fn a_rod_pulls_with_the_force_of_its_law() {
     };
     for (measure, scale) in [(Measure::Strain, 4.0), (Measure::Elongation, 1.0)] {
         let law = (measure, Law::from(law.clone()));
-        let rod = Rod::new("rod", ends, &nodes, Some(Drive::Constant(4.0)), law);
+        let rod = Rod::new("rod", ends, &nodes, Some(Drive::Constant(4.0).into()), law);
         let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
         let along = Vector3::new(3.0, 0.0, 4.0);
         motion[0].position = -(motion[0].rotation * first);
@@ -260,7 +260,7 @@ fn a_rod_whose_relaxed_length_grows() {
     let elongation = [l - rest, l_rate - rest_rate];
     for (measure, [e, e_rate]) in [(Measure::Strain, strain), (Measure::Elongation, elongation)] {
         let law = (measure, Law::from(law.clone()));
-        let rod = Rod::new("rod", ends, &nodes, Some(ramp.clone()), law);
+        let rod = Rod::new("rod", ends, &nodes, Some(ramp.clone().into()), law);
         let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
         motion[0].position = Vector3::zeros();
         motion[1].position = Vector3::new(3.0, 0.0, 4.0);
@@ -293,7 +293,7 @@ fn a_rod_without_a_relaxed_length_has_no_value() {
     });
     for measure in [Measure::Strain, Measure::Elongation] {
         let law = (measure, viscoelastic());
-        let rod = Rod::new("rod", ends, &nodes, Some(ramp.clone()), law);
+        let rod = Rod::new("rod", ends, &nodes, Some(ramp.clone().into()), law);
         for (time, has_value) in [(0.4, true), (0.5, false), (0.75, false)] {
             let mut conditions = loaded();
             conditions.loading.time = time;
@@ -348,7 +348,7 @@ fn prestrain_and_prestress_move_the_place_of_rest() {
     let driven = |x: f64| {
         Some(Driven {
             vector: Vector3::new(x, 0.0, 0.0),
-            drive: Drive::Constant(1.0),
+            signal: Drive::Constant(1.0).into(),
         })
     };
     let law = Law::sum(vec![Term {

@@ -12,7 +12,7 @@ use crate::case::{
     Axes, ElectrodeQuantity, JointMotion, NodeQuantity, NodeVector, Part, Quantity, SpringVector,
 };
 use crate::input::draft::Draft;
-use crate::input::{drives, sensors};
+use crate::input::drives;
 
 /// Words for the parts of a vector.
 const PARTS: [(&str, Part); 4] = [
@@ -414,7 +414,8 @@ impl Reading<'_> {
 
     fn of_signal(&self) -> Option<Vec<Found>> {
         let name = (self.table).require_text("of", "the name of a signal, or \"= ...\"")?;
-        let signal = sensors::signal_of(&self.table.item("of")?, self.draft)?;
+        let of = self.table.item("of")?;
+        let signal = drives::signal_of(&of, Dimension::NUMBER, self.draft.drives())?;
         Some(vec![Found {
             word: "",
             words: format!("signal {name}"),

@@ -1,11 +1,9 @@
-//! What the cards of a model may use by name beside its parts: drives, frames, and what
-//! expressions read.
+//! What the cards of a model may use by name beside its parts: drives with what
+//! expressions read, frames, and samplings.
 
 use super::Draft;
-use crate::elements::Input;
 use crate::input::drives;
 use crate::input::frames::Frames;
-use crate::input::sensors::Readable;
 
 impl Draft {
     /// The drives by name.
@@ -36,15 +34,5 @@ impl Draft {
     /// Notes that a card samples.
     pub fn add_sampling(&mut self, line: usize, period: f64) {
         self.samplings.push((line, period));
-    }
-
-    /// What expressions may read.
-    pub fn readable(&self) -> &Readable {
-        &self.readable
-    }
-
-    /// Adds a name that expressions may read; `None` when it is wrong.
-    pub fn add_readable(&mut self, name: String, input: Option<Input>) {
-        self.readable.insert(name, input);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Draft, ElectrodeCard};
 use crate::elements::circuits::Circuit;
+use crate::elements::{Instant, Signal};
 use crate::input::along::Along;
 use crate::input::formulation::Inertia;
 use crate::input::heat;
@@ -93,11 +94,12 @@ fn listed(names: &[&str]) -> String {
 
 /// What an electrode is connected to, in words.
 fn told(card: &ElectrodeCard) -> String {
-    let volts = |source: &Drive| {
-        let now = short_number(source.at(0.0).value, DIGITS);
+    let volts = |source: &Signal| {
+        let now = short_number(source.value(&Instant::START), DIGITS);
         match source {
-            Drive::Constant(_) => format!("{now} V"),
-            _ => format!("{now} V at the time zero"),
+            Signal::Drive(Drive::Constant(_)) => format!("{now} V"),
+            Signal::Drive(_) => format!("{now} V at the time zero"),
+            Signal::Sensing { .. } => format!("{now} V while all that it reads is zero"),
         }
     };
     let words = match &card.circuit {

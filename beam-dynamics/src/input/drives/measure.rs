@@ -5,7 +5,7 @@ use shared_geom::units::{self, Dimension, Unit};
 
 /// What the numbers of a drive count.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Measure {
+pub(in crate::input) enum Measure {
     /// A quantity in its declared unit.
     Declared(Dimension),
     /// Plain numbers.

@@ -8,7 +8,7 @@ use crate::input::short_number;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DriveProblem {
     /// A drive that measures something else than the key.
-    #[error("the drive \"{name}\" measures {measures}, expected {expected}")]
+    #[error("\"{name}\" measures {measures}, expected {expected}")]
     Measures {
         /// Name of the drive.
         name: String,
@@ -111,6 +111,16 @@ pub enum DriveProblem {
         /// The key.
         key: &'static str,
     },
+    /// A signal of which less is known than is needed.
+    #[error("\"{key}\" follows \"{name}\", whose {needed} is not known")]
+    Rough {
+        /// The key.
+        key: String,
+        /// The sensor or the system of the output.
+        name: String,
+        /// The derivative that is needed.
+        needed: Needed,
+    },
     /// Something that is sensed where only time counts.
     #[error("\"{key}\" senses \"{name}\", expected a function of time alone")]
     Senses {
@@ -177,6 +187,24 @@ pub enum DriveProblem {
     },
 }
 
+/// A derivative by time that must be known of a signal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Needed {
+    /// The first.
+    Rate,
+    /// The second.
+    Acceleration,
+}
+
+impl std::fmt::Display for Needed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Rate => "rate",
+            Self::Acceleration => "second derivative",
+        })
+    }
+}
+
 impl Explain for DriveProblem {
     fn help(&self) -> Option<String> {
         let fixed = match self {
@@ -202,11 +230,14 @@ impl Explain for DriveProblem {
                  has no corners"
             }
             Self::Measures { .. } => {
-                "give the drive another \"unit\", or none: it then counts in the unit of each key"
+                "give it another \"unit\"; a drive or an actuator without one counts in the unit of each key"
             }
             Self::Senses { .. } => {
-                "loads, internal forces and inputs of [[state_space]] may sense: what moves in a \
-                 given way, gravity and laws need derivatives by time"
+                "gravity, and a drive that other drives use, are known ahead of a run"
+            }
+            Self::Rough { .. } => {
+                "its value, or its rate, may jump, which would be an impulse: put an [[actuator]] \
+                 between, with this signal as its \"command\", and follow the actuator's name"
             }
             Self::UnitInPlace => {
                 "give it a name, [drives.NAME], or write the values with their unit"

@@ -6,6 +6,7 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::problem::JointProblem;
+use crate::elements::Signal;
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::input::draft::Draft;
 use crate::input::drives;
@@ -45,10 +46,10 @@ enum Holds {
     Universal,
     Prismatic(Freedom),
     InLine,
-    InPlane(Option<Drive>),
+    InPlane(Option<Signal>),
     PlaneRotation(Option<Turning>),
-    Distance(Option<Drive>),
-    Velocity([Option<Drive>; 6]),
+    Distance(Option<Signal>),
+    Velocity([Option<Signal>; 6]),
     Spin(Turning),
     Total([Freedom; 6]),
 }
@@ -169,15 +170,18 @@ fn holds(kind: &str, table: &Table<'_>, draft: &Draft) -> Option<Holds> {
     })
 }
 
-/// The drive under a key; `Some(None)` when there is none.
+/// The signal under a key; `Some(None)` when there is none.
 fn drive(
     table: &Table<'_>,
     key: &str,
     dimension: Dimension,
     draft: &Draft,
-) -> Option<Option<Drive>> {
+) -> Option<Option<Signal>> {
     match table.has(key) {
-        true => drives::read_motion(table, key, dimension, draft.drives()).map(Some),
+        true if [Dimension::VELOCITY, Dimension::ROTATION_SPEED].contains(&dimension) => {
+            drives::read_speed(table, key, dimension, draft.drives()).map(Some)
+        }
+        true => drives::read_place(table, key, dimension, draft.drives()).map(Some),
         false => Some(None),
     }
 }
@@ -198,9 +202,9 @@ fn turning(table: &Table<'_>, draft: &Draft) -> Option<Option<Turning>> {
 }
 
 /// The length of a distance joint.
-fn length(table: &Table<'_>, draft: &Draft) -> Option<Option<Drive>> {
+fn length(table: &Table<'_>, draft: &Draft) -> Option<Option<Signal>> {
     match table.has("length") {
-        true => drives::read_length(table, "length", draft.drives()).map(Some),
+        true => drives::read_distance(table, "length", draft.drives()).map(Some),
         false => Some(None),
     }
 }
@@ -211,13 +215,13 @@ fn components(
     key: &str,
     dimension: Dimension,
     draft: &Draft,
-) -> Option<[Option<Drive>; 3]> {
+) -> Option<[Option<Signal>; 3]> {
     if !table.has(key) {
         return Some([None, None, None]);
     }
     if !table.is_table(key) {
         let numbers = table.vector(key, dimension)?;
-        return Some([0, 1, 2].map(|i| Some(Drive::Constant(numbers[i]))));
+        return Some([0, 1, 2].map(|i| Some(Drive::Constant(numbers[i]).into())));
     }
     let inner = table.table(key)?;
     let found = ["x", "y", "z"].map(|axis| drive(&inner, axis, dimension, draft));
@@ -226,7 +230,7 @@ fn components(
     Some([x?, y?, z?])
 }
 
-fn velocities(table: &Table<'_>, draft: &Draft) -> Option<[Option<Drive>; 6]> {
+fn velocities(table: &Table<'_>, draft: &Draft) -> Option<[Option<Signal>; 6]> {
     let along = components(table, "velocity", Dimension::VELOCITY, draft);
     let about = components(table, "angular_velocity", Dimension::ROTATION_SPEED, draft);
     let ([a, b, c], [d, e, f]) = (along?, about?);
@@ -453,7 +457,7 @@ fn joint(
                 table.note("nodes", &JointProblem::NoDistance { joint });
                 return None;
             }
-            let length = length.unwrap_or(Drive::Constant(now));
+            let length = length.unwrap_or(Drive::Constant(now).into());
             ConstraintJoint::distance(label, ends, at, length)
         }
         Holds::Velocity(rates) => ConstraintJoint::velocity(label, ends, at, rates),

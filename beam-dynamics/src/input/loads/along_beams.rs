@@ -10,7 +10,7 @@ use crate::elements::beams::{BeamGeometry, DistributedLoad, LineLoad};
 use crate::elements::loads::{LoadFactor, Turning};
 use crate::input::draft::{Beam, Draft};
 use crate::input::frames::Frame;
-use crate::input::sensors;
+use crate::input::drives;
 use crate::model::Node;
 
 /// Coefficients of a polynomial: the fifth degree is integrated exactly.
@@ -62,7 +62,7 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
     let in_section = axes(table, "section");
     let kind = kind(table);
     let frame = draft.frames().of(table);
-    let signal = sensors::signal(table, "drive", draft);
+    let signal = drives::read_factor(table, "drive", draft.drives());
     let places = places(table);
     let force = course(table, "force", Dimension::FORCE_PER_LENGTH, &places);
     let moment = course(table, "moment", Dimension::FORCE, &places);

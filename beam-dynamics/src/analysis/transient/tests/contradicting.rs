@@ -50,13 +50,16 @@ fn door(size: f64, drives: [Option<Turning>; 2]) -> Model {
 
 /// An angle of 1 rad in the end.
 fn ramp(start: f64, end: f64, smooth: bool) -> Option<Turning> {
-    Some(Turning::Angle(Drive::Ramp(Ramp {
-        from: 0.0,
-        to: 1.0,
-        start,
-        end,
-        smooth,
-    })))
+    Some(Turning::Angle(
+        Drive::Ramp(Ramp {
+            from: 0.0,
+            to: 1.0,
+            start,
+            end,
+            smooth,
+        })
+        .into(),
+    ))
 }
 
 fn swing(drives: [Option<Turning>; 2]) -> TransientOutcome {
@@ -131,7 +134,7 @@ fn no_impulse_brings_velocities_that_contradict() {
             to,
             time: BEGIN,
         };
-        Some(Turning::Speed(Drive::Step(step)))
+        Some(Turning::Speed(Drive::Step(step).into()))
     };
     let struck = |to: [f64; 2]| {
         let model = door(1.0, to.map(speed));

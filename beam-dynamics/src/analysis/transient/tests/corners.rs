@@ -123,8 +123,8 @@ fn reaction(model: &Model, state: &State, time: f64) -> [f64; 2] {
 #[test]
 fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
     for question in questions() {
-        let angle = chain(1, Turning::Angle(ramp()));
-        let speed = chain(1, Turning::Speed(speed()));
+        let angle = chain(1, Turning::Angle(ramp().into()));
+        let speed = chain(1, Turning::Speed(speed().into()));
         for model in [&angle, &speed] {
             let (kept, outcome) = run(model, &question);
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
@@ -172,7 +172,7 @@ fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
 // (J + m l^2/4) c, and l m v/4 for the other. Round-off of one solution.
 #[test]
 fn the_impulse_on_a_free_link_is_that_of_a_struck_bar() {
-    let model = chain(2, Turning::Angle(ramp()));
+    let model = chain(2, Turning::Angle(ramp().into()));
     let after = model.conditions_at(BEGIN);
     let (state, impulse) = struck(&model.system, &model.system.rest(), &after).unwrap();
     let [driven, free] = [&state.nodes[0], &state.nodes[1]];
@@ -208,7 +208,7 @@ fn the_impulse_on_a_free_link_is_that_of_a_struck_bar() {
 #[test]
 fn a_chain_goes_on_from_its_impulse() {
     for question in questions() {
-        let model = chain(2, Turning::Angle(ramp()));
+        let model = chain(2, Turning::Angle(ramp().into()));
         let (kept, outcome) = run(&model, &question);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         let behind = kept.times.iter().position(|time| *time > BEGIN).unwrap();
@@ -231,7 +231,7 @@ fn a_step_of_a_velocity_is_an_impulse() {
             b: (0, &nodes[0]),
         };
         let at = Placing::at(&nodes[0].position, &Matrix3::identity());
-        let rates = [Some(speed()), None, None, None, None, None];
+        let rates = [Some(speed().into()), None, None, None, None, None];
         let rates = ConstraintJoint::velocity("belt", &ends, &at, rates);
         elements.push(Box::new(rates));
         let model = Model::new("belt", System::new(nodes, elements));
@@ -257,7 +257,7 @@ fn a_step_of_a_velocity_is_an_impulse() {
 #[test]
 fn what_acts_at_a_corner_is_told_as_before_it() {
     for question in questions() {
-        let (kept, outcome) = run(&chain(2, Turning::Speed(speed())), &question);
+        let (kept, outcome) = run(&chain(2, Turning::Speed(speed().into())), &question);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         let (drive, mut corners) = (speed(), 0);
         for ((time, seen), state) in kept.times.iter().zip(&kept.seen).zip(&kept.states) {
@@ -287,13 +287,13 @@ fn nothing_is_renewed_where_nothing_jumps() {
         smooth: true,
     });
     let (_, outcome) = run(
-        &chain(2, Turning::Angle(smooth)),
+        &chain(2, Turning::Angle(smooth.into())),
         &TransientQuestion::new(0.6, STEP),
     );
     assert!(outcome.failure.is_none());
     assert!(outcome.remarks.is_empty(), "{:?}", outcome.remarks);
     let found = states(
-        &chain(1, Turning::Angle(ramp())),
+        &chain(1, Turning::Angle(ramp().into())),
         &TransientQuestion::new(0.2, STEP),
     );
     let resting = found
@@ -312,7 +312,7 @@ fn a_step_of_an_angle_is_refused_before_the_run() {
         time: 0.5,
     });
     let (kept, outcome) = run(
-        &chain(1, Turning::Angle(jump)),
+        &chain(1, Turning::Angle(jump.into())),
         &TransientQuestion::new(1.0, STEP),
     );
     let failure = outcome.failure.unwrap();

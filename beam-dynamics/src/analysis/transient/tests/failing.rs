@@ -58,7 +58,7 @@ fn a_rod_whose_relaxed_length_gets_to_zero_is_named_with_the_cause() {
         end: 1.0,
         smooth: false,
     });
-    let rod = Rod::new("winch", ends, &nodes, Some(length), law);
+    let rod = Rod::new("winch", ends, &nodes, Some(length.into()), law);
     let elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(rod)];
     let model = Model::new("winch", System::new(nodes, elements));
     let outcome = run(&model, &TransientQuestion::new(1.0, 0.03)).1;

@@ -98,7 +98,7 @@ impl FourBar {
             ConstraintJoint::revolute(name, &ends(a, b), &along_z(at), turning)
         };
         match (number, rocker) {
-            (0, _) => revolute("drive", None, 0, &p, Some(Turning::Angle(turn()))),
+            (0, _) => revolute("drive", None, 0, &p, Some(Turning::Angle(turn().into()))),
             (1, _) => revolute("pin", Some(0), 1, &q, None),
             (2, Rocker::Revolutes) => revolute("far pin", Some(1), 2, &r, None),
             (2, _) => ConstraintJoint::spherical("ball", &ends(Some(1), 2), &along_z(&r)),

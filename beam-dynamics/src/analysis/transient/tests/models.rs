@@ -271,7 +271,7 @@ pub fn driven_beam(angle: Drive) -> Model {
         b: (0, &nodes[0]),
     };
     let placing = Placing::at(&Vector3::zeros(), &axes_along(&Vector3::z()));
-    let turning = Some(Turning::Angle(angle));
+    let turning = Some(Turning::Angle(angle.into()));
     let hub = ConstraintJoint::revolute("hub", &ends, &placing, turning);
     parts.push(Box::new(hub));
     Model::new("rotating beam", System::new(nodes, parts))

@@ -80,7 +80,7 @@ fn input(scalar: &Scalar) -> Input {
 }
 
 /// The expression of time and of the scalars `a`, `b`, as many as there are.
-fn signal(text: &str, scalars: &[&Scalar]) -> Signal {
+pub(super) fn signal(text: &str, scalars: &[&Scalar]) -> Signal {
     let names = &["t", "a", "b"][..=scalars.len()];
     let names = Names {
         variables: names,
@@ -114,7 +114,10 @@ fn oscillator(delay: usize, limits: Limits) -> Model {
         against: None,
         axes: None,
     };
-    let sensor = |label: &str, sensed| Sensor::new(label, sensed, post, 0, &nodes);
+    let sensor = |label: &str, sensed| {
+        let of = (Sensor::output(label, sensed), sensed);
+        Sensor::new(label, of, post, 0, &nodes)
+    };
     let sensors = [
         sensor("place", Sensed::Position),
         sensor("speed", Sensed::Velocity),

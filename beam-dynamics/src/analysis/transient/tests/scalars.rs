@@ -78,7 +78,7 @@ fn a_quick_circuit_is_resolved_from_the_first_step_on() {
         time: 0.01,
     });
     let model = capacitor(Circuit::Shunt {
-        source,
+        source: source.into(),
         resistance: 100.0,
         inductance: 0.0,
     });
@@ -117,6 +117,7 @@ impl Lag {
             unknown: Quantity::new("state", "-", 1.0),
             equation: Quantity::new("balance", "1/s", rate),
             has_rate,
+            rate: None,
             start,
         });
         Self {

@@ -50,8 +50,8 @@ fn a_driven_speed_starts_from_the_rotating_equilibrium() {
         end: 100.0,
         smooth: false,
     });
-    let by_angle = states(&beam(Turning::Angle(ramp)), &rotating(speed));
-    let model = beam(Turning::Speed(Drive::Constant(speed)));
+    let by_angle = states(&beam(Turning::Angle(ramp.into())), &rotating(speed));
+    let model = beam(Turning::Speed(Drive::Constant(speed).into()));
     let (kept, outcome) = run(&model, &rotating(speed));
     assert!(outcome.failure.is_none(), "{}", outcome.failure.unwrap());
     assert_eq!(outcome.changes, []);
@@ -70,7 +70,7 @@ fn a_driven_speed_starts_from_the_rotating_equilibrium() {
 // At rest under its weight, 1 N on EI = 1 N m^2: it stays where it is, and does not turn.
 #[test]
 fn a_driven_speed_starts_from_the_equilibrium_at_rest() {
-    let mut model = beam(Turning::Speed(Drive::Constant(0.0)));
+    let mut model = beam(Turning::Speed(Drive::Constant(0.0).into()));
     model.gravity = Vector3::new(0.0, -0.3, -0.5);
     let question = TransientQuestion {
         start: Start::Equilibrium,
@@ -94,7 +94,7 @@ fn imposed_velocities_that_go_with_the_rotation_are_kept() {
             b: (0, &nodes[0]),
         };
         let at = Placing::at(&nodes[0].position, &Matrix3::identity());
-        let fixed = |value: f64| Some(Drive::Constant(value));
+        let fixed = |value: f64| Some(Drive::Constant(value).into());
         let rates = [
             fixed(0.0),
             fixed(along),
@@ -117,7 +117,7 @@ fn imposed_velocities_that_go_with_the_rotation_are_kept() {
 
 #[test]
 fn another_speed_than_that_of_the_start_is_refused_before_the_iteration() {
-    let model = beam(Turning::Speed(Drive::Constant(-6.0)));
+    let model = beam(Turning::Speed(Drive::Constant(-6.0).into()));
     let failure = run(&model, &rotating(6.0)).1.failure.unwrap();
     assert!(
         matches!(failure, TransientFailure::DrivenOtherwise { .. }),

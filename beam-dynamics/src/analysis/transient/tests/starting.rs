@@ -294,13 +294,13 @@ fn driven_rotations_start_at_their_angle_however_large() {
     };
     let about_y = |ends: &JointEnds<'_>, angle: f64| {
         let at = Placing::at(&Vector3::zeros(), &axes_along(&Vector3::y()));
-        let turning = Turning::Angle(Drive::Constant(angle));
+        let turning = Turning::Angle(Drive::Constant(angle).into());
         ConstraintJoint::revolute("motor", ends, &at, Some(turning))
     };
     let about_z = |ends: &JointEnds<'_>, angle: f64| {
         let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
         let mut freedoms = [const { Freedom::Locked }; 6];
-        freedoms[5] = Freedom::Driven(Drive::Constant(angle));
+        freedoms[5] = Freedom::Driven(Drive::Constant(angle).into());
         ConstraintJoint::total("motor", ends, &at, freedoms)
     };
     for angle in [-170.0_f64, 45.0, 90.0, 120.0, 180.0, 200.0, 270.0, 3690.0] {
@@ -344,7 +344,7 @@ fn constraints_that_contradict_are_never_left_out() {
     };
     let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
     let mut freedoms = [const { Freedom::Free }; 6];
-    freedoms[0] = Freedom::Driven(ramp(1.0));
+    freedoms[0] = Freedom::Driven(ramp(1.0).into());
     let moved = ConstraintJoint::total("moved", &ends, &at, freedoms);
     let held = Clamp::new("clamp", 0, &nodes[0]);
     let text = refusal([Box::new(held), Box::new(moved)], nodes.clone());
@@ -352,7 +352,7 @@ fn constraints_that_contradict_are_never_left_out() {
         contradicts \"clamp\", by 1 m/s";
     assert_eq!(text, expected);
     let motor = |name: &str, slope: f64| -> Box<dyn Element> {
-        let turning = Some(Turning::Angle(ramp(slope)));
+        let turning = Some(Turning::Angle(ramp(slope).into()));
         Box::new(ConstraintJoint::revolute(name, &ends, &at, turning))
     };
     let text = refusal([motor("fast", 100.0), motor("slow", 50.0)], nodes.clone());
@@ -391,7 +391,7 @@ fn constraints_that_follow_in_one_place_only_are_not_left_out() {
     });
     let motor = |name: &str, angle: Drive| -> Box<dyn Element> {
         let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
-        let turning = Some(Turning::Angle(angle));
+        let turning = Some(Turning::Angle(angle.into()));
         Box::new(ConstraintJoint::revolute(name, &ends, &at, turning))
     };
     let text = refusal(
@@ -467,7 +467,7 @@ fn a_rotation_that_a_step_leaves_half_a_turn_off_ends_the_run() {
         end: 0.012,
         smooth: true,
     });
-    let motor = ConstraintJoint::revolute("motor", &ends, &at, Some(Turning::Angle(jump)));
+    let motor = ConstraintJoint::revolute("motor", &ends, &at, Some(Turning::Angle(jump.into())));
     let elements: Vec<Box<dyn Element>> =
         vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(motor)];
     let model = Model::new("jump", System::new(nodes, elements));

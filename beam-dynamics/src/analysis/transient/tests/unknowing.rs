@@ -111,7 +111,7 @@ fn velocities_follow_from_differences_of_constraints() {
         cycles: f64::INFINITY,
     });
     let found = [true, false].map(|is_known| {
-        let model = on_pivot(Some(Turning::Angle(swing.clone())), is_known);
+        let model = on_pivot(Some(Turning::Angle(swing.clone().into())), is_known);
         let found = states(&model, &TransientQuestion::new(0.01, 0.01));
         found[0].nodes[0].angular_velocity.z
     });
@@ -177,7 +177,7 @@ fn velocities_that_do_not_exist_are_told() {
         constants: &[],
     };
     let root = Formula::new(Expression::parse("sqrt(t)", &names).unwrap(), 1.0);
-    let angle = Turning::Angle(Drive::Formula(Arc::new(root)));
+    let angle = Turning::Angle(Drive::Formula(Arc::new(root)).into());
     let model = on_pivot(Some(angle), true);
     let failure = run(&model, &TransientQuestion::new(0.1, 0.01))
         .1

@@ -120,7 +120,8 @@ fn half_a_turn_counts_from_the_relaxed_angle() {
 
 fn driven(vector: [f64; 3], drive: Drive) -> Option<Driven<3>> {
     let vector = vector.into();
-    Some(Driven { vector, drive })
+    let signal = drive.into();
+    Some(Driven { vector, signal })
 }
 
 fn linear(stiffness: [f64; 3]) -> LawKind<3> {

@@ -9,9 +9,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::form::sum_of_products;
 use super::{Carrier, Ends, Form, Part, Parts, Turned};
-use crate::elements::{Level, LocalJacobian, LocalResidual};
+use crate::elements::{Instant, Level, LocalJacobian, LocalResidual, Signal};
 use crate::model::Equation::{Force, Moment};
-use crate::model::{Drive, DriveValue, Variable};
+use crate::model::{DriveValue, Equation, Variable};
 
 /// A form by the numbers of its axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,7 +33,7 @@ pub(in crate::elements::joints) enum Held {
 pub(in crate::elements::joints) struct Row {
     pub held: Held,
     /// s; zero without.
-    pub target: Option<Drive>,
+    pub target: Option<Signal>,
 }
 
 /// What rows need to know of a joint at a state.
@@ -44,7 +44,7 @@ pub(in crate::elements::joints) struct Seen<'a> {
     pub frame: &'a Matrix3<f64>,
     /// The axes of a as the drive turns them.
     pub turned: Turned,
-    pub time: f64,
+    pub now: Instant<'a>,
     /// What the targets are multiplied with.
     pub scale: DriveValue,
 }
@@ -67,10 +67,16 @@ impl Row {
         Self { held, target: None }
     }
 
-    /// A row that follows a drive.
-    pub fn driven(held: Held, target: Drive) -> Self {
-        let target = Some(target);
+    /// A row that follows a signal.
+    pub fn driven(held: Held, target: impl Into<Signal>) -> Self {
+        let target = Some(target.into());
         Self { held, target }
+    }
+
+    /// Whether what its multiplier does depends on the target, or on the rotation by which a
+    /// joint turns the axes of a.
+    pub fn is_turned(&self) -> bool {
+        matches!(self.held, Held::Across(..) | Held::Distance)
     }
 
     pub fn level(&self) -> Level {
@@ -82,7 +88,7 @@ impl Row {
 
     pub fn at<'a>(&self, seen: &'a Seen<'a>) -> PlacedRow<'a> {
         let target = self.target.as_ref();
-        let target = target.map_or_else(DriveValue::default, |s| s.at(seen.time));
+        let target = target.map_or_else(DriveValue::default, |s| s.at(&seen.now));
         let target = target.times(seen.scale);
         let axis = |carrier: Carrier, axis: usize| match carrier {
             Carrier::Frame => seen.frame.column(axis).into_owned(),
@@ -227,29 +233,29 @@ impl PlacedRow<'_> {
         (by_time, curvature + 2.0 * mixed + second)
     }
 
-    /// Adds the derivative of [`Self::residual`] by the factor of the targets: `turn` is w of
-    /// the axes for a rate of the factor of one, `rate` that factor's part in the target.
-    pub fn by_factor(
+    /// The derivative of [`Self::residual`] by a number on which the targets depend, of the
+    /// constraint and of the forces that `force` takes: `turn` is w of the axes for a rate of
+    /// that number of one, and `rate` the rate of the target.
+    pub fn by_target(
         &self,
-        (row, lambda): (usize, f64),
+        lambda: f64,
         (rate, turn): (f64, &Vector3<f64>),
-        out: &mut LocalResidual,
-    ) {
+        mut force: impl FnMut(usize, Equation, &Vector3<f64>),
+    ) -> f64 {
         let turned = match self.form {
             Form::Across { a, .. } => turn.cross(&a),
             _ => Vector3::zeros(),
         };
         let (change, of_gradient) = self.by_change(rate, &turned);
-        out.add_constraint(row, change);
         self.each_part(|part, node| {
-            let equation = names(part).0;
-            out.add(node, equation, &(-lambda * of_gradient[part as usize]));
+            force(node, names(part).0, &(-lambda * of_gradient[part as usize]));
         });
+        change
     }
 }
 
 /// Equation, variable and rate of a part.
-fn names(part: Part) -> (crate::model::Equation, Variable, Variable) {
+fn names(part: Part) -> (Equation, Variable, Variable) {
     match part.is_turn() {
         true => (Moment, Variable::Rotation, Variable::AngularVelocity),
         false => (Force, Variable::Position, Variable::Velocity),

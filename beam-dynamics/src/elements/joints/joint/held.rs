@@ -4,7 +4,7 @@ use super::ConstraintJoint;
 use crate::elements::Level;
 use crate::elements::joints::algebra::{Held, Row};
 use crate::elements::joints::kinds::about;
-use crate::model::{Drive, Loading, NodeMotion};
+use crate::model::{Drive, Loading, NodeMotion, Scalars};
 
 impl ConstraintJoint {
     /// The joint with constraints of places and attitudes, those at the state `nodes`, in the
@@ -13,7 +13,7 @@ impl ConstraintJoint {
         if self.rows.iter().all(|row| row.level() == Level::Position) {
             return None;
         }
-        let seen = self.seen(nodes, &Loading::none());
+        let seen = self.seen(nodes, &Loading::none(), Scalars::NONE);
         let held = self.rows.iter().map(|row| match row.held {
             Held::Velocity(carrier, axis) => {
                 let held = Held::Along(carrier, axis);

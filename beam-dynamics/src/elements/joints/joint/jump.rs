@@ -1,11 +1,12 @@
 //! Where the drives of a joint jump in what they hold in place: no motion follows that.
 
+use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use super::{ConstraintJoint, by_axis};
-use crate::elements::PlaceJump;
 use crate::elements::joints::algebra::Held;
-use crate::model::{DriveValue, Loading};
+use crate::elements::{Instant, PlaceJump};
+use crate::model::{DriveValue, Loading, Scalars};
 
 /// What the value of a drive differs by from one instant to the next beside its rate:
 /// round-off of it, and next to nothing [m, rad].
@@ -22,8 +23,16 @@ fn jumps([from, to]: [DriveValue; 2], delay: f64) -> bool {
 
 impl ConstraintJoint {
     /// The first jump of a place or of an attitude between two instants.
-    pub(super) fn place_jump(&self, between: [&Loading; 2]) -> Option<PlaceJump> {
+    pub(super) fn place_jump(
+        &self,
+        between: [&Loading; 2],
+        scalars: Scalars<'_>,
+    ) -> Option<PlaceJump> {
         let delay = between[1].time - between[0].time;
+        let now = |at: &Loading| Instant {
+            time: at.time,
+            scalars,
+        };
         let places = self.rows.iter().filter_map(|row| {
             let target = row.target.as_ref()?;
             let what = match row.held {
@@ -33,7 +42,7 @@ impl ConstraintJoint {
                 Held::Distance => "length".to_owned(),
                 Held::Across(..) | Held::Velocity(..) | Held::Spin(..) => return None,
             };
-            let held = between.map(|at| target.at(at.time).times(self.scale(at)));
+            let held = between.map(|at| target.at(&now(at)).times(self.scale(at, &now(at))));
             jumps(held, delay).then(|| PlaceJump {
                 what,
                 from: held[0].value,
@@ -42,13 +51,15 @@ impl ConstraintJoint {
             })
         });
         let mut places = places;
-        places.next().or_else(|| self.attitude_jump(between, delay))
+        places.next().or_else(|| {
+            let turn = self.turn.as_ref()?;
+            let turned = between.map(|at| by_axis(turn, &now(at), &self.scale(at, &now(at))));
+            self.attitude_jump(&turned, delay)
+        })
     }
 
     /// Whole turns are no jump.
-    fn attitude_jump(&self, between: [&Loading; 2], delay: f64) -> Option<PlaceJump> {
-        let turn = self.turn.as_ref()?;
-        let turned = between.map(|at| by_axis(turn, at.time, &self.scale(at)));
+    fn attitude_jump(&self, turned: &[[Vector3<f64>; 3]; 2], delay: f64) -> Option<PlaceJump> {
         let [from, to] = turned.map(|[phi, ..]| vector::to_rotation(&phi));
         let off = vector::from_rotation(&(from.transpose() * to)).norm();
         let rates = turned[0][1].norm() + turned[1][1].norm();
@@ -104,7 +115,7 @@ mod tests {
             time,
             ..Loading::none()
         };
-        let jump = joint.jump([&at(0.5_f64.next_down()), &at(0.5)])?;
+        let jump = joint.jump([&at(0.5_f64.next_down()), &at(0.5)], Scalars::NONE)?;
         let PlaceJump {
             what,
             from,
@@ -126,22 +137,22 @@ mod tests {
             b: (0, &node),
         };
         let at = Placing::at(&node.position, &Matrix3::identity());
-        let angle = |drive| {
-            let turning = Some(Turning::Angle(drive));
+        let angle = |drive: Drive| {
+            let turning = Some(Turning::Angle(drive.into()));
             told(&ConstraintJoint::revolute("hinge", &ends, &at, turning))
         };
         assert_eq!(angle(step(0.5)).unwrap(), "angle 0.000 28.648 deg");
         assert_eq!(angle(ramp()), None);
         assert_eq!(angle(step(4.0 * std::f64::consts::PI)), None);
-        let slide = |drive| {
-            let slide = Freedom::Driven(drive);
+        let slide = |drive: Drive| {
+            let slide = Freedom::Driven(drive.into());
             told(&ConstraintJoint::prismatic("guide", &ends, &at, slide))
         };
         let expected = "displacement along its x 0.000 -0.010 m";
         assert_eq!(slide(step(-0.01)).unwrap(), expected);
         assert_eq!(slide(ramp()), None);
         // Of a velocity it is an impulse, and no jump of places.
-        let speed = Some(Turning::Speed(step(1.0)));
+        let speed = Some(Turning::Speed(step(1.0).into()));
         let wheel = ConstraintJoint::revolute("wheel", &ends, &at, speed);
         assert_eq!(told(&wheel), None);
     }

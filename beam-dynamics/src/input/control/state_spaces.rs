@@ -9,8 +9,9 @@ use nalgebra::DMatrix;
 use shared_geom::document::{Document, Table};
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
-use super::{ends, sensors};
+use crate::input::draft::Draft;
+use crate::input::drives::{self, Catalog, Measure, Read};
+use crate::input::ends;
 use crate::elements::control::{Matrices, Sampled, StateSpace};
 use crate::elements::{Element, Input};
 use crate::model::{Scalar, ScalarStart};
@@ -26,33 +27,35 @@ const MOST_SAMPLES: f64 = 1e8;
 const MATRICES: [&str; 4] = ["a", "b", "c", "d"];
 
 /// A card whose outputs have names.
-struct Named<'a> {
+pub(super) struct Named<'a> {
     table: Table<'a>,
     label: String,
-    is_new: bool,
     /// Names of the outputs.
     names: Vec<String>,
     /// The outputs; `None` where their names are wrong.
     outputs: Option<Vec<Scalar>>,
 }
 
-/// Adds every `[[state_space]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+/// Lets expressions read the outputs of every `[[state_space]]`.
+pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'a>> {
     let tables = root.tables("state_space").into_iter().enumerate();
     let named = tables.map(|(number, table)| {
         let label = ends::label(&table, "state space", number);
-        let is_new = draft.take_label("state space", &label, &table);
         let names = names(&table);
         Named {
-            is_new,
-            outputs: (names.as_deref()).and_then(|names| outputs(&table, &label, names, draft)),
+            outputs: (names.as_deref()).and_then(|names| outputs(&table, &label, names, drives)),
             names: names.unwrap_or_default(),
             table,
             label,
         }
     });
-    let named: Vec<_> = named.collect();
+    named.collect()
+}
+
+/// Adds every `[[state_space]]` to the model.
+pub(super) fn read(named: Vec<Named<'_>>, draft: &mut Draft) {
     for card in named {
+        let is_new = draft.take_label("state space", &card.label, &card.table);
         let element = element(&card, draft);
         card.table.finish();
         let Some((element, period)) = element else {
@@ -62,7 +65,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
         if let Some(period) = period {
             draft.add_sampling(card.table.line_of("sample_time"), period);
         }
-        match card.is_new {
+        match is_new {
             true => draft.add_load(element),
             false => draft.note_broken(),
         }
@@ -91,13 +94,13 @@ fn outputs(
     table: &Table<'_>,
     label: &str,
     names: &[String],
-    draft: &mut Draft,
+    drives: &mut Catalog,
 ) -> Option<Vec<Scalar>> {
     let mut complete = true;
     let mut outputs = Vec::new();
     for name in names {
         let scalar = StateSpace::output(label, name);
-        if !sensors::is_free(name, table, "outputs", draft) {
+        if !drives.is_free(name, table, "outputs") {
             complete = false;
             continue;
         }
@@ -105,7 +108,13 @@ fn outputs(
             scalar: scalar.clone(),
             unit: 1.0,
         };
-        draft.add_readable(name.clone(), Some(input));
+        drives.add_readable(
+            name.clone(),
+            Some(Read {
+                input,
+                measure: Measure::Plain,
+            }),
+        );
         outputs.push(scalar);
     }
     complete.then_some(outputs)
@@ -117,7 +126,10 @@ fn element(card: &Named<'_>, draft: &Draft) -> Option<(Box<dyn Element>, Option<
     let inputs = table.require_item("inputs", "a list of numbers, drives or expressions");
     let inputs = inputs.map(|item| {
         let items = item.list().unwrap_or_else(|| vec![item]);
-        let signals = items.iter().map(|item| sensors::signal_of(item, draft));
+        let number = Dimension::NUMBER;
+        let signals = items
+            .iter()
+            .map(|item| drives::signal_of(item, number, draft.drives()));
         // Each is looked at, so that all that is wrong is noted.
         signals.collect::<Vec<_>>()
     });

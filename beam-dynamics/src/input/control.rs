@@ -1,0 +1,43 @@
+//! Control: sensors, systems of states and actuators.
+//!
+//! Each card is read twice. First its names are declared, so that the cards of all elements may
+//! read them; then, when nodes and elements are known, it becomes an element.
+
+use shared_geom::document::{Document, Table};
+
+use super::draft::Draft;
+use super::drives::Catalog;
+
+mod actuators;
+mod sensors;
+mod state_spaces;
+
+pub use state_spaces::StateSpaceProblem;
+
+/// The cards whose names expressions may read.
+pub(super) struct Declared<'a> {
+    sensors: Vec<sensors::Declared<'a>>,
+    state_spaces: Vec<state_spaces::Named<'a>>,
+    actuators: Vec<actuators::Named<'a>>,
+}
+
+/// Lets expressions read the names of all cards.
+pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Declared<'a> {
+    Declared {
+        sensors: sensors::declare(root, drives),
+        state_spaces: state_spaces::declare(root, drives),
+        actuators: actuators::declare(root, drives),
+    }
+}
+
+/// Adds the elements of all cards to the model.
+pub(super) fn read(declared: Declared<'_>, draft: &mut Draft) {
+    sensors::read(declared.sensors, draft);
+    state_spaces::read(declared.state_spaces, draft);
+    actuators::read(declared.actuators, draft);
+}
+
+/// Notes what is wrong with the cards in a run from and to the given `times` \[s\].
+pub(super) fn check_run(document: &Document, draft: &Draft, times: [f64; 2]) {
+    state_spaces::check_run(document, draft, times);
+}

@@ -1,0 +1,124 @@
+//! Actuators: `[[actuator]]`, signals that joints can follow.
+//!
+//! The name of a card is that of its position, which expressions read.
+
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use crate::input::draft::Draft;
+use crate::input::drives::{self, Catalog, Measure, Read};
+use crate::input::number::not_negative;
+use crate::elements::Input;
+use crate::elements::control::{Actuator, Servo};
+use crate::model::{Scalar, ScalarStart};
+
+/// Damping ratio of a card that gives none: an overshoot of 5 %.
+const DAMPING: f64 = 0.7;
+
+/// A card whose position expressions read.
+pub(super) struct Named<'a> {
+    table: Table<'a>,
+    /// Its name and the position; `None` where they are wrong.
+    position: Option<(String, Scalar)>,
+}
+
+/// Lets expressions read the position of every `[[actuator]]`.
+pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'a>> {
+    let declare = |table: Table<'a>| {
+        let name = table.require_text("name", "a name, which expressions read");
+        let (start, measure) = (start(&table), Measure::of_table(&table));
+        let name = name.filter(|name| drives.is_free(name, &table, "name"));
+        let position = name.clone().zip(start);
+        let position = position.map(|(name, start)| {
+            let scalar = Actuator::position(&name, start);
+            (name, scalar)
+        });
+        if let Some(name) = name {
+            let input = |scalar: &Scalar| Input {
+                scalar: scalar.clone(),
+                unit: 1.0,
+            };
+            let read = position
+                .as_ref()
+                .zip(measure)
+                .map(|((_, scalar), measure)| Read {
+                    input: input(scalar),
+                    measure,
+                });
+            drives.add_readable(name, read);
+        }
+        Named { table, position }
+    };
+    root.tables("actuator").into_iter().map(declare).collect()
+}
+
+/// A number at which it starts, or the command at which it rests.
+fn start(table: &Table<'_>) -> Option<ScalarStart> {
+    const KEY: &str = "start";
+    if !table.has(KEY) {
+        return Some(ScalarStart::Settled);
+    }
+    if table.is_text(KEY) {
+        table.word(KEY, &["settled"])?;
+        return Some(ScalarStart::Settled);
+    }
+    (table.quantity(KEY, Dimension::NUMBER)).map(ScalarStart::Value)
+}
+
+/// Adds every `[[actuator]]` to the model.
+pub(super) fn read(named: Vec<Named<'_>>, draft: &mut Draft) {
+    for card in named {
+        let table = &card.table;
+        let command = match table.require_item("command", "a number, a drive or an expression") {
+            Some(item) => drives::signal_of(&item, Dimension::NUMBER, draft.drives()),
+            None => None,
+        };
+        let servo = servo(table);
+        table.finish();
+        match (command, servo, card.position) {
+            (Some(command), Some(servo), Some((name, position))) => {
+                draft.add_load(Box::new(Actuator::new(name, servo, command, position)));
+            }
+            _ => draft.note_broken(),
+        }
+    }
+}
+
+fn servo(table: &Table<'_>) -> Option<Servo> {
+    let frequency = table.require_positive("frequency", Dimension::FREQUENCY);
+    let damping = match table.has("damping_ratio") {
+        true => not_negative(table, "damping_ratio", Dimension::NUMBER),
+        false => Some(DAMPING),
+    };
+    let limits = match table.has("limits") {
+        true => limits(table).map(Some),
+        false => Some(None),
+    };
+    let rate_limit = match table.has("rate_limit") {
+        true => table
+            .require_positive("rate_limit", Dimension::NUMBER)
+            .map(Some),
+        false => Some(None),
+    };
+    Some(Servo {
+        frequency: std::f64::consts::TAU * frequency?,
+        damping: damping?,
+        limits: limits?,
+        rate_limit: rate_limit?,
+    })
+}
+
+fn limits(table: &Table<'_>) -> Option<[f64; 2]> {
+    const EXPECTED: &str = "the least and the largest command, two rising numbers";
+    let found = match table.is_list("limits") {
+        true => table.quantities("limits", Dimension::NUMBER)?,
+        false => Vec::new(),
+    };
+    match found[..] {
+        [least, most] if least < most => Some([least, most]),
+        _ => {
+            table.wrong("limits", EXPECTED);
+            None
+        }
+    }
+}

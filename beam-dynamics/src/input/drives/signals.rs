@@ -1,0 +1,257 @@
+//! Signals: numbers that depend on time and on the names that expressions may read.
+
+use std::collections::BTreeMap;
+
+use shared_geom::document::{Item, Table};
+use shared_geom::expression::{Names, is_name, written};
+use shared_geom::units::Dimension;
+
+use super::measure::Measure;
+use super::problem::Needed;
+use super::{Catalog, Counts, DriveProblem};
+use crate::elements::{Input, Signal, Smoothness};
+use crate::input::problem::InputProblem;
+
+/// Scalars that expressions read by name; those that are wrong are `None`.
+pub(super) type Readable = BTreeMap<String, Option<Read>>;
+
+/// A scalar that expressions read by name.
+#[derive(Debug, Clone)]
+pub(in crate::input) struct Read {
+    /// The scalar.
+    pub input: Input,
+    /// The unit of its numbers: its name alone under a key counts in this one where there is
+    /// one, and not in that of the key.
+    pub measure: Measure,
+}
+
+/// Reads the signal under `key` of a card, in SI units of `dimension`: all that a drive may be
+/// (see [`super::read`]), an expression of time and of names that expressions may read, or such
+/// a name. `None` when it is absent or wrong; what is wrong has been noted.
+pub(in crate::input) fn read_signal(
+    table: &Table<'_>,
+    key: &str,
+    dimension: Dimension,
+    catalog: &Catalog,
+) -> Option<Signal> {
+    signal_of(&table.item(key)?, dimension, catalog)
+}
+
+/// As [`read_signal`], of a pure number that is one without the key.
+pub(in crate::input) fn read_factor(
+    table: &Table<'_>,
+    key: &str,
+    catalog: &Catalog,
+) -> Option<Signal> {
+    match table.has(key) {
+        true => read_signal(table, key, Dimension::NUMBER, catalog),
+        false => Some(Signal::default()),
+    }
+}
+
+/// As [`read_signal`], of the angular velocity of an imposed motion, or of a force that resists
+/// a rate: the rate of the signal must be known.
+pub(in crate::input) fn read_speed(
+    table: &Table<'_>,
+    key: &str,
+    dimension: Dimension,
+    catalog: &Catalog,
+) -> Option<Signal> {
+    let item = table.item(key)?;
+    let signal = find(&item, dimension, catalog, Counts::Slope)?;
+    is_smooth(&item, &signal, Smoothness::Rate).then_some(signal)
+}
+
+/// As [`read_signal`], of a place or an angle in which something is held: the second
+/// derivative of the signal must be known.
+pub(in crate::input) fn read_place(
+    table: &Table<'_>,
+    key: &str,
+    dimension: Dimension,
+    catalog: &Catalog,
+) -> Option<Signal> {
+    let item = table.item(key)?;
+    let signal = find(&item, dimension, catalog, Counts::Slope)?;
+    is_smooth(&item, &signal, Smoothness::Acceleration).then_some(signal)
+}
+
+/// As [`read_place`], of a length above zero at all times.
+pub(in crate::input) fn read_distance(
+    table: &Table<'_>,
+    key: &str,
+    catalog: &Catalog,
+) -> Option<Signal> {
+    let signal = read_length(table, key, catalog)?;
+    is_smooth(&table.item(key)?, &signal, Smoothness::Acceleration).then_some(signal)
+}
+
+/// As [`read_signal`], of a length above zero at all times.
+pub(in crate::input) fn read_length(
+    table: &Table<'_>,
+    key: &str,
+    catalog: &Catalog,
+) -> Option<Signal> {
+    let item = table.item(key)?;
+    let signal = find(&item, Dimension::LENGTH, catalog, Counts::Positive)?;
+    if signal
+        .drive()
+        .is_some_and(|drive| drive.at(0.0).value <= 0.0)
+    {
+        table.wrong(key, "a length greater than zero at all times");
+        return None;
+    }
+    Some(signal)
+}
+
+/// As [`read_signal`], of a value wherever it stands.
+pub(in crate::input) fn signal_of(
+    item: &Item<'_>,
+    dimension: Dimension,
+    catalog: &Catalog,
+) -> Option<Signal> {
+    find(item, dimension, catalog, Counts::Value)
+}
+
+/// Whether as much is known of the derivatives of a signal as is needed; notes the first name
+/// of which it is not.
+pub(in crate::input) fn is_smooth(item: &Item<'_>, signal: &Signal, needed: Smoothness) -> bool {
+    let Some(rough) = signal.rougher_than(needed) else {
+        return true;
+    };
+    item.note(&DriveProblem::Rough {
+        key: item.key().to_owned(),
+        name: rough.owner.clone(),
+        needed: match needed {
+            Smoothness::Acceleration => Needed::Acceleration,
+            Smoothness::Rate | Smoothness::Value => Needed::Rate,
+        },
+    });
+    false
+}
+
+fn find(
+    item: &Item<'_>,
+    dimension: Dimension,
+    catalog: &Catalog,
+    counts: Counts,
+) -> Option<Signal> {
+    let drive = || super::used(item, dimension, catalog, counts).map(Signal::Drive);
+    let Some(text) = item.text() else {
+        return drive();
+    };
+    let readable = &catalog.readable;
+    let text = match written(text) {
+        Some(text) => text,
+        None if readable.contains_key(text.trim()) => text.trim(),
+        None => {
+            let name = text.trim();
+            if readable.is_empty() || !is_name(name) || catalog.has(name) {
+                return drive();
+            }
+            let known = readable.keys().cloned().chain(catalog.names());
+            item.note(&InputProblem::UnknownName {
+                kind: "signal",
+                name: name.to_owned(),
+                user: format!("\"{}\"", item.key()),
+                known: known.collect(),
+            });
+            return None;
+        }
+    };
+    match sensing(item, (text, dimension), readable)? {
+        Some(signal) => Some(signal),
+        None => drive(),
+    }
+}
+
+/// The signal of an expression; `Some(None)` where it reads no scalar.
+fn sensing(
+    item: &Item<'_>,
+    (text, dimension): (&str, Dimension),
+    readable: &Readable,
+) -> Option<Option<Signal>> {
+    let document = item.document();
+    let constants = document.parameters();
+    let parse = |variables: &[&str]| {
+        let names = Names {
+            variables,
+            constants: &constants,
+        };
+        document.expression(item.key(), item.line(), text, &names)
+    };
+    let variables = ["t"].into_iter();
+    let variables: Vec<_> = variables.chain(readable.keys().map(String::as_str)).collect();
+    let expression = parse(&variables)?;
+    if !(1..variables.len()).any(|index| expression.uses(index)) {
+        return Some(None);
+    }
+    if constants.iter().any(|own| own.1.is_nan()) {
+        // The parameter that is wrong has been noted.
+        return None;
+    }
+    // A name that is not used may be wrong: only those that are used are kept.
+    let mut used = Vec::new();
+    let mut kept = vec!["t"];
+    for (index, (name, read)) in readable.iter().enumerate() {
+        if expression.uses(index + 1) {
+            used.push(read.clone()?.input);
+            kept.push(name);
+        }
+    }
+    let expression = parse(&kept)?;
+    let factor = match readable.get(text).and_then(Option::as_ref) {
+        Some(read) => factor_of_name(item, (text, read.measure), dimension)?,
+        None => Measure::Declared(dimension).factor(document),
+    };
+    let units = [document.factor(Dimension::TIME), factor];
+    Some(Some(Signal::sensing(expression, used, units)))
+}
+
+/// SI units in one number of a name that stands alone for a quantity of `dimension`. A name with
+/// another unit may stand for a pure number only; what it measures else is noted.
+fn factor_of_name(
+    item: &Item<'_>,
+    (name, measure): (&str, Measure),
+    dimension: Dimension,
+) -> Option<f64> {
+    let wanted = Measure::Declared(dimension);
+    if dimension == Dimension::NUMBER || measure == Measure::Plain {
+        return Some(wanted.factor(item.document()));
+    }
+    if wanted.factor_from(measure, item.document()).is_some() {
+        return Some(measure.factor(item.document()));
+    }
+    item.note(&DriveProblem::Measures {
+        name: name.to_owned(),
+        measures: measure.words(),
+        expected: wanted.words(),
+    });
+    None
+}
+
+impl Catalog {
+    /// Lets expressions read a scalar by `name`; `None` where that is wrong.
+    pub fn add_readable(&mut self, name: String, read: Option<Read>) {
+        self.readable.insert(name, read);
+    }
+
+    /// Whether `name`, which stands under `key`, is one that expressions may read and that is
+    /// free; notes why it is not.
+    pub fn is_free(&self, name: &str, table: &Table<'_>, key: &str) -> bool {
+        let parameters = table.document().parameters();
+        let taken = [
+            ("a sensor or an output", self.readable.contains_key(name)),
+            ("a parameter", parameters.iter().any(|own| own.0 == name)),
+            ("a drive", self.has(name)),
+        ];
+        let by = taken.iter().find(|taken| taken.1).map(|taken| taken.0);
+        let own = name.to_owned();
+        let problem = match by {
+            _ if !is_name(name) || name == "t" => DriveProblem::SignalName { name: own },
+            Some(by) => DriveProblem::SignalTaken { name: own, by },
+            None => return true,
+        };
+        table.note(key, &problem);
+        false
+    }
+}
