@@ -13,7 +13,7 @@ use beam_dynamics::assembly::{MasslessMotions, System};
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
-use beam_dynamics::elements::joints::Clamp;
+use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::model::{Conditions, Node};
 use beam_dynamics::modes::EigenProblem;
 use beam_dynamics::solver::LinearSolver;
@@ -39,7 +39,7 @@ fn model(elements: usize) -> Model {
     let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
     let stiffness = Matrix6::from_diagonal(&Vector6::new(1e6, 1e5, 1e5, 0.5, 1.0, 20.0));
     let mass = Matrix6::from_diagonal(&Vector6::new(1.0, 1.0, 1.0, 1e-4, 1e-5, 9e-5));
-    let mut parts: Vec<Box<dyn Element>> = vec![Box::new(Clamp::new("root", 0, &nodes[0]))];
+    let mut parts: Vec<Box<dyn Element>> = vec![Box::new(clamped("root", 0, &nodes[0]))];
     for e in 0..elements {
         let on = [2 * e, 2 * e + 1, 2 * e + 2];
         let at = on.map(|i| &nodes[i]);

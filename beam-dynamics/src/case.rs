@@ -9,10 +9,7 @@ use crate::model::{Conditions, Drive, Loading, NamingAxes, TurningFrame};
 mod columns;
 mod transient;
 
-pub use columns::{
-    Axes, Column, ElectrodeQuantity, EnergyPart, Every, JointMotion, NodeQuantity, NodeVector,
-    OutputQuestion, Part, Quantity, SpringVector,
-};
+pub use columns::{Column, ElectrodeQuantity, EnergyPart, Every, OutputQuestion, Quantity};
 pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 
 /// How the model's frame turns.

@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::model::{Drive, Loading, NodeMotion, Scalar, Scalars, TurningFrame};
 
@@ -15,13 +15,15 @@ pub mod laws;
 pub mod loads;
 pub mod springs;
 
+mod adapted;
 mod charges;
 mod constraint;
+mod euler;
 mod exchange;
 mod local;
 mod motion;
 mod observation;
-mod reduced;
+mod reading;
 mod sensor;
 mod signal;
 
@@ -34,6 +36,7 @@ mod rates_tests;
 #[cfg(test)]
 mod symmetry_tests;
 
+pub use adapted::Adapted;
 pub use charges::{Charges, CircuitState, ElectrodeState, Flow};
 pub use constraint::{ConstraintRates, ConstraintWords, Energy, Level, PlaceJump};
 pub use exchange::Exchange;
@@ -42,8 +45,10 @@ pub use motion::Motion;
 pub use observation::{
     JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,
 };
-pub use reduced::ReducedElement;
-pub use sensor::{Post, Sensed, Sensor};
+pub use reading::{
+    Axes, JointMotion, NodeQuantity, NodeVector, Part, Reading, ReadingRow, SpringVector,
+};
+pub use sensor::{NodeReading, Sensor};
 pub use signal::{Input, Instant, Signal, Smoothness};
 
 /// What an element sees: the motion of its nodes, its multipliers, its scalars, and the frame.
@@ -263,6 +268,23 @@ pub trait Element: Debug + Send + Sync {
     /// Tells what the element knows of a state beside its forces on the nodes: strains
     /// and internal forces of sections, reactions of joints.
     fn observe(&self, _at: &Local<'_>, _out: &mut Observations) {}
+
+    /// The axes (columns) of a joint that turn with its first end and with its second, in the
+    /// model's axes; `None` for what is no joint.
+    fn end_axes(&self, _at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
+        None
+    }
+
+    /// A reading other than a reaction, in SI units, with its derivatives where `row` takes
+    /// them; `None` where the element reports nothing of the kind.
+    fn read(
+        &self,
+        _reading: &Reading,
+        _at: &Local<'_>,
+        _row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        None
+    }
 
     /// Tells what it knows of charges and voltages of electrodes.
     fn charges(&self, _at: &Local<'_>, _out: &mut Charges) {}

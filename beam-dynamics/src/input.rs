@@ -53,6 +53,7 @@ mod number;
 mod problem;
 mod properties;
 mod questions;
+mod readings;
 mod rods;
 mod shapes;
 mod speeds;
@@ -84,6 +85,7 @@ pub use laws::LawProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
+pub use readings::ReadingProblem;
 
 pub use summary::Summary;
 pub use transient::TransientProblem;
@@ -242,10 +244,10 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     joints::read_joints(&root, &mut draft);
     rods::read(&root, &mut draft);
     springs::read(&root, &mut draft);
-    control::read(control, &mut draft);
     loads::read(&root, &mut draft);
     internal_forces::read(&root, &mut draft);
     electrodes::read(&root, &mut draft);
+    control::read(control, &mut draft);
     let gravity = loads::gravity(&root, &draft);
     let questions = questions::read(&root);
     let measured = measured::read(&root);

@@ -44,6 +44,16 @@ impl Expression {
         parse::expression(text, names)
     }
 
+    /// Variable number `index` alone.
+    pub fn variable(index: usize) -> Self {
+        Self {
+            text: String::new(),
+            program: vec![Operation::Variable(index)],
+            used: (0..=index).map(|own| own == index).collect(),
+            known: Vec::new(),
+        }
+    }
+
     /// The text from which it was read.
     pub fn text(&self) -> &str {
         &self.text

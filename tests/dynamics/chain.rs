@@ -6,9 +6,9 @@ use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
     Beam, BeamGeometry, BeamNode, DistributedLoad, Formulation, LineLoad,
 };
-use beam_dynamics::elements::joints::Clamp;
+use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::elements::loads::{
-    Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning,
+    ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning, imposed,
 };
 use beam_dynamics::model::Node;
 use beam_dynamics::result::{StaticResult, StaticStep};
@@ -115,12 +115,12 @@ impl Chain {
     }
 
     pub fn clamp(&mut self, node: usize) {
-        let clamp = Clamp::new("clamp", node, &self.nodes[node]);
+        let clamp = clamped("clamp", node, &self.nodes[node]);
         self.elements.push(Box::new(clamp));
     }
 
     pub fn impose(&mut self, node: usize, motion: ImposedMotion) {
-        let imposed = Imposed::new("imposed", node, &self.nodes[node], motion);
+        let imposed = imposed("imposed", node, &self.nodes[node], motion);
         self.elements.push(Box::new(imposed));
     }
 

@@ -5,7 +5,7 @@ use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
-use beam_dynamics::elements::joints::Clamp;
+use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::elements::laws::{Law, LawKind};
 use beam_dynamics::model::Node;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
@@ -25,7 +25,7 @@ fn damped_modes(stiffness: &Matrix6<f64>, damping: &Matrix6<f64>) -> Vec<(String
     let nodes: Vec<_> = (0..count).map(node).collect();
     let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
     let mass = Matrix6::from_diagonal(&Vector6::new(1.0, 1.0, 1.0, 3e-3, 1e-3, 2e-3));
-    let mut elements: Vec<Box<dyn Element>> = vec![Box::new(Clamp::new("root", 0, &nodes[0]))];
+    let mut elements: Vec<Box<dyn Element>> = vec![Box::new(clamped("root", 0, &nodes[0]))];
     for e in 0..BEAMS {
         let on = [2 * e, 2 * e + 1, 2 * e + 2];
         let ends = on.map(|i| &nodes[i]);

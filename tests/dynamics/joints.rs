@@ -7,7 +7,9 @@ use beam_dynamics::analysis::steady::equilibrium;
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
-use beam_dynamics::elements::joints::{Clamp, Hinge, HingeSpring, RigidConnection};
+use beam_dynamics::elements::joints::{
+    Hinge, HingeSpring, clamped, partly_clamped, rigid_connection,
+};
 use beam_dynamics::elements::springs::{Stand, SupportLaw, SupportSpring};
 use beam_dynamics::elements::{Element, Reaction};
 use beam_dynamics::model::{Node, State};
@@ -79,7 +81,7 @@ fn hinged(axis: Vector3<f64>, spring: HingeSpring) -> System {
     let body = RigidInertia::about_node(MASS, &Vector3::new(CENTER, 0.0, 0.0), &central);
     let ends = [&nodes[0], &nodes[1]];
     let elements: Vec<Box<dyn Element>> = vec![
-        Box::new(Clamp::new("clamp", 0, &nodes[0])),
+        Box::new(clamped("clamp", 0, &nodes[0])),
         Box::new(Hinge::new("hinge", [0, 1], ends, &hinge, &axis, spring)),
         Box::new(RigidBody::new("blade", 1, body)),
     ];
@@ -197,12 +199,8 @@ fn reactions_of_a_rigid_connection() {
     ];
     let body = RigidInertia::about_node(MASS, &Vector3::zeros(), &Matrix3::identity());
     let elements: Vec<Box<dyn Element>> = vec![
-        Box::new(Clamp::new("clamp", 0, &nodes[0])),
-        Box::new(RigidConnection::new(
-            "rigid",
-            [0, 1],
-            [&nodes[0], &nodes[1]],
-        )),
+        Box::new(clamped("clamp", 0, &nodes[0])),
+        Box::new(rigid_connection("rigid", [0, 1], [&nodes[0], &nodes[1]])),
         Box::new(RigidBody::new("body", 1, body)),
     ];
     let (model, state, reactions) = steady(System::new(nodes, elements), SPEED);
@@ -241,7 +239,7 @@ impl Hub {
         let axes = Matrix3::identity();
         let law = SupportLaw::along(&axes, &self.stiffness, &self.damping);
         vec![
-            Box::new(Clamp::partial("bearing", 0, hub, &axes, self.held)),
+            Box::new(partly_clamped("bearing", 0, hub, &axes, self.held)),
             Box::new(SupportSpring::new("support", 0, hub, law, Stand::World)),
             Box::new(RigidBody::new("hub", 0, body)),
         ]

@@ -9,7 +9,7 @@ use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::loads::{
-    Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning,
+    ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning, imposed,
 };
 use nalgebra::{Vector3, Vector6};
 
@@ -27,7 +27,7 @@ fn held(
     let nodes = beam.nodes();
     let mut elements = beam.elements(&nodes);
     for (node, motion) in holds {
-        let held = Imposed::new("hold", *node, &nodes[*node], *motion);
+        let held = imposed("hold", *node, &nodes[*node], *motion);
         let held: Box<dyn Element> = Box::new(held);
         elements.push(held);
     }

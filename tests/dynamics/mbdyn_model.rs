@@ -12,7 +12,7 @@ use beam_dynamics::case::{Model, ModesQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamNode};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
-use beam_dynamics::elements::joints::Clamp;
+use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::model::Node;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 
@@ -103,7 +103,7 @@ fn beam(words: &[String], nodes: &[Node]) -> Beam {
 pub fn frequencies(text: &str, count: usize) -> Vec<f64> {
     let file = Statements::parse(text);
     let nodes = nodes(&file);
-    let mut elements: Vec<Box<dyn Element>> = vec![Box::new(Clamp::new("root", 0, &nodes[0]))];
+    let mut elements: Vec<Box<dyn Element>> = vec![Box::new(clamped("root", 0, &nodes[0]))];
     for words in file.of("beam3") {
         elements.push(Box::new(beam(words, &nodes)));
     }

@@ -8,7 +8,7 @@ use beam_dynamics::elements::beams::{
     Beam, BeamGeometry, BeamInertia, BeamNode, Formulation, MassAlong, lumped_bodies,
 };
 use beam_dynamics::elements::bodies::RigidBody;
-use beam_dynamics::elements::joints::Clamp;
+use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::model::Node;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
@@ -75,7 +75,7 @@ impl UniformBeam {
         let mass = Matrix6::from_diagonal(&self.mass);
         let mut elements: Vec<Box<dyn Element>> = Vec::new();
         if self.clamped {
-            elements.push(Box::new(Clamp::new("root", 0, &nodes[0])));
+            elements.push(Box::new(clamped("root", 0, &nodes[0])));
         }
         for e in 0..self.elements {
             let on = [2 * e, 2 * e + 1, 2 * e + 2];

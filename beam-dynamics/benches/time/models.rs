@@ -8,7 +8,7 @@ use beam_dynamics::elements::beams::{
 };
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::{
-    Clamp, ConstraintJoint, JointEnds, Placing, Turning, axes_along,
+    ConstraintJoint, JointEnds, Placing, Turning, axes_along, clamped,
 };
 use beam_dynamics::elements::loads::{self, LoadFactor, NodalForce, NodalLoad};
 use beam_dynamics::model::{Drive, Node};
@@ -107,7 +107,7 @@ pub fn cantilever(beams: usize, inertia: Inertia) -> Model {
     };
     let axes = Matrix3::identity();
     let (root, tip) = parts.line(Vector3::zeros(), &axes, (1.0, beams), &section);
-    let clamp = Clamp::new("root", root, &parts.nodes[root]);
+    let clamp = clamped("root", root, &parts.nodes[root]);
     parts.add(clamp);
     let force = NodalForce {
         force: Vector3::new(0.0, 4.0, 0.0),

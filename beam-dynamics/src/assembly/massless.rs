@@ -185,7 +185,7 @@ mod tests {
     use super::*;
     use crate::elements::Element;
     use crate::elements::bodies::{RigidBody, RigidInertia};
-    use crate::elements::joints::{Clamp, RigidConnection};
+    use crate::elements::joints::{clamped, rigid_connection};
     use crate::model::Node;
     use nalgebra::{Matrix3, Vector3};
 
@@ -205,7 +205,7 @@ mod tests {
     #[test]
     fn a_node_that_nothing_determines_is_named_and_one_that_is_held_is_not() {
         let nodes = vec![node("held", 0.0), node("arm", 1.0), node("loose", 2.0)];
-        let arm = RigidConnection::new("arm", [0, 1], [&nodes[0], &nodes[1]]);
+        let arm = rigid_connection("arm", [0, 1], [&nodes[0], &nodes[1]]);
         let elements = || {
             vec![
                 clamp_of(&nodes[0]),
@@ -249,6 +249,6 @@ mod tests {
     }
 
     fn clamp_of(node: &Node) -> Box<dyn Element> {
-        Box::new(Clamp::new("clamp", 0, node))
+        Box::new(clamped("clamp", 0, node))
     }
 }

@@ -309,7 +309,7 @@ mod tests {
     use super::*;
     use crate::elements::Element;
     use crate::elements::beams::{Beam, BeamGeometry, BeamNode};
-    use crate::elements::joints::{Clamp, Hinge, HingeSpring};
+    use crate::elements::joints::{Hinge, HingeSpring, clamped};
     use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
     use crate::model::Node;
     use nalgebra::{Matrix3, Matrix6};
@@ -338,7 +338,7 @@ mod tests {
     #[test]
     fn a_clamped_beam_is_sound_and_a_free_one_moves_in_six_ways() {
         let nodes = vec![node("root", 0.0), node("mid", 1.0), node("tip", 2.0)];
-        let clamp: Box<dyn Element> = Box::new(Clamp::new("clamp", 0, &nodes[0]));
+        let clamp: Box<dyn Element> = Box::new(clamped("clamp", 0, &nodes[0]));
         let held = System::new(nodes.clone(), vec![beam(&nodes), clamp]);
         assert_eq!(find(&held), Mobility::default());
         let free = System::new(nodes.clone(), vec![beam(&nodes)]);
@@ -356,7 +356,7 @@ mod tests {
             node("tip", 2.0),
             node("loose", 5.0),
         ];
-        let clamp: Box<dyn Element> = Box::new(Clamp::new("clamp", 0, &nodes[0]));
+        let clamp: Box<dyn Element> = Box::new(clamped("clamp", 0, &nodes[0]));
         let system = System::new(nodes.clone(), vec![beam(&nodes), clamp]);
         let found = find(&system).mechanisms;
         assert_eq!(found.len(), 1);
@@ -381,7 +381,7 @@ mod tests {
     #[test]
     fn a_hinge_may_turn_and_a_forgotten_clamp_is_told_beside_it() {
         let nodes = vec![node("hub", 0.0), node("blade", 1.0)];
-        let clamp = || -> Box<dyn Element> { Box::new(Clamp::new("clamp", 0, &nodes[0])) };
+        let clamp = || -> Box<dyn Element> { Box::new(clamped("clamp", 0, &nodes[0])) };
         let free = find(&System::new(
             nodes.clone(),
             vec![clamp(), hinge(&nodes, 0.0)],

@@ -14,10 +14,10 @@ use super::beams::{
     Beam, BeamGeometry, BeamInertia, BeamNode, DistributedLoad, Formulation, MassAlong,
 };
 use super::bodies::{NodeBalance, RigidBody, RigidInertia};
-use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
+use super::joints::{Hinge, HingeSpring, clamped, partly_clamped, rigid_connection, samples};
 use super::laws::{self, Cubic, Driven, Law, LawKind, Term};
 use super::loads::{
-    Between, Imposed, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning,
+    Between, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning, imposed,
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Signal};
@@ -28,6 +28,7 @@ use crate::model::{
 mod control;
 mod driven;
 mod piezo;
+mod readings;
 mod sensing;
 
 const STEP: f64 = 1e-6;
@@ -309,7 +310,7 @@ fn rigid_body() {
 fn clamp() {
     let mut random = Random(3);
     let nodes = nodes(&mut random, 1);
-    check(&Clamp::new("clamp", 0, &nodes[0]), &nodes, &mut random);
+    check(&clamped("clamp", 0, &nodes[0]), &nodes, &mut random);
 }
 
 #[test]
@@ -348,17 +349,17 @@ fn partial_clamps() {
     for bits in 0..64_u32 {
         let held = std::array::from_fn(|i| bits >> i & 1 == 1);
         let axes = random.rotation(1.0);
-        let clamp = Clamp::partial("clamp", 0, &nodes[0], &axes, held);
+        let clamp = partly_clamped("clamp", 0, &nodes[0], &axes, held);
         assert_eq!(clamp.multipliers() as u32, bits.count_ones());
         check(&clamp, &nodes, &mut random);
     }
 }
 
 #[test]
-fn rigid_connection() {
+fn rigid_connections() {
     let mut random = Random(7);
     let nodes = nodes(&mut random, 2);
-    let rigid = RigidConnection::new("rigid", [0, 1], [&nodes[0], &nodes[1]]);
+    let rigid = rigid_connection("rigid", [0, 1], [&nodes[0], &nodes[1]]);
     check(&rigid, &nodes, &mut random);
 }
 
@@ -468,7 +469,7 @@ fn imposed_motions_of_any_components() {
             axes: random.rotation(1.0),
             factor: LoadFactor::Proportional,
         };
-        let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
+        let imposed = imposed("imposed", 0, &nodes[0], motion);
         assert_eq!(imposed.multipliers(), mask.count_ones() as usize);
         check(&imposed, &nodes, &mut random);
     }
@@ -676,7 +677,7 @@ fn imposed_motions_times_a_drive() {
         axes: random.rotation(1.0),
         factor: LoadFactor::Proportional,
     };
-    let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
-    let imposed = imposed.driven_by(samples::drive(0.8));
+    let imposed = imposed("imposed", 0, &nodes[0], motion);
+    let imposed = imposed.scaled_by(samples::drive(0.8));
     check(&imposed, &nodes, &mut random);
 }

@@ -2,7 +2,6 @@
 
 mod algebra;
 mod clamp;
-mod delegate;
 mod hinge;
 mod joint;
 mod kinds;
@@ -10,13 +9,11 @@ mod relative;
 mod rigid;
 
 pub use algebra::Attachment;
-pub use clamp::Clamp;
+pub use clamp::{clamped, partly_clamped};
 pub use hinge::{Hinge, HingeSpring};
 pub use joint::{ConstraintJoint, JointEnds};
 pub use kinds::{Freedom, Placing, Turning, axes_along};
-pub use rigid::RigidConnection;
-
-pub(super) use delegate::is_a_joint;
+pub use rigid::rigid_connection;
 
 #[cfg(test)]
 mod kinds_tests;

@@ -9,7 +9,7 @@ mod load;
 mod nodal;
 
 pub use factor::{LoadFactor, Turning};
-pub use imposed::{Imposed, ImposedMotion};
+pub use imposed::{ImposedMotion, imposed};
 pub use internal::{Between, InternalForce};
 pub(in crate::elements) use load::{Add, Head, Load};
 pub use nodal::{NodalForce, NodalLoad};

@@ -243,6 +243,32 @@ impl LocalJacobian {
         self.add_column(place, &[value], rate);
     }
 
+    /// Adds a direction times the rows of an equation of a node, as they are now, to the row of
+    /// a scalar.
+    pub fn add_equation_to_scalar(
+        &mut self,
+        scalar: usize,
+        (node, equation): (usize, Equation),
+        along: &Vector3<f64>,
+    ) {
+        let row = self.size.scalar(scalar);
+        let first = NODE_UNKNOWNS * node + equation.row();
+        for i in 0..3 {
+            for column in 0..self.by_unknowns.ncols() {
+                let from = (first + i, column);
+                let is_known = self.touched.is_empty();
+                if !is_known && !self.touched[from] {
+                    continue;
+                }
+                self.by_unknowns[(row, column)] += along[i] * self.by_unknowns[from];
+                self.by_rates[(row, column)] += along[i] * self.by_rates[from];
+                if !is_known {
+                    self.touched[(row, column)] = true;
+                }
+            }
+        }
+    }
+
     /// Adds to a row in the columns of a vector variable.
     fn add_row(&mut self, place: usize, column: (usize, Variable), row: &RowVector3<f64>) {
         let first_column = NODE_UNKNOWNS * column.0 + column.1.column();

@@ -10,8 +10,8 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::jacobian_tests::{Random, nodes};
-use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
-use super::loads::{Imposed, ImposedMotion, LoadFactor};
+use super::joints::{Hinge, HingeSpring, partly_clamped, rigid_connection, samples};
+use super::loads::{ImposedMotion, LoadFactor, imposed};
 use super::{ConstraintRates, Element, Level, Local, LocalJacobian, LocalResidual, LocalSize};
 use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion, Scalars, Variable};
 
@@ -198,10 +198,10 @@ fn clamps_and_rigid_connections() {
     for bits in 0..64_u32 {
         let held = std::array::from_fn(|i| bits >> i & 1 == 1);
         let axes = random.rotation(1.0);
-        let clamp = Clamp::partial("clamp", 0, &nodes[0], &axes, held);
+        let clamp = partly_clamped("clamp", 0, &nodes[0], &axes, held);
         check(&clamp, &nodes[..1], &mut random);
     }
-    let rigid = RigidConnection::new("rigid", [0, 1], [&nodes[0], &nodes[1]]);
+    let rigid = rigid_connection("rigid", [0, 1], [&nodes[0], &nodes[1]]);
     check(&rigid, &nodes, &mut random);
 }
 
@@ -228,9 +228,9 @@ fn imposed_motions() {
             axes: Matrix3::identity(),
             factor: LoadFactor::Proportional,
         };
-        let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
+        let imposed = imposed("imposed", 0, &nodes[0], motion);
         check(
-            &imposed.clone().driven_by(samples::drive(0.8)),
+            &imposed.clone().scaled_by(samples::drive(0.8)),
             &nodes,
             &mut random,
         );
@@ -267,7 +267,7 @@ fn joints_that_follow_scalars() {
         axes: random.rotation(1.0),
         factor: LoadFactor::Proportional,
     };
-    let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
-    let imposed = imposed.driven_by(samples::signal(0.8));
+    let imposed = imposed("imposed", 0, &nodes[0], motion);
+    let imposed = imposed.scaled_by(samples::signal(0.8));
     check(&imposed, &nodes[..1], &mut random);
 }

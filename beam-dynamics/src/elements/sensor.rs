@@ -1,116 +1,46 @@
-//! Sensors: a motion of a node as a scalar unknown, which signals read.
+//! Sensors of nodes: a number of their motion as a scalar, which signals read.
 //!
-//! With r the place of a node, or its distance from a second one, w the velocities so
-//! taken, and e the direction of a component, fixed in the model or turning with the
-//! angular velocity `omega_c` of a node c, the equation of the scalar s is `s - q = 0` with
+//! A vector w of a node b, or of b against a node a, and a part of it along e, a direction of the
+//! model or of the axes of a node c: the equation of the scalar s is `s - e . w = 0`, with
 //! (D-194)
 //!
 //! ```text
-//! position           q = e . r                    displacement  q = e . r - e_0 . r_0
-//! velocity           q = e . w + (omega_c x e) . r      the rate of the position
-//! angular velocity   q = e . (omega_b - omega_a)
-//! rotation           q = e . phi,    R(phi) = R_a^T R_b (R_a0^T R_b0)^T     in the axes of a
+//! position   w = x_b - x_a                displacement   w = x_b - x_a - (x_b - x_a)_0
+//! velocity   w = v_b - v_a                in space       v + Omega x (x - x_0) in place of v
+//! rotation   R(w) = R_a^T R_b (R_a^T R_b)_0^T            attitude       R(w) = R_a^T R_b
 //! ```
 //!
-//! A variation theta_c of the axes turns e by `theta_c x e`, and the rotation vector
-//! changes by `d phi = T^-1(phi) R_a^T (theta_b - theta_a)`.
+//! and angular velocities and momenta likewise; without a, x_a, v_a are zero and R_a is I. The
+//! rotation vector changes by `d w = T^-1(w) R_a^T (theta_b - theta_a)`, and a variation theta_c of
+//! the axes turns e by `theta_c x e`.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
-use super::{Element, Local, LocalJacobian, LocalResidual};
-use crate::model::{Node, NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
+use super::euler::euler_angles;
+use super::{
+    Axes, Element, Local, LocalJacobian, LocalResidual, NodeQuantity, NodeVector, Part, ReadingRow,
+};
+use crate::model::{
+    Node, NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, TurningFrame, Variable,
+};
 
-/// What is sensed of a node.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sensed {
-    /// Place.
-    Position,
-    /// Place less that of the undeformed model.
-    Displacement,
-    /// Component of the rotation vector from the undeformed attitude.
-    Rotation,
-    /// Rate of the position.
-    Velocity,
-    /// Angular velocity.
-    AngularVelocity,
-}
-
-/// Where something is sensed, by numbers of nodes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Post {
-    /// The node.
-    pub node: usize,
-    /// The node against which it moves; `None`: the model's frame.
-    pub against: Option<usize>,
-    /// The node whose axes the component is along; `None`: the model's.
-    pub axes: Option<usize>,
-}
-
-impl Sensed {
-    /// Its name and its unit.
-    fn words(self) -> [&'static str; 2] {
-        match self {
-            Self::Position => ["position", "m"],
-            Self::Displacement => ["displacement", "m"],
-            Self::Rotation => ["rotation", "rad"],
-            Self::Velocity => ["velocity", "m/s"],
-            Self::AngularVelocity => ["angular velocity", "rad/s"],
-        }
-    }
-}
-
-/// A quantity that is sensed.
+/// A number of the motion of nodes.
 #[derive(Debug, Clone)]
-pub struct Sensor {
-    label: String,
+pub struct NodeReading {
     /// The nodes, once each.
     nodes: Vec<usize>,
-    scalars: [Scalar; 1],
-    sensed: Sensed,
-    /// By places among the nodes of the element.
-    post: Post,
-    /// The component, in the axes that it is along.
-    axis: Vector3<f64>,
-    /// Value in the undeformed model, of a displacement [m].
-    offset: f64,
-    /// `(R_a0^T R_b0)^T`.
+    /// By places among them.
+    quantity: NodeQuantity,
+    /// `(x_b - x_a)_0` of a displacement, else zero [m].
+    offset: Vector3<f64>,
+    /// `(R_a^T R_b)_0^T` of a rotation, else the identity.
     undeformed: Matrix3<f64>,
 }
 
-impl Sensor {
-    /// The unknown of a sensor called `label`.
-    pub fn output(label: &str, sensed: Sensed) -> Scalar {
-        let [name, unit] = sensed.words();
-        let quantity = Quantity::new(name, unit, 1.0);
-        Scalar::new(ScalarSpec {
-            owner: label.to_owned(),
-            equation: Quantity::new(format!("sensed {name}"), unit, 1.0),
-            unknown: quantity,
-            has_rate: false,
-            rate: None,
-            start: ScalarStart::Settled,
-        })
-    }
-
-    /// The sensor of a scalar (see [`Self::output`]): component number `component` (from zero)
-    /// of a quantity at `post`, of a model with the given nodes.
-    pub fn new(
-        label: impl Into<String>,
-        (scalar, sensed): (Scalar, Sensed),
-        post: Post,
-        component: usize,
-        nodes: &[Node],
-    ) -> Self {
-        let [own, against] = [Some(post.node), post.against].map(|node| {
-            node.map_or((Vector3::zeros(), Matrix3::identity()), |node| {
-                (nodes[node].position, nodes[node].rotation)
-            })
-        });
-        let unit_vector = Vector3::ith(component, 1.0);
-        let direction = post
-            .axes
-            .map_or(unit_vector, |node| nodes[node].rotation * unit_vector);
+impl NodeReading {
+    /// The reading of a model with the given undeformed nodes.
+    pub fn new(quantity: &NodeQuantity, nodes: &[Node]) -> Self {
         let mut used = Vec::new();
         let mut place = |node: usize| {
             used.iter().position(|own| *own == node).unwrap_or_else(|| {
@@ -118,92 +48,173 @@ impl Sensor {
                 used.len() - 1
             })
         };
-        let seated = Post {
-            node: place(post.node),
-            against: post.against.map(&mut place),
-            axes: post.axes.map(&mut place),
+        let local = NodeQuantity {
+            node: place(quantity.node),
+            against: quantity.against.map(&mut place),
+            axes: match quantity.axes {
+                Axes::Node(node) => Axes::Node(place(node)),
+                axes => axes,
+            },
+            ..*quantity
         };
+        let rest: Vec<_> = used
+            .iter()
+            .map(|&node| NodeMotion::at_rest(&nodes[node]))
+            .collect();
+        let (b, a) = ends(&local, &rest);
         Self {
-            label: label.into(),
+            offset: match local.vector {
+                NodeVector::Displacement => {
+                    b.position - a.map_or_else(Vector3::zeros, |a| a.position)
+                }
+                _ => Vector3::zeros(),
+            },
+            undeformed: match local.vector {
+                NodeVector::Rotation => attitude(b, a).transpose(),
+                _ => Matrix3::identity(),
+            },
+            quantity: local,
             nodes: used,
-            scalars: [scalar],
-            sensed,
-            post: seated,
-            axis: match sensed {
-                Sensed::Rotation => against.1.transpose() * direction,
-                _ => unit_vector,
-            },
-            offset: match sensed {
-                Sensed::Displacement => direction.dot(&(own.0 - against.0)),
-                _ => 0.0,
-            },
-            undeformed: own.1.transpose() * against.1,
         }
     }
 
-    /// The unknown that has its value.
-    pub fn scalar(&self) -> &Scalar {
-        &self.scalars[0]
+    /// Numbers of the nodes on which it depends.
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes
     }
 
-    /// What it finds in SI units, with `add` being told the derivatives.
-    fn sense(
-        &self,
-        nodes: &[NodeMotion],
-        add: &mut dyn FnMut(usize, Variable, Vector3<f64>),
-    ) -> f64 {
-        let Post {
+    /// Its value for the motion of these nodes, in SI units.
+    pub fn value(&self, nodes: &[NodeMotion], frame: &TurningFrame) -> f64 {
+        let vector = self.vector(nodes, frame);
+        match self.quantity.vector {
+            // Angles about axes are no vector.
+            NodeVector::Euler(_) => self.quantity.part.of(&vector),
+            _ => self.quantity.part.in_axes(&vector, &self.axes(nodes)),
+        }
+    }
+
+    /// The axes (columns) of its components.
+    fn axes(&self, nodes: &[NodeMotion]) -> Matrix3<f64> {
+        match self.quantity.axes {
+            Axes::Model | Axes::End(_) => Matrix3::identity(),
+            Axes::Fixed(axes) => axes,
+            Axes::Node(node) => nodes[node].rotation,
+        }
+    }
+
+    /// w.
+    fn vector(&self, nodes: &[NodeMotion], frame: &TurningFrame) -> Vector3<f64> {
+        let (b, a) = ends(&self.quantity, nodes);
+        let less =
+            |of: &dyn Fn(&NodeMotion) -> Vector3<f64>| of(b) - a.map_or_else(Vector3::zeros, of);
+        match self.quantity.vector {
+            NodeVector::Position | NodeVector::Displacement => {
+                less(&|node| node.position) - self.offset
+            }
+            NodeVector::Velocity => less(&|node| node.velocity),
+            NodeVector::VelocityInSpace => less(&|node| node.velocity_in_space(frame)),
+            NodeVector::AngularVelocity => less(&|node| node.angular_velocity),
+            NodeVector::AngularVelocityInSpace => {
+                less(&|node| node.angular_velocity_in_space(frame))
+            }
+            NodeVector::Momentum => less(&|node| node.momentum),
+            NodeVector::AngularMomentum => less(&|node| node.angular_momentum),
+            NodeVector::Rotation | NodeVector::Attitude => {
+                vector::from_rotation(&(attitude(b, a) * self.undeformed))
+            }
+            NodeVector::Euler(axes) => euler_angles(&attitude(b, a), axes),
+        }
+    }
+
+    /// Adds its derivatives. Those of [`NodeVector::Euler`] are not known.
+    pub fn gradient(&self, nodes: &[NodeMotion], frame: &TurningFrame, row: &mut ReadingRow<'_>) {
+        let NodeQuantity {
             node,
             against,
-            axes,
-        } = self.post;
-        let b = &nodes[node];
-        let a = against.map(|node| &nodes[node]);
-        let c = axes.map(|node| &nodes[node]);
-        let e = c.map_or(self.axis, |c| c.rotation * self.axis);
-        let spin = c.map_or(Vector3::zeros(), |c| c.angular_velocity);
-        let mut both = |variable, row: Vector3<f64>| {
-            add(node, variable, row);
+            part,
+            ..
+        } = self.quantity;
+        let w = self.vector(nodes, frame);
+        let axes = self.axes(nodes);
+        let e = axes * part.slope(&(axes.transpose() * w));
+        let mut both = |variable, slope: &Vector3<f64>| {
+            row.by_node(node, variable, slope);
             if let Some(against) = against {
-                add(against, variable, -row);
+                row.by_node(against, variable, &-slope);
             }
         };
-        let less = |own: Vector3<f64>, other: Option<Vector3<f64>>| own - other.unwrap_or_default();
-        let r = less(b.position, a.map(|a| a.position));
-        match self.sensed {
-            Sensed::Position | Sensed::Displacement => {
-                both(Variable::Position, e);
-                if let Some(axes) = axes {
-                    add(axes, Variable::Rotation, e.cross(&r));
-                }
-                e.dot(&r) - self.offset
+        match self.quantity.vector {
+            NodeVector::Position | NodeVector::Displacement => both(Variable::Position, &e),
+            NodeVector::Velocity => both(Variable::Velocity, &e),
+            NodeVector::VelocityInSpace => {
+                both(Variable::Velocity, &e);
+                both(Variable::Position, &e.cross(&frame.angular_velocity));
             }
-            Sensed::Velocity => {
-                let w = less(b.velocity, a.map(|a| a.velocity));
-                both(Variable::Velocity, e);
-                both(Variable::Position, spin.cross(&e));
-                if let Some(axes) = axes {
-                    add(axes, Variable::AngularVelocity, e.cross(&r));
-                    let turned = e.cross(&(w + r.cross(&spin)));
-                    add(axes, Variable::Rotation, turned);
-                }
-                e.dot(&w) + spin.cross(&e).dot(&r)
+            NodeVector::AngularVelocity | NodeVector::AngularVelocityInSpace => {
+                both(Variable::AngularVelocity, &e);
             }
-            Sensed::AngularVelocity => {
-                let w = less(b.angular_velocity, a.map(|a| a.angular_velocity));
-                both(Variable::AngularVelocity, e);
-                if let Some(axes) = axes {
-                    add(axes, Variable::Rotation, e.cross(&w));
-                }
-                e.dot(&w)
+            NodeVector::Momentum => both(Variable::Momentum, &e),
+            NodeVector::AngularMomentum => both(Variable::AngularMomentum, &e),
+            NodeVector::Rotation | NodeVector::Attitude | NodeVector::Euler(_) => {
+                let (_, a) = ends(&self.quantity, nodes);
+                let slope = vector::tangent_inverse(&w).tr_mul(&e);
+                let into = a.map_or_else(Matrix3::identity, |a| a.rotation);
+                both(Variable::Rotation, &(into * slope));
             }
-            Sensed::Rotation => {
-                let into = a.map_or(Matrix3::identity(), |a| a.rotation.transpose());
-                let phi = vector::from_rotation(&(into * b.rotation * self.undeformed));
-                let row = vector::tangent_inverse(&phi) * into;
-                both(Variable::Rotation, row.tr_mul(&self.axis));
-                self.axis.dot(&phi)
-            }
+        }
+        if let (Axes::Node(node), Part::Component(_)) = (self.quantity.axes, part) {
+            row.by_node(node, Variable::Rotation, &e.cross(&w));
+        }
+    }
+}
+
+/// Motion of b, and of a where there is one.
+fn ends<'a>(
+    quantity: &NodeQuantity,
+    nodes: &'a [NodeMotion],
+) -> (&'a NodeMotion, Option<&'a NodeMotion>) {
+    let a = quantity.against.map(|against| &nodes[against]);
+    (&nodes[quantity.node], a)
+}
+
+/// `R_a^T R_b`.
+fn attitude(b: &NodeMotion, a: Option<&NodeMotion>) -> Matrix3<f64> {
+    match a {
+        Some(a) => a.rotation.transpose() * b.rotation,
+        None => b.rotation,
+    }
+}
+
+/// A reading of nodes as a scalar.
+#[derive(Debug, Clone)]
+pub struct Sensor {
+    label: String,
+    scalars: [Scalar; 1],
+    reading: NodeReading,
+}
+
+impl Sensor {
+    /// The unknown of a sensor called `label` of a quantity.
+    pub fn output(label: &str, quantity: Quantity) -> Scalar {
+        Scalar::new(ScalarSpec {
+            owner: label.to_owned(),
+            equation: Quantity {
+                name: format!("sensed {}", quantity.name),
+                ..quantity.clone()
+            },
+            unknown: quantity,
+            has_rate: false,
+            rate: None,
+            start: ScalarStart::Settled,
+        })
+    }
+
+    /// The sensor of a scalar (see [`Self::output`]).
+    pub fn new(label: impl Into<String>, scalar: Scalar, reading: NodeReading) -> Self {
+        Self {
+            label: label.into(),
+            scalars: [scalar],
+            reading,
         }
     }
 }
@@ -214,7 +225,7 @@ impl Element for Sensor {
     }
 
     fn nodes(&self) -> &[usize] {
-        &self.nodes
+        self.reading.nodes()
     }
 
     fn scalars(&self) -> &[Scalar] {
@@ -227,13 +238,12 @@ impl Element for Sensor {
 
     fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
         out.add_scalar(0, at.scalars.values[0]);
-        out.add_scalar(0, -self.sense(at.nodes, &mut |_, _, _| {}));
+        out.add_scalar(0, -self.reading.value(at.nodes, at.frame));
     }
 
     fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         out.add_scalar(0, 0, 1.0, false);
-        self.sense(at.nodes, &mut |node, variable, row| {
-            out.add_scalar_row(0, (node, variable), &-row.transpose());
-        });
+        let mut row = ReadingRow::new(0, out);
+        self.reading.gradient(at.nodes, at.frame, &mut row);
     }
 }

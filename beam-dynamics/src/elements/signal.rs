@@ -130,6 +130,12 @@ impl Signal {
         }
     }
 
+    /// The value of a scalar itself.
+    pub fn scalar(scalar: Scalar) -> Self {
+        let input = Input { scalar, unit: 1.0 };
+        Self::sensing(Expression::variable(1), vec![input], [1.0, 1.0])
+    }
+
     /// Whether it depends on scalars.
     pub fn senses(&self) -> bool {
         matches!(self, Self::Sensing { .. })

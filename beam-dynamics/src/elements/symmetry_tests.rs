@@ -16,7 +16,7 @@ use nalgebra::DMatrix;
 use shared_geom::rotation::{skew, vector};
 
 use super::jacobian_tests::{Random, nodes};
-use super::joints::{Clamp, Hinge, HingeSpring, RigidConnection, samples};
+use super::joints::{Hinge, HingeSpring, clamped, rigid_connection, samples};
 use super::laws::Law;
 use super::springs::{Spring, SpringLaw};
 use super::{Element, Level, Local, LocalJacobian, LocalResidual, LocalSize};
@@ -176,11 +176,11 @@ fn clamps_rigid_connections_and_springs() {
     let ends = [&nodes[0], &nodes[1]];
     let place = random.vector(1.0);
     check(
-        &RigidConnection::new("rigid", [0, 1], ends),
+        &rigid_connection("rigid", [0, 1], ends),
         &nodes,
         &mut random,
     );
-    check(&Clamp::new("clamp", 0, &nodes[0]), &nodes[..1], &mut random);
+    check(&clamped("clamp", 0, &nodes[0]), &nodes[..1], &mut random);
     let axes = random.rotation(1.0);
     let law: SpringLaw = Law::linear(random.stiffness()).into();
     let spring = Spring::new("spring", (&[0, 1], &nodes), &place, &axes, law);

@@ -8,10 +8,8 @@ use crate::case::{Every, OutputQuestion, TransientQuestion};
 use crate::integrator::Stepping;
 
 mod column;
-mod kind;
 mod preset;
 mod problem;
-mod reading;
 
 #[cfg(test)]
 mod tests;

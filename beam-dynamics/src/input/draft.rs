@@ -19,10 +19,10 @@ use super::problem::InputProblem;
 use super::properties::{Catalog, Properties};
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
-use crate::elements::Element;
 use crate::elements::beams::{self, BeamGeometry, BeamInertia, LumpedMass, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
-use crate::elements::joints::{Clamp, Hinge, RigidConnection};
+use crate::elements::joints::{Hinge, clamped, rigid_connection};
+use crate::elements::{Element, Reading};
 use crate::model::{Drive, Node, Scalar};
 
 mod blades;
@@ -30,6 +30,7 @@ mod electrodes;
 mod given;
 mod lookup;
 mod remarks;
+mod watch;
 
 pub(super) use electrodes::{ElectrodeCard, names as electrode_names};
 
@@ -73,12 +74,18 @@ pub(super) struct Draft {
     /// Hinges, rigid connections and supports.
     joints: Vec<Box<dyn Element>>,
     loads: Vec<Box<dyn Element>>,
+    /// Sensors, control laws and actuators.
+    control: Vec<Box<dyn Element>>,
     electrodes: Vec<ElectrodeCard>,
     /// Node of a hub that is not held by the frame.
     hub_node: Option<usize>,
     blades: Vec<BladeNodes>,
     remarks: Vec<String>,
     labels: BTreeMap<(&'static str, String), usize>,
+    /// Readings of elements, by their names, with their scalars.
+    watched: Vec<(String, Reading, Scalar)>,
+    /// Unknowns of electrodes, by numbers of both, with names and scalars of sensors.
+    watched_electrodes: Vec<([usize; 2], String, Scalar)>,
     /// Whether some beam or other user of a node could not be attached.
     loose_ends: bool,
     broken: bool,
@@ -105,11 +112,14 @@ impl Draft {
             bodies: Vec::new(),
             joints: Vec::new(),
             loads: Vec::new(),
+            control: Vec::new(),
             electrodes: Vec::new(),
             hub_node: None,
             blades: Vec::new(),
             remarks,
             labels: BTreeMap::new(),
+            watched: Vec::new(),
+            watched_electrodes: Vec::new(),
             loose_ends: false,
             broken: false,
         }
@@ -188,6 +198,11 @@ impl Draft {
         self.loads.push(load);
     }
 
+    /// Adds an element that acts by scalars alone.
+    pub fn add_control(&mut self, element: Box<dyn Element>) {
+        self.control.push(element);
+    }
+
     /// Notes that a card could not be read.
     pub fn note_broken(&mut self) {
         self.broken = true;
@@ -231,6 +246,11 @@ impl Draft {
         self.used.extend(node);
         self.broken |= node.is_none();
         node
+    }
+
+    /// Notes that something uses a node.
+    pub fn use_node(&mut self, node: usize) {
+        self.used.insert(node);
     }
 
     /// Notes that a card does not say which nodes it uses.
@@ -305,7 +325,7 @@ impl Draft {
     /// Holds the second node to the first, at any distance.
     pub fn add_rigid(&mut self, label: &str, nodes: [usize; 2]) {
         let ends = nodes.map(|node| &self.nodes[node]);
-        self.add_joint(boxed(RigidConnection::new(label, nodes, ends)));
+        self.add_joint(boxed(rigid_connection(label, nodes, ends)));
     }
 
     /// Hinges, rigid connections and supports so far.
@@ -410,12 +430,15 @@ impl Draft {
             elements.push(boxed(RigidBody::new(label, *node, *inertia)));
         }
         for &node in self.clamps.keys() {
-            let label = format!("clamp of {}", self.nodes[node].label);
-            elements.push(boxed(Clamp::new(label, node, &self.nodes[node])));
+            let label = self.name_of_clamp(node);
+            elements.push(boxed(clamped(label, node, &self.nodes[node])));
         }
         elements.extend(self.circuits(&scalars));
+        elements.extend(self.electrode_sensors(&scalars));
         elements.extend(self.joints);
+        elements.extend(self.control);
         elements.extend(self.loads);
+        let elements = watch::adapt(elements, self.watched, &self.nodes);
         Some(Model {
             name,
             initial: self.initial,

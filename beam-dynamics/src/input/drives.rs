@@ -24,7 +24,8 @@ pub(super) use columns::from_file;
 pub(super) use measure::Measure;
 pub use problem::DriveProblem;
 pub(super) use signals::{
-    Read, is_smooth, read_distance, read_factor, read_length, read_place, read_signal, read_speed, signal_of,
+    Read, is_smooth, read_distance, read_factor, read_length, read_place, read_signal, read_speed,
+    signal_of,
 };
 
 use super::problem::InputProblem;

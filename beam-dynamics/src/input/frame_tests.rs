@@ -363,11 +363,11 @@ acceleration = [0, 0, -10]
 drive = { kind = \"ramp\", to = 1, end = 2 }
 [sensors.height]
 quantity = \"position\"
-node = \"a\"
+of = \"a\"
 component = \"z\"
 [sensors.fall]
 quantity = \"velocity\"
-node = \"a\"
+of = \"a\"
 component = \"z\"
 unit = \"mm/s\"
 [parameters]
@@ -422,8 +422,12 @@ fn ten_mistakes_are_told_at_once() {
             "kind = \"ramp\", too = 1, end = -2",
         )
         .replace(
-            "quantity = \"position\"\nnode = \"a\"",
-            "quantity = \"positon\"\nnode = \"b\"",
+            "quantity = \"position\"\nof = \"a\"",
+            "quantity = \"positon\"\nof = \"a\"",
+        )
+        .replace(
+            "quantity = \"velocity\"\nof = \"a\"",
+            "quantity = \"velocity\"\nof = \"b\"",
         )
         .replace("unit = \"mm/s\"", "unit = \"mm\"")
         .replace(
@@ -438,7 +442,7 @@ fn ten_mistakes_are_told_at_once() {
         "\"position\": \"kg\" measures a mass, expected a length",
         "unknown key \"in\" in [[body]] number 1",
         "\"quantity\" is \"positon\"",
-        "unknown node \"b\" in sensor \"height\"",
+        "unknown node \"b\" in sensor \"fall\"",
         "\"unit\": \"mm\" measures a length",
         "has no \"to\", expected",
         "unknown key \"too\"",

@@ -12,7 +12,7 @@ use super::draft::Draft;
 use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::elements::bodies::RigidInertia;
-use crate::elements::joints::Clamp;
+use crate::elements::joints::partly_clamped;
 use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
 use crate::model::Node;
 
@@ -109,7 +109,7 @@ pub(super) fn add(root: &Table<'_>, draft: &mut Draft) {
     }
     let held = COMPONENTS.map(|direction| moving.stiffness[direction].is_none());
     if held.contains(&true) {
-        let bearing = Clamp::partial("bearing of the hub", index, &node, &node.rotation, held);
+        let bearing = partly_clamped("bearing of the hub", index, &node, &node.rotation, held);
         draft.add_joint(Box::new(bearing));
     }
     let stiffness = COMPONENTS.map(|direction| moving.stiffness[direction].unwrap_or(0.0));

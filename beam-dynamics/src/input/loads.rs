@@ -9,7 +9,7 @@ use shared_geom::units::Dimension;
 
 use super::draft::Draft;
 use super::drives;
-use crate::elements::loads::{Imposed, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
+use crate::elements::loads::{self, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 use crate::model::Drive;
 
 mod along_beams;
@@ -175,9 +175,9 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
             continue;
         }
         motion.axes = frame.axes(&motion.axes);
-        let imposed = Imposed::new(label, node, &draft.nodes()[node], motion);
+        let imposed = loads::imposed(label, node, &draft.nodes()[node], motion);
         let imposed = match drive {
-            Some(signal) => imposed.driven_by(signal),
+            Some(signal) => imposed.scaled_by(signal),
             None => imposed,
         };
         draft.add_load(Box::new(imposed));

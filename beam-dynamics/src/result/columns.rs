@@ -2,18 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, Vector3, Vector6};
-use shared_geom::rotation::vector;
-
 use super::Moment;
-use crate::case::{
-    Axes, Column, ElectrodeQuantity, EnergyPart, JointMotion, Model, NodeQuantity, NodeVector,
-    OutputQuestion, Part, Quantity, SpringVector,
-};
+use crate::case::{Column, ElectrodeQuantity, EnergyPart, Model, OutputQuestion, Quantity};
 use crate::elements::{
-    ElectrodeState, Energy, Instant, Observations, Reaction, SectionState, Signal,
+    ElectrodeState, Energy, Instant, JointMotion, NodeReading, Observations, Reading, Signal,
 };
-use crate::model::{NodeMotion, Scalars, State};
+use crate::model::{NodeMotion, Scalars};
 
 /// Finds the numbers of columns. Only elements that some column needs are asked.
 #[derive(Debug)]
@@ -24,13 +18,17 @@ pub struct ColumnValues<'a> {
     asked: Vec<Asked>,
     /// Columns that need no element.
     direct: Vec<usize>,
+    /// Columns of the motion of nodes.
+    nodes: Vec<(usize, NodeReading)>,
     /// Columns of energy.
     energy: Vec<usize>,
     /// Columns of electrodes.
     electrodes: Vec<usize>,
-    /// Columns of signals, with the numbers of the scalars that each reads.
+    /// Columns of signals, whose scalars are those of the model.
     signals: Vec<(usize, Signal)>,
     observed: Observations,
+    /// The nodes of a reading.
+    seen: Vec<NodeMotion>,
     /// Angles of joints with their full turns at the latest moment, by name [rad].
     angles: BTreeMap<String, f64>,
 }
@@ -51,19 +49,20 @@ impl<'a> ColumnValues<'a> {
             columns,
             asked: Vec::new(),
             direct: Vec::new(),
+            nodes: Vec::new(),
             energy: Vec::new(),
             electrodes: Vec::new(),
             signals: Vec::new(),
             observed: Observations::default(),
+            seen: Vec::new(),
             angles: BTreeMap::new(),
         };
         for (index, column) in columns.iter().enumerate() {
             match &column.quantity {
-                Quantity::Section { beam: label, .. }
-                | Quantity::Reaction { joint: label, .. }
-                | Quantity::Joint { joint: label, .. }
-                | Quantity::Spring { spring: label, .. } => {
-                    values.ask(label, index);
+                Quantity::Element { label, .. } => values.ask(label, index),
+                Quantity::Node(quantity) => {
+                    let reading = NodeReading::new(quantity, model.system.nodes());
+                    values.nodes.push((index, reading));
                 }
                 Quantity::Energy(_) => values.energy.push(index),
                 Quantity::Electrode { .. } => values.electrodes.push(index),
@@ -143,6 +142,7 @@ impl<'a> ColumnValues<'a> {
                 }
             }
         }
+        self.evaluate_nodes(moment, out);
         self.evaluate_electrodes(moment, out);
         self.evaluate_signals(moment, out);
         for asked in &self.asked {
@@ -164,7 +164,10 @@ impl<'a> ColumnValues<'a> {
                         let before = self.angles.get(&joint.joint);
                         before.map_or(joint.angle, |before| joint.unwrapped(*before))
                     }),
-                    false => told(quantity, &self.observed, moment.state),
+                    false => {
+                        let rotation = |node: usize| moment.state.nodes[node].rotation;
+                        reading(quantity).and_then(|of| of.of(&self.observed, rotation))
+                    }
                 };
                 if let Some(value) = told {
                     out[index] = value;
@@ -173,6 +176,15 @@ impl<'a> ColumnValues<'a> {
         }
         for (value, column) in out.iter_mut().zip(self.columns) {
             *value /= column.factor;
+        }
+    }
+
+    fn evaluate_nodes(&mut self, moment: &Moment<'_>, out: &mut [f64]) {
+        for (index, reading) in &self.nodes {
+            let nodes = reading.nodes().iter().map(|&node| moment.state.nodes[node]);
+            self.seen.clear();
+            self.seen.extend(nodes);
+            out[*index] = reading.value(&self.seen, &moment.conditions.frame);
         }
     }
 
@@ -213,151 +225,42 @@ impl<'a> ColumnValues<'a> {
     fn direct_value(&self, quantity: &Quantity, moment: &Moment<'_>) -> f64 {
         let state = moment.state;
         match quantity {
-            Quantity::Node(quantity) => self.of_node(quantity, moment),
             Quantity::Momentum(part) => {
                 let sum = state.nodes.iter().map(|node| node.momentum).sum();
-                of_vector(&sum, *part, &Axes::Model, state)
+                part.of(&sum)
             }
             Quantity::AngularMomentum { about, part } => {
                 let of_node = |node: &NodeMotion| {
                     node.angular_momentum + (node.position - about).cross(&node.momentum)
                 };
                 let sum = state.nodes.iter().map(of_node).sum();
-                of_vector(&sum, *part, &Axes::Model, state)
+                part.of(&sum)
             }
             // At a corner the value before it, as all of the row.
             Quantity::Drive(drive) => drive.at(moment.conditions.loading.time).value,
             Quantity::StepLength => moment.length,
             Quantity::Iterations => moment.iterations as f64,
-            // These are those of elements.
-            Quantity::Section { .. }
-            | Quantity::Reaction { .. }
-            | Quantity::Joint { .. }
-            | Quantity::Spring { .. }
+            // These are those of nodes and elements.
+            Quantity::Node(_)
+            | Quantity::Element { .. }
             | Quantity::Electrode { .. }
             | Quantity::Signal(_)
             | Quantity::Energy(_) => f64::NAN,
         }
     }
+}
 
-    fn of_node(&self, quantity: &NodeQuantity, moment: &Moment<'_>) -> f64 {
-        let NodeQuantity { node, against, .. } = *quantity;
-        let state = moment.state;
-        let vector = match self.turned(quantity, state) {
-            Some(vector) => vector,
-            None => {
-                let of = |node| self.moved(quantity.vector, node, moment);
-                of(node) - against.map_or_else(Vector3::zeros, of)
-            }
-        };
-        // Angles about axes are no vector.
-        match (quantity.vector, quantity.part) {
-            (NodeVector::Euler(_), Part::Component(k)) => vector[k],
-            (_, part) => of_vector(&vector, part, &quantity.axes, state),
-        }
-    }
-
-    /// Rotations: from the undeformed attitude or from the axes of the model, or the same
-    /// as the other node sees it.
-    fn turned(&self, quantity: &NodeQuantity, state: &State) -> Option<Vector3<f64>> {
-        let undeformed = |node: usize| self.model.system.nodes()[node].rotation;
-        let now = |node: usize| state.nodes[node].rotation;
-        let attitude = |of: &dyn Fn(usize) -> Matrix3<f64>| match quantity.against {
-            Some(other) => of(other).transpose() * of(quantity.node),
-            None => of(quantity.node),
-        };
-        match quantity.vector {
-            NodeVector::Rotation => {
-                let turned = attitude(&now) * attitude(&undeformed).transpose();
-                Some(vector::from_rotation(&turned))
-            }
-            NodeVector::Attitude => Some(vector::from_rotation(&attitude(&now))),
-            NodeVector::Euler(axes) => Some(euler_angles(&attitude(&now), axes)),
-            _ => None,
-        }
-    }
-
-    /// Vectors of a node that are subtracted from each other.
-    fn moved(&self, vector: NodeVector, node: usize, moment: &Moment<'_>) -> Vector3<f64> {
-        let frame = &moment.conditions.frame;
-        let motion = &moment.state.nodes[node];
-        match vector {
-            NodeVector::Position => motion.position,
-            NodeVector::Displacement => motion.position - self.model.system.nodes()[node].position,
-            NodeVector::Velocity => motion.velocity,
-            NodeVector::VelocityInSpace => motion.velocity_in_space(frame),
-            NodeVector::AngularVelocity => motion.angular_velocity,
-            NodeVector::AngularVelocityInSpace => motion.angular_velocity_in_space(frame),
-            NodeVector::Momentum => motion.momentum,
-            NodeVector::AngularMomentum => motion.angular_momentum,
-            NodeVector::Rotation | NodeVector::Attitude | NodeVector::Euler(_) => Vector3::zeros(),
-        }
+/// What an element reports for a column.
+fn reading(quantity: &Quantity) -> Option<&Reading> {
+    match quantity {
+        Quantity::Element { reading, .. } => Some(reading),
+        _ => None,
     }
 }
 
 fn is_angle(quantity: &Quantity) -> bool {
     let angle = JointMotion::Angle;
-    matches!(quantity, Quantity::Joint { motion, .. } if *motion == angle)
-}
-
-/// What an element tells for a column, in SI units.
-fn told(quantity: &Quantity, observed: &Observations, state: &State) -> Option<f64> {
-    match quantity {
-        Quantity::Section {
-            point,
-            strain,
-            component,
-            ..
-        } => {
-            let section: &SectionState = observed.sections.get(*point)?;
-            let all: &Vector6<f64> = match strain {
-                true => &section.strain,
-                false => &section.internal_force,
-            };
-            all.iter().nth(*component).copied()
-        }
-        Quantity::Reaction {
-            node,
-            moment,
-            part,
-            axes,
-            ..
-        } => {
-            let mut reactions = observed.reactions.iter();
-            let reaction: &Reaction = reactions.find(|reaction| reaction.node == *node)?;
-            let vector = match moment {
-                true => &reaction.moment,
-                false => &reaction.force,
-            };
-            let axes = match axes {
-                Axes::End(end) => Axes::Fixed(*observed.joints.first()?.axes.get(*end)?),
-                axes => *axes,
-            };
-            Some(of_vector(vector, *part, &axes, state))
-        }
-        Quantity::Joint { motion, part, .. } => {
-            let joint = observed.joints.first()?;
-            let vector = match motion {
-                JointMotion::Angle => return joint.angle,
-                JointMotion::Displacement => &joint.displacement,
-                JointMotion::Rotation => &joint.rotation,
-                JointMotion::Velocity => &joint.velocity,
-                JointMotion::AngularVelocity => &joint.angular_velocity,
-            };
-            Some(of_vector(vector, *part, &Axes::Model, state))
-        }
-        Quantity::Spring { vector, part, .. } => {
-            let spring = observed.springs.first()?;
-            let vector = match vector {
-                SpringVector::Displacement => &spring.displacement,
-                SpringVector::Rotation => &spring.rotation,
-                SpringVector::Force => &spring.force,
-                SpringVector::Moment => &spring.moment,
-            };
-            Some(of_vector(vector, *part, &Axes::Model, state))
-        }
-        _ => None,
-    }
+    matches!(reading(quantity), Some(Reading::Joint { motion, .. }) if *motion == angle)
 }
 
 fn of_electrode(electrode: &ElectrodeState, quantity: ElectrodeQuantity) -> f64 {
@@ -375,62 +278,6 @@ fn energy_part(energy: &Energy, part: EnergyPart) -> f64 {
         EnergyPart::Gravity => energy.gravity,
         EnergyPart::Electric => energy.electric,
         EnergyPart::Total => energy.total(),
-    }
-}
-
-/// A part of a vector of the model's frame.
-fn of_vector(vector: &Vector3<f64>, part: Part, axes: &Axes, state: &State) -> f64 {
-    let Part::Component(k) = part else {
-        return vector.norm();
-    };
-    match axes {
-        Axes::Model | Axes::End(_) => vector[k],
-        Axes::Fixed(axes) => axes.column(k).dot(vector),
-        Axes::Node(node) => state.nodes[*node].rotation.column(k).dot(vector),
-    }
-}
-
-/// Angles a, b, c of `R = R_i(a) R_j(b) R_k(c)`, turns about the axes i, j, k that the
-/// turns before have moved. With l the axis that is neither i nor j, and e = 1 where
-/// i, j, l follow each other (else -1), the entries of the product are
-///
-/// ```text
-/// k = i:  R_ii = cos b,  R_ji = sin a sin b,  R_li = -e cos a sin b,
-///         R_ij = sin b sin c,  R_il = e sin b cos c
-/// k = l:  R_il = e sin b,  R_jl = -e sin a cos b,  R_ll = cos a cos b,
-///         R_ij = -e cos b sin c,  R_ii = cos b cos c
-/// ```
-///
-/// Where the first and the last axis fall together, the last angle is zero.
-fn euler_angles(r: &Matrix3<f64>, [i, j, k]: [usize; 3]) -> Vector3<f64> {
-    /// Sine below which two axes count as one.
-    const LOCKED: f64 = 1e-9;
-    let l = 3 - i - j;
-    let e = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
-    let (side, middle) = match k == i {
-        true => {
-            let side = r[(j, i)].hypot(r[(l, i)]);
-            (side, side.atan2(r[(i, i)]))
-        }
-        false => {
-            let side = r[(i, i)].hypot(r[(i, j)]);
-            (side, (e * r[(i, l)]).atan2(side))
-        }
-    };
-    if side < LOCKED {
-        return Vector3::new((e * r[(l, j)]).atan2(r[(j, j)]), middle, 0.0);
-    }
-    match k == i {
-        true => Vector3::new(
-            r[(j, i)].atan2(-e * r[(l, i)]),
-            middle,
-            r[(i, j)].atan2(e * r[(i, l)]),
-        ),
-        false => Vector3::new(
-            (-e * r[(j, l)]).atan2(r[(l, l)]),
-            middle,
-            (-e * r[(i, j)]).atan2(r[(i, i)]),
-        ),
     }
 }
 

@@ -13,7 +13,7 @@ use beam_dynamics::case::{Model, Redundant, TransientQuestion};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
-use beam_dynamics::elements::joints::{Clamp, Hinge, HingeSpring};
+use beam_dynamics::elements::joints::{Hinge, HingeSpring, clamped};
 use beam_dynamics::integrator::{Jacobians, Scheme, StepControl, Stepping};
 use beam_dynamics::model::Node;
 use beam_dynamics::result::{Effort, Moment, Recorder};
@@ -44,7 +44,7 @@ fn model(is_held: bool) -> Model {
     let inertia = RigidInertia::about_node(0.1, &Vector3::zeros(), &(1e-3 * Matrix3::identity()));
     elements.push(Box::new(RigidBody::new("body", 5, inertia)));
     if is_held {
-        elements.push(Box::new(Clamp::new("root", 0, &nodes[0])));
+        elements.push(Box::new(clamped("root", 0, &nodes[0])));
         elements.push(Box::new(Hinge::new(
             "hinge",
             [4, 5],

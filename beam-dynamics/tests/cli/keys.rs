@@ -40,7 +40,7 @@ const CARDS: &[&str] = &[
     "ZQJ",
     "[properties.p]\nZQJ",
     "[hub]\nZQJ",
-    "[sensors.s]\nquantity = \"position\"\nnode = \"a\"\nZQJ",
+    "[sensors.s]\nquantity = \"position\"\nof = \"a\"\nZQJ",
     "[[repeat]]\nZQJ",
     "[[frame]]\nname = \"f\"\nZQJ",
     "[[node]]\nZQJ",

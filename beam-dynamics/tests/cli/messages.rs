@@ -92,7 +92,7 @@ name = \"stone\"
 position = [2, 0, 0]
 [sensors.place]
 quantity = \"position\"
-node = \"cart\"
+of = \"cart\"
 component = \"x\"
 ";
 

@@ -3,7 +3,7 @@
 
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, TransientQuestion};
-use beam_dynamics::elements::joints::Clamp;
+use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::integrator::Scheme;
 use nalgebra::{Matrix3, Matrix6, Rotation3, Vector3, Vector6};
 
@@ -98,7 +98,7 @@ fn resolved_high_modes_gain_no_energy() {
             let stiffness = Matrix6::from_diagonal(&diagonal);
             let line = Line::straight(elements, 0.8, stiffness, section);
             let mut parts = line.parts();
-            parts.push(Box::new(Clamp::new("clamp", 0, &line.nodes[0])));
+            parts.push(Box::new(clamped("clamp", 0, &line.nodes[0])));
             let mut model = Model::new("strip", System::new(line.nodes.clone(), parts));
             let mut random = Random(9);
             for initial in &mut model.initial[1..] {

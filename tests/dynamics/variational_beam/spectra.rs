@@ -13,7 +13,7 @@ use beam_dynamics::elements::beams::{
     Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong, lumped_bodies,
 };
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
-use beam_dynamics::elements::joints::Clamp;
+use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::elements::loads::{NodalForce, NodalLoad};
 use beam_dynamics::model::{Conditions, Equation, Node, State, Variable};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Rotation3, Vector3, Vector6};
@@ -115,7 +115,7 @@ impl Line {
     }
 
     fn model_of(&self, mut parts: Vec<Box<dyn Element>>, load: Option<Vector3<f64>>) -> Model {
-        parts.push(Box::new(Clamp::new("clamp", 0, &self.nodes[0])));
+        parts.push(Box::new(clamped("clamp", 0, &self.nodes[0])));
         let tip = self.nodes.len() - 1;
         if let Some(force) = load {
             let load = NodalForce { force, ..DEAD };

@@ -1,7 +1,7 @@
 //! First rates and multipliers by dummy steps.
 //!
-//! A few steps of next to no length from the first state damp what its rates and
-//! multipliers are wrong by; only these are kept, and the run starts from the first state.
+//! A few steps of next to no length from the first state damp what its rates, multipliers and
+//! scalars are wrong by; only these are kept, and the run starts from the first state.
 //!
 //! References: [Masarati], section 4.3.
 
@@ -45,5 +45,9 @@ pub(super) fn dummy_rates(
         node.angular_momentum_rate = after.angular_momentum_rate;
     }
     found.multipliers.copy_from_slice(&dae.state().multipliers);
+    found.scalars.copy_from_slice(&dae.state().scalars);
+    found
+        .scalar_rates
+        .copy_from_slice(&dae.state().scalar_rates);
     Ok(found)
 }

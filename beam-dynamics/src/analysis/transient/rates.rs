@@ -15,23 +15,92 @@
 //! or is no one's concern: next to nothing is added to M in these directions, and left out
 //! again of the rates.
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::assembly::massless::without_mass;
 use crate::assembly::{Sharing, System, Tangent};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
 
 use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
+use super::scalars::{self, Settling};
 
 /// Mass of what has none, as a part of the largest mass.
 const NEXT_TO_NOTHING: f64 = 1e-9;
 
+/// Rounds at most in which scalars that read reactions agree with these, and the part of a
+/// scalar, or of one, to which they do.
+const ROUNDS: usize = 30;
+const AGREED: f64 = 1e-10;
+/// Singular values of differences below this part of the largest are round-off.
+const LINEAR: f64 = 1e-10;
+
 /// `state` with rates of momenta and multipliers that agree with its motion and with what
-/// acts; `None` when an element does not know how its constraints change, or when they have
-/// no solution.
+/// acts, and with scalars that agree with them; `None` when an element does not know how its
+/// constraints change, or when they have no solution.
 pub(super) fn consistent_rates(
     system: &System,
     state: &State,
     conditions: &Conditions,
 ) -> Option<State> {
+    let mut state = rates_at_scalars(system, state, conditions)?;
+    if !system.scalars_read_multipliers() {
+        return Some(state);
+    }
+    let mut search = FixedPoint::default();
+    for _ in 0..ROUNDS {
+        let before = DVector::from_column_slice(&state.scalars);
+        scalars::settle(system, &mut state, conditions, Settling::InMotion).ok()?;
+        let pairs = state.scalars.iter().zip(&before);
+        let off = pairs.map(|(now, before)| (now - before).abs() / before.abs().max(1.0));
+        if off.fold(0.0, f64::max) < AGREED {
+            return Some(state);
+        }
+        let next = search.next(before, &DVector::from_column_slice(&state.scalars))?;
+        state.scalars.copy_from_slice(next.as_slice());
+        state = rates_at_scalars(system, &state, conditions)?;
+    }
+    None
+}
+
+/// The search for x = g(x) by all that is known of `f = g(x) - x`, which finds it in as many
+/// rounds as g has dimensions where g is linear, however fast it grows:
+///
+/// ```text
+/// x_{k+1} = x_k + f_k - (dX + dF) c ,     c: least | f_k - dF c |
+/// ```
+///
+/// with the differences of earlier x and f as columns of dX and dF. References: [Anderson1965].
+#[derive(Debug, Default)]
+struct FixedPoint {
+    latest: Option<[DVector<f64>; 2]>,
+    differences: [Vec<DVector<f64>>; 2],
+}
+
+impl FixedPoint {
+    /// The next x, from x and g(x).
+    fn next(&mut self, x: DVector<f64>, found: &DVector<f64>) -> Option<DVector<f64>> {
+        let f = found - &x;
+        if let Some([earlier_x, earlier_f]) = self.latest.take() {
+            self.differences[0].push(&x - earlier_x);
+            self.differences[1].push(&f - earlier_f);
+        }
+        let mut next = &x + &f;
+        if !self.differences[0].is_empty() {
+            let [by_x, by_f] = self
+                .differences
+                .each_ref()
+                .map(|all| DMatrix::from_columns(all));
+            let all = by_f.clone().svd(true, true);
+            let part = all.solve(&f, LINEAR * all.singular_values.max()).ok()?;
+            next -= (by_x + by_f) * part;
+        }
+        self.latest = Some([x, f]);
+        Some(next)
+    }
+}
+
+/// As [`consistent_rates`], with the scalars as they are.
+fn rates_at_scalars(system: &System, state: &State, conditions: &Conditions) -> Option<State> {
     let (_, convective) = system.constraint_rates(state, conditions)?;
     let mut state = state.clone();
     for node in &mut state.nodes {

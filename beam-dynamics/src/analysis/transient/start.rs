@@ -406,6 +406,8 @@ fn take_rates(state: &mut State, found: &State) {
         node.angular_momentum_rate = found.angular_momentum_rate;
     }
     state.multipliers.clone_from(&found.multipliers);
+    state.scalars.clone_from(&found.scalars);
+    state.scalar_rates.clone_from(&found.scalar_rates);
 }
 
 /// Every component that start-up changed visibly.

@@ -69,7 +69,7 @@ mod tests {
     use nalgebra::{Matrix3, Vector3};
 
     use super::*;
-    use crate::elements::joints::Clamp;
+    use crate::elements::joints::clamped;
     use crate::model::Node;
 
     #[test]
@@ -80,7 +80,7 @@ mod tests {
             rotation: Matrix3::identity(),
         };
         let nodes = vec![node("root"), node("tip")];
-        let clamp = Clamp::new("hold", 1, &nodes[1]);
+        let clamp = clamped("hold", 1, &nodes[1]);
         let system = System::new(nodes, vec![Box::new(clamp)]);
         for (place, equation, unknown) in [
             (

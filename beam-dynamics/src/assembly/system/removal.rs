@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::{System, loops};
 use crate::assembly::redundancy::Redundant;
-use crate::elements::{Element, ReducedElement};
+use crate::elements::{Adapted, Element};
 use crate::model::NODE_UNKNOWNS;
 
 impl System {
@@ -28,9 +28,7 @@ impl System {
             let element = Arc::clone(element);
             match removed.remove(&index) {
                 None => element,
-                Some(removed) => {
-                    Arc::new(ReducedElement::new(element, removed)) as Arc<dyn Element>
-                }
+                Some(removed) => Arc::new(Adapted::reduced(element, removed)) as Arc<dyn Element>,
             }
         });
         let elements = elements.collect();

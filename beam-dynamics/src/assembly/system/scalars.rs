@@ -120,6 +120,15 @@ impl System {
         &self.scalars
     }
 
+    /// Whether the equation of a scalar has a multiplier, as of a reaction that is read.
+    pub fn scalars_read_multipliers(&self) -> bool {
+        let first = self.numbering().first_scalar();
+        let multipliers = first - self.numbering().multipliers()..first;
+        let (pattern, starts) = (self.pattern(), self.pattern().column_starts());
+        let rows = &pattern.rows()[starts[multipliers.start]..starts[multipliers.end]];
+        rows.iter().any(|row| *row >= first)
+    }
+
     /// Scales of the scalar unknowns for which it `counts`.
     pub fn scalar_scales(&self, counts: impl Fn(&Scalar) -> bool) -> ScalarScales {
         let counted = self.scalars.iter().map(|scalar| {

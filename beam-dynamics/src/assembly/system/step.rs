@@ -163,7 +163,7 @@ mod tests {
     use crate::assembly::{Sparse, Variation};
     use crate::elements::Element;
     use crate::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
-    use crate::elements::joints::Clamp;
+    use crate::elements::joints::clamped;
     use crate::model::{NODE_UNKNOWNS, Node, TurningFrame};
 
     fn system() -> System {
@@ -184,7 +184,7 @@ mod tests {
         let mass = MassAlong::smooth(&mass);
         let inertia = BeamInertia::new("beam", on, geometry, undeformed, &mass);
         let elements: Vec<Box<dyn Element>> = vec![
-            Box::new(Clamp::new("root", 0, &nodes[0])),
+            Box::new(clamped("root", 0, &nodes[0])),
             Box::new(beam),
             Box::new(inertia),
         ];

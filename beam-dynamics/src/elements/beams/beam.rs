@@ -16,7 +16,7 @@
 //!
 //! References: [Masarati], the three-node beam (5.2-5.4).
 
-use nalgebra::{DMatrix, Matrix6, Vector6};
+use nalgebra::{DMatrix, Matrix6, RowVector6, Vector3, Vector6};
 
 use super::electrodes::{BeamElectrode, Electrodes, Voltage};
 use super::formulation::{Formulation, Test, add_column, add_forces, add_tangent};
@@ -26,9 +26,9 @@ use super::strain::{StrainPoint, Variation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Charges, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Observations,
-    SectionState, Signal,
+    Reading, ReadingRow, SectionState, Signal,
 };
-use crate::model::{Node, NodeMotion, Scalar};
+use crate::model::{Node, NodeMotion, Scalar, Variable};
 
 /// xi of the evaluation points: the Gauss points, which make the beam of constant
 /// properties exact at its ends.
@@ -212,6 +212,58 @@ impl Beam {
     }
 }
 
+impl Beam {
+    /// Adds the derivatives of a component of the strain, or of the internal force, at an
+    /// evaluation point.
+    fn add_reading(
+        &self,
+        place: usize,
+        (point, at): (&At<'_>, &Local<'_>),
+        (strain, component): (bool, usize),
+        row: &mut ReadingRow<'_>,
+    ) {
+        let mut add =
+            |slopes: &RowVector6<f64>, variation: &Variation, variables: [Variable; 2]| {
+                let product = slopes * variation;
+                for (node, k) in (0..3).flat_map(|node| [(node, 0), (node, 1)]) {
+                    let first = 6 * node + 3 * k;
+                    let slope = Vector3::from_fn(|i, _| product[first + i]);
+                    row.by_node(node, variables[k], &slope);
+                }
+            };
+        const PLACES: [Variable; 2] = [Variable::Position, Variable::Rotation];
+        const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
+        let variation = &point.strain.variation;
+        if strain {
+            let alone = RowVector6::from_fn(|_, j| f64::from(u8::from(j == component)));
+            add(&alone, variation, PLACES);
+            return;
+        }
+        let Response {
+            by_strain, by_rate, ..
+        } = &point.response;
+        add(&by_strain.row(component).into_owned(), variation, PLACES);
+        let law = &self.points[place].law;
+        if law.is_viscous() {
+            let slopes = by_rate.row(component).into_owned();
+            add(&slopes, &point.strain.rate_variation(at.nodes), PLACES);
+            add(&slopes, variation, RATES);
+        }
+        law.by_scalars(
+            &point.now,
+            &point.rate,
+            &at.instant(),
+            |scalar, q, of_rate| {
+                row.by_scalar((scalar, of_rate), q[component]);
+            },
+        );
+        self.electrodes.by_scalars(at, |k, scalar, slope| {
+            let coupling = self.electrodes.coupling(k, place)[component];
+            row.by_scalar((scalar, false), slope * coupling);
+        });
+    }
+}
+
 impl Element for Beam {
     fn label(&self) -> &str {
         &self.label
@@ -342,6 +394,32 @@ impl Element for Beam {
                 turn,
             });
         }
+    }
+
+    fn read(
+        &self,
+        reading: &Reading,
+        at: &Local<'_>,
+        row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        let Reading::Section {
+            point,
+            strain,
+            component,
+        } = *reading
+        else {
+            return None;
+        };
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let voltages = self.electrodes.voltages(at);
+        let found = self.at(point, &nodal, at, &voltages);
+        if let Some(row) = row {
+            self.add_reading(point, (&found, at), (strain, component), row);
+        }
+        Some(match strain {
+            true => found.now[component],
+            false => found.response.force[component],
+        })
     }
 
     fn charges(&self, at: &Local<'_>, out: &mut Charges) {

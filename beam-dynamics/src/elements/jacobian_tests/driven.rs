@@ -7,7 +7,7 @@ use crate::elements::beams::{Beam, BeamElectrode, Potential};
 use crate::elements::circuits::{Circuit, Electrode};
 use crate::elements::joints::{Hinge, HingeSpring, samples};
 use crate::elements::laws::Law;
-use crate::elements::loads::{Imposed, ImposedMotion, LoadFactor};
+use crate::elements::loads::{ImposedMotion, LoadFactor, imposed};
 use crate::elements::springs::{End, Measure, Rod, Spring, SpringLaw};
 
 #[test]
@@ -27,8 +27,8 @@ fn joints() {
         axes: random.rotation(1.0),
         factor: LoadFactor::Proportional,
     };
-    let imposed = Imposed::new("imposed", 0, &nodes[0], motion);
-    let imposed = imposed.driven_by(samples::signal(0.8));
+    let imposed = imposed("imposed", 0, &nodes[0], motion);
+    let imposed = imposed.scaled_by(samples::signal(0.8));
     check(&imposed, &nodes[..1], &mut random);
 }
 

@@ -5,45 +5,47 @@ use shared_geom::expression::{Expression, Names};
 use super::{Random, beam_nodes, check, geometries, kinds};
 use crate::elements::beams::DistributedLoad;
 use crate::elements::loads::{NodalForce, NodalLoad};
-use crate::elements::{Element, Input, Post, Sensed, Sensor, Signal};
+use crate::elements::{
+    Axes, Element, Input, NodeQuantity, NodeReading, NodeVector, Part, Sensor, Signal,
+};
 use crate::model::{Node, Quantity, Scalar, ScalarSpec, ScalarStart};
 
-/// Everything that can be sensed, of three nodes against each other.
-fn sensors(nodes: &[Node]) -> Vec<Sensor> {
-    let kinds = [
-        Sensed::Position,
-        Sensed::Displacement,
-        Sensed::Velocity,
-        Sensed::AngularVelocity,
+/// Every vector, of three nodes against each other, in all axes, and every part.
+fn sensors(nodes: &[Node], random: &mut Random) -> Vec<Sensor> {
+    let vectors = [
+        NodeVector::Position,
+        NodeVector::Displacement,
+        NodeVector::Velocity,
+        NodeVector::VelocityInSpace,
+        NodeVector::AngularVelocity,
+        NodeVector::AngularVelocityInSpace,
+        NodeVector::Momentum,
+        NodeVector::AngularMomentum,
+        NodeVector::Rotation,
+        NodeVector::Attitude,
     ];
-    let post = |node, against, axes| Post {
-        node,
-        against,
-        axes,
-    };
-    let anywhere = [
-        post(0, None, None),
-        post(1, Some(0), None),
-        post(1, Some(0), Some(2)),
-        post(2, None, Some(1)),
-        post(2, Some(1), Some(1)),
-    ];
-    let turning = [
-        post(1, None, None),
-        post(1, None, Some(1)),
-        post(0, Some(2), Some(2)),
-    ];
-    let mut posts: Vec<_> = anywhere
-        .into_iter()
-        .flat_map(|post| kinds.map(|kind| (kind, post)))
-        .collect();
-    posts.extend(turning.map(|post| (Sensed::Rotation, post)));
-    let sensor = |(i, (kind, post)): (usize, (Sensed, Post))| {
-        let label = format!("sensor {i}");
-        let of = (Sensor::output(&label, kind), kind);
-        Sensor::new(label, of, post, i % 3, nodes)
-    };
-    posts.into_iter().enumerate().map(sensor).collect()
+    let fixed = Axes::Fixed(random.rotation(1.0));
+    let mut sensors = Vec::new();
+    for vector in vectors {
+        for against in [None, Some(0), Some(2)] {
+            for axes in [Axes::Model, fixed, Axes::Node(1), Axes::Node(2)] {
+                for part in [Part::Component(0), Part::Component(2), Part::Magnitude] {
+                    let quantity = NodeQuantity {
+                        node: 1,
+                        vector,
+                        part,
+                        against,
+                        axes,
+                    };
+                    let label = format!("{vector:?} {part:?} against {against:?} in {axes:?}");
+                    let scalar = Sensor::output(&label, Quantity::new("number", "-", 1.0));
+                    let reading = NodeReading::new(&quantity, nodes);
+                    sensors.push(Sensor::new(label, scalar, reading));
+                }
+            }
+        }
+    }
+    sensors
 }
 
 /// A signal of time and three scalars.
@@ -75,7 +77,7 @@ pub(super) fn sensing() -> Signal {
 fn sensors_of_all_kinds() {
     let mut random = Random(20);
     let nodes = beam_nodes(&mut random);
-    for sensor in sensors(&nodes) {
+    for sensor in sensors(&nodes, &mut random) {
         let own: Vec<_> = sensor.nodes().iter().map(|&i| nodes[i].clone()).collect();
         check(&sensor, &own, &mut random);
     }

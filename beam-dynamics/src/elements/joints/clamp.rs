@@ -16,45 +16,32 @@
 
 use nalgebra::Matrix3;
 
-use super::delegate::is_a_joint;
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds;
 use crate::model::Node;
 
-/// Holds a node to the frame of the model.
-#[derive(Debug, Clone)]
-pub struct Clamp {
-    joint: ConstraintJoint,
+/// Holds node number `index` in its undeformed place and attitude.
+pub fn clamped(label: impl Into<String>, index: usize, node: &Node) -> ConstraintJoint {
+    partly_clamped(label, index, node, &node.rotation, [true; 6])
 }
 
-is_a_joint!(Clamp);
-
-impl Clamp {
-    /// Holds node number `index` in its undeformed place and attitude.
-    pub fn new(label: impl Into<String>, index: usize, node: &Node) -> Self {
-        Self::partial(label, index, node, &node.rotation, [true; 6])
-    }
-
-    /// Holds node number `index` in the directions `held`: three displacements along
-    /// `axes` (columns, in the model's frame), three rotations about them.
-    pub fn partial(
-        label: impl Into<String>,
-        index: usize,
-        node: &Node,
-        axes: &Matrix3<f64>,
-        held: [bool; 6],
-    ) -> Self {
-        let ends = JointEnds {
-            a: None,
-            b: (index, node),
-        };
-        let at = kinds::Placing::at(&node.position, axes);
-        let freedoms = held.map(|held| match held {
-            true => kinds::Freedom::Locked,
-            false => kinds::Freedom::Free,
-        });
-        Self {
-            joint: ConstraintJoint::total(label, &ends, &at, freedoms),
-        }
-    }
+/// Holds node number `index` in the directions `held`: three displacements along `axes`
+/// (columns, in the model's frame), three rotations about them.
+pub fn partly_clamped(
+    label: impl Into<String>,
+    index: usize,
+    node: &Node,
+    axes: &Matrix3<f64>,
+    held: [bool; 6],
+) -> ConstraintJoint {
+    let ends = JointEnds {
+        a: None,
+        b: (index, node),
+    };
+    let at = kinds::Placing::at(&node.position, axes);
+    let freedoms = held.map(|held| match held {
+        true => kinds::Freedom::Locked,
+        false => kinds::Freedom::Free,
+    });
+    ConstraintJoint::total(label, &ends, &at, freedoms)
 }

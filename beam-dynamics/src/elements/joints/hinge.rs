@@ -40,7 +40,8 @@ use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
 use crate::elements::{
     Along, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Instant, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, Signal, prestress_of_multipliers,
+    LocalJacobian, LocalResidual, Motion, Observations, Reading, ReadingRow, Signal,
+    prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Node, NodeMotion, Scalar, Variable};
@@ -302,6 +303,19 @@ impl Element for Hinge {
             form: vec![[zero, -self.axis], [zero, self.axis]],
             is_resisted: self.spring.stiffness > 0.0,
         }]
+    }
+
+    fn end_axes(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
+        self.joint.end_axes(at)
+    }
+
+    fn read(
+        &self,
+        reading: &Reading,
+        at: &Local<'_>,
+        row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        self.joint.read(reading, at, row)
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {

@@ -14,7 +14,7 @@ use super::relative;
 use crate::elements::loads::LoadFactor;
 use crate::elements::{
     ConstraintRates, ConstraintWords, Element, Instant, Level, Local, LocalJacobian, LocalResidual,
-    Motion, Observations, PlaceJump, Reaction, Signal,
+    Motion, Observations, PlaceJump, Reaction, Reading, ReadingRow, Signal,
 };
 use crate::model::{DriveValue, Loading, Node, NodeMotion, Scalar, Scalars};
 
@@ -129,8 +129,9 @@ impl ConstraintJoint {
     }
 
     /// With targets and rotation that are multiplied by a signal.
-    pub(in crate::elements) fn scaled_by(mut self, scale: Signal) -> Self {
-        self.scale = Some(scale.bound(&mut self.scalars));
+    #[must_use]
+    pub fn scaled_by(mut self, scale: impl Into<Signal>) -> Self {
+        self.scale = Some(scale.into().bound(&mut self.scalars));
         self
     }
 
@@ -409,6 +410,23 @@ impl Element for ConstraintJoint {
             );
             out.add_constraint(i, change);
         }
+    }
+
+    fn end_axes(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
+        let ends = self.ends(at.nodes);
+        Some([ends.a.axes, ends.b.axes])
+    }
+
+    fn read(
+        &self,
+        reading: &Reading,
+        at: &Local<'_>,
+        row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        let Reading::Joint { motion, part } = *reading else {
+            return None;
+        };
+        relative::read(self, (motion, part), at.nodes, row)
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {

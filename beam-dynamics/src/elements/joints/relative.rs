@@ -1,10 +1,12 @@
 //! The relative motion of the ends of a joint, and what of it the joint leaves free.
 
 use nalgebra::{Matrix6, Vector3, Vector6};
-use shared_geom::rotation::vector;
+use shared_geom::rotation;
 
+use super::algebra::{End, Ends};
 use super::joint::ConstraintJoint;
-use crate::elements::{Element, JointState, Level, Motion};
+use crate::elements::{Element, JointMotion, JointState, Level, Motion, Part, ReadingRow};
+use crate::model::Variable::{AngularVelocity, Position, Rotation, Velocity};
 use crate::model::{Loading, NodeMotion, Scalars};
 
 /// Singular values below this part of the largest count as zero: entries of order one.
@@ -18,28 +20,131 @@ pub(super) fn state(
 ) -> JointState {
     let ends = joint.ends(nodes);
     let (a, b) = (&ends.a, &ends.b);
-    let back = a.axes.transpose();
     let node = |end: usize| ends.node(end).map(|node| joint.nodes()[node]);
-    let between = ends.between();
-    let rotation = vector::from_rotation(&(back * b.axes));
-    // The rate of the components in the axes of a.
-    let velocity = b.point_velocity() - a.point_velocity() - a.spin.cross(&between);
+    let of = |motion| vector(&ends, motion);
     JointState {
         joint: joint.label().to_owned(),
         nodes: [node(0), node(1)],
         axes: [a.axes, b.axes],
         force: on_b[0],
         moment: on_b[1] - b.arm.cross(&on_b[0]),
-        displacement: back * between,
-        rotation,
-        angle: joint.angle_about().map(|axis| {
-            let against = back * b.axes;
-            let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-            against[(v, u)].atan2(against[(u, u)])
-        }),
-        velocity: back * velocity,
-        angular_velocity: back * (b.spin - a.spin),
+        displacement: of(JointMotion::Displacement),
+        rotation: of(JointMotion::Rotation),
+        angle: joint.angle_about().map(|axis| angle(&ends, axis)),
+        velocity: of(JointMotion::Velocity),
+        angular_velocity: of(JointMotion::AngularVelocity),
     }
+}
+
+/// A motion of b against a, in the axes of a; zero for the angle.
+fn vector(ends: &Ends, motion: JointMotion) -> Vector3<f64> {
+    let (a, b) = (&ends.a, &ends.b);
+    let back = a.axes.transpose();
+    match motion {
+        JointMotion::Displacement => back * ends.between(),
+        JointMotion::Rotation => rotation::vector::from_rotation(&(back * b.axes)),
+        JointMotion::Velocity => back * seen_from_a(ends),
+        JointMotion::AngularVelocity => back * (b.spin - a.spin),
+        JointMotion::Angle => Vector3::zeros(),
+    }
+}
+
+/// Velocity of the point of b for one who turns with a, model axes.
+fn seen_from_a(ends: &Ends) -> Vector3<f64> {
+    let (a, b) = (&ends.a, &ends.b);
+    // The rate of the components in the axes of a.
+    b.point_velocity() - a.point_velocity() - a.spin.cross(&ends.between())
+}
+
+/// Sine and cosine of the angle of b against a about an axis, times one factor.
+fn sine_and_cosine(ends: &Ends, axis: usize) -> [f64; 2] {
+    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let turned = ends.b.axes.column(u);
+    [v, u].map(|own| ends.a.axes.column(own).dot(&turned))
+}
+
+fn angle(ends: &Ends, axis: usize) -> f64 {
+    let [sine, cosine] = sine_and_cosine(ends, axis);
+    sine.atan2(cosine)
+}
+
+/// A part of a motion of b against a, and its derivatives. With m the direction of the part in
+/// the model, d from the point of a to that of b, f the arms, V the velocity of the point of b
+/// seen from a, and `n = m x omega_a`,
+///
+/// ```text
+/// displacement      dx_b: m     theta_b: f_b x m     dx_a: -m    theta_a: m x d - f_a x m
+/// rotation          theta_b - theta_a: A T^-T e
+/// velocity          dv_b: m     domega_b: f_b x m    dv_a: -m    domega_a: -(f_a + d) x m
+///                   dx_b: -n    dx_a: n              theta_a: m x V
+///                   theta_b: f_b x ( m x omega_b - n )
+/// angular velocity  domega_b: m     domega_a: -m     theta_a: m x ( omega_b - omega_a )
+/// ```
+pub(super) fn read(
+    joint: &ConstraintJoint,
+    (motion, part): (JointMotion, Part),
+    nodes: &[NodeMotion],
+    row: Option<&mut ReadingRow<'_>>,
+) -> Option<f64> {
+    let ends = joint.ends(nodes);
+    let (a, b) = (&ends.a, &ends.b);
+    let axis = match motion {
+        JointMotion::Angle => Some(joint.angle_about()?),
+        _ => None,
+    };
+    let w = vector(&ends, motion);
+    let value = axis.map_or_else(|| part.of(&w), |axis| angle(&ends, axis));
+    let Some(row) = row else {
+        return Some(value);
+    };
+    let mut add = |end: &End, variable, slope: Vector3<f64>| {
+        if let Some(node) = end.node {
+            row.by_node(node, variable, &slope);
+        }
+    };
+    let e = part.slope(&w);
+    let m = a.axes * e;
+    match motion {
+        JointMotion::Displacement => {
+            add(b, Position, m);
+            add(b, Rotation, b.arm.cross(&m));
+            add(a, Position, -m);
+            add(a, Rotation, m.cross(&ends.between()) - a.arm.cross(&m));
+        }
+        JointMotion::Rotation | JointMotion::Angle => {
+            let slope = match axis {
+                None => a.axes * rotation::vector::tangent_inverse(&w).tr_mul(&e),
+                Some(axis) => angle_slope(&ends, axis),
+            };
+            add(b, Rotation, slope);
+            add(a, Rotation, -slope);
+        }
+        JointMotion::Velocity => {
+            let n = m.cross(&a.spin);
+            add(b, Velocity, m);
+            add(b, AngularVelocity, b.arm.cross(&m));
+            add(a, Velocity, -m);
+            add(a, AngularVelocity, -(a.arm + ends.between()).cross(&m));
+            add(b, Position, -n);
+            add(a, Position, n);
+            add(b, Rotation, b.arm.cross(&(m.cross(&b.spin) - n)));
+            add(a, Rotation, m.cross(&seen_from_a(&ends)));
+        }
+        JointMotion::AngularVelocity => {
+            add(b, AngularVelocity, m);
+            add(a, AngularVelocity, -m);
+            add(a, Rotation, m.cross(&(b.spin - a.spin)));
+        }
+    }
+    Some(value)
+}
+
+/// w of `d angle = w . ( theta_b - theta_a )`.
+fn angle_slope(ends: &Ends, axis: usize) -> Vector3<f64> {
+    let [s, c] = sine_and_cosine(ends, axis);
+    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (a, turned) = (&ends.a.axes, ends.b.axes.column(u));
+    (s * a.column(u) - c * a.column(v)).cross(&turned) / (s * s + c * c)
 }
 
 /// The relative motions, of the point of b seen from a and of rotation, that the

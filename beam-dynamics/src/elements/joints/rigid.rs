@@ -11,28 +11,18 @@
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
-use super::delegate::is_a_joint;
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::Placing;
 use crate::model::Node;
 
-/// Holds a node to another one.
-#[derive(Debug, Clone)]
-pub struct RigidConnection {
-    joint: ConstraintJoint,
-}
-
-is_a_joint!(RigidConnection);
-
-impl RigidConnection {
-    /// Holds the second of the nodes number `nodes`, undeformed at `undeformed`, to the
-    /// first.
-    pub fn new(label: impl Into<String>, nodes: [usize; 2], undeformed: [&Node; 2]) -> Self {
-        let [a, b] = [0, 1].map(|i| (nodes[i], undeformed[i]));
-        let ends = JointEnds { a: Some(a), b };
-        let at = Placing::at(&b.1.position, &b.1.rotation);
-        Self {
-            joint: ConstraintJoint::clamp(label, &ends, &at),
-        }
-    }
+/// Holds the second of the nodes number `nodes`, undeformed at `undeformed`, to the first.
+pub fn rigid_connection(
+    label: impl Into<String>,
+    nodes: [usize; 2],
+    undeformed: [&Node; 2],
+) -> ConstraintJoint {
+    let [a, b] = [0, 1].map(|i| (nodes[i], undeformed[i]));
+    let ends = JointEnds { a: Some(a), b };
+    let at = Placing::at(&b.1.position, &b.1.rotation);
+    ConstraintJoint::clamp(label, &ends, &at)
 }

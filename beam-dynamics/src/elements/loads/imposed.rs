@@ -25,8 +25,7 @@
 use nalgebra::Matrix3;
 
 use super::factor::LoadFactor;
-use crate::elements::Signal;
-use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, is_a_joint};
+use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing};
 use crate::model::{Drive, Node};
 
 /// What is imposed on a node.
@@ -42,39 +41,23 @@ pub struct ImposedMotion {
     pub factor: LoadFactor,
 }
 
-/// Imposes a motion on a node.
-#[derive(Debug, Clone)]
-pub struct Imposed {
-    joint: ConstraintJoint,
-}
-
-is_a_joint!(Imposed);
-
-impl Imposed {
-    /// Imposes `motion` on node number `index`.
-    pub fn new(label: impl Into<String>, index: usize, node: &Node, motion: ImposedMotion) -> Self {
-        let ends = JointEnds {
-            a: None,
-            b: (index, node),
-        };
-        let at = Placing::at(&node.position, &motion.axes);
-        let [x, y, z] = motion.displacement;
-        let [about_x, about_y, about_z] = motion.rotation;
-        let freedoms = [x, y, z, about_x, about_y, about_z].map(|component| match component {
-            None => Freedom::Free,
-            Some(value) => Freedom::Driven(Drive::Constant(value).into()),
-        });
-        let joint = ConstraintJoint::total(label, &ends, &at, freedoms);
-        Self {
-            joint: joint.growing_with(motion.factor),
-        }
-    }
-
-    /// The same motion times a signal.
-    #[must_use]
-    pub fn driven_by(self, signal: impl Into<Signal>) -> Self {
-        Self {
-            joint: self.joint.scaled_by(signal.into()),
-        }
-    }
+/// Imposes `motion` on node number `index`.
+pub fn imposed(
+    label: impl Into<String>,
+    index: usize,
+    node: &Node,
+    motion: ImposedMotion,
+) -> ConstraintJoint {
+    let ends = JointEnds {
+        a: None,
+        b: (index, node),
+    };
+    let at = Placing::at(&node.position, &motion.axes);
+    let [x, y, z] = motion.displacement;
+    let [about_x, about_y, about_z] = motion.rotation;
+    let freedoms = [x, y, z, about_x, about_y, about_z].map(|component| match component {
+        None => Freedom::Free,
+        Some(value) => Freedom::Driven(Drive::Constant(value).into()),
+    });
+    ConstraintJoint::total(label, &ends, &at, freedoms).growing_with(motion.factor)
 }

@@ -23,9 +23,9 @@ use super::line::{End, Line, LineState, PullVariation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    Signal, SpringState,
+    Reading, ReadingRow, Signal, SpringState, SpringVector,
 };
-use crate::model::{Drive, Equation, Node, NodeMotion, Scalar};
+use crate::model::{Drive, Equation, Node, NodeMotion, Scalar, Variable};
 
 /// What the law of a rod takes for its strain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -175,6 +175,38 @@ impl Rod {
     }
 }
 
+impl Rod {
+    /// Adds `size` times the derivatives of the elongation, or of the tension. A pull T of one
+    /// is a force `-dl/dx` on each end; the tension is that along the line on an end,
+    /// `dT = -n . dF`, as n stays of unit length.
+    fn add_reading(
+        &self,
+        state: &Strained,
+        vector: SpringVector,
+        size: f64,
+        (at, row): (&Local<'_>, &mut ReadingRow<'_>),
+    ) {
+        let mut pulls = state.line.pulls(1.0);
+        match vector {
+            SpringVector::Displacement => {
+                for (node, [force, moment]) in pulls {
+                    row.by_node(node, Variable::Position, &(-size * force));
+                    row.by_node(node, Variable::Rotation, &(-size * moment));
+                }
+                self.relaxed.gradient(&at.instant(), |scalar, slope| {
+                    row.by_scalar((scalar, false), -size * slope);
+                });
+            }
+            SpringVector::Force => {
+                if let Some((node, [force, _])) = pulls.next() {
+                    row.by_equation(node, Equation::Force, &(size * force));
+                }
+            }
+            SpringVector::Rotation | SpringVector::Moment => {}
+        }
+    }
+}
+
 impl Element for Rod {
     fn label(&self) -> &str {
         &self.label
@@ -267,6 +299,29 @@ impl Element for Rod {
         let is_resisted = self.law.stiffness_at_rest()[(0, 0)] != 0.0;
         let motion = is_resisted.then_some(Motion { form, is_resisted });
         motion.into_iter().collect()
+    }
+
+    fn read(
+        &self,
+        reading: &Reading,
+        at: &Local<'_>,
+        row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        let Reading::Spring { vector, part } = *reading else {
+            return None;
+        };
+        let state = self.state(at);
+        // Along the line; nothing across it.
+        let along = match vector {
+            SpringVector::Displacement => state.line.length - state.relaxed,
+            SpringVector::Force => state.response.force[0],
+            SpringVector::Rotation | SpringVector::Moment => 0.0,
+        };
+        let w = along * Vector3::x();
+        if let Some(row) = row {
+            self.add_reading(&state, vector, part.slope(&w).x, (at, row));
+        }
+        Some(part.of(&w))
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {

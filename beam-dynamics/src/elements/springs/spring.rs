@@ -42,7 +42,7 @@ use super::spring_law::SpringLaw;
 use crate::elements::laws::Response;
 use crate::elements::{
     Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    Reaction, Signal, SpringState,
+    Reaction, Reading, ReadingRow, Signal, SpringState, SpringVector,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Equation, Node, NodeMotion, Scalar, Variable};
@@ -367,6 +367,58 @@ impl State {
     }
 }
 
+impl Spring {
+    /// Adds the derivatives of a vector along `e`, in the axes of the spring. The force F and the
+    /// moment M of the spring are those that the residual has on b, `F_b = -F` and
+    /// `M_b = -f x F - M`, so that with `m = g e`, which turns with a,
+    ///
+    /// ```text
+    /// d( e . F ) = -m . dF_b + (m x F) . theta_a
+    /// d( e . M ) = -m . dM_b + (m x f) . dF_b + ( f x (m x F) ) . theta_b + (m x M) . theta_a
+    /// ```
+    fn add_reading(
+        &self,
+        (state, wrench): (&State, &Wrench),
+        (vector, e): (SpringVector, &Vector3<f64>),
+        row: &mut ReadingRow<'_>,
+    ) {
+        let m = state.g * e;
+        let (a, b) = (self.local(0), self.local(1));
+        let mut turn = |end: Option<usize>, slope: Vector3<f64>| {
+            if let Some(node) = end {
+                row.by_node(node, Variable::Rotation, &slope);
+            }
+        };
+        let of_strain = match vector {
+            SpringVector::Displacement => 0,
+            SpringVector::Rotation => 3,
+            SpringVector::Force => {
+                turn(a, m.cross(&wrench.force));
+                b.into_iter().for_each(|b| row.by_equation(b, Force, &-m));
+                return;
+            }
+            SpringVector::Moment => {
+                turn(a, m.cross(&wrench.moment));
+                turn(b, state.f.cross(&m.cross(&wrench.force)));
+                if let Some(b) = b {
+                    row.by_equation(b, Moment, &-m);
+                    row.by_equation(b, Force, &m.cross(&state.f));
+                }
+                return;
+            }
+        };
+        for (end, by) in state.variation().iter().enumerate() {
+            let Some(node) = self.local(end) else {
+                continue;
+            };
+            for (by, variable) in by.iter().zip(UNKNOWNS) {
+                let slope = by.fixed_rows::<3>(of_strain).tr_mul(e);
+                row.by_node(node, variable, &slope);
+            }
+        }
+    }
+}
+
 impl Element for Spring {
     fn label(&self) -> &str {
         &self.label
@@ -473,6 +525,30 @@ impl Element for Spring {
             }
         };
         resisted.map(|row| motion(row.into_owned())).collect()
+    }
+
+    fn read(
+        &self,
+        reading: &Reading,
+        at: &Local<'_>,
+        row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        let Reading::Spring { vector, part } = *reading else {
+            return None;
+        };
+        let state = self.state(at.nodes);
+        let section = self.response(&state, at).force;
+        let wrench = state.wrench(&section);
+        let w = match vector {
+            SpringVector::Displacement => state.strain.fixed_rows::<3>(0).into_owned(),
+            SpringVector::Rotation => state.psi(),
+            SpringVector::Force => state.g.tr_mul(&wrench.force),
+            SpringVector::Moment => state.g.tr_mul(&wrench.moment),
+        };
+        if let Some(row) = row {
+            self.add_reading((&state, &wrench), (vector, &part.slope(&w)), row);
+        }
+        Some(part.of(&w))
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {

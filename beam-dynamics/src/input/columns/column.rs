@@ -1,13 +1,11 @@
 //! `[[output.column]]`: names, units and quantities of columns.
 
-use shared_geom::document::{DocumentProblem, Table};
-use shared_geom::units::Dimension;
+use shared_geom::document::Table;
 
-use super::kind::{KINDS, Kind, unit_factor};
 use super::problem::ColumnProblem;
-use super::reading::Reading;
 use crate::case::Column;
 use crate::input::draft::Draft;
+use crate::input::readings::{self, Reading};
 
 /// Reads every `[[output.column]]`; a card of several components is several columns.
 pub(super) fn read(output: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
@@ -16,7 +14,7 @@ pub(super) fn read(output: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
     let mut lines: Vec<usize> = Vec::new();
     for table in output.tables("column") {
         let found = card(&table, draft);
-        if is_known(&table) {
+        if readings::is_known(&table) {
             table.finish();
         }
         complete &= found.is_some();
@@ -46,7 +44,7 @@ pub(super) fn is_name(name: &str) -> bool {
 
 fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
     let name = name(table);
-    let kind = kind(table);
+    let kind = readings::kind(table);
     let user = match &name {
         Some(name) => format!("column \"{name}\""),
         None => "a column".to_owned(),
@@ -65,10 +63,13 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
     let is_alone = parts.len() == 1;
     let columns = parts.into_iter().map(|part| {
         let (unit, factor) = match &unit {
-            Some(unit) => (unit.clone(), factor(table, unit, part.dimension)?),
+            Some(unit) => {
+                let factor = readings::unit(table, unit, part.dimension)?.factor;
+                (unit.clone(), factor)
+            }
             None => {
                 // Every unit of the quantities is one of those that are known.
-                let factor = unit_factor(part.unit, part.dimension).ok()?;
+                let factor = readings::unit_of(part.unit, part.dimension).ok()?.factor;
                 (part.unit.to_owned(), factor)
             }
         };
@@ -95,28 +96,4 @@ fn name(table: &Table<'_>) -> Option<String> {
     };
     table.note("name", &problem);
     None
-}
-
-fn kind(table: &Table<'_>) -> Option<&'static Kind> {
-    let words = KINDS.map(|kind| kind.0);
-    table.require_text("quantity", "a quantity such as \"position\"")?;
-    Some(&KINDS[table.word("quantity", &words)?])
-}
-
-/// Whether the keys of a card are those of a quantity: of none, and of an unknown
-/// one, none is wrong.
-fn is_known(table: &Table<'_>) -> bool {
-    let is_one = |word: String| KINDS.iter().any(|kind| kind.0 == word);
-    table.is_text("quantity") && table.text("quantity").is_some_and(is_one)
-}
-
-fn factor(table: &Table<'_>, unit: &str, dimension: Dimension) -> Option<f64> {
-    match unit_factor(unit, dimension) {
-        Ok(factor) => Some(factor),
-        Err(problem) => {
-            let key = "unit".to_owned();
-            table.note("unit", &DocumentProblem::Unit { key, problem });
-            None
-        }
-    }
 }

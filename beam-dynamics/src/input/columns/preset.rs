@@ -1,9 +1,8 @@
 //! Columns of a file that asks for none.
 
 use super::column::is_name;
-use crate::case::{
-    Axes, Column, ElectrodeQuantity, EnergyPart, NodeQuantity, NodeVector, Part, Quantity,
-};
+use crate::case::{Column, ElectrodeQuantity, EnergyPart, Quantity};
+use crate::elements::{Axes, NodeQuantity, NodeVector, Part};
 use crate::input::draft::Draft;
 
 /// Nodes with columns of their own.

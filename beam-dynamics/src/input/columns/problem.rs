@@ -45,28 +45,6 @@ pub enum ColumnProblem {
         /// Their number [-].
         fields: f64,
     },
-    /// Angles about axes that do not tell every attitude.
-    #[error("\"sequence\" is \"{found}\", expected three axes, neighbors different, as in \"zxz\"")]
-    Sequence {
-        /// The text found.
-        found: String,
-    },
-    /// A point that a beam does not have.
-    #[error("\"point\" is {found}, expected 1 or 2: beams have two evaluation points")]
-    Point {
-        /// The number found.
-        found: usize,
-    },
-    /// A node on which a joint does not act.
-    #[error("\"{joint}\" does not act on node \"{node}\", expected one of its nodes")]
-    NotOfJoint {
-        /// The joint.
-        joint: String,
-        /// The node found.
-        node: String,
-        /// Its nodes.
-        known: Vec<String>,
-    },
 }
 
 impl Explain for ColumnProblem {
@@ -88,14 +66,6 @@ impl Explain for ColumnProblem {
                 Some("\"vtu\" is the number of rows of which one has a field file".to_owned())
             }
             Self::Time => Some("time is written without being asked for".to_owned()),
-            Self::Sequence { .. } => {
-                Some("\"zyx\" is yaw, pitch, roll; \"zxz\" precession, nutation, spin".to_owned())
-            }
-            Self::Point { .. } => Some("1 is the one near the first node".to_owned()),
-            Self::NotOfJoint { known, .. } => {
-                let quoted: Vec<_> = known.iter().map(|name| format!("\"{name}\"")).collect();
-                Some(format!("its nodes: {}", quoted.join(", ")))
-            }
         }
     }
 }

@@ -2,7 +2,8 @@ use approx::assert_relative_eq;
 use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
-use crate::case::{Axes, Column, Every, NodeQuantity, NodeVector, Part, Quantity};
+use crate::case::{Column, Every, Quantity};
+use crate::elements::{Axes, NodeQuantity, NodeVector, Part, Reading};
 use crate::input::Input;
 use crate::input::test_files::read_beside;
 use crate::model::{Conditions, State};
@@ -190,19 +191,24 @@ fn columns_have_names_units_and_parts() {
     assert_eq!(pitch.quantity, Quantity::Node(quantity));
     assert_eq!(pitch.unit, "deg");
     assert_eq!((bending.unit.as_str(), bending.factor), ("kN*m", 1e3));
-    let quantity = Quantity::Section {
-        beam: "mast".to_owned(),
-        point: 0,
-        strain: false,
-        component: 4,
+    let quantity = Quantity::Element {
+        label: "mast".to_owned(),
+        reading: Reading::Section {
+            point: 0,
+            strain: false,
+            component: 4,
+        },
     };
     assert_eq!(bending.quantity, quantity);
     assert!(matches!(
         held.quantity,
-        Quantity::Reaction {
-            node: 0,
-            part: Part::Magnitude,
-            axes: Axes::Node(2),
+        Quantity::Element {
+            reading: Reading::Reaction {
+                node: 0,
+                part: Part::Magnitude,
+                axes: Axes::Node(2),
+                ..
+            },
             ..
         }
     ));

@@ -5,11 +5,11 @@
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
+use crate::elements::Input;
+use crate::elements::control::{Actuator, Servo};
 use crate::input::draft::Draft;
 use crate::input::drives::{self, Catalog, Measure, Read};
 use crate::input::number::not_negative;
-use crate::elements::Input;
-use crate::elements::control::{Actuator, Servo};
 use crate::model::{Scalar, ScalarStart};
 
 /// Damping ratio of a card that gives none: an overshoot of 5 %.
@@ -77,7 +77,7 @@ pub(super) fn read(named: Vec<Named<'_>>, draft: &mut Draft) {
         table.finish();
         match (command, servo, card.position) {
             (Some(command), Some(servo), Some((name, position))) => {
-                draft.add_load(Box::new(Actuator::new(name, servo, command, position)));
+                draft.add_control(Box::new(Actuator::new(name, servo, command, position)));
             }
             _ => draft.note_broken(),
         }

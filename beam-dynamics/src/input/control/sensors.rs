@@ -1,126 +1,182 @@
-//! What signals may read: `[sensors.NAME]`.
+//! What signals may read of a state: `[sensors.NAME]`.
+//!
+//! A sensor reads one of the quantities that columns show, by the same keys.
 
-use shared_geom::document::{DocumentProblem, Table};
-use shared_geom::units::{self, Dimension};
+use shared_geom::document::Table;
 
-use crate::elements::{Input, Post, Sensed, Sensor};
+use crate::case::{ElectrodeQuantity, Quantity};
+use crate::elements::circuits::Circuit;
+use crate::elements::{Axes, Input, NodeReading, NodeVector, Reading as ElementReading, Sensor};
 use crate::input::draft::Draft;
 use crate::input::drives::{self, Measure, Read};
-use crate::model::Scalar;
-
-const QUANTITIES: [(&str, Sensed, Dimension); 5] = [
-    ("position", Sensed::Position, Dimension::LENGTH),
-    ("displacement", Sensed::Displacement, Dimension::LENGTH),
-    ("rotation", Sensed::Rotation, Dimension::ANGLE),
-    ("velocity", Sensed::Velocity, Dimension::VELOCITY),
-    (
-        "angular_velocity",
-        Sensed::AngularVelocity,
-        Dimension::ROTATION_SPEED,
-    ),
-];
+use crate::input::readings::{self, Kind, Reading, ReadingProblem, Source};
+use crate::model::{Quantity as ScalarQuantity, Scalar};
 
 /// A sensor whose name expressions may read.
 pub(super) struct Declared<'a> {
     name: String,
     table: Table<'a>,
-    /// What it senses, and its scalar; `None` where they are wrong.
-    sensed: Option<(Sensed, Scalar)>,
+    /// Its quantity; `None` where that is wrong.
+    kind: Option<&'static Kind>,
+    /// Its scalar; `None` where its unit or its name is wrong too.
+    scalar: Option<Scalar>,
 }
 
 /// Lets expressions read every `[sensors.NAME]`.
 pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut drives::Catalog) -> Vec<Declared<'a>> {
     let declare = |(name, table): (String, Table<'a>)| {
         let is_free = drives.is_free(&name, &table, "");
-        let found = sensed(&table).filter(|_| is_free);
-        let sensed =
-            found.map(|(sensed, measure)| (sensed, Sensor::output(&name, sensed), measure));
-        let read = sensed.as_ref().map(|(_, scalar, measure)| Read {
-            input: Input {
-                scalar: scalar.clone(),
-                unit: measure.factor(table.document()),
-            },
-            measure: *measure,
+        let kind = kind(&table);
+        let found = kind.and_then(|kind| Some((kind, measure(kind, &table)?)));
+        let read = found.filter(|_| is_free).map(|(kind, measure)| {
+            let words = kind.0.replace('_', " ");
+            let quantity = ScalarQuantity::new(words, kind.3, 1.0);
+            Read {
+                input: Input {
+                    scalar: Sensor::output(&name, quantity),
+                    unit: measure.factor(table.document()),
+                },
+                measure,
+            }
         });
-        drives.add_readable(name.clone(), read);
+        drives.add_readable(name.clone(), read.clone());
         Declared {
             name,
             table,
-            sensed: sensed.map(|(sensed, scalar, _)| (sensed, scalar)),
+            kind,
+            scalar: read.map(|read| read.input.scalar),
         }
     };
-    root.named_tables("sensors")
-        .into_iter()
-        .map(declare)
-        .collect()
+    let tables = root.named_tables("sensors").into_iter();
+    tables.map(declare).collect()
 }
 
-/// A quantity that is sensed, and its unit.
-fn sensed(table: &Table<'_>) -> Option<(Sensed, Measure)> {
-    let known = QUANTITIES.map(|quantity| quantity.0);
-    let quantity = table
-        .require_text("quantity", "what is sensed")
-        .and_then(|_| table.word("quantity", &known));
-    let (_, sensed, dimension) = QUANTITIES[quantity?];
+/// The quantity of a sensor.
+fn kind(table: &Table<'_>) -> Option<&'static Kind> {
+    let kind = readings::kind(table)?;
+    let reason = match kind.1 {
+        Source::Drive | Source::Signal => "its name stands in expressions itself",
+        Source::Energy(_) => "the derivatives of the energy of a model are not known",
+        Source::StepLength | Source::Iterations => "it is no number of the state",
+        Source::Node(NodeVector::Euler(_)) => "the derivatives of these angles are not known",
+        Source::Momentum { .. } if !table.has("of") => "the momenta of single nodes are",
+        _ => return Some(kind),
+    };
+    let quantity = kind.0;
+    table.note("quantity", &ReadingProblem::NotSensed { quantity, reason });
+    None
+}
+
+/// The unit in which it counts: its `unit`, or the declared one of its dimension.
+fn measure(kind: &Kind, table: &Table<'_>) -> Option<Measure> {
+    let component = table.item("component");
+    let component = component.as_ref().and_then(|item| item.text());
+    let dimension = readings::dimension_of(kind, component);
     if !table.has("unit") {
-        return Some((sensed, Measure::Declared(dimension)));
+        return Some(Measure::Declared(dimension));
     }
-    let text = table.text("unit")?;
-    let unit = units::parse_as(&text, dimension).map_err(|problem| {
-        let key = "unit".to_owned();
-        table.note("unit", &DocumentProblem::Unit { key, problem });
-    });
-    Some((sensed, Measure::Unit(unit.ok()?)))
+    let unit = readings::unit(table, &table.text("unit")?, dimension)?;
+    Some(Measure::Unit(unit))
 }
 
 /// Adds every sensor to the model.
 pub(super) fn read(declared: Vec<Declared<'_>>, draft: &mut Draft) {
     for one in declared {
-        let sensor = sensor(&one, draft);
-        one.table.finish();
-        match sensor {
-            Some(sensor) => draft.add_load(Box::new(sensor)),
-            None => draft.note_broken(),
+        let is_read = sensor(&one, draft).is_some();
+        // Of an unknown quantity no key is unknown.
+        if one.kind.is_some() {
+            one.table.finish();
+        }
+        if !is_read {
+            draft.note_broken();
         }
     }
 }
 
-fn sensor(declared: &Declared<'_>, draft: &mut Draft) -> Option<Sensor> {
+fn sensor(declared: &Declared<'_>, draft: &mut Draft) -> Option<()> {
     let Declared {
         name,
         table,
-        sensed,
+        kind,
+        scalar,
     } = declared;
-    let words = format!("sensor \"{name}\"");
-    let component = table
-        .require_text("component", "\"x\", \"y\" or \"z\"")
-        .and_then(|_| table.word("component", &["x", "y", "z"]));
-    let mut node = |key: &str| match table.has(key) {
-        true => {
-            let name = table.text(key)?;
-            draft.find_node(&name, table, key, &words).map(Some)
+    let kind = (*kind)?;
+    let user = format!("sensor \"{name}\"");
+    let reading = Reading {
+        table,
+        draft,
+        user: &user,
+    };
+    let mut found = reading.parts(kind)?;
+    if found.len() != 1 {
+        let (name, found) = (name.clone(), found.len());
+        table.note("", &ReadingProblem::Several { name, found });
+        return None;
+    }
+    let scalar = scalar.as_ref()?;
+    match found.remove(0).quantity {
+        Quantity::Node(quantity) => {
+            let reading = NodeReading::new(&quantity, draft.nodes());
+            reading
+                .nodes()
+                .to_vec()
+                .into_iter()
+                .for_each(|node| draft.use_node(node));
+            draft.add_control(Box::new(Sensor::new(name, scalar.clone(), reading)));
         }
-        false => Some(None),
-    };
-    let (own, against, axes) = (node("node"), node("against"), node("axes_of"));
-    if !table.has("node") {
-        let _ = table.require_text("node", "the name of a node");
-        return None;
+        Quantity::Element { label, reading } => {
+            if !draft.reports(&label, &reading) {
+                let (quantity, reason) = (kind.0, "what is named under \"of\" has none");
+                table.note("of", &ReadingProblem::NotSensed { quantity, reason });
+                return None;
+            }
+            if !knows_axes(&reading, &label, draft) {
+                table.note("in", &ReadingProblem::AxesOfOther);
+                return None;
+            }
+            draft.watch(label, reading, scalar.clone());
+        }
+        Quantity::Electrode {
+            electrode,
+            quantity,
+        } => {
+            let place = place_of(&draft.electrodes()[electrode].circuit, quantity);
+            let Some(place) = place else {
+                let quantity = kind.0;
+                let reason = "it is no unknown of the circuit of this electrode";
+                table.note("quantity", &ReadingProblem::NotSensed { quantity, reason });
+                return None;
+            };
+            draft.watch_electrode((electrode, place), name.clone(), scalar.clone());
+        }
+        // These have been refused.
+        _ => return None,
     }
-    let (sensed, scalar) = sensed.as_ref()?;
-    let post = Post {
-        node: own??,
-        against: against?,
-        axes: axes?,
-    };
-    if *sensed == Sensed::Rotation
-        && post
-            .axes
-            .is_some_and(|axes| axes != post.against.unwrap_or(post.node))
-    {
-        table.note("axes_of", &drives::DriveProblem::AxesOfRotation);
-        return None;
+    Some(())
+}
+
+/// Whether the axes of a reaction are those of a node on which the element acts.
+fn knows_axes(reading: &ElementReading, label: &str, draft: &Draft) -> bool {
+    match reading {
+        ElementReading::Reaction {
+            axes: Axes::Node(node),
+            ..
+        } => draft.nodes_of_joint(label).contains(node),
+        _ => true,
     }
-    let of = (scalar.clone(), *sensed);
-    Some(Sensor::new(name, of, post, component?, draft.nodes()))
+}
+
+/// The number of an unknown of a circuit, see [`Circuit::scalars`].
+fn place_of(circuit: &Circuit, quantity: ElectrodeQuantity) -> Option<usize> {
+    let unknowns = match circuit {
+        Circuit::Held(_) => 0,
+        Circuit::Open { .. } => 1,
+        Circuit::Shunt { inductance, .. } => 2 + usize::from(*inductance > 0.0),
+    };
+    let place = match quantity {
+        ElectrodeQuantity::Voltage => 0,
+        ElectrodeQuantity::Charge => 1,
+        ElectrodeQuantity::Current => 2,
+    };
+    (place < unknowns).then_some(place)
 }

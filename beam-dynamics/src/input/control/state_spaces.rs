@@ -9,11 +9,11 @@ use nalgebra::DMatrix;
 use shared_geom::document::{Document, Table};
 use shared_geom::units::Dimension;
 
+use crate::elements::control::{Matrices, Sampled, StateSpace};
+use crate::elements::{Element, Input};
 use crate::input::draft::Draft;
 use crate::input::drives::{self, Catalog, Measure, Read};
 use crate::input::ends;
-use crate::elements::control::{Matrices, Sampled, StateSpace};
-use crate::elements::{Element, Input};
 use crate::model::{Scalar, ScalarStart};
 
 mod problem;
@@ -66,7 +66,7 @@ pub(super) fn read(named: Vec<Named<'_>>, draft: &mut Draft) {
             draft.add_sampling(card.table.line_of("sample_time"), period);
         }
         match is_new {
-            true => draft.add_load(element),
+            true => draft.add_control(element),
             false => draft.note_broken(),
         }
     }

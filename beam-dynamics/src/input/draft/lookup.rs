@@ -3,9 +3,10 @@
 use shared_geom::document::Table;
 
 use super::Draft;
-use crate::case::Axes;
-use crate::elements::Element;
+use crate::elements::joints::clamped;
+use crate::elements::{Adapted, Axes, Element, Reading};
 use crate::input::problem::InputProblem;
+use crate::model::NodeMotion;
 
 impl Draft {
     /// The node called `name` under `key` of a card that is `user` in words; the node
@@ -81,6 +82,41 @@ impl Draft {
         found
     }
 
+    /// Nodes of the joint, clamp, support or imposed motion called `name`; none where there is
+    /// none.
+    pub fn nodes_of_joint(&self, name: &str) -> Vec<usize> {
+        let clamps = self.clamps.keys().copied();
+        let mut clamps = clamps.filter(|node| self.name_of_clamp(*node) == name);
+        let elements = self.joints.iter().chain(&self.loads);
+        let mut elements = elements.filter(|one| one.label() == name);
+        let nodes = elements.next().map(|element| element.nodes().to_vec());
+        nodes.unwrap_or_else(|| clamps.next().into_iter().collect())
+    }
+
+    /// Whether the element called `label` reports a reading.
+    pub fn reports(&self, label: &str, reading: &Reading) -> bool {
+        if let Reading::Section { .. } = reading {
+            return self.beams.iter().any(|beam| beam.label == label);
+        }
+        let clamp = |&node: &usize| clamped(self.name_of_clamp(node), node, &self.nodes[node]);
+        let clamps: Vec<_> = self.clamps.keys().map(clamp).collect();
+        let clamps = clamps.iter().map(|clamp| clamp as &dyn Element);
+        let elements = self.joints.iter().chain(&self.loads).map(AsRef::as_ref);
+        let mut all = elements.chain(clamps).filter(|one| one.label() == label);
+        all.any(|element| {
+            let rest = element.nodes().iter();
+            let rest: Vec<_> = rest
+                .map(|&node| NodeMotion::at_rest(&self.nodes[node]))
+                .collect();
+            Adapted::reports(element, reading, &rest)
+        })
+    }
+
+    /// The name of the clamp of a node.
+    pub fn name_of_clamp(&self, node: usize) -> String {
+        format!("clamp of {}", self.nodes[node].label)
+    }
+
     /// The nodes of the joint, clamp, support or imposed motion called `name`; notes it
     /// where there is none.
     pub fn look_up_joint(
@@ -90,7 +126,7 @@ impl Draft {
         key: &str,
         user: &str,
     ) -> Option<Vec<usize>> {
-        let clamp = |node: &usize| (format!("clamp of {}", self.nodes[*node].label), vec![*node]);
+        let clamp = |node: &usize| (self.name_of_clamp(*node), vec![*node]);
         let moving = self.loads.iter().filter(|load| load.multipliers() > 0);
         let of_element = |element: &dyn Element| {
             let label = element.label().to_owned();

@@ -180,7 +180,9 @@ fn sensing(
         document.expression(item.key(), item.line(), text, &names)
     };
     let variables = ["t"].into_iter();
-    let variables: Vec<_> = variables.chain(readable.keys().map(String::as_str)).collect();
+    let variables: Vec<_> = variables
+        .chain(readable.keys().map(String::as_str))
+        .collect();
     let expression = parse(&variables)?;
     if !(1..variables.len()).any(|index| expression.uses(index)) {
         return Some(None);

@@ -111,7 +111,7 @@ fn drives_with_names_count_in_the_unit_of_each_key_or_in_their_own() {
     );
     let force = named(&format!("{harmonic}\nunit = \"kN\"")).unwrap_err();
     assert!(
-        force.contains("a.toml:1: the drive \"swing\" measures a force, expected a length"),
+        force.contains("a.toml:1: \"swing\" measures a force, expected a length"),
         "{force}"
     );
 }

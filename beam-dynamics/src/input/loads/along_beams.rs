@@ -9,8 +9,8 @@ use crate::elements::Signal;
 use crate::elements::beams::{BeamGeometry, DistributedLoad, LineLoad};
 use crate::elements::loads::{LoadFactor, Turning};
 use crate::input::draft::{Beam, Draft};
-use crate::input::frames::Frame;
 use crate::input::drives;
+use crate::input::frames::Frame;
 use crate::model::Node;
 
 /// Coefficients of a polynomial: the fifth degree is integrated exactly.

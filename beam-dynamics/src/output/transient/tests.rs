@@ -6,11 +6,10 @@ use nalgebra::Vector3;
 
 use super::*;
 use crate::assembly::System;
-use crate::case::{
-    Axes, Column, Every, Model, NodeQuantity, NodeVector, OutputQuestion, Part, Quantity,
-};
+use crate::case::{Column, Every, Model, OutputQuestion, Quantity};
 use crate::elements::Element;
 use crate::elements::bodies::{RigidBody, RigidInertia};
+use crate::elements::{Axes, NodeQuantity, NodeVector, Part};
 use crate::integrator::Counters;
 use crate::model::{Conditions, State};
 use crate::output::samples::{names, nodes_at};

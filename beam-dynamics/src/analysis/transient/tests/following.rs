@@ -1,18 +1,21 @@
 //! Actuators, and joints that follow them.
 #![allow(clippy::unwrap_used, reason = "test helpers")]
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::expression::{Expression, Names};
 
 use super::models::{Kept, body, node, run, states};
-use super::sampled::signal;
+use super::sampled::{sensor, signal};
 use crate::assembly::System;
 use crate::case::{Model, TransientQuestion};
 use crate::elements::control::{Actuator, Servo};
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning};
-use crate::elements::{Element, Post, Sensed, Sensor, Signal};
+use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning::Dead};
+use crate::elements::{Adapted, Axes, Element, NodeVector, Part, Reading, Sensor, Signal};
 use crate::integrator::Scheme;
-use crate::model::{Drive, Formula, ScalarStart, Step};
+use crate::model::{Drive, Formula, Quantity, ScalarStart, Step};
 
 const SERVO: Servo = Servo {
     frequency: 60.0,
@@ -179,14 +182,7 @@ fn decay_of(exponent: f64) -> f64 {
 #[test]
 fn a_start_at_rest_agrees_with_feedback_through_the_joint() {
     let nodes = vec![node("slider", Vector3::zeros(), Matrix3::identity())];
-    let sensed = Sensed::Displacement;
-    let value = Sensor::output("place", sensed);
-    let post = Post {
-        node: 0,
-        against: None,
-        axes: None,
-    };
-    let sensor = Sensor::new("place", (value.clone(), sensed), post, 0, &nodes);
+    let (value, sensor) = sensor("place", NodeVector::Displacement, &nodes);
     let position = Actuator::position("servo", ScalarStart::Settled);
     let ends = JointEnds {
         a: None,
@@ -245,5 +241,54 @@ fn wheels_follow_angles_and_speeds() {
                 );
             }
         }
+    }
+}
+
+// A clamp holds a mass of 2 kg, and k times its force R pushes as well: R + k R = m g, from the
+// first instant on; for k of -3 and 5 as well, for which R = m g - k R does not settle by itself.
+#[test]
+fn a_load_that_follows_a_reaction_agrees_with_it_from_the_start() {
+    for gain in [0.5, -3.0, 5.0] {
+        follows_its_reaction(gain);
+    }
+}
+
+fn follows_its_reaction(gain: f64) {
+    let nodes = vec![node("weight", Vector3::zeros(), Matrix3::identity())];
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
+    let value = Sensor::output("hold", Quantity::new("force", "N", 1.0));
+    let reading = Reading::Reaction {
+        node: 0,
+        moment: false,
+        part: Part::Component(2),
+        axes: Axes::Model,
+    };
+    let joint = ConstraintJoint::clamp("clamp", &ends, &at);
+    let joint = Adapted::read(Arc::new(joint), vec![(reading, value.clone())]);
+    let push = NodalForce {
+        force: Vector3::z(),
+        moment: Vector3::zeros(),
+        offset: Vector3::zeros(),
+        turning: Dead,
+        factor: LoadFactor::Constant,
+    };
+    let push =
+        NodalLoad::new("push", 0, &nodes[0], push).driven(signal(&format!("{gain}*a"), &[&value]));
+    let elements = vec![
+        body(0, 2.0, Vector3::zeros(), [1.0; 3]),
+        Box::new(joint) as Box<dyn Element>,
+        Box::new(push),
+    ];
+    let mut model = Model::new("weight", System::new(nodes, elements));
+    model.gravity = -9.81 * Vector3::z();
+    let expected = 2.0 * 9.81 / (1.0 + gain);
+    for state in &states(&model, &exact_to_order_two(0.01, 1e-3)) {
+        let found = state.scalars[0];
+        let off = (found - expected).abs();
+        assert!(off < 1e-8 * expected.abs(), "{gain}: {found} {expected}");
     }
 }

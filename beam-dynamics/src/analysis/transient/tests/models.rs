@@ -8,7 +8,7 @@ use crate::case::{InitialMotion, Model, TransientQuestion};
 use crate::elements::Element;
 use crate::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
-use crate::elements::joints::{Clamp, ConstraintJoint, JointEnds, Placing, Turning, axes_along};
+use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along, clamped};
 use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad};
 use crate::model::{Drive, Node, State};
 use crate::result::{Moment, Recorder, Snapshot};
@@ -248,7 +248,7 @@ impl Strip {
 /// Clamped at the origin; a dead force of 4 N along y at the tip and gravity along -z.
 pub fn swinging_cantilever(elements: usize) -> Model {
     let (nodes, mut parts) = Strip::swinging(elements).parts();
-    parts.push(Box::new(Clamp::new("root", 0, &nodes[0])));
+    parts.push(Box::new(clamped("root", 0, &nodes[0])));
     let tip = nodes.len() - 1;
     let load = NodalForce {
         force: 4.0 * Vector3::y(),

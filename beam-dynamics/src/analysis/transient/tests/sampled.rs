@@ -16,9 +16,11 @@ use crate::elements::control::{Limits, Matrices, Sampled, Sampling, StateSpace};
 use crate::elements::laws::Law;
 use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning};
 use crate::elements::springs::{Spring, SpringLaw};
-use crate::elements::{Element, Input, Post, Sensed, Sensor, Signal};
+use crate::elements::{
+    Axes, Element, Input, NodeQuantity, NodeReading, NodeVector, Part, Sensor, Signal,
+};
 use crate::integrator::{Scheme, StepControl, Stepping};
-use crate::model::{Drive, Formula, Node, Scalar};
+use crate::model::{Drive, Formula, Node, Quantity, Scalar};
 
 const OSCILLATOR: [f64; 11] = [
     1.0,
@@ -79,6 +81,20 @@ fn input(scalar: &Scalar) -> Input {
     }
 }
 
+/// A sensor of the component along x of a vector of node 0.
+pub(super) fn sensor(label: &str, vector: NodeVector, nodes: &[Node]) -> (Scalar, Sensor) {
+    let quantity = NodeQuantity {
+        node: 0,
+        vector,
+        part: Part::Component(0),
+        against: None,
+        axes: Axes::Model,
+    };
+    let scalar = Sensor::output(label, Quantity::new(label, "-", 1.0));
+    let reading = NodeReading::new(&quantity, nodes);
+    (scalar.clone(), Sensor::new(label, scalar, reading))
+}
+
 /// The expression of time and of the scalars `a`, `b`, as many as there are.
 pub(super) fn signal(text: &str, scalars: &[&Scalar]) -> Signal {
     let names = &["t", "a", "b"][..=scalars.len()];
@@ -109,27 +125,16 @@ fn law(
 /// has the displacement x - 1, and its rest is made up by a load of -40 N.
 fn oscillator(delay: usize, limits: Limits) -> Model {
     let nodes = vec![node("mass", Vector3::x(), Matrix3::identity())];
-    let post = Post {
-        node: 0,
-        against: None,
-        axes: None,
-    };
-    let sensor = |label: &str, sensed| {
-        let of = (Sensor::output(label, sensed), sensed);
-        Sensor::new(label, of, post, 0, &nodes)
-    };
     let sensors = [
-        sensor("place", Sensed::Position),
-        sensor("speed", Sensed::Velocity),
+        sensor("place", NodeVector::Position, &nodes),
+        sensor("speed", NodeVector::Velocity, &nodes),
     ];
     let sampling = Sampling {
         period: 0.05,
         offset: 0.0,
         delay,
     };
-    let inputs = sensors
-        .each_ref()
-        .map(|sensor| signal("a", &[sensor.scalar()]));
+    let inputs = sensors.each_ref().map(|(scalar, _)| signal("a", &[scalar]));
     let (output, sampled) = law(&[-15.0, -2.5], inputs.into(), sampling, limits);
     let spring = SpringLaw::of_displacement(Law::linear(40.0 * Matrix3::identity()));
     let spring = Spring::new(
@@ -139,7 +144,7 @@ fn oscillator(delay: usize, limits: Limits) -> Model {
         &Matrix3::identity(),
         spring,
     );
-    let speed = signal("-0.2*a - 40", &[sensors[1].scalar()]);
+    let speed = signal("-0.2*a - 40", &[&sensors[1].0]);
     let mut elements = vec![
         body(0, 1.0, Vector3::zeros(), [1.0; 3]),
         Box::new(spring) as Box<dyn Element>,
@@ -147,7 +152,7 @@ fn oscillator(delay: usize, limits: Limits) -> Model {
         force(&nodes, 1.0, signal("a", &[&output])),
         Box::new(sampled),
     ];
-    elements.extend(sensors.map(|sensor| Box::new(sensor) as Box<dyn Element>));
+    elements.extend(sensors.map(|(_, sensor)| Box::new(sensor) as Box<dyn Element>));
     Model::new("oscillator", System::new(nodes, elements))
 }
 

@@ -10,7 +10,7 @@ use crate::case::{Model, TransientQuestion};
 use crate::elements::beams::{Beam, BeamElectrode, BeamGeometry, BeamNode, Potential};
 use crate::elements::circuits::{Circuit, Electrode};
 use crate::elements::control::{Matrices, StateSpace};
-use crate::elements::joints::Clamp;
+use crate::elements::joints::clamped;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
 use crate::integrator::{Scheme, StepControl, Stepping};
 use crate::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart, Step};
@@ -62,7 +62,7 @@ fn capacitor(circuit: Circuit) -> Model {
         Box::new(Electrode::new("electrode", 0, circuit, scalars, 1e-6)),
     ];
     for (i, own) in nodes.iter().enumerate() {
-        elements.push(Box::new(Clamp::new(&own.label, i, own)));
+        elements.push(Box::new(clamped(&own.label, i, own)));
     }
     Model::new("capacitor", System::new(nodes, elements))
 }
@@ -165,7 +165,7 @@ impl Element for Lag {
 
 fn alone(element: impl Element + 'static) -> Model {
     let nodes = vec![node("fixed", Vector3::zeros(), Matrix3::identity())];
-    let clamp = Clamp::new("fixed", 0, &nodes[0]);
+    let clamp = clamped("fixed", 0, &nodes[0]);
     let elements: Vec<Box<dyn Element>> = vec![Box::new(clamp), Box::new(element)];
     Model::new("alone", System::new(nodes, elements))
 }

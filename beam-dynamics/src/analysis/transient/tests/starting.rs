@@ -8,7 +8,7 @@ use crate::assembly::System;
 use crate::case::{InitialMotion, Model, Redundant, StartAccelerations, TransientQuestion};
 use crate::elements::Element;
 use crate::elements::joints::{
-    Clamp, ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along,
+    ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along, clamped, partly_clamped,
 };
 use crate::integrator::{StepControl, Stepping};
 use crate::model::{Drive, Node, Ramp};
@@ -126,8 +126,8 @@ fn constraints_that_follow_from_others_are_refused_or_left_out() {
     let nodes = vec![node("p", Vector3::zeros(), Matrix3::identity())];
     let elements: Vec<Box<dyn Element>> = vec![
         body(0, 2.0, Vector3::zeros(), [1.0; 3]),
-        Box::new(Clamp::new("one", 0, &nodes[0])),
-        Box::new(Clamp::new("two", 0, &nodes[0])),
+        Box::new(clamped("one", 0, &nodes[0])),
+        Box::new(clamped("two", 0, &nodes[0])),
     ];
     let mut model = Model::new("twice", System::new(nodes, elements));
     model.gravity = -10.0 * Vector3::z();
@@ -176,7 +176,7 @@ fn a_step_that_cannot_be_made_is_explained_and_the_rest_is_kept() {
         Matrix3::identity(),
     )];
     let held = [false, true, true, true, true, true];
-    let rail = Clamp::partial("rail", 0, &nodes[0], &Matrix3::identity(), held);
+    let rail = partly_clamped("rail", 0, &nodes[0], &Matrix3::identity(), held);
     let ends = JointEnds {
         a: None,
         b: (0, &nodes[0]),
@@ -346,7 +346,7 @@ fn constraints_that_contradict_are_never_left_out() {
     let mut freedoms = [const { Freedom::Free }; 6];
     freedoms[0] = Freedom::Driven(ramp(1.0).into());
     let moved = ConstraintJoint::total("moved", &ends, &at, freedoms);
-    let held = Clamp::new("clamp", 0, &nodes[0]);
+    let held = clamped("clamp", 0, &nodes[0]);
     let text = refusal([Box::new(held), Box::new(moved)], nodes.clone());
     let expected = "contradicting constraints, from 0 s on: constraint 1 (along x) of \"moved\" \
         contradicts \"clamp\", by 1 m/s";

@@ -1,15 +1,15 @@
-//! What a column takes: of which node, beam, joint or drive, which components, in which
-//! axes.
+//! The reading of a card: of which node, beam, joint or drive, which components, in which axes.
 
 use nalgebra::Vector3;
 use shared_geom::document::{DocumentProblem, Table};
 use shared_geom::units::{Dimension, parse};
 use shared_geom::wrench::COMPONENTS;
 
-use super::kind::{CURVATURE, Kind, Source};
-use super::problem::ColumnProblem;
-use crate::case::{
-    Axes, ElectrodeQuantity, JointMotion, NodeQuantity, NodeVector, Part, Quantity, SpringVector,
+use super::kind::{CURVATURE, Kind, SIX, Source};
+use super::problem::ReadingProblem;
+use crate::case::{ElectrodeQuantity, Quantity};
+use crate::elements::{
+    Axes, JointMotion, NodeQuantity, NodeVector, Part, Reading as ElementReading, SpringVector,
 };
 use crate::input::draft::Draft;
 use crate::input::drives;
@@ -21,23 +21,14 @@ const PARTS: [(&str, Part); 4] = [
     ("z", Part::Component(2)),
     ("magnitude", Part::Magnitude),
 ];
-/// Words for the six components, as [`COMPONENTS`] has them.
-const SIX: [&str; 6] = [
-    "axial",
-    "shear_y",
-    "shear_z",
-    "torsion",
-    "bending_y",
-    "bending_z",
-];
 /// Words for the ends of a joint.
 const ENDS: [&str; 2] = ["first", "second"];
 /// Words for angles about three axes.
 const TURNS: [&str; 3] = ["first", "second", "third"];
 
-/// A column without its name.
+/// A quantity without a name.
 #[derive(Debug)]
-pub(super) struct Found {
+pub(in crate::input) struct Found {
     /// What its name ends in where there are several.
     pub word: &'static str,
     /// What it is, in words.
@@ -49,15 +40,15 @@ pub(super) struct Found {
 }
 
 /// A card while it is read.
-pub(super) struct Reading<'a> {
+pub(in crate::input) struct Reading<'a> {
     pub table: &'a Table<'a>,
     pub draft: &'a Draft,
-    /// The column in words.
+    /// The column or the sensor in words.
     pub user: &'a str,
 }
 
 impl Reading<'_> {
-    /// The columns of the card.
+    /// The quantities of the card, one a component.
     pub fn parts(&self, kind: &Kind) -> Option<Vec<Found>> {
         let (word, source, dimension, unit) = *kind;
         let plain = word.replace('_', " ");
@@ -204,7 +195,7 @@ impl Reading<'_> {
             [i, j, k] if i != j && j != k && sequence.len() == 3 => [i, j, k],
             _ => {
                 let found = sequence;
-                let problem = ColumnProblem::Sequence { found };
+                let problem = ReadingProblem::Sequence { found };
                 self.table.note("sequence", &problem);
                 return None;
             }
@@ -256,7 +247,7 @@ impl Reading<'_> {
             false => Some(1),
         };
         if let Some(found) = point.filter(|point| *point > 2) {
-            self.table.note("point", &ColumnProblem::Point { found });
+            self.table.note("point", &ReadingProblem::Point { found });
         }
         let components = self.components(&SIX);
         let (beam, point) = (beam?.0, point.filter(|point| *point <= 2)? - 1);
@@ -277,11 +268,13 @@ impl Reading<'_> {
                     "{plain} {} of {beam} in section axes",
                     COMPONENTS[component]
                 ),
-                quantity: Quantity::Section {
-                    beam: beam.clone(),
-                    point,
-                    strain,
-                    component,
+                quantity: Quantity::Element {
+                    label: beam.clone(),
+                    reading: ElementReading::Section {
+                        point,
+                        strain,
+                        component,
+                    },
                 },
                 dimension,
                 unit,
@@ -309,12 +302,14 @@ impl Reading<'_> {
         let found = parts?.into_iter().map(|(word, part)| Found {
             word,
             words: format!("{plain} {word} of {joint} on {label}{frame}"),
-            quantity: Quantity::Reaction {
-                joint: joint.clone(),
-                node,
-                moment,
-                part,
-                axes,
+            quantity: Quantity::Element {
+                label: joint.clone(),
+                reading: ElementReading::Reaction {
+                    node,
+                    moment,
+                    part,
+                    axes,
+                },
             },
             dimension: kind.2,
             unit: kind.3,
@@ -337,10 +332,9 @@ impl Reading<'_> {
                 "" => format!("{plain} of {joint}"),
                 _ => format!("{plain} {word} of {joint} in its own axes"),
             },
-            quantity: Quantity::Joint {
-                joint: joint.clone(),
-                motion,
-                part,
+            quantity: Quantity::Element {
+                label: joint.clone(),
+                reading: ElementReading::Joint { motion, part },
             },
             dimension: kind.2,
             unit: kind.3,
@@ -357,10 +351,9 @@ impl Reading<'_> {
         let found = parts?.into_iter().map(|(word, part)| Found {
             word,
             words: format!("{plain} {word} of {spring} in its own axes"),
-            quantity: Quantity::Spring {
-                spring: spring.clone(),
-                vector,
-                part,
+            quantity: Quantity::Element {
+                label: spring.clone(),
+                reading: ElementReading::Spring { vector, part },
             },
             dimension: kind.2,
             unit: kind.3,
@@ -431,7 +424,7 @@ impl Reading<'_> {
             return Some(node);
         }
         let labels = nodes.iter().map(|node| &self.draft.nodes()[*node].label);
-        let problem = ColumnProblem::NotOfJoint {
+        let problem = ReadingProblem::NotOfJoint {
             joint: joint.to_owned(),
             node: name,
             known: labels.cloned().collect(),

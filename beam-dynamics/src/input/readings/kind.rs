@@ -1,16 +1,17 @@
-//! The quantities that a column can have: their words, dimensions and units.
+//! The quantities that columns and sensors can have: their words, dimensions and units.
 
-use shared_geom::units::{Dimension, UnitProblem, parse_as};
+use shared_geom::units::{Dimension, Unit, UnitProblem, parse_as};
 
-use crate::case::{ElectrodeQuantity, EnergyPart, JointMotion, NodeVector, SpringVector};
+use crate::case::{ElectrodeQuantity, EnergyPart};
+use crate::elements::{JointMotion, NodeVector, SpringVector};
 
 /// A word under `quantity`, where its numbers come from, what they measure (of beams
 /// their first three components), and their unit unless one is given.
-pub(super) type Kind = (&'static str, Source, Dimension, &'static str);
+pub(in crate::input) type Kind = (&'static str, Source, Dimension, &'static str);
 
 /// Where the numbers of a quantity come from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Source {
+pub(in crate::input) enum Source {
     /// A vector of a node.
     Node(NodeVector),
     /// A momentum of a node, or of the model where no node is named.
@@ -60,22 +61,48 @@ const VELOCITY: Dimension = dimension(1, 0, -1);
 /// Momentum, in kg m/s.
 const MOMENTUM: Dimension = dimension(1, 1, -1);
 /// Curvature and twist, in 1/m.
-pub(super) const CURVATURE: Dimension = dimension(-1, 0, 0);
+pub(in crate::input) const CURVATURE: Dimension = dimension(-1, 0, 0);
+
+/// Words for the six components, as [`COMPONENTS`] has them.
+pub(super) const SIX: [&str; 6] = [
+    "axial",
+    "shear_y",
+    "shear_z",
+    "torsion",
+    "bending_y",
+    "bending_z",
+];
 
 /// Words for energy, which the units of inputs do not have: there they would be moments.
 const JOULES: [(&str, f64); 3] = [("J", 1.0), ("kJ", 1e3), ("MJ", 1e6)];
 
-/// SI units in one `unit` of a quantity of `dimension` [SI unit of it].
-pub(super) fn unit_factor(unit: &str, dimension: Dimension) -> Result<f64, UnitProblem> {
+/// A unit of a quantity of `dimension`.
+pub(in crate::input) fn unit_of(unit: &str, dimension: Dimension) -> Result<Unit, UnitProblem> {
     let joules = JOULES.iter().find(|joules| joules.0 == unit);
     match joules.filter(|_| dimension == Dimension::MOMENT) {
-        Some(joules) => Ok(joules.1),
-        None => parse_as(unit, dimension).map(|unit| unit.factor),
+        Some((_, factor)) => Ok(Unit {
+            factor: *factor,
+            dimension,
+        }),
+        None => parse_as(unit, dimension),
+    }
+}
+
+/// The dimension of a component of a quantity: of beams the last three are about axes.
+pub(in crate::input) fn dimension_of(kind: &Kind, component: Option<&str>) -> Dimension {
+    let Source::Section { is_strain } = kind.1 else {
+        return kind.2;
+    };
+    let place = SIX.iter().position(|word| Some(*word) == component);
+    match (place, is_strain) {
+        (Some(3..), true) => CURVATURE,
+        (Some(3..), false) => Dimension::MOMENT,
+        _ => kind.2,
     }
 }
 
 /// All quantities.
-pub(super) const KINDS: [Kind; 36] = [
+pub(in crate::input) const KINDS: [Kind; 36] = [
     (
         "position",
         Source::Node(NodeVector::Position),

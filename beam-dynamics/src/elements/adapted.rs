@@ -1,0 +1,353 @@
+//! An element without some of its constraints, or with readings of it as scalars.
+//!
+//! In the place of a constraint that is removed stands "the multiplier is zero". For each reading
+//! q the scalar s has the equation `s - q = 0`; a force or moment that the element exerts on a
+//! node is the part of its residual in the equations of that node, along a direction m that may
+//! turn with a node c:
+//!
+//! ```text
+//! q = m . F ,      dq = m . dF + ( m x F ) . theta_c
+//! ```
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::{
+    Along, Axes, Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level,
+    Local, LocalJacobian, LocalResidual, Motion, Observations, Part, PlaceJump, Reading,
+    ReadingRow, Signal,
+};
+use crate::model::{Equation, Loading, NodeMotion, Scalar, Scalars, Variable};
+
+/// Number of multipliers of all but unusual elements.
+const FEW: usize = 16;
+
+/// An element, adapted.
+#[derive(Debug)]
+pub struct Adapted {
+    element: Arc<dyn Element>,
+    removed: Vec<usize>,
+    /// Readings; their scalars come behind those of the element.
+    readings: Vec<Reading>,
+    scalars: Vec<Scalar>,
+}
+
+/// A reaction at a state.
+struct Reacting {
+    /// Local number of the node, and the equation.
+    place: (usize, Equation),
+    /// Direction of the part, in the model's axes.
+    along: Vector3<f64>,
+    /// The local node with which it turns.
+    turns_with: Option<usize>,
+}
+
+impl Adapted {
+    /// `element` without its constraints number `removed`.
+    pub fn reduced(element: Arc<dyn Element>, removed: Vec<usize>) -> Self {
+        Self {
+            removed,
+            ..Self::read(element, Vec::new())
+        }
+    }
+
+    /// `element` with readings of it, each with its scalar.
+    pub fn read(element: Arc<dyn Element>, readings: Vec<(Reading, Scalar)>) -> Self {
+        let mut scalars = element.scalars().to_vec();
+        let (readings, own): (Vec<_>, Vec<_>) = readings.into_iter().unzip();
+        scalars.extend(own);
+        Self {
+            element,
+            removed: Vec::new(),
+            readings,
+            scalars,
+        }
+    }
+
+    /// Whether an element reports a reading of one of its nodes, or of its ends.
+    pub fn reports(element: &dyn Element, reading: &Reading, undeformed: &[NodeMotion]) -> bool {
+        let conditions = crate::model::Conditions::at_rest();
+        let zeros = vec![0.0; element.multipliers().max(element.scalars().len())];
+        let at = Local {
+            nodes: undeformed,
+            multipliers: &zeros[..element.multipliers()],
+            scalars: Scalars {
+                values: &zeros[..element.scalars().len()],
+                rates: &zeros[..element.scalars().len()],
+            },
+            memory: &[],
+            frame: &conditions.frame,
+            loading: &conditions.loading,
+        };
+        let mut observed = Observations::default();
+        element.observe(&at, &mut observed);
+        reading.of(&observed, |_| Matrix3::identity()).is_some()
+    }
+
+    /// A reaction `force` at a state; the value of it.
+    fn reacting(
+        &self,
+        reading: &Reading,
+        at: &Local<'_>,
+        force: impl Fn(usize, Equation) -> Vector3<f64>,
+    ) -> Option<(Reacting, f64)> {
+        let Reading::Reaction {
+            node,
+            moment,
+            part,
+            axes,
+        } = *reading
+        else {
+            return None;
+        };
+        let nodes = self.element.nodes();
+        let local = |node: usize| nodes.iter().position(|own| *own == node);
+        let equation = if moment {
+            Equation::Moment
+        } else {
+            Equation::Force
+        };
+        let place = (local(node)?, equation);
+        let turns_with = match axes {
+            Axes::Model | Axes::Fixed(_) => None,
+            Axes::Node(node) => local(node),
+            Axes::End(end) => (end + nodes.len()).checked_sub(2),
+        };
+        let axes = match axes {
+            Axes::Model => Matrix3::identity(),
+            Axes::Fixed(axes) => axes,
+            Axes::Node(_) => at.nodes[turns_with?].rotation,
+            Axes::End(end) => self.element.end_axes(at)?[end],
+        };
+        let force = force(place.0, place.1);
+        let along = axes * part.slope(&axes.tr_mul(&force));
+        let turns_with = turns_with.filter(|_| part != Part::Magnitude);
+        let found = Reacting {
+            place,
+            along,
+            turns_with,
+        };
+        Some((found, part.in_axes(&force, &axes)))
+    }
+
+    /// Number of the scalar of the first reading.
+    fn first(&self) -> usize {
+        self.scalars.len() - self.readings.len()
+    }
+
+    /// Calls with what the element sees, the multipliers of removed constraints at zero.
+    fn with<T>(&self, at: &Local<'_>, call: impl FnOnce(&Local<'_>) -> T) -> T {
+        let count = at.multipliers.len();
+        let mut few = [0.0; FEW];
+        let mut many = Vec::new();
+        let kept = match count <= FEW {
+            true => &mut few[..count],
+            false => {
+                many.resize(count, 0.0);
+                &mut many[..]
+            }
+        };
+        kept.copy_from_slice(at.multipliers);
+        self.removed.iter().for_each(|&i| kept[i] = 0.0);
+        call(&Local {
+            multipliers: kept,
+            ..*at
+        })
+    }
+}
+
+impl Adapted {
+    /// Adds the derivatives of the equations of the readings to those of the element.
+    fn add_reading_rows(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        if self.readings.is_empty() {
+            return;
+        }
+        let mut acting = LocalResidual::new(super::LocalSize::of(self));
+        self.with(at, |at| self.element.residual(at, &mut acting));
+        for (i, reading) in self.readings.iter().enumerate() {
+            let scalar = self.first() + i;
+            out.add_scalar(scalar, scalar, 1.0, false);
+            let force = |node, equation| acting.of(node, equation);
+            let reacting = self.reacting(reading, at, force);
+            let mut row = ReadingRow::new(scalar, out);
+            let Some((reaction, _)) = reacting else {
+                self.with(at, |at| self.element.read(reading, at, Some(&mut row)));
+                continue;
+            };
+            let (node, equation) = reaction.place;
+            row.by_equation(node, equation, &reaction.along);
+            if let Some(turning) = reaction.turns_with {
+                let slope = reaction.along.cross(&acting.of(node, equation));
+                row.by_node(turning, Variable::Rotation, &slope);
+            }
+        }
+    }
+}
+
+impl Element for Adapted {
+    fn label(&self) -> &str {
+        self.element.label()
+    }
+
+    fn nodes(&self) -> &[usize] {
+        self.element.nodes()
+    }
+
+    fn multipliers(&self) -> usize {
+        self.element.multipliers()
+    }
+
+    fn scalars(&self) -> &[Scalar] {
+        &self.scalars
+    }
+
+    fn memory(&self) -> usize {
+        self.element.memory()
+    }
+
+    fn begin(&self, at: &Local<'_>, memory: &mut [f64]) {
+        self.with(at, |at| self.element.begin(at, memory));
+    }
+
+    fn accept(&self, at: &Local<'_>, memory: &mut [f64]) {
+        self.with(at, |at| self.element.accept(at, memory));
+    }
+
+    fn acts(&self) -> bool {
+        self.element.acts()
+    }
+
+    fn joins_nodes(&self) -> bool {
+        self.element.joins_nodes()
+    }
+
+    fn charges(&self, at: &Local<'_>, out: &mut Charges) {
+        self.with(at, |at| self.element.charges(at, out));
+    }
+
+    fn level(&self, constraint: usize) -> Level {
+        self.element.level(constraint)
+    }
+
+    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
+        self.element.constraint_words(constraint)
+    }
+
+    fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
+        let knows = self.element.constraint_rates(at, out);
+        for &constraint in &self.removed {
+            out.by_time[constraint] = 0.0;
+            out.convective[constraint] = 0.0;
+        }
+        knows
+    }
+
+    fn reach(&self) -> f64 {
+        self.element.reach()
+    }
+
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        self.element.each_signal(visit);
+    }
+
+    fn next_corner(&self, time: f64) -> f64 {
+        self.element.next_corner(time)
+    }
+
+    fn jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
+        self.element.jump(between, scalars)
+    }
+
+    fn held(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
+        let held = self.element.held(undeformed)?;
+        let readings = self.readings.iter().copied();
+        let own = self.scalars[self.first()..].iter().cloned();
+        let held = Self::read(Arc::from(held), readings.zip(own).collect());
+        Some(Box::new(Self {
+            removed: self.removed.clone(),
+            ..held
+        }))
+    }
+
+    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        self.element.winding(at)
+    }
+
+    fn without_value(&self, at: &Local<'_>) -> Option<String> {
+        self.element.without_value(at)
+    }
+
+    fn is_turned_over(&self, at: &Local<'_>) -> bool {
+        self.element.is_turned_over(at)
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        self.with(at, |at| self.element.energy(at))
+    }
+
+    fn exchange(&self) -> Exchange {
+        self.element.exchange()
+    }
+
+    fn keeps_energy(&self) -> bool {
+        self.element.keeps_energy()
+    }
+
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.with(at, |at| self.element.residual(at, out));
+        for (i, reading) in self.readings.iter().enumerate() {
+            let scalar = self.first() + i;
+            let force = |node, equation| out.of(node, equation);
+            let value = match self.reacting(reading, at, force) {
+                Some((_, value)) => Some(value),
+                None => self.with(at, |at| self.element.read(reading, at, None)),
+            };
+            out.add_scalar(scalar, at.scalars.values[scalar]);
+            out.add_scalar(scalar, -value.unwrap_or(f64::NAN));
+        }
+        for &constraint in &self.removed {
+            out.remove_constraint(constraint, at.multipliers[constraint]);
+        }
+    }
+
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        self.with(at, |at| self.element.jacobian(at, out));
+        self.add_reading_rows(at, out);
+        for &constraint in &self.removed {
+            out.remove_constraint(constraint);
+        }
+    }
+
+    fn end_axes(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
+        self.element.end_axes(at)
+    }
+
+    fn read(
+        &self,
+        reading: &Reading,
+        at: &Local<'_>,
+        row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        self.with(at, |at| self.element.read(reading, at, row))
+    }
+
+    fn motions(&self) -> Vec<Motion> {
+        self.element.motions()
+    }
+
+    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.with(at, |at| self.element.by_factor(at, out));
+        for &constraint in &self.removed {
+            out.remove_constraint(constraint, 0.0);
+        }
+    }
+
+    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        self.with(at, |at| self.element.prestress(at, along, out));
+    }
+
+    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+        self.with(at, |at| self.element.observe(at, out));
+    }
+}

@@ -1,0 +1,71 @@
+//! What can be wrong with a reading.
+
+use shared_geom::error::Explain;
+
+/// A problem of a column or a sensor.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ReadingProblem {
+    /// Angles about axes that do not tell every attitude.
+    #[error("\"sequence\" is \"{found}\", expected three axes, neighbors different, as in \"zxz\"")]
+    Sequence {
+        /// The text found.
+        found: String,
+    },
+    /// A point that a beam does not have.
+    #[error("\"point\" is {found}, expected 1 or 2: beams have two evaluation points")]
+    Point {
+        /// The number found.
+        found: usize,
+    },
+    /// A node on which a joint does not act.
+    #[error("\"{joint}\" does not act on node \"{node}\", expected one of its nodes")]
+    NotOfJoint {
+        /// The joint.
+        joint: String,
+        /// The node found.
+        node: String,
+        /// Its nodes.
+        known: Vec<String>,
+    },
+    /// More than one number, or none, for a sensor.
+    #[error("sensor \"{name}\" reads {found} numbers, expected one")]
+    Several {
+        /// The sensor.
+        name: String,
+        /// Their number.
+        found: usize,
+    },
+    /// A quantity that is no number of the state, or whose derivatives are not known.
+    #[error("\"{quantity}\" cannot be sensed: {reason}")]
+    NotSensed {
+        /// The quantity.
+        quantity: &'static str,
+        /// Why, in words.
+        reason: &'static str,
+    },
+    /// Axes that a joint does not know.
+    #[error("a reaction is sensed in the axes of a node of the joint, a frame, or an end")]
+    AxesOfOther,
+}
+
+impl Explain for ReadingProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Sequence { .. } => {
+                Some("\"zyx\" is yaw, pitch, roll; \"zxz\" precession, nutation, spin".to_owned())
+            }
+            Self::Point { .. } => Some("1 is the one near the first node".to_owned()),
+            Self::NotOfJoint { known, .. } => {
+                let quoted: Vec<_> = known.iter().map(|name| format!("\"{name}\"")).collect();
+                Some(format!("its nodes: {}", quoted.join(", ")))
+            }
+            Self::Several { .. } => Some("give it one \"component\"".to_owned()),
+            Self::NotSensed { .. } => {
+                Some("columns of output can show it; docs: \"Signals\"".to_owned())
+            }
+            Self::AxesOfOther => {
+                Some("or sense three components, and turn them by an expression".to_owned())
+            }
+        }
+    }
+}
