@@ -34,6 +34,7 @@ mod names;
 mod problem;
 mod read22;
 mod read41;
+mod reader;
 mod sections;
 mod tags;
 mod write41;

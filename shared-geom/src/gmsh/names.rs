@@ -2,7 +2,7 @@
 
 use super::fields::LineFields;
 use super::problem::ReadProblem;
-use super::sections::{Outcome, Reader, dimension_of, line_header};
+use super::reader::{Outcome, Reader, dimension_of, line_header};
 use crate::mesh::PhysicalGroup;
 
 /// Reads the names: a count, then a line `dimension tag "name"` each.

@@ -15,7 +15,7 @@ use super::build::{ElementKind, Membership};
 use super::element::{ElementShape, other_node_count};
 use super::fields::Fields;
 use super::problem::ReadProblem;
-use super::sections::{Outcome, Progress, Reader, header, item, line_header};
+use super::reader::{Outcome, Progress, Reader, header, item, line_header};
 
 /// Bytes of the shortest node line, `1 0 0 0`, and element line, `1 15 0 1`; binary
 /// ones are longer.

@@ -25,7 +25,7 @@ use super::cursor::Cursor;
 use super::element::{ElementShape, other_node_count};
 use super::fields::Fields;
 use super::problem::ReadProblem;
-use super::sections::{Outcome, Progress, Reader, dimension_of, header, item};
+use super::reader::{Outcome, Progress, Reader, dimension_of, header, item};
 
 /// Bytes of the shortest node: a line `1` and a line `0 0 0`. Here and below,
 /// binary ones are longer.
