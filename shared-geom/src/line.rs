@@ -17,6 +17,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 mod arc;
+mod axes;
 mod curvature;
 mod curve;
 mod problem;

@@ -12,7 +12,8 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{LinePoint, ReferenceLine, about_x, curve::twist_of};
+use super::axes::twist_of;
+use super::{LinePoint, ReferenceLine, about_x};
 use crate::rotation::vector;
 
 /// Place and section axes.

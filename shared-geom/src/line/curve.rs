@@ -1,8 +1,9 @@
 //! A line prepared for questions: splines fitted, arc lengths summed.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::arc::{self, Frame};
+use super::axes::level_axes;
 use super::{Course, LinePoint, Placed, ReferenceLine, Side, about_x};
 use crate::quadrature;
 use crate::spline::Spline;
@@ -151,21 +152,6 @@ fn placed(position: Vector3<f64>, along: Vector3<f64>, twist: f64) -> Placed {
         twist,
         tangent: axes.column(0).into_owned(),
     }
-}
-
-/// Section axes before twist; along z, where the rule has no answer, with y as it is.
-fn level_axes(along: &Vector3<f64>) -> Matrix3<f64> {
-    let tangent = along.try_normalize(0.0).unwrap_or(Vector3::x());
-    let level = Vector3::z().cross(&tangent);
-    let y = level.try_normalize(f64::EPSILON).unwrap_or(Vector3::y());
-    Matrix3::from_columns(&[tangent, y, tangent.cross(&y)])
-}
-
-/// The twist of section axes [rad], within half a turn.
-pub(super) fn twist_of(axes: &Matrix3<f64>) -> f64 {
-    let level = level_axes(&axes.column(0).into_owned());
-    let y = axes.column(1);
-    y.dot(&level.column(2)).atan2(y.dot(&level.column(1)))
 }
 
 impl Splines {
