@@ -17,6 +17,7 @@ use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
 mod include;
 mod item;
+mod nested;
 mod parameters;
 mod problem;
 mod repeat;

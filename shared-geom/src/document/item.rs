@@ -1,7 +1,7 @@
 //! One value of an input file, wherever it stands.
 
 use super::tree::{Kind, Value};
-use super::{Document, DocumentProblem, Table};
+use super::{Document, DocumentProblem};
 use crate::error::Explain;
 use crate::expression::written;
 use crate::units::{Dimension, parse_quantity};
@@ -32,6 +32,11 @@ impl<'a> Item<'a> {
     /// The key under which it stands.
     pub fn key(&self) -> &str {
         &self.key
+    }
+
+    /// The value as the file has it.
+    pub(super) fn value(&self) -> &'a Value {
+        self.value
     }
 
     /// The line on which it begins.
@@ -66,19 +71,6 @@ impl<'a> Item<'a> {
     pub fn whole_number(&self) -> Option<u64> {
         match self.value.kind {
             Kind::Integer(number) => u64::try_from(number).ok().filter(|number| *number > 0),
-            _ => None,
-        }
-    }
-
-    /// The table, if it is one, which messages call `title`.
-    pub fn table(&self, title: &str) -> Option<Table<'a>> {
-        match &self.value.kind {
-            Kind::Table(entries) => Some(Table::new(
-                self.document,
-                entries,
-                title.to_owned(),
-                self.value.line,
-            )),
             _ => None,
         }
     }

@@ -1,0 +1,19 @@
+//! Tables in the place of values.
+
+use super::tree::Kind;
+use super::{Item, Table};
+
+impl<'a> Item<'a> {
+    /// The table, if it is one, which messages call `title`.
+    pub fn table(&self, title: &str) -> Option<Table<'a>> {
+        match &self.value().kind {
+            Kind::Table(entries) => Some(Table::new(
+                self.document(),
+                entries,
+                title.to_owned(),
+                self.line(),
+            )),
+            _ => None,
+        }
+    }
+}
