@@ -17,6 +17,7 @@ mod file;
 mod input;
 mod moments;
 mod problem;
+mod reading;
 mod remark;
 mod transform;
 
@@ -26,6 +27,7 @@ pub use file::{VERSION, parse, read, write};
 pub use input::InputProblem;
 pub use moments::MassMoments;
 pub use problem::BladeProblem;
+pub use reading::Reading;
 pub use remark::{section_remark, written_section_remark};
 
 /// A blade: its line, and the properties of its sections.

@@ -27,37 +27,15 @@ mod text;
 mod vabs;
 mod windio;
 
+pub use crate::blade::Reading;
 pub use frame::Convention;
 pub use header::Header;
 pub use problem::ExchangeProblem;
-
-/// A blade as read, and what its file left open.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Reading {
-    /// The blade.
-    pub blade: Blade,
-    /// What the reader must know: defaults that were taken, plausibility.
-    pub remarks: Vec<String>,
-    /// Where each station is written; empty where the reader does not tell.
-    pub places: Vec<Place>,
-    /// The frame that the file declares, in words; `None` for that of its format.
-    pub frame: Option<String>,
-}
 
 /// How many problems of a blade are told one by one.
 const PROBLEMS_SHOWN: usize = 4;
 
 impl Reading {
-    /// A blade whose file tells no more.
-    pub(crate) fn new(blade: Blade, remarks: Vec<String>) -> Self {
-        Self {
-            blade,
-            remarks,
-            places: Vec::new(),
-            frame: None,
-        }
-    }
-
     /// Refuses numbers with which nobody can compute, and that cannot be described either.
     fn check_numbers(&self, file: &Path) -> Result<(), Diagnostics> {
         let mut problems = Diagnostics::new();

@@ -5,10 +5,9 @@ use std::path::Path;
 use nalgebra::{Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{Blade, BladeDamping, BladeProblem, Interpolation, Station, input};
+use super::{Blade, BladeDamping, BladeProblem, Interpolation, Reading, Station, input};
 use crate::document::read_text;
 use crate::error::{Diagnostics, Place};
-use crate::exchange::Reading;
 use crate::line::{Course, LinePoint, ReferenceLine};
 use crate::section::file::{FileProvenance, matrix6, rows};
 use crate::section::json;

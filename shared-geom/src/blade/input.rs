@@ -7,10 +7,9 @@
 use std::cell::RefCell;
 use std::path::Path;
 
-use super::{Blade, BladeDamping, CurvedStation, Interpolation, Station};
+use super::{Blade, BladeDamping, CurvedStation, Interpolation, Reading, Station};
 use crate::document::{Document, Table, read_text};
 use crate::error::{Diagnostics, Place};
-use crate::exchange::Reading;
 use crate::files::name_without;
 use crate::hash::sha256_of;
 use crate::section::Provenance;
@@ -22,6 +21,7 @@ mod frame;
 mod line;
 mod matrix;
 mod problem;
+mod seat;
 mod station_file;
 mod stations;
 
@@ -118,7 +118,7 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
     // The length of a line that cannot be followed would be no number to count with.
     let length = line.as_ref().filter(|line| line.problems().is_empty());
     let length = length.map(|line| line.length());
-    let given = stations::Given {
+    let given = seat::Given {
         frame: frame.as_ref(),
         reference_point,
         length,

@@ -9,7 +9,7 @@
 
 use std::path::Path;
 
-use nalgebra::{Matrix6, Vector2};
+use nalgebra::Vector2;
 
 use crate::blade::{Blade, Interpolation, Station};
 use crate::error::Diagnostics;
@@ -19,27 +19,15 @@ use super::csv;
 use super::frame::Convention;
 use super::header::Header;
 use super::problem::{ExchangeProblem, Problems};
-use super::stations::{self, name_of, provenance, symmetric};
-use super::text::{Line, digits, lines, matrix_lines};
+use super::stations::{self, name_of, provenance};
+use super::text::{digits, matrix_lines};
 use super::{Options, Reading, Writing};
 
-const MASS: &str = "The 6X6 Mass Matrix";
-const STIFFNESS: &str = "Timoshenko Stiffness Matrix";
+pub mod blocks;
 
-/// Whether `text` is such an output.
-pub fn recognize(text: &str) -> bool {
-    text.lines()
-        .any(|line| begins(line, MASS) || begins(line, STIFFNESS))
-}
+pub use blocks::recognize;
 
-/// Whether a line is the title, whatever the case, and not one that goes on.
-fn begins(line: &str, title: &str) -> bool {
-    let line = line.trim();
-    let head = line.get(..title.len());
-    head.is_some_and(|head| head.eq_ignore_ascii_case(title))
-        && !line.to_lowercase().contains(" at the ")
-        && !line.to_lowercase().contains(" at shear")
-}
+use blocks::{MASS, STIFFNESS, section};
 
 /// Reads one section, as a straight uniform blade of the length of `options`.
 ///
@@ -76,53 +64,6 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
     };
     let remark = format!("one section: the blade is straight and uniform, {length} m long");
     Ok(Reading::new(blade, vec![remark]))
-}
-
-/// Stiffness and mass of the section of an output, shown as `file` in messages.
-///
-/// # Errors
-/// Everything that is wrong with the text.
-pub fn section(text: &str, file: &str) -> Result<(Matrix6<f64>, Matrix6<f64>), Diagnostics> {
-    let mut problems = Problems::new(file);
-    let lines = lines(text);
-    let stiffness = block(&lines, STIFFNESS, &mut problems);
-    let mass = block(&lines, MASS, &mut problems);
-    problems.finish(stiffness.zip(mass))
-}
-
-/// The matrix below a title.
-fn block(lines: &[Line<'_>], title: &str, problems: &mut Problems) -> Option<Matrix6<f64>> {
-    let Some(at) = lines.iter().position(|line| begins(line.text, title)) else {
-        problems.push(
-            0,
-            &ExchangeProblem::Missing {
-                what: format!("the block \"{title}\""),
-                help: "run VABS with the Timoshenko model switched on (timoshenko flag 1)"
-                    .to_owned(),
-            },
-        );
-        return None;
-    };
-    let body = lines.get(at + 1..).unwrap_or_default();
-    let ruled = body
-        .iter()
-        .take_while(|line| line.text.starts_with('='))
-        .count();
-    let mut rows = Vec::with_capacity(6);
-    for i in 0..6 {
-        let Some(line) = body.get(ruled + i) else {
-            let problem = ExchangeProblem::CutShort {
-                what: format!("the block \"{title}\", after {i} of 6 rows"),
-                expected: "rows of six numbers".to_owned(),
-            };
-            problems.push(lines.last().map_or(0, |line| line.number), &problem);
-            return None;
-        };
-        rows.push(line.numbers::<6>(&format!("{title}, row {}", i + 1), problems));
-    }
-    let rows: Vec<[f64; 6]> = rows.into_iter().collect::<Option<_>>()?;
-    let matrix = Matrix6::from_fn(|i, j| rows[i][j]);
-    Some(symmetric(&matrix, title, lines[at].number, problems))
 }
 
 /// A file for each station, and their index.

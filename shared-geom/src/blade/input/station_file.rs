@@ -5,7 +5,7 @@ use nalgebra::{Matrix6, Vector2};
 use super::columns::{Columns, Measure};
 use super::engineering::{self, ANGLES, CENTERS, MASS, Numbers, Parts, STIFFNESS};
 use super::matrix::{self, Kind};
-use super::stations::{Given, Seat, either, note_foreign, seated};
+use super::seat::{Given, Seat, either, note_foreign, seated};
 use super::{Placed, Sources};
 use crate::blade::Station;
 use crate::document::Table;

@@ -1,38 +1,18 @@
 //! The stations: tables `[[station]]`, or `[stations]` with a table of a file.
 
-use nalgebra::{Matrix6, Vector2, Vector3};
+use nalgebra::{Matrix6, Vector2};
 
-use super::engineering::{self, MASS, Numbers, Parts, STIFFNESS};
+use super::engineering::{self, Numbers, Parts};
 use super::frame::{self, Frame};
 use super::matrix::{self, Kind};
 use super::problem::InputProblem;
+use super::seat::{Given, Seat, either, note_foreign, seated};
 use super::{Placed, Sources, station_file};
 use crate::blade::{CurvedStation, Station};
 use crate::document::Table;
 use crate::error::Place;
-use crate::line::about_x;
 use crate::section::{self, Damping, SectionProperties};
 use crate::units::Dimension;
-use crate::wrench;
-
-/// What the file says for all stations.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Given<'a> {
-    pub frame: Option<&'a Frame>,
-    pub reference_point: Option<Vector2<f64>>,
-    /// Length of the line.
-    pub length: Option<f64>,
-}
-
-/// Where a station stands and how its axes lie.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Seat {
-    pub arc_length: f64,
-    /// Its own reference point.
-    pub point: Vector2<f64>,
-    /// From the section axes of the line to its own.
-    pub angle: f64,
-}
 
 /// Reads all stations.
 pub(super) fn read(root: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<Vec<Placed>> {
@@ -64,53 +44,6 @@ pub(super) fn read(root: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Op
                 known: vec!["[stations] with a \"file\"", "tables [[station]]"],
             };
             root.note("stations", &problem);
-            None
-        }
-    }
-}
-
-/// The 6x6 about the reference point of the blade, in the section axes of the line.
-pub(super) fn seated(
-    matrix: &Matrix6<f64>,
-    seat: &Seat,
-    given: &Given<'_>,
-) -> Option<Matrix6<f64>> {
-    let turned = match seat.angle {
-        0.0 => *matrix,
-        angle => wrench::rotate(matrix, &about_x(-angle)),
-    };
-    let by = given.reference_point? - seat.point;
-    Some(match by == Vector2::zeros() {
-        true => turned,
-        false => wrench::shift(&turned, &Vector3::new(0.0, by.x, by.y)),
-    })
-}
-
-/// Notes two keys for one thing, or none; `Some(true)` for the first.
-pub(super) fn either(
-    table: &Table<'_>,
-    has: impl Fn(&str) -> bool,
-    one: &str,
-    other: &str,
-) -> Option<bool> {
-    match (has(one), has(other)) {
-        (true, false) => Some(true),
-        (false, true) => Some(false),
-        (true, true) => {
-            let problem = InputProblem::Both {
-                table: table.title().to_owned(),
-                one: one.to_owned(),
-                other: other.to_owned(),
-            };
-            table.note(other, &problem);
-            None
-        }
-        (false, false) => {
-            let problem = InputProblem::Neither {
-                table: table.title().to_owned(),
-                known: vec!["\"arc_length\"", "\"eta\" (part of the length)"],
-            };
-            table.note("eta", &problem);
             None
         }
     }
@@ -227,24 +160,6 @@ fn in_table(table: &Table<'_>, given: &Given<'_>) -> Option<(Matrix6<f64>, Matri
             mass + engineering.mass_matrix(),
         )
     })
-}
-
-/// Notes engineering properties in a frame that is not ours.
-pub(super) fn note_foreign(table: &Table<'_>, parts: Parts, given: &Given<'_>) -> bool {
-    let foreign = given.frame.is_some_and(|frame| !frame.is_ours());
-    let key = match (parts.stiffness, parts.mass) {
-        (true, _) => STIFFNESS[0].0,
-        (false, true) => MASS[0].0,
-        (false, false) => return true,
-    };
-    if foreign {
-        let problem = InputProblem::EngineeringFrame {
-            table: table.title().to_owned(),
-            key,
-        };
-        table.note(key, &problem);
-    }
-    !foreign
 }
 
 struct InTable<'a>(&'a Table<'a>);

@@ -10,7 +10,7 @@ use crate::error::{Diagnostics, Place, nearest_name};
 use crate::exchange::frame::Convention;
 use crate::exchange::problem::{ExchangeProblem, Problems};
 use crate::exchange::text::{Line, from_upper, not_a_number, number};
-use crate::exchange::vabs;
+use crate::exchange::vabs::blocks;
 use crate::line::{Course, LinePoint, ReferenceLine};
 use crate::section;
 
@@ -338,8 +338,8 @@ fn section_file(
 ) -> Result<([Matrix6<f64>; 2], Option<CurvedStation>), Diagnostics> {
     let text = read_text(path)?;
     let shown = path.display().to_string();
-    if vabs::recognize(&text) {
-        let (stiffness, mass) = vabs::section(&text, &shown)?;
+    if blocks::recognize(&text) {
+        let (stiffness, mass) = blocks::section(&text, &shown)?;
         return Ok(([frame.to_ours(&stiffness), frame.to_ours(&mass)], None));
     }
     let section = section::parse(&text, &shown)?;

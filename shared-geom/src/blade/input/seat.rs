@@ -1,0 +1,94 @@
+//! The place and the axes of a station, and helpers of both ways to write stations.
+
+use nalgebra::{Matrix6, Vector2, Vector3};
+
+use super::engineering::{MASS, Parts, STIFFNESS};
+use super::frame::Frame;
+use super::problem::InputProblem;
+use crate::document::Table;
+use crate::line::about_x;
+use crate::wrench;
+
+/// What the file says for all stations.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Given<'a> {
+    pub frame: Option<&'a Frame>,
+    pub reference_point: Option<Vector2<f64>>,
+    /// Length of the line.
+    pub length: Option<f64>,
+}
+
+/// Where a station stands and how its axes lie.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Seat {
+    pub arc_length: f64,
+    /// Its own reference point.
+    pub point: Vector2<f64>,
+    /// From the section axes of the line to its own.
+    pub angle: f64,
+}
+
+/// The 6x6 about the reference point of the blade, in the section axes of the line.
+pub(super) fn seated(
+    matrix: &Matrix6<f64>,
+    seat: &Seat,
+    given: &Given<'_>,
+) -> Option<Matrix6<f64>> {
+    let turned = match seat.angle {
+        0.0 => *matrix,
+        angle => wrench::rotate(matrix, &about_x(-angle)),
+    };
+    let by = given.reference_point? - seat.point;
+    Some(match by == Vector2::zeros() {
+        true => turned,
+        false => wrench::shift(&turned, &Vector3::new(0.0, by.x, by.y)),
+    })
+}
+
+/// Notes two keys for one thing, or none; `Some(true)` for the first.
+pub(super) fn either(
+    table: &Table<'_>,
+    has: impl Fn(&str) -> bool,
+    one: &str,
+    other: &str,
+) -> Option<bool> {
+    match (has(one), has(other)) {
+        (true, false) => Some(true),
+        (false, true) => Some(false),
+        (true, true) => {
+            let problem = InputProblem::Both {
+                table: table.title().to_owned(),
+                one: one.to_owned(),
+                other: other.to_owned(),
+            };
+            table.note(other, &problem);
+            None
+        }
+        (false, false) => {
+            let problem = InputProblem::Neither {
+                table: table.title().to_owned(),
+                known: vec!["\"arc_length\"", "\"eta\" (part of the length)"],
+            };
+            table.note("eta", &problem);
+            None
+        }
+    }
+}
+
+/// Notes engineering properties in a frame that is not ours.
+pub(super) fn note_foreign(table: &Table<'_>, parts: Parts, given: &Given<'_>) -> bool {
+    let foreign = given.frame.is_some_and(|frame| !frame.is_ours());
+    let key = match (parts.stiffness, parts.mass) {
+        (true, _) => STIFFNESS[0].0,
+        (false, true) => MASS[0].0,
+        (false, false) => return true,
+    };
+    if foreign {
+        let problem = InputProblem::EngineeringFrame {
+            table: table.title().to_owned(),
+            key,
+        };
+        table.note(key, &problem);
+    }
+    !foreign
+}
