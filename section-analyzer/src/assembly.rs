@@ -7,35 +7,43 @@
 //! what loads along the beam put on its nodes; the rigid motions are
 //! what their identities are checked with.
 
+mod cell;
 mod distributed;
 mod domain;
 mod electric;
+mod forces;
 mod imposed;
 mod mass;
 mod matrices;
 mod model;
 mod outside;
+mod parts;
 mod pattern;
 mod rigid;
+mod scaling;
 mod stress;
 mod voltage;
 
+pub use cell::DomainCell;
 pub use distributed::distributed_forces;
-pub(crate) use domain::largest;
-pub use domain::{Domain, DomainCell, Scaling};
-pub use electric::{DomainElectrode, Electric, Fingered, dielectric_cells, structural_parts};
+pub use domain::Domain;
+pub use electric::{DomainElectrode, Electric, Fingered, dielectric_cells};
+pub use forces::{Rate, SectionForces, State};
 pub use imposed::{ImposedForces, imposed_forces};
 pub use mass::{mass_of_moments, mass_per_length};
 pub use matrices::{Scalar, SectionMatrices};
 pub use model::Model;
 pub use outside::{OUTSIDE_IDENTITIES, OutsideDomain};
+pub use parts::structural_parts;
 pub use pattern::Pattern;
 pub use rigid::{
     ASSEMBLED_IDENTITIES, IDENTITIES, add_rigid_motions, check_assembled_identities,
     check_identities, resultant,
 };
+pub use scaling::Scaling;
+pub(crate) use scaling::largest;
+pub use stress::section_forces;
 pub(crate) use stress::take_columns;
-pub use stress::{Rate, SectionForces, State, section_forces};
 pub use voltage::{VoltageForces, charges, voltage_forces};
 
 #[cfg(test)]

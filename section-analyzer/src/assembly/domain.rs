@@ -7,67 +7,14 @@
 //! from the origin and one of 10 m around it are solved with the same digits.
 //! Units of length and modulus are powers of two, so that scaling rounds nothing.
 
+use super::cell::DomainCell;
 use super::electric::{Electric, electric, potential_unit};
+use super::scaling::{Scaling, largest, power_of_two};
 use crate::element::{Line, rule_points};
 use crate::failure::Failure;
 use crate::material::section_stiffness;
 use crate::section::{CellMaterial, Section};
-use nalgebra::{Matrix6, Vector6};
-use shared_geom::mesh::CellKind;
-
-/// Units and origin of a [`Domain`], in section axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scaling {
-    /// Place of the domain's origin, the area centroid: y, z \[m\].
-    pub origin: [f64; 2],
-    /// Unit of length \[m\].
-    pub length: f64,
-    /// Unit of stress \[Pa\].
-    pub modulus: f64,
-    /// Unit of electric potential \[V\].
-    pub potential: f64,
-}
-
-impl Scaling {
-    /// Units of the generalized strain: 1 for the first three, 1/length for the
-    /// curvatures \[-, 1/m\].
-    pub fn strain(&self) -> Vector6<f64> {
-        let curvature = 1.0 / self.length;
-        Vector6::new(1.0, 1.0, 1.0, curvature, curvature, curvature)
-    }
-
-    /// Units of the internal force \[N, N m\].
-    pub fn force(&self) -> Vector6<f64> {
-        let force = self.modulus * self.length * self.length;
-        let moment = force * self.length;
-        Vector6::new(force, force, force, moment, moment, moment)
-    }
-}
-
-/// A cell of the domain.
-#[derive(Debug, Clone, Copy)]
-pub struct DomainCell {
-    /// Number of the cell in its file.
-    pub tag: u64,
-    /// Index of the cell in the mesh of the section.
-    pub mesh_cell: u32,
-    /// Shape.
-    pub kind: CellKind,
-    /// Index into [`Domain::laws`].
-    pub law: u32,
-    /// Index into the laws of [`Electric`]; `None` for a cell without potential.
-    pub coupled: Option<u32>,
-    /// Density \[kg/m^3\].
-    pub density: f64,
-    nodes: [u32; 9],
-}
-
-impl DomainCell {
-    /// Nodes: indices into [`Domain::nodes`], in the order of the cell.
-    pub fn nodes(&self) -> &[u32] {
-        &self.nodes[..self.kind.node_count()]
-    }
-}
+use nalgebra::Matrix6;
 
 /// The section in the solver's units.
 #[derive(Debug, Clone)]
@@ -337,38 +284,4 @@ fn length_unit(section: &Section, nodes: &[u32], origin: [f64; 2]) -> Result<f64
     };
     power_of_two(nodes.iter().map(distance).fold(0.0, largest))
         .ok_or(Failure::NoScale { what: "size" })
-}
-
-/// The larger of two, or not a number when one of them is: to fold with.
-pub(crate) fn largest(a: f64, b: f64) -> f64 {
-    if a >= b || a.is_nan() { a } else { b }
-}
-
-/// The power of two nearest to `value` on a logarithmic scale; `None` when
-/// `value` is not finite and positive.
-pub(super) fn power_of_two(value: f64) -> Option<f64> {
-    let normal = value.is_normal() && value > 0.0;
-    normal.then(|| 2f64.powi(value.log2().round() as i32))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn units_are_powers_of_two() {
-        assert_eq!(power_of_two(1.0), Some(1.0));
-        assert_eq!(power_of_two(210e9), Some(2f64.powi(38)));
-        assert_eq!(power_of_two(1e-3), Some(2f64.powi(-10)));
-        assert_eq!(power_of_two(0.0), None);
-        assert_eq!(power_of_two(f64::NAN), None);
-        assert_eq!(power_of_two(f64::INFINITY), None);
-    }
-
-    #[test]
-    fn not_a_number_is_not_lost_in_a_maximum() {
-        assert!([1.0, f64::NAN, 2.0].into_iter().fold(0.0, largest).is_nan());
-        assert!([1.0, f64::NAN].into_iter().fold(0.0, largest).is_nan());
-        assert_eq!([1.0, 3.0, 2.0].into_iter().fold(0.0, largest), 3.0);
-    }
 }

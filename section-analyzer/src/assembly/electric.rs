@@ -4,7 +4,8 @@
 //! the displacements of all nodes, node by node, and behind them the potentials in the order
 //! of their nodes.
 
-use super::domain::{Domain, DomainCell, Scaling, largest, power_of_two};
+use super::cell::DomainCell;
+use super::scaling::{Scaling, largest, power_of_two};
 use crate::material::{CoupledLaw, coupled_law, material_axes, turned_coupling};
 use crate::section::{CellMaterial, ElectrodeShape, FingeredCell, Section};
 use nalgebra::Vector6;
@@ -248,39 +249,4 @@ fn fingered(section: &Section, scaling: &Scaling, cell: &FingeredCell) -> Option
         stress: volt / scaling.modulus * stress,
         charge: volt * volt / scaling.modulus * charge,
     })
-}
-
-/// First node of each part of the structure that shares no node with the others, by cells
-/// with stiffness.
-pub fn structural_parts(domain: &Domain) -> Vec<usize> {
-    let count = domain.nodes.len();
-    let mut parent: Vec<u32> = (0..count as u32).collect();
-    fn root(parent: &mut [u32], mut node: u32) -> u32 {
-        while parent[node as usize] != node {
-            parent[node as usize] = parent[parent[node as usize] as usize];
-            node = parent[node as usize];
-        }
-        node
-    }
-    for cell in &domain.cells {
-        let nodes = cell.nodes();
-        if nodes
-            .iter()
-            .any(|&n| !domain.electric.is_structural(n as usize))
-        {
-            continue;
-        }
-        if domain.laws[cell.law as usize].iter().all(|&c| c == 0.0) {
-            continue;
-        }
-        let first = root(&mut parent, nodes[0]);
-        for &node in &nodes[1..] {
-            let other = root(&mut parent, node);
-            parent[other as usize] = first;
-        }
-    }
-    let structural = (0..count).filter(|&node| domain.electric.is_structural(node));
-    structural
-        .filter(|&node| parent[node] == node as u32)
-        .collect()
 }

@@ -14,7 +14,9 @@
 //! f0 = sum [J (N,y sY + N,z sZ) - N k x sS - (a N,y + b N,z) sS] w
 //! ```
 
-use super::domain::{Domain, DomainCell, largest};
+use super::cell::DomainCell;
+use super::domain::Domain;
+use super::scaling::largest;
 use crate::element::{
     CellPoint, FACE_STRAINS, Line, Y_GRADIENT_STRAINS, Z_GRADIENT_STRAINS, rigid_displacement,
     rule_points,

@@ -20,7 +20,8 @@
 //! - Giavotto et al. 1983: the same matrices, from the internal work per length.
 //! - Masarati 1999, section 5.3.4 and appendix E.2.
 
-use super::domain::{Domain, DomainCell};
+use super::cell::DomainCell;
+use super::domain::Domain;
 use super::electric::Electric;
 use super::pattern::Pattern;
 use crate::element::{CellBlocks, CellIntegrals, CurvedCell, LawBlocks, TurningLaw};

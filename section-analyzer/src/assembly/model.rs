@@ -1,9 +1,9 @@
 //! What the solver asks of a section, wherever its matrices come from.
 
 use super::domain::Domain;
+use super::forces::{SectionForces, State};
 use super::matrices::SectionMatrices;
 use super::pattern::Pattern;
-use super::stress::{SectionForces, State};
 use crate::element::Line;
 use crate::failure::Failure;
 use nalgebra::Complex;

@@ -13,12 +13,12 @@
 //! # References
 //! - [Masarati], appendix E.3: section matrices from other finite-element codes.
 
-use super::domain::{Scaling, largest};
+use super::forces::{Rate, SectionForces, State};
 use super::matrices::{Scalar, SectionMatrices};
 use super::model::Model;
 use super::pattern::Pattern;
 use super::rigid::{add_rigid_motions, resultant};
-use super::stress::{Rate, SectionForces, State};
+use super::scaling::{Scaling, largest};
 use crate::element::Line;
 use crate::failure::Failure;
 use crate::section::{Blocks, Reduced};

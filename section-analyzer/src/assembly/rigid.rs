@@ -13,10 +13,12 @@
 //! exactly: a violation means that strains, forces and matrices do not belong
 //! together.
 
-use super::domain::{Domain, largest};
+use super::domain::Domain;
+use super::forces::{Rate, State};
 use super::matrices::SectionMatrices;
 use super::model::Model;
-use super::stress::{Rate, State, section_forces};
+use super::scaling::largest;
+use super::stress::section_forces;
 use crate::element::rigid_displacement;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 use sprs::CsMatI;

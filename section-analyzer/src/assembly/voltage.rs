@@ -14,10 +14,12 @@
 //! # References
 //! - [Masarati], section 9.1: voltages as prescribed potentials.
 
-use super::domain::{Domain, DomainCell};
+use super::cell::DomainCell;
+use super::domain::Domain;
 use super::electric::{DomainElectrode, Fingered};
+use super::forces::{Rate, SectionForces, State};
 use super::imposed::ImposedForces;
-use super::stress::{Rate, SectionForces, State, take_columns};
+use super::stress::take_columns;
 use crate::element::{CellPoint, NO_COLUMNS, NO_FIELD, NodalColumns, rule_points, strain_at};
 use nalgebra::{DMatrix, Matrix6, RowVector6};
 
