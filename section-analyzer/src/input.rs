@@ -18,7 +18,7 @@ use shared_geom::mesh::CellKind;
 use shared_geom::section::StrainMeasure;
 use shared_geom::units::Dimension;
 
-use crate::material::{ElasticLaw, Material, MaterialLimits};
+use crate::material::{Material, MaterialLimits};
 use crate::mesh::quality::MeshQuality;
 use crate::mesh::{DoubledNodes, Laminated, SectionMesh};
 use crate::properties::{AreaMoments, AreaTable, NoPrestress};
@@ -39,8 +39,10 @@ mod groups;
 mod imposed;
 mod laminae;
 mod loads;
+mod material_warnings;
 mod materials;
 mod meshed;
+mod names;
 pub mod outside;
 mod problem;
 mod regions;
@@ -55,7 +57,8 @@ pub use distributed::DistributedProblem;
 pub use electric::{ElectricDataProblem, ElectricWarning};
 pub use electrodes::{ElectrodeProblem, circuit_word};
 pub use imposed::ImposedProblem;
-pub use loads::{LOAD_KEYS, LoadProblem, checked_load, is_load_name};
+pub use loads::{LOAD_KEYS, LoadProblem, checked_load};
+pub use names::is_load_name;
 pub use outside::MatrixProblem;
 pub use problem::InputProblem;
 pub use source::{NodeProblem, Source};
@@ -69,6 +72,7 @@ use electrodes::WrittenElectrodes;
 use files::Files;
 use imposed::WrittenStates;
 use laminae::WrittenLamina;
+use material_warnings::warnings_of;
 use materials::WrittenMaterial;
 use meshed::Meshed;
 use regions::{Written, WrittenAngle, WrittenRegion};
@@ -394,37 +398,8 @@ impl WrittenSection {
             regions: summaries.collect(),
             electrodes: Vec::new(),
             quality: MeshQuality::default(),
-            warnings: self.warnings(of_region),
+            warnings: warnings_of(&self.materials, of_region, &self.electrodes),
         }
-    }
-
-    fn warnings(&self, of_region: &[usize]) -> Vec<InputWarning> {
-        let mut warnings = electric::warnings(&self.materials, of_region, &self.electrodes);
-        let expansion = |&index: &usize| {
-            let material = self.materials[index].material.as_ref();
-            material.and_then(|known| known.expansion)
-        };
-        let is_heated = of_region.iter().any(|index| expansion(index).is_some());
-        for (index, written) in self.materials.iter().enumerate() {
-            let material = written.name.clone();
-            if !of_region.contains(&index) {
-                let line = written.line;
-                warnings.push(InputWarning::UnusedMaterial { material, line });
-            } else if written
-                .material
-                .as_ref()
-                .is_some_and(|known| known.density == 0.0 && known.law != ElasticLaw::Absent)
-            {
-                warnings.push(InputWarning::NoDensity { material });
-            }
-            let is_stiff = |known: &Material| known.law != ElasticLaw::Absent;
-            let is_stiff = written.material.as_ref().is_some_and(is_stiff);
-            if is_heated && is_stiff && of_region.contains(&index) && expansion(&index).is_none() {
-                let material = written.name.clone();
-                warnings.push(InputWarning::NoExpansion { material });
-            }
-        }
-        warnings
     }
 }
 

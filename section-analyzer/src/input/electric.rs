@@ -7,9 +7,6 @@ use nalgebra::{Matrix3, Matrix3x6, Vector3};
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
-use super::electrodes::WrittenElectrodes;
-use super::materials::WrittenMaterial;
-use super::summary::InputWarning;
 use crate::material::{
     Coupling, ElasticLaw, ElectricLaw, MaterialLimits, MeasuredAt, StrainLimit, Strength,
     VACUUM_PERMITTIVITY, data_axes,
@@ -122,39 +119,6 @@ pub(super) fn check_absent(material: &str, table: &Table<'_>) {
             table.note(key, &Problem::NothingToStrain { material, key });
         }
     }
-}
-
-/// What is odd about the electric laws of the materials, of which regions have some.
-pub(super) fn warnings(
-    materials: &[WrittenMaterial],
-    of_region: &[usize],
-    electrodes: &WrittenElectrodes,
-) -> Vec<InputWarning> {
-    let mut warnings = Vec::new();
-    for (index, written) in materials.iter().enumerate() {
-        let Some(electric) = &written.electric else {
-            continue;
-        };
-        let material = written.name.clone();
-        for constants in electric.alone.iter().cloned() {
-            let material = material.clone();
-            warnings.push(ElectricWarning::AloneConstant {
-                material,
-                constants,
-            });
-        }
-        let smallest = electric.law.permittivity.symmetric_eigenvalues().min();
-        let relative = smallest / VACUUM_PERMITTIVITY;
-        if relative < 1.0 - 1e-6 {
-            let material = material.clone();
-            warnings.push(ElectricWarning::BelowVacuum { material, relative });
-        }
-        let is_used = of_region.contains(&index) && electric.law.is_piezoelectric();
-        if is_used && electrodes.is_empty() {
-            warnings.push(ElectricWarning::NoElectrodes { material });
-        }
-    }
-    warnings.into_iter().map(InputWarning::Electric).collect()
 }
 
 /// The table and its material.

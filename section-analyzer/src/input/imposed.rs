@@ -9,7 +9,7 @@ use shared_geom::units::Dimension;
 use super::cell_table::{CellTable, LARGEST_RISE, RISE};
 use super::files::Files;
 use super::laminae::{self, WrittenLamina};
-use super::loads::is_load_name;
+use super::names::is_load_name;
 use super::problem::InputProblem;
 use super::regions::{Written, WrittenRegion, name};
 use crate::section::{CellMaterial, FreeStrain, ImposedStrain, Section, TemperatureField};

@@ -7,6 +7,7 @@ use shared_geom::units::Dimension;
 use super::distributed::{self, WrittenDistribution};
 use super::electrodes::WrittenElectrodes;
 use super::imposed::{ImposedProblem, WrittenStates};
+use super::names::is_load_name;
 use super::problem::InputProblem;
 use crate::recovery::LoadCase;
 
@@ -43,12 +44,6 @@ pub fn checked_load(load: LoadCase) -> Result<LoadCase, InputProblem> {
         }),
         None => Ok(load),
     }
-}
-
-/// Whether a load case can have this name: it becomes part of file names.
-pub fn is_load_name(name: &str) -> bool {
-    let fits = |letter: char| letter.is_alphanumeric() || letter == '-' || letter == '_';
-    !name.is_empty() && name.chars().all(fits)
 }
 
 /// Reads every `[load.NAME]` with what is distributed along the beam, of which some act

@@ -66,6 +66,23 @@ pub struct KeySchema {
     pub example: &'static str,
 }
 
+/// A key; a value that is a table has no example of its own.
+const fn key(
+    name: &'static str,
+    kinds: &'static [ValueKind],
+    need: Need,
+    example: &'static str,
+    meaning: &'static str,
+) -> KeySchema {
+    KeySchema {
+        name,
+        kinds,
+        need,
+        meaning,
+        example,
+    }
+}
+
 /// Whether a key must be there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Need {

@@ -2,8 +2,7 @@
 
 use shared_geom::units::Dimension;
 
-use super::keys::key;
-use super::{Family, KeySchema, Need, TableSchema, ValueKind};
+use super::{Family, KeySchema, Need, TableSchema, ValueKind, key};
 
 use Need::{Default, Optional, Required};
 

@@ -9,26 +9,9 @@ use super::imposed::{INITIAL_STRAIN, TEMPERATURE};
 use super::laminae::LAMINA;
 use super::loads::LOAD;
 use super::materials::MATERIAL;
-use super::{Family, KeySchema, Need, TableSchema, ValueKind};
+use super::{Family, KeySchema, Need, TableSchema, ValueKind, key};
 
 use Need::{Default, Optional, Required};
-
-/// A key; a value that is a table has no example of its own.
-pub(super) const fn key(
-    name: &'static str,
-    kinds: &'static [ValueKind],
-    need: Need,
-    example: &'static str,
-    meaning: &'static str,
-) -> KeySchema {
-    KeySchema {
-        name,
-        kinds,
-        need,
-        meaning,
-        example,
-    }
-}
 
 const TEXT: &[ValueKind] = &[ValueKind::Text];
 const GROUP: &[ValueKind] = &[ValueKind::Name];

@@ -3,8 +3,7 @@
 use shared_geom::units::Dimension;
 
 use super::distributed::{TRACTIONS, VOLUMES};
-use super::keys::key;
-use super::{Need, TableSchema, ValueKind};
+use super::{Need, TableSchema, ValueKind, key};
 
 use Need::{Default, Optional};
 

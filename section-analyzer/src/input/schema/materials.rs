@@ -4,9 +4,8 @@ use shared_geom::units::Dimension;
 
 use super::electric::{DIELECTRIC, ELECTRIC};
 use super::imposed::EXPANSION;
-use super::keys::key;
 use super::limits::{PLY_STRAIN_LIMIT, PLY_STRENGTH, STRAIN_LIMIT, STRENGTH};
-use super::{Family, KeySchema, Need, TableSchema, ValueKind};
+use super::{Family, KeySchema, Need, TableSchema, ValueKind, key};
 
 use Need::{Default, Optional, Required};
 
