@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use super::problem::{counted, place, short};
+use super::words::{counted, place, short};
 
 /// Pairs of nodes that a message lists at most.
 const LISTED: usize = 3;

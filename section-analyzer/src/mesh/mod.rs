@@ -26,6 +26,7 @@ pub mod quality;
 mod seams;
 mod section_mesh;
 mod sides;
+mod words;
 
 pub use curve_sides::{Bank, CurveSide};
 pub use findings::{CellOverlap, DoubledNodes, HangingNode, NarrowGap, Seam};
@@ -36,5 +37,5 @@ pub use laminate::{
 pub(crate) use parts::Sets;
 pub(crate) use plane::{distance, polygon_area};
 pub use problem::{Inversion, MeshProblem, Part};
-pub(crate) use problem::{counted, short};
 pub use section_mesh::{Curve, CurveLine, MeshReport, SectionCell, SectionMesh};
+pub(crate) use words::{counted, short};

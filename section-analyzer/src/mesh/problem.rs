@@ -9,6 +9,7 @@ use shared_geom::error::Explain;
 use shared_geom::mesh::CellKind;
 
 use super::findings::{CellOverlap, HangingNode, NarrowGap, Seam};
+use super::words::{counted, place, short};
 
 /// A problem of the mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -323,18 +324,6 @@ fn listed(what: &str, names: &[String]) -> String {
     format!("{what}{plural} {}{more}", shown.join(", "))
 }
 
-/// `1 cell`, `2 cells`.
-pub(crate) fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
-}
-
-/// A number with six digits at most.
-pub(crate) fn short(value: f64) -> String {
-    let rounded = format!("{value:.5e}").parse().unwrap_or(value);
-    let text = format!("{rounded:?}");
-    text.strip_suffix(".0").unwrap_or(&text).to_string()
-}
-
 /// `y = 3`, or `0.6 x + 0.8 z = 2` for a tilted plane.
 fn plane(normal: [f64; 3], offset: f64) -> String {
     let mut text = String::new();
@@ -354,10 +343,6 @@ fn plane(normal: [f64; 3], offset: f64) -> String {
         text.push(axis);
     }
     format!("{text} = {}", short(offset))
-}
-
-pub(super) fn place([x, y]: [f64; 2]) -> String {
-    format!("({}, {})", short(x), short(y))
 }
 
 impl Explain for MeshProblem {

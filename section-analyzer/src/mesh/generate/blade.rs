@@ -6,9 +6,7 @@
 //! corners are mitred. All nodes on walls lie on the surfaces that plies have below the
 //! airfoil.
 
-use std::f64::consts::PI;
-
-use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::mesh::Mesh;
 
 mod columns;
 mod contour;
@@ -19,11 +17,13 @@ mod naca;
 mod problem;
 mod skin;
 mod spar;
+mod types;
 mod walls;
 
 pub use contour::Contour;
 pub use naca::naca;
 pub use problem::{BladePart, BladeProblem};
+pub use types::{Blade, Cores, Ply, Sizes, Spar, SparPly};
 
 use columns::Columns;
 use contour::{Half, Straight};
@@ -35,104 +35,6 @@ use spar::WebAt;
 const FULL: f64 = 0.95;
 /// Places of the chord that differ by less are one.
 const SAME: f64 = 1e-6;
-
-/// A section of a blade.
-#[derive(Debug, Clone)]
-pub struct Blade {
-    /// The outer surface.
-    pub contour: Contour,
-    /// Plies of the skin, from the outside in.
-    pub skin: Vec<Ply>,
-    /// Whether the skin is closed at the trailing edge: by a wall of its plies where that
-    /// is blunt, where it is sharp by plies that meet on the line between both surfaces.
-    pub is_closed: bool,
-    /// The spar, if there is one.
-    pub spar: Option<Spar>,
-    /// What fills the section.
-    pub cores: Cores,
-    /// Sizes of cells.
-    pub sizes: Sizes,
-}
-
-/// A layer of one material.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Ply {
-    /// The physical surface of its cells.
-    pub name: String,
-    /// Thickness [unit of the mesh].
-    pub thickness: f64,
-    /// Cells through the thickness.
-    pub cells: usize,
-    /// Whether its faces become physical curves, `NAME/outer` and `NAME/inner`.
-    pub has_faces: bool,
-}
-
-/// A ply of the spar, and where it is.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SparPly {
-    /// The ply.
-    pub ply: Ply,
-    /// Parts of the chord between which it lies on the upper surface; infinite where it
-    /// goes on into a web or around the nose [-].
-    pub upper: Option<[f64; 2]>,
-    /// The same on the lower surface [-].
-    pub lower: Option<[f64; 2]>,
-    /// Whether it is in the front and in the rear web.
-    pub webs: [bool; 2],
-    /// The physical surface of what is as thick and takes its place elsewhere; without it
-    /// the plies inside move outward, and it ends in a wedge one cell long.
-    pub filler: Option<String>,
-}
-
-/// Plies inside of the skin with one web or two.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Spar {
-    /// Part of the chord of the outer face of the front web [-]; without it the spar
-    /// reaches around the nose.
-    pub front_web: Option<f64>,
-    /// Part of the chord of the outer face of the rear web [-].
-    pub rear_web: f64,
-    /// From the outside in.
-    pub plies: Vec<SparPly>,
-}
-
-/// The physical surfaces of what fills a section.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Cores {
-    /// Ahead of the front web.
-    pub nose: Option<String>,
-    /// In the spar.
-    pub spar: Option<String>,
-    /// Behind the rear web; all of the section if there is no spar.
-    pub aft: Option<String>,
-    /// From the nose to a part of the chord [-], instead of the core there.
-    pub nose_mass: Option<(f64, String)>,
-}
-
-/// Sizes of cells.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Sizes {
-    /// Length along walls at most [unit of the mesh].
-    pub size: f64,
-    /// Length of the cells of cores across the section [unit of the mesh].
-    pub core: f64,
-    /// Turn of the surface along one cell at most \[rad\].
-    pub turn: f64,
-    /// Kind of the quadrilaterals; triangles are of the same order.
-    pub kind: CellKind,
-}
-
-impl Sizes {
-    /// Of cells this long, with 9 nodes, that turn by 12 degrees at most.
-    pub fn new(size: f64) -> Self {
-        Self {
-            size,
-            core: size,
-            turn: PI / 15.0,
-            kind: CellKind::Quadrilateral9,
-        }
-    }
-}
 
 impl Blade {
     /// The mesh. Physical surfaces: one for each name of a ply, a filler or a core, and for

@@ -7,8 +7,7 @@ use shared_geom::mesh::{Cell, CellKind, Mesh, Node};
 
 use super::super::plane::distance;
 use super::joints::{cross, dot, left_of};
-use super::layers::Layers;
-use super::mitre::Ends;
+use super::layers::{Ends, Layers};
 use super::problem::{LaminaProblem, limited};
 use super::segments::{Segment, label};
 use super::{Lamina, LaminaCell, LaminaFace, faces};

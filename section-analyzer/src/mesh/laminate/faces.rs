@@ -7,8 +7,7 @@ use std::collections::HashMap;
 
 use shared_geom::mesh::{Line, LineKind, Mesh};
 
-use super::layers::{Bank, Layers};
-use super::mitre::Ends;
+use super::layers::{Bank, Ends, Layers};
 use super::segments::Segment;
 use super::{LaminaFace, LaminaSide};
 

@@ -35,6 +35,9 @@ pub(super) struct Layers {
     pub bank: Bank,
 }
 
+/// Nodes of a laminate at the two ends of a line, parallel to its levels.
+pub(super) type Ends = [Vec<u32>; 2];
+
 impl Layers {
     /// One layer a ply.
     pub fn new(thicknesses: &[f64], side: LaminaSide) -> Self {

@@ -12,7 +12,7 @@
 
 use super::build::Builder;
 use super::joints::{End, Joint, Meeting, SMOOTH, away, cross, dot, leading, left_of, turn};
-use super::layers::{Bank, Layers};
+use super::layers::{Bank, Ends, Layers};
 use super::problem::{LaminaProblem, limited};
 use super::segments::{Segment, label};
 
@@ -22,9 +22,6 @@ const SHARPEST: f64 = 135.0 * std::f64::consts::PI / 180.0;
 
 /// What coordinates of some digits make of an angle \[rad\].
 const ROUND_OFF: f64 = 1e-6;
-
-/// Nodes of a laminate at the two ends of a line, parallel to its levels.
-pub(super) type Ends = [Vec<u32>; 2];
 
 type Nodes = Vec<(End, Vec<u32>)>;
 type Problem = (usize, LaminaProblem);

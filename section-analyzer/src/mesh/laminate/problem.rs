@@ -4,7 +4,7 @@
 
 use shared_geom::error::{Explain, quoted};
 
-use super::super::problem::{counted, place as at, short};
+use super::super::words::{counted, place as at, short};
 use super::LaminaSide;
 use super::words::{Wall, both, fold, more, order, places, twice};
 

@@ -1,13 +1,9 @@
-//! The lines of the laminates, and what lies beside them.
+//! Lines of laminates.
 
-use std::collections::HashMap;
-
-use shared_geom::mesh::{Line, LineKind, Mesh};
+use shared_geom::mesh::Mesh;
 
 use super::super::boundary::Curve;
-use super::super::plane::{distance, polygon_area};
-use super::problem::LaminaProblem;
-use super::{Lamina, LaminaSide, fits};
+use super::Lamina;
 
 /// A line with its laminate.
 #[derive(Debug, Clone)]
@@ -37,183 +33,12 @@ impl Segment {
     }
 }
 
-/// Cells beside a line.
-#[derive(Debug, Clone, Copy, Default)]
-struct Beside {
-    left: usize,
-    right: usize,
-}
-
-type Problems = Vec<(usize, LaminaProblem)>;
-
-/// The lines of all laminates, and the side of each laminate.
-pub(super) fn collect(
-    mesh: &Mesh,
-    laminae: &[Lamina],
-) -> Result<(Vec<Segment>, Vec<LaminaSide>), Problems> {
-    let mut segments = Vec::new();
-    for (index, lamina) in laminae.iter().enumerate() {
-        let lines = mesh.lines.iter();
-        let own = lines.filter(|line| line.groups.contains(lamina.curve));
-        segments.extend(own.map(|line| segment(mesh, line, index)));
-    }
-    let mut problems = without_length(mesh, laminae, &segments);
-    let beside = beside(mesh, &segments);
-    for (segment, beside) in segments.iter_mut().zip(&beside) {
-        segment.is_alone = beside.left + beside.right == 0;
-    }
-    let mut sides = Vec::with_capacity(laminae.len());
-    for index in 0..laminae.len() {
-        let own = segments.iter().zip(&beside);
-        let own: Vec<_> = own.filter(|(segment, _)| segment.lamina == index).collect();
-        match side_of(mesh, &laminae[index], &own) {
-            Ok(side) => sides.push(side),
-            Err(problem) => problems.push((index, problem)),
-        }
-    }
-    problems.extend(fits::misfits(mesh, laminae, &segments));
-    if sides.len() == laminae.len() {
-        problems.extend(fits::twice(mesh, laminae, &segments, &sides));
-    }
-    match problems.is_empty() {
-        true => Ok((segments, sides)),
-        false => Err(problems),
-    }
-}
-
-fn segment(mesh: &Mesh, line: &Line, lamina: usize) -> Segment {
-    let place = |node: u32| {
-        let position = mesh.nodes[node as usize].position;
-        [position.x, position.y]
-    };
-    let nodes = line.nodes();
-    let middle = (line.kind == LineKind::Line3).then(|| nodes[2]);
-    Segment {
-        lamina,
-        tag: line.tag,
-        nodes: [nodes[0], nodes[1]],
-        middle,
-        is_alone: true,
-        curve: Curve::new(place(nodes[0]), place(nodes[1]), middle.map(place)),
-    }
-}
-
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+/// The ends of a line, ascending.
+pub(super) fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
-}
-
-/// Lines whose ends lie on each other have no direction.
-fn without_length(mesh: &Mesh, laminae: &[Lamina], segments: &[Segment]) -> Problems {
-    let is_point = |segment: &&Segment| {
-        let length = distance(segment.curve.first, segment.curve.second);
-        length.is_nan() || length == 0.0
-    };
-    let problem = |segment: &Segment| {
-        let problem = LaminaProblem::NoLength {
-            curve: label(mesh, laminae, segment.lamina),
-            line: segment.tag,
-            place: segment.curve.first,
-        };
-        (segment.lamina, problem)
-    };
-    let mut found = segments.iter().filter(is_point).map(problem);
-    found.next().into_iter().collect()
 }
 
 /// The name of the curve of a laminate.
 pub(super) fn label(mesh: &Mesh, laminae: &[Lamina], lamina: usize) -> String {
     mesh.groups[laminae[lamina].curve].label()
-}
-
-/// The cells beside each line, seen along it.
-fn beside(mesh: &Mesh, segments: &[Segment]) -> Vec<Beside> {
-    // seen from the lower to the higher node
-    let mut known: HashMap<[u32; 2], Beside> = HashMap::new();
-    for segment in segments {
-        known.insert(segment.key(), Beside::default());
-    }
-    for cell in &mesh.cells {
-        let corner = |&node: &u32| {
-            let position = mesh.nodes[node as usize].position;
-            [position.x, position.y]
-        };
-        let is_counterclockwise = polygon_area(cell.corners().iter().map(corner)) > 0.0;
-        for ([a, b], _) in cell.kind.sides(cell.nodes()) {
-            if let Some(found) = known.get_mut(&sorted([a, b])) {
-                match (a < b) == is_counterclockwise {
-                    true => found.left += 1,
-                    false => found.right += 1,
-                }
-            }
-        }
-    }
-    let seen = |segment: &Segment| {
-        let found = known.get(&segment.key()).copied().unwrap_or_default();
-        match segment.nodes[0] < segment.nodes[1] {
-            true => found,
-            false => Beside {
-                left: found.right,
-                right: found.left,
-            },
-        }
-    };
-    segments.iter().map(seen).collect()
-}
-
-/// The side of a laminate, given its lines and the cells beside them.
-fn side_of(
-    mesh: &Mesh,
-    lamina: &Lamina,
-    lines: &[(&Segment, &Beside)],
-) -> Result<LaminaSide, LaminaProblem> {
-    let curve = mesh.groups[lamina.curve].label();
-    let first = |wanted: &dyn Fn(&Beside) -> bool| {
-        let mut found = lines.iter().filter(|(_, beside)| wanted(beside));
-        let first = found.next();
-        first.map(|(segment, _)| (segment.tag, segment.place(), 1 + found.count()))
-    };
-    if let Some((line, place, count)) = first(&|beside| beside.left > 0 && beside.right > 0) {
-        return Err(LaminaProblem::Inside {
-            curve,
-            line,
-            place,
-            count,
-        });
-    }
-    let left = first(&|beside| beside.left > 0);
-    let right = first(&|beside| beside.right > 0);
-    let alone = first(&|beside| beside.left + beside.right == 0);
-    if let (Some(one), Some(other)) = (left, right) {
-        return Err(LaminaProblem::SideChanges {
-            curve,
-            lines: [one.0, other.0],
-            places: [one.1, other.1],
-        });
-    }
-    // the side without cells, where there are some
-    let free = match (left, right) {
-        (Some(_), _) => Some(LaminaSide::Right),
-        (_, Some(_)) => Some(LaminaSide::Left),
-        _ => None,
-    };
-    let beside = left.or(right);
-    match (lamina.side, free.zip(beside), alone) {
-        (None, None, _) => Ok(LaminaSide::Center),
-        (Some(side), None, _) => Ok(side),
-        (None, Some((free, _)), None) => Ok(free),
-        (Some(side), Some((free, _)), _) if side == free => Ok(side),
-        (Some(side), Some((free, (line, place, _))), _) => Err(LaminaProblem::IntoCells {
-            curve,
-            side,
-            free,
-            line,
-            place,
-        }),
-        (None, Some((free, one)), Some(other)) => Err(LaminaProblem::Mixed {
-            curve,
-            free,
-            lines: [one.0, other.0],
-            places: [one.1, other.1],
-        }),
-    }
 }

@@ -23,8 +23,8 @@ use super::super::plane::distance;
 use super::Lamina;
 use super::build::plane_of;
 use super::joints::{End, Joint, Meeting, away, cross, dot, left_of};
-use super::layers::Layers;
-use super::mitre::{Ends, View};
+use super::layers::{Ends, Layers};
+use super::mitre::View;
 use super::problem::{LaminaProblem, limited};
 use super::segments::{Segment, label};
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::super::problem::short;
+use super::super::words::short;
 
 /// What touches a laminate.
 #[derive(Debug, Clone, PartialEq, Eq)]

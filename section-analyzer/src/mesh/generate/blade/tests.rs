@@ -1,7 +1,9 @@
 //! Areas, thicknesses, symmetry and groups of meshed blades.
 
+use std::f64::consts::PI;
+
 use shared_geom::error::Place;
-use shared_geom::mesh::{Cell, Mesh};
+use shared_geom::mesh::{Cell, CellKind, Mesh};
 
 use super::super::super::{SectionMesh, distance};
 use super::*;
