@@ -29,6 +29,7 @@ mod record;
 mod report;
 mod restrained;
 mod results;
+mod round_off;
 mod sensitivity;
 mod strengths;
 mod stress_plots;

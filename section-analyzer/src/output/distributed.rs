@@ -2,7 +2,7 @@
 
 use shared_geom::wrench::COMPONENTS;
 
-use super::stress_report::{size, without_round_off};
+use super::round_off::{size, without_round_off};
 use super::text::{number, table};
 use crate::section::Section;
 use crate::solution::DistributedState;

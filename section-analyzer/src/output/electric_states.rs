@@ -1,6 +1,6 @@
 //! Voltages, charges and electric fields of a recovery in words.
 
-use super::stress_report::size;
+use super::round_off::size;
 use super::text::{ZERO, coordinate, number, table};
 use crate::recovery::{ElectricRecovery, Recovery};
 use crate::section::Section;

@@ -14,6 +14,7 @@ use crate::section::Section;
 mod arrows;
 mod field;
 mod rim;
+mod sample;
 mod scale;
 mod surface;
 

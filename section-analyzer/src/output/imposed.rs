@@ -4,7 +4,7 @@ use nalgebra::Vector6;
 use shared_geom::section::{ImposedState, SectionProperties};
 use shared_geom::wrench::COMPONENTS;
 
-use super::stress_report::without_round_off;
+use super::round_off::without_round_off;
 use super::text::{number, table};
 use crate::properties::radius_of_gyration;
 

@@ -5,6 +5,7 @@ use nalgebra::Vector6;
 use shared_geom::wrench::COMPONENTS;
 
 use super::electric_states::electrodes;
+use super::round_off::{size, without_round_off};
 use super::strengths::strengths;
 use super::text::{ZERO, coordinate, number, table};
 use crate::material::{ElasticLaw, MaterialLimits};
@@ -87,17 +88,6 @@ fn acting_with(recovery: &Recovery) -> String {
     words
 }
 
-/// What is zero beside the largest component, or beside `least` where that is more, shown
-/// as zero; the last three times `length` are comparable with the first three.
-pub(super) fn without_round_off(values: &Vector6<f64>, length: f64, least: f64) -> Vector6<f64> {
-    let weight = |i: usize| if i < 3 { 1.0 } else { length };
-    let compared = Vector6::from_fn(|i, _| (values[i] * weight(i)).abs());
-    let scale = compared.amax().max(least);
-    values.zip_map(&compared, |value, compared| {
-        if compared <= ZERO * scale { 0.0 } else { value }
-    })
-}
-
 fn stresses(section: &Section, recovery: &Recovery) -> String {
     let (size, least) = (size(section), recovery.stress_scale);
     let mut parts = Vec::new();
@@ -123,12 +113,6 @@ fn has_material_axes(section: &Section, group: usize) -> bool {
         let law = &section.materials[made_of.material].law;
         cell.group == group && !matches!(law, ElasticLaw::Isotropic { .. })
     })
-}
-
-/// Largest coordinate of a node: what is zero beside it is shown as zero \[m\].
-pub(super) fn size(section: &Section) -> f64 {
-    let coordinates = section.mesh.nodes.iter().flatten();
-    coordinates.fold(0.0, |size, x| x.abs().max(size))
 }
 
 /// Rows of the stresses, without those in material axes unless `has_axes`; `size` is the

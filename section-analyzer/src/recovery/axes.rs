@@ -11,6 +11,10 @@ use nalgebra::{Matrix3, Vector6};
 
 use crate::material::MATERIAL_ORDER;
 
+/// Where each component of the order xx yy zz yz xz xy stands in the order of
+/// [`strain_at`](crate::element::strain_at), yz yy zz xx xy xz.
+pub(super) const USUAL_ORDER: [usize; 6] = [3, 1, 2, 0, 5, 4];
+
 /// Stress, order 11 22 33 23 13 12, in the axes that are the columns of `q`.
 pub(super) fn stress_in_axes(q: &Matrix3<f64>, stress: &Vector6<f64>) -> Vector6<f64> {
     turned(q, stress, 1.0)

@@ -21,7 +21,6 @@
 //! # References
 //! - \[Masarati\], section 9.1: piezoelectric beam sections.
 
-use super::recoverer::USUAL_ORDER;
 use super::state::{ElectricState, Tensors};
 use crate::assembly::dielectric_cells;
 use crate::failure::Failure;
@@ -30,7 +29,7 @@ use crate::section::{CellMaterial, Circuit, ElectrodeShape, Section};
 use crate::solution::{PiezoSolution, SectionSolution};
 use nalgebra::{DVector, Matrix3, Matrix3x6, Matrix6, RowVector6, Vector3, Vector6};
 
-use super::axes::stress_in_axes;
+use super::axes::{USUAL_ORDER, stress_in_axes};
 
 /// No electric law.
 const NONE: u32 = u32::MAX;

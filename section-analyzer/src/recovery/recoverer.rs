@@ -29,7 +29,7 @@ pub use batch::StressBlock;
 
 use fields::ElectricLoad;
 
-use super::axes::{strain_in_axes, stress_in_axes};
+use super::axes::{USUAL_ORDER, strain_in_axes, stress_in_axes};
 use super::electric::ElectricSide;
 use super::extrapolate::Extrapolation;
 use super::imposed::Imposed;
@@ -48,10 +48,6 @@ use shared_geom::wrench;
 /// for the internal force of its solutions: sound sections reach 1e-12 and below;
 /// above 1e-6 a stress would have fewer digits than a strength is known to.
 const RESULTANT_LIMIT: f64 = 1e-6;
-
-/// Where each component of the order xx yy zz yz xz xy stands in the order of
-/// [`strain_at`], yz yy zz xx xy xz.
-pub(super) const USUAL_ORDER: [usize; 6] = [3, 1, 2, 0, 5, 4];
 
 /// What the recoveries of a section share.
 #[derive(Debug, Clone)]

@@ -6,12 +6,10 @@ use plotters::backend::DrawingBackend;
 use plotters::style::{BLACK, WHITE};
 use shared_geom::figure::{Canvas, FigureProblem};
 
-use super::surface::Sample;
+use super::sample::{SPACING, Sample, grid_point};
 use crate::mesh::distance;
 
-/// Distance of the arrows [figure pixels].
-const SPACING: f64 = 64.0;
-/// Least distance of two arrows, relative to that: less than one, so that all points of
+/// Least distance of two arrows, relative to [`SPACING`]: less than one, so that all points of
 /// the grid can have one, and more than half a diagonal, so that none stands between.
 const NEAREST: f64 = 0.95;
 /// The same for arrows that lie less deep in the section than this part of the
@@ -73,11 +71,6 @@ fn mean_vector(near: &BySquare<Sample>, place: [f64; 2]) -> [f64; 2] {
         true => sum.map(|part| part / area),
         false => [0.0; 2],
     }
-}
-
-/// The point of the grid of arrows in whose square a place lies.
-pub(super) fn grid_point(place: [f64; 2]) -> [f64; 2] {
-    place.map(|value| ((value / SPACING).floor() + 0.5) * SPACING)
 }
 
 /// Places at the points of a grid where these lie deep in the section, in its walls

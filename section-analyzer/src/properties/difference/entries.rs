@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use nalgebra::Matrix6;
+use nalgebra::{Matrix6, Vector6};
 use shared_geom::section::{SectionProperties, half_turn};
 
 use super::{Entry, Part, pair};
@@ -180,4 +180,13 @@ fn unit(part: Part, i: usize, j: usize) -> &'static str {
         _ => ["N", "N m", "N m^2"],
     };
     units[usize::from(i > 2) + usize::from(j > 2)]
+}
+
+/// The largest of six forces in terms of the stiffness, `max_j |a_j| / sqrt(K_jj)`.
+pub(super) fn largest_force(root: &Vector6<f64>, forces: &[f64]) -> f64 {
+    let relative = forces
+        .iter()
+        .zip(root)
+        .map(|(force, root)| force.abs() / root);
+    relative.fold(0.0, f64::max)
 }

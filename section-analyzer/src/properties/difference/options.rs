@@ -1,10 +1,10 @@
 //! What only some sections have: curvature, electrodes, thermal force, damping.
 
-use nalgebra::{Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix6, Vector3};
 use shared_geom::section::{Damping, InitialCurvature, Piezo, SectionProperties};
 use shared_geom::wrench::COMPONENTS;
 
-use super::entries::Entries;
+use super::entries::{Entries, largest_force};
 use super::{Part, prestress};
 
 /// Compares what only some sections have.
@@ -127,15 +127,6 @@ fn forces(
         let unit = units[usize::from(i > 2)];
         entries.add(part, name, [a[i], b[i]], unit, scale * root[i]);
     }
-}
-
-/// The largest of six forces in terms of the stiffness, `max_j |a_j| / sqrt(K_jj)`.
-pub(super) fn largest_force(root: &Vector6<f64>, forces: &[f64]) -> f64 {
-    let relative = forces
-        .iter()
-        .zip(root)
-        .map(|(force, root)| force.abs() / root);
-    relative.fold(0.0, f64::max)
 }
 
 /// The damping matrix, however it is given.

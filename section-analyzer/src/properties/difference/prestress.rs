@@ -4,8 +4,7 @@ use nalgebra::{Matrix4, Vector6};
 use shared_geom::section::{PRESTRESS_COMPONENTS, Prestress, SectionProperties};
 
 use super::Part;
-use super::entries::Entries;
-use super::options::largest_force;
+use super::entries::{Entries, largest_force};
 
 /// Compares tables of prestress and changes of the stiffness; those by different strain
 /// measures differ by the size of the stiffness, and are not compared.

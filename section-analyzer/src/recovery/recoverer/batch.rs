@@ -13,7 +13,8 @@ use std::ops::Range;
 use nalgebra::{DMatrix, DMatrixView, Matrix6, Matrix6xX};
 use shared_geom::wrench;
 
-use super::{Recoverer, USUAL_ORDER};
+use super::Recoverer;
+use crate::recovery::axes::USUAL_ORDER;
 
 /// Points of a block: with a hundred forces its stresses are 300 kB.
 const BLOCK: usize = 64;
