@@ -5,6 +5,7 @@
 //! list. The rules themselves are in `CONTRIBUTING.md`; the order of the stages
 //! is [`imports::CRATES`].
 
+mod circles;
 mod documents;
 mod habits;
 mod imports;
@@ -33,6 +34,11 @@ fn stages_import_only_what_stands_before_them() {
 #[test]
 fn programs_do_not_import_each_other() {
     expect_none("separate programs", imports::separation(&Tree::read()));
+}
+
+#[test]
+fn files_import_each_other_in_no_circle() {
+    expect_none("circles of files", circles::circles(&Tree::read()));
 }
 
 #[test]
