@@ -187,26 +187,7 @@ impl Reading {
                 };
                 all.iter().nth(*component).copied()
             }
-            Self::Reaction {
-                node,
-                moment,
-                part,
-                axes,
-            } => {
-                let mut reactions = observed.reactions.iter();
-                let reaction = reactions.find(|reaction| reaction.node == *node)?;
-                let vector = match moment {
-                    true => &reaction.moment,
-                    false => &reaction.force,
-                };
-                let axes = match axes {
-                    Axes::Model => Matrix3::identity(),
-                    Axes::Fixed(axes) => *axes,
-                    Axes::Node(node) => rotation(*node),
-                    Axes::End(end) => *observed.joints.first()?.axes.get(*end)?,
-                };
-                Some(part.in_axes(vector, &axes))
-            }
+            Self::Reaction { .. } => self.reaction(observed, rotation),
             Self::Joint { motion, part } => {
                 let joint = observed.joints.first()?;
                 let vector = match motion {
@@ -229,6 +210,37 @@ impl Reading {
                 Some(part.of(vector))
             }
         }
+    }
+}
+
+impl Reading {
+    fn reaction(
+        &self,
+        observed: &Observations,
+        rotation: impl Fn(usize) -> Matrix3<f64>,
+    ) -> Option<f64> {
+        let Self::Reaction {
+            node,
+            moment,
+            part,
+            axes,
+        } = self
+        else {
+            return None;
+        };
+        let mut reactions = observed.reactions.iter();
+        let reaction = reactions.find(|reaction| reaction.node == *node)?;
+        let vector = match moment {
+            true => &reaction.moment,
+            false => &reaction.force,
+        };
+        let axes = match axes {
+            Axes::Model => Matrix3::identity(),
+            Axes::Fixed(axes) => *axes,
+            Axes::Node(node) => rotation(*node),
+            Axes::End(end) => *observed.joints.first()?.axes.get(*end)?,
+        };
+        Some(part.in_axes(vector, &axes))
     }
 }
 

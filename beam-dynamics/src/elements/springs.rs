@@ -4,6 +4,7 @@ pub(in crate::elements) mod line;
 mod rod;
 mod spring;
 mod spring_law;
+mod spring_state;
 mod support;
 
 #[cfg(test)]

@@ -266,7 +266,7 @@ impl ConstraintJoint {
             let turns = self.turn.iter().flatten().any(|signal| signal.reads(k));
             for (i, row) in self.rows.iter().enumerate() {
                 let is_moved = reads(row.target.as_ref(), k) || reads(scale, k);
-                if !is_moved && !(turns && row.is_turned()) {
+                if !(is_moved || turns && row.is_turned()) {
                     continue;
                 }
                 let rate = row.target.as_ref().map_or(0.0, growth);

@@ -114,25 +114,43 @@ fn sensor(declared: &Declared<'_>, draft: &mut Draft) -> Option<()> {
         return None;
     }
     let scalar = scalar.as_ref()?;
-    match found.remove(0).quantity {
+    let found = found.remove(0);
+    let words = (kind.0, name.as_str());
+    match attach(found.quantity, words, scalar, draft) {
+        Ok(()) => Some(()),
+        Err(problem) => {
+            table.note("of", &problem);
+            None
+        }
+    }
+}
+
+/// Makes a scalar of a quantity, of which there are the words and the name of the sensor.
+fn attach(
+    quantity: Quantity,
+    (word, name): (&'static str, &str),
+    scalar: &Scalar,
+    draft: &mut Draft,
+) -> Result<(), ReadingProblem> {
+    let not_sensed = |reason| ReadingProblem::NotSensed {
+        quantity: word,
+        reason,
+    };
+    match quantity {
         Quantity::Node(quantity) => {
             let reading = NodeReading::new(&quantity, draft.nodes());
             reading
                 .nodes()
-                .to_vec()
-                .into_iter()
-                .for_each(|node| draft.use_node(node));
+                .iter()
+                .for_each(|node| draft.use_node(*node));
             draft.add_control(Box::new(Sensor::new(name, scalar.clone(), reading)));
         }
         Quantity::Element { label, reading } => {
             if !draft.reports(&label, &reading) {
-                let (quantity, reason) = (kind.0, "what is named under \"of\" has none");
-                table.note("of", &ReadingProblem::NotSensed { quantity, reason });
-                return None;
+                return Err(not_sensed("the element under \"of\" has none"));
             }
             if !knows_axes(&reading, &label, draft) {
-                table.note("in", &ReadingProblem::AxesOfOther);
-                return None;
+                return Err(ReadingProblem::AxesOfOther);
             }
             draft.watch(label, reading, scalar.clone());
         }
@@ -141,18 +159,14 @@ fn sensor(declared: &Declared<'_>, draft: &mut Draft) -> Option<()> {
             quantity,
         } => {
             let place = place_of(&draft.electrodes()[electrode].circuit, quantity);
-            let Some(place) = place else {
-                let quantity = kind.0;
-                let reason = "it is no unknown of the circuit of this electrode";
-                table.note("quantity", &ReadingProblem::NotSensed { quantity, reason });
-                return None;
-            };
-            draft.watch_electrode((electrode, place), name.clone(), scalar.clone());
+            let place = place
+                .ok_or_else(|| not_sensed("it is no unknown of the circuit of this electrode"))?;
+            draft.watch_electrode((electrode, place), name.to_owned(), scalar.clone());
         }
-        // These have been refused.
-        _ => return None,
+        // These have been refused as kinds.
+        _ => return Err(not_sensed("it is no number of the state")),
     }
-    Some(())
+    Ok(())
 }
 
 /// Whether the axes of a reaction are those of a node on which the element acts.
