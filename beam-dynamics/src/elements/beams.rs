@@ -1,8 +1,10 @@
 //! Geometrically exact three-node beams, their inertia and loads along them.
 
+mod attachment;
 mod beam;
 mod distributed;
 mod electrodes;
+mod forces;
 mod formulation;
 mod geometry;
 mod inertia;
@@ -15,10 +17,9 @@ mod variational;
 #[cfg(test)]
 mod objectivity_tests;
 
+pub use attachment::{BeamGeometry, BeamNode, Formulation};
 pub use beam::Beam;
 pub use distributed::{DistributedLoad, LineLoad};
 pub use electrodes::{BeamElectrode, Potential};
-pub use formulation::Formulation;
-pub use geometry::{BeamGeometry, BeamNode};
 pub use inertia::BeamInertia;
 pub use mass::{LumpedMass, MassAlong, lumped_bodies};

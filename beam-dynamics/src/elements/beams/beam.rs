@@ -18,9 +18,10 @@
 
 use nalgebra::{DMatrix, Matrix6, RowVector6, Vector3, Vector6};
 
+use super::attachment::{BeamGeometry, EVALUATION_POINTS, Formulation};
 use super::electrodes::{BeamElectrode, Electrodes, Voltage};
-use super::formulation::{Formulation, Test, add_column, add_forces, add_tangent};
-use super::geometry::{BeamGeometry, ReferencePoint};
+use super::forces::{Test, add_column, add_forces, add_tangent};
+use super::geometry::ReferencePoint;
 use super::interpolation::{LARGEST, NodalKinematics, Shape};
 use super::strain::{StrainPoint, Variation};
 use crate::elements::laws::{Law, Response};
@@ -29,10 +30,6 @@ use crate::elements::{
     Reading, ReadingRow, SectionState, Signal,
 };
 use crate::model::{Node, NodeMotion, Scalar, Variable};
-
-/// xi of the evaluation points: the Gauss points, which make the beam of constant
-/// properties exact at its ends.
-pub(super) const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
 
 /// A geometrically exact beam through three nodes.
 #[derive(Debug, Clone)]

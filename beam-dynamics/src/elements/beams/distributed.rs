@@ -21,8 +21,8 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::quadrature;
 use shared_geom::rotation::skew_times;
 
-use super::formulation::LineForce;
-use super::geometry::BeamGeometry;
+use super::attachment::BeamGeometry;
+use super::forces::LineForce;
 use super::interpolation::{NodalKinematics, Shape};
 use super::mass::{intervals, portion_of};
 use super::strain::SectionPoint;

@@ -23,8 +23,7 @@
 
 use nalgebra::{DMatrix, RowVector3, Vector6};
 
-use super::beam::EVALUATION_POINTS;
-use super::geometry::BeamGeometry;
+use super::attachment::{BeamGeometry, EVALUATION_POINTS};
 use super::strain::Variation;
 use crate::elements::signal::place_in;
 use crate::elements::{Along, Charges, Local, LocalJacobian, LocalResidual, Signal};

@@ -3,60 +3,13 @@
 use nalgebra::{Matrix3, Vector3, Vector6};
 use shared_geom::section::InitialCurvature;
 
-use super::formulation::Formulation;
+use super::attachment::BeamGeometry;
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::model::{Node, NodeMotion};
 
 /// Newton iterations for the place of an arc length: each squares the error, which is a
 /// few percent at first.
 const PLACE_ITERATIONS: usize = 5;
-
-/// How the beam is attached to one of its nodes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BeamNode {
-    /// Offset of the reference line from the node, in node axes [m].
-    pub offset: Vector3<f64>,
-    /// Section axes (columns) in node axes [-].
-    pub orientation: Matrix3<f64>,
-}
-
-impl BeamNode {
-    /// On the node, with section axes along those of the node.
-    pub fn aligned() -> Self {
-        Self {
-            offset: Vector3::zeros(),
-            orientation: Matrix3::identity(),
-        }
-    }
-}
-
-/// Attachment of a three-node beam, and how its field is interpolated and tested.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BeamGeometry {
-    /// Attachment to nodes 1, 2, 3.
-    pub nodes: [BeamNode; 3],
-    /// Forces, inertia and loads of the beam all follow it.
-    pub formulation: Formulation,
-}
-
-impl BeamGeometry {
-    /// A variational beam.
-    pub fn new(nodes: [BeamNode; 3]) -> Self {
-        Self {
-            nodes,
-            formulation: Formulation::Variational,
-        }
-    }
-
-    /// The same with another formulation.
-    #[must_use]
-    pub fn formulated(self, formulation: Formulation) -> Self {
-        Self {
-            formulation,
-            ..self
-        }
-    }
-}
 
 /// The undeformed beam at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]

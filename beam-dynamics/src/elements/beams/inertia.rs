@@ -33,8 +33,8 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
 
-use super::formulation::LineForce;
-use super::geometry::BeamGeometry;
+use super::attachment::BeamGeometry;
+use super::forces::LineForce;
 use super::interpolation::NodalKinematics;
 use super::mass::{MassAlong, MassPoint, mass_points};
 use super::strain::SectionPoint;

@@ -42,7 +42,7 @@ use shared_geom::lagrange;
 use shared_geom::rotation::parameters::{Parametrization, RotationMap};
 use shared_geom::rotation::{skew, vector};
 
-use super::geometry::BeamGeometry;
+use super::attachment::BeamGeometry;
 use crate::model::NodeMotion;
 
 /// Largest rotation of an outer node against the mid one that is followed by rotation

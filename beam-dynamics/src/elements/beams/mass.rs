@@ -21,9 +21,7 @@ use nalgebra::{Matrix3, Matrix6, Vector3};
 use shared_geom::quadrature;
 use shared_geom::rotation::skew;
 
-use super::beam::EVALUATION_POINTS;
-use super::formulation::Formulation;
-use super::geometry::BeamGeometry;
+use super::attachment::{BeamGeometry, EVALUATION_POINTS, Formulation};
 use super::interpolation::{NodalKinematics, Shape};
 use crate::elements::bodies::RigidInertia;
 use crate::model::{Node, NodeMotion};

@@ -22,7 +22,7 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
 
-use super::formulation::{LineForce, Test};
+use super::forces::{LineForce, Test};
 use super::strain::SectionPoint;
 use crate::elements::LocalJacobian;
 use crate::model::Equation;

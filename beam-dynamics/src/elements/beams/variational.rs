@@ -39,7 +39,7 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew, skew_times};
 
-use super::formulation::LineForce;
+use super::forces::LineForce;
 use super::strain::SectionPoint;
 use crate::elements::LocalJacobian;
 use crate::model::Equation;

@@ -112,7 +112,8 @@ impl ConstraintJoint {
         };
         let undeformed: Vec<_> = ends.a.iter().map(|a| a.1).chain([ends.b.1]).collect();
         let undeformed: Vec<_> = undeformed.into_iter().map(NodeMotion::at_rest).collect();
-        joint.motions = relative::free_motions(&joint, &undeformed);
+        let seen = joint.seen(&undeformed, &Loading::none(), Scalars::NONE);
+        joint.motions = relative::free_motions(&joint.rows, &seen);
         joint
     }
 
@@ -139,16 +140,6 @@ impl ConstraintJoint {
     pub(super) fn with_angle_about(mut self, axis: usize) -> Self {
         self.angle_about = Some(axis);
         self
-    }
-
-    /// The axis about which b turns against a, where there is one.
-    pub(super) fn angle_about(&self) -> Option<usize> {
-        self.angle_about
-    }
-
-    /// The constraints.
-    pub(super) fn rows(&self) -> &[Row] {
-        &self.rows
     }
 
     /// Both ends at a state.
@@ -236,7 +227,8 @@ impl ConstraintJoint {
                 moment: *moment,
             });
         }
-        let state = relative::state(self, at.nodes, &reactions[1]);
+        let ends = (&self.ends(at.nodes), self.angle_about);
+        let state = relative::state((&self.label, &self.nodes), ends, &reactions[1]);
         out.joints.push(state);
     }
 }
@@ -426,7 +418,8 @@ impl Element for ConstraintJoint {
         let Reading::Joint { motion, part } = *reading else {
             return None;
         };
-        relative::read(self, (motion, part), at.nodes, row)
+        let ends = (&self.ends(at.nodes), self.angle_about);
+        relative::read(ends, (motion, part), row)
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {

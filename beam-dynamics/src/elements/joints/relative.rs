@@ -3,34 +3,32 @@
 use nalgebra::{Matrix6, Vector3, Vector6};
 use shared_geom::rotation;
 
-use super::algebra::{End, Ends};
-use super::joint::ConstraintJoint;
-use crate::elements::{Element, JointMotion, JointState, Level, Motion, Part, ReadingRow};
+use super::algebra::{End, Ends, Row, Seen};
+use crate::elements::{JointMotion, JointState, Level, Motion, Part, ReadingRow};
 use crate::model::Variable::{AngularVelocity, Position, Rotation, Velocity};
-use crate::model::{Loading, NodeMotion, Scalars};
 
 /// Singular values below this part of the largest count as zero: entries of order one.
 const ZERO: f64 = 1e-9;
 
-/// What a joint tells of a state; `on_b` is its force and moment on the node of b.
+/// The state of the joint called `label` between the nodes number `nodes`, with an angle about
+/// an axis where there is one; `on_b` is its force and moment on the node of b.
 pub(super) fn state(
-    joint: &ConstraintJoint,
-    nodes: &[NodeMotion],
+    (label, nodes): (&str, &[usize]),
+    (ends, about): (&Ends, Option<usize>),
     on_b: &[Vector3<f64>; 2],
 ) -> JointState {
-    let ends = joint.ends(nodes);
     let (a, b) = (&ends.a, &ends.b);
-    let node = |end: usize| ends.node(end).map(|node| joint.nodes()[node]);
-    let of = |motion| vector(&ends, motion);
+    let node = |end: usize| ends.node(end).map(|node| nodes[node]);
+    let of = |motion| vector(ends, motion);
     JointState {
-        joint: joint.label().to_owned(),
+        joint: label.to_owned(),
         nodes: [node(0), node(1)],
         axes: [a.axes, b.axes],
         force: on_b[0],
         moment: on_b[1] - b.arm.cross(&on_b[0]),
         displacement: of(JointMotion::Displacement),
         rotation: of(JointMotion::Rotation),
-        angle: joint.angle_about().map(|axis| angle(&ends, axis)),
+        angle: about.map(|axis| angle(ends, axis)),
         velocity: of(JointMotion::Velocity),
         angular_velocity: of(JointMotion::AngularVelocity),
     }
@@ -81,19 +79,17 @@ fn angle(ends: &Ends, axis: usize) -> f64 {
 /// angular velocity  domega_b: m     domega_a: -m     theta_a: m x ( omega_b - omega_a )
 /// ```
 pub(super) fn read(
-    joint: &ConstraintJoint,
+    (ends, about): (&Ends, Option<usize>),
     (motion, part): (JointMotion, Part),
-    nodes: &[NodeMotion],
     row: Option<&mut ReadingRow<'_>>,
 ) -> Option<f64> {
-    let ends = joint.ends(nodes);
     let (a, b) = (&ends.a, &ends.b);
     let axis = match motion {
-        JointMotion::Angle => Some(joint.angle_about()?),
+        JointMotion::Angle => Some(about?),
         _ => None,
     };
-    let w = vector(&ends, motion);
-    let value = axis.map_or_else(|| part.of(&w), |axis| angle(&ends, axis));
+    let w = vector(ends, motion);
+    let value = axis.map_or_else(|| part.of(&w), |axis| angle(ends, axis));
     let Some(row) = row else {
         return Some(value);
     };
@@ -114,7 +110,7 @@ pub(super) fn read(
         JointMotion::Rotation | JointMotion::Angle => {
             let slope = match axis {
                 None => a.axes * rotation::vector::tangent_inverse(&w).tr_mul(&e),
-                Some(axis) => angle_slope(&ends, axis),
+                Some(axis) => angle_slope(ends, axis),
             };
             add(b, Rotation, slope);
             add(a, Rotation, -slope);
@@ -128,7 +124,7 @@ pub(super) fn read(
             add(b, Position, -n);
             add(a, Position, n);
             add(b, Rotation, b.arm.cross(&(m.cross(&b.spin) - n)));
-            add(a, Rotation, m.cross(&seen_from_a(&ends)));
+            add(a, Rotation, m.cross(&seen_from_a(ends)));
         }
         JointMotion::AngularVelocity => {
             add(b, AngularVelocity, m);
@@ -150,16 +146,13 @@ fn angle_slope(ends: &Ends, axis: usize) -> Vector3<f64> {
 /// The relative motions, of the point of b seen from a and of rotation, that the
 /// constraints leave free at the undeformed state: the null space of the forces and
 /// moments that they can exert on b at its point.
-pub(super) fn free_motions(joint: &ConstraintJoint, undeformed: &[NodeMotion]) -> Vec<Motion> {
-    let seen = joint.seen(undeformed, &Loading::none(), Scalars::NONE);
+pub(super) fn free_motions(constraints: &[Row], seen: &Seen<'_>) -> Vec<Motion> {
     let (a, b) = (&seen.ends.a, &seen.ends.b);
-    let mut rows = nalgebra::DMatrix::zeros(joint.rows().len().max(6), 6);
-    let held = joint
-        .rows()
-        .iter()
-        .filter(|row| row.level() == Level::Position);
+    let mut rows = nalgebra::DMatrix::zeros(constraints.len().max(6), 6);
+    let held = constraints.iter();
+    let held = held.filter(|row| row.level() == Level::Position);
     for (i, row) in held.enumerate() {
-        let [_, _, force, moment] = row.at(&seen).reaction();
+        let [_, _, force, moment] = row.at(seen).reaction();
         let moment = moment - b.arm.cross(&force);
         let both = Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
         let size = both.amax();
@@ -174,9 +167,9 @@ pub(super) fn free_motions(joint: &ConstraintJoint, undeformed: &[NodeMotion]) -
         let (d, r) = (d.into_owned(), r.into_owned());
         let on_a = [-d, -(from_a.cross(&d) + r)];
         let on_b = [d, b.arm.cross(&d) + r];
-        match undeformed.len() {
-            1 => vec![on_b],
-            _ => vec![on_a, on_b],
+        match a.node {
+            None => vec![on_b],
+            Some(_) => vec![on_a, on_b],
         }
     });
     forms
