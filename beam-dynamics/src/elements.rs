@@ -235,12 +235,25 @@ pub trait Element: Debug + Send + Sync {
         true
     }
 
-    /// Adds the residual.
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual);
+    /// Adds the residual, and where a Jacobian takes them the derivatives of it. The blocks that
+    /// are added to that must be the same at every state, so that the pattern of the system is
+    /// found once.
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    );
 
-    /// Adds the derivatives of the residual. The blocks that are added must be the
-    /// same at every state, so that the pattern of the system is found once.
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian);
+    /// Adds the residual alone, see [`Element::evaluate`].
+    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.evaluate(at, out, None);
+    }
+
+    /// Adds the derivatives alone, see [`Element::evaluate`].
+    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        self.evaluate(at, &mut LocalResidual::ignored(), Some(out));
+    }
 
     /// Whether it resists every relative motion of its nodes without constraints, as a beam
     /// does.

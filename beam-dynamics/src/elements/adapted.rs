@@ -158,13 +158,22 @@ impl Adapted {
 }
 
 impl Adapted {
-    /// Adds the derivatives of the equations of the readings to those of the element.
-    fn add_reading_rows(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        if self.readings.is_empty() {
-            return;
+    /// Adds the equations of the readings to what the element has added, `acting`.
+    fn add_readings(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        for (i, reading) in self.readings.iter().enumerate() {
+            let scalar = self.first() + i;
+            let force = |node, equation| out.of(node, equation);
+            let value = match self.reacting(reading, at, force) {
+                Some((_, value)) => Some(value),
+                None => self.with(at, |at| self.element.read(reading, at, None)),
+            };
+            out.add_scalar(scalar, at.scalars.values[scalar]);
+            out.add_scalar(scalar, -value.unwrap_or(f64::NAN));
         }
-        let mut acting = LocalResidual::new(super::LocalSize::of(self));
-        self.with(at, |at| self.element.residual(at, &mut acting));
+    }
+
+    /// Adds the derivatives of these equations; `acting` is the residual of the element.
+    fn add_reading_rows(&self, at: &Local<'_>, acting: &LocalResidual, out: &mut LocalJacobian) {
         for (i, reading) in self.readings.iter().enumerate() {
             let scalar = self.first() + i;
             out.add_scalar(scalar, scalar, 1.0, false);
@@ -294,28 +303,34 @@ impl Element for Adapted {
         self.element.keeps_energy()
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.with(at, |at| self.element.residual(at, out));
-        for (i, reading) in self.readings.iter().enumerate() {
-            let scalar = self.first() + i;
-            let force = |node, equation| out.of(node, equation);
-            let value = match self.reacting(reading, at, force) {
-                Some((_, value)) => Some(value),
-                None => self.with(at, |at| self.element.read(reading, at, None)),
-            };
-            out.add_scalar(scalar, at.scalars.values[scalar]);
-            out.add_scalar(scalar, -value.unwrap_or(f64::NAN));
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
+        let mut jacobian = jacobian;
+        let mut own;
+        // Readings of reactions need the residual.
+        let out = match out.is_ignored() && !self.readings.is_empty() {
+            true => {
+                own = LocalResidual::new(super::LocalSize::of(self));
+                &mut own
+            }
+            false => out,
+        };
+        self.with(at, |at| {
+            self.element.evaluate(at, out, jacobian.as_deref_mut())
+        });
+        if let Some(jacobian) = jacobian.as_deref_mut() {
+            self.add_reading_rows(at, out, jacobian);
         }
+        self.add_readings(at, out);
         for &constraint in &self.removed {
             out.remove_constraint(constraint, at.multipliers[constraint]);
-        }
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        self.with(at, |at| self.element.jacobian(at, out));
-        self.add_reading_rows(at, out);
-        for &constraint in &self.removed {
-            out.remove_constraint(constraint);
+            if let Some(jacobian) = jacobian.as_deref_mut() {
+                jacobian.remove_constraint(constraint);
+            }
         }
     }
 

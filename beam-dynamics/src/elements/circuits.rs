@@ -144,6 +144,64 @@ impl Electrode {
     }
 }
 
+impl Electrode {
+    fn add_residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        match &self.circuit {
+            Circuit::Held(_) => {}
+            Circuit::Open { charge } => out.add_scalar(0, charge / self.capacitance),
+            Circuit::Shunt {
+                resistance,
+                inductance,
+                ..
+            } => {
+                let [voltage, _] = unknown(0, at);
+                let [charge, charge_rate] = unknown(1, at);
+                out.add_scalar(0, charge / self.capacitance);
+                let last = self.own - 1;
+                out.add_scalar(last, voltage);
+                out.add_scalar(last, -self.source(at));
+                if last == 1 {
+                    out.add_scalar(1, resistance * charge_rate);
+                    return;
+                }
+                let [current, current_rate] = unknown(2, at);
+                let impedance = self.impedance(*inductance);
+                out.add_scalar(1, impedance * charge_rate);
+                out.add_scalar(1, -impedance * current);
+                out.add_scalar(2, resistance * current);
+                out.add_scalar(2, inductance * current_rate);
+            }
+        }
+    }
+
+    fn add_jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let Circuit::Shunt {
+            source,
+            resistance,
+            inductance,
+        } = &self.circuit
+        else {
+            return;
+        };
+        let (resistance, inductance) = (*resistance, *inductance);
+        let last = self.own - 1;
+        out.add_scalar(0, 1, 1.0 / self.capacitance, false);
+        out.add_scalar(last, 0, 1.0, false);
+        source.gradient(&at.instant(), |scalar, slope| {
+            out.add_scalar(last, scalar, -at.loading.voltages * slope, false);
+        });
+        if last == 1 {
+            out.add_scalar(1, 1, resistance, true);
+            return;
+        }
+        let impedance = self.impedance(inductance);
+        out.add_scalar(1, 1, impedance, true);
+        out.add_scalar(1, 2, -impedance, false);
+        out.add_scalar(2, 2, resistance, false);
+        out.add_scalar(2, 2, inductance, true);
+    }
+}
+
 impl Element for Electrode {
     fn label(&self) -> &str {
         &self.label
@@ -175,60 +233,16 @@ impl Element for Electrode {
         }
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        match &self.circuit {
-            Circuit::Held(_) => {}
-            Circuit::Open { charge } => out.add_scalar(0, charge / self.capacitance),
-            Circuit::Shunt {
-                resistance,
-                inductance,
-                ..
-            } => {
-                let [voltage, _] = unknown(0, at);
-                let [charge, charge_rate] = unknown(1, at);
-                out.add_scalar(0, charge / self.capacitance);
-                let last = self.own - 1;
-                out.add_scalar(last, voltage);
-                out.add_scalar(last, -self.source(at));
-                if last == 1 {
-                    out.add_scalar(1, resistance * charge_rate);
-                    return;
-                }
-                let [current, current_rate] = unknown(2, at);
-                let impedance = self.impedance(*inductance);
-                out.add_scalar(1, impedance * charge_rate);
-                out.add_scalar(1, -impedance * current);
-                out.add_scalar(2, resistance * current);
-                out.add_scalar(2, inductance * current_rate);
-            }
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
+        self.add_residual(at, out);
+        if let Some(out) = jacobian {
+            self.add_jacobian(at, out);
         }
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        let Circuit::Shunt {
-            source,
-            resistance,
-            inductance,
-        } = &self.circuit
-        else {
-            return;
-        };
-        let (resistance, inductance) = (*resistance, *inductance);
-        let last = self.own - 1;
-        out.add_scalar(0, 1, 1.0 / self.capacitance, false);
-        out.add_scalar(last, 0, 1.0, false);
-        source.gradient(&at.instant(), |scalar, slope| {
-            out.add_scalar(last, scalar, -at.loading.voltages * slope, false);
-        });
-        if last == 1 {
-            out.add_scalar(1, 1, resistance, true);
-            return;
-        }
-        let impedance = self.impedance(inductance);
-        out.add_scalar(1, 1, impedance, true);
-        out.add_scalar(1, 2, -impedance, false);
-        out.add_scalar(2, 2, resistance, false);
-        out.add_scalar(2, 2, inductance, true);
     }
 
     fn charges(&self, at: &Local<'_>, out: &mut Charges) {

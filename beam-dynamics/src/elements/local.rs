@@ -71,6 +71,20 @@ impl LocalResidual {
         }
     }
 
+    /// One that takes nothing.
+    pub fn ignored() -> Self {
+        Self {
+            size: LocalSize::default(),
+            values: Vec::new(),
+            sizes: Vec::new(),
+        }
+    }
+
+    /// Whether it takes nothing.
+    pub fn is_ignored(&self) -> bool {
+        self.values.is_empty()
+    }
+
     /// Adds to a vector equation of a node.
     pub fn add(&mut self, node: usize, equation: Equation, value: &Vector3<f64>) {
         let row = NODE_UNKNOWNS * node + equation.row();
@@ -90,6 +104,9 @@ impl LocalResidual {
     }
 
     fn add_at(&mut self, row: usize, value: f64) {
+        if self.values.is_empty() {
+            return;
+        }
         self.values[row] += value;
         self.sizes[row] += value.abs();
     }

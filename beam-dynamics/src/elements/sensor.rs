@@ -236,12 +236,15 @@ impl Element for Sensor {
         false
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         out.add_scalar(0, at.scalars.values[0]);
         out.add_scalar(0, -self.reading.value(at.nodes, at.frame));
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let Some(out) = jacobian else { return };
         out.add_scalar(0, 0, 1.0, false);
         let mut row = ReadingRow::new(0, out);
         self.reading.gradient(at.nodes, at.frame, &mut row);

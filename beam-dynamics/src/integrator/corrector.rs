@@ -154,15 +154,25 @@ impl Corrector {
         self.begin();
         let weights = formula.weights.map(|row| row.map(|weight| length * weight));
         loop {
-            self.find_residuals(dae, meter)?;
+            // The first iterate is never the last: where its Jacobian is due, residuals and
+            // derivatives come from one evaluation.
+            let is_both = self.history.len() == self.first && self.is_due(&weights, limits);
+            match is_both {
+                true => self.evaluate(dae, &weights, meter),
+                false => self.find_residuals(dae, meter),
+            }
+            self.find_worst(dae)?;
             if self.is_settled(limits) {
                 return Ok(self.history.len());
             }
             if self.history.len() >= limits.iterations {
                 return Err(Reason::NotConverged);
             }
-            if self.is_due(&weights, limits) {
-                self.find_jacobian(dae, &weights, meter)?;
+            if is_both || self.is_due(&weights, limits) {
+                if !is_both {
+                    self.combine(dae, &weights, meter);
+                }
+                self.factorize(&weights, meter)?;
             }
             let size = self.find_correction(dae, &weights, meter)?;
             self.history.push(Iteration {
@@ -205,11 +215,18 @@ impl Corrector {
         self.first = self.history.len();
     }
 
-    fn find_residuals(&mut self, dae: &mut dyn Dae, meter: &mut Meter<'_>) -> Result<(), Reason> {
+    fn find_residuals(&mut self, dae: &mut dyn Dae, meter: &mut Meter<'_>) {
         let start = (meter.clock)();
-        self.worst = Worst::default();
         for (stage, residual) in self.residuals.iter_mut().enumerate() {
             dae.residual(stage, residual);
+        }
+        meter.counters.residual_time += (meter.clock)() - start;
+    }
+
+    /// The worst equation of all stages.
+    fn find_worst(&mut self, dae: &dyn Dae) -> Result<(), Reason> {
+        self.worst = Worst::default();
+        for residual in &self.residuals {
             if let Some(place) = residual.values.iter().position(|value| !value.is_finite()) {
                 let relative = f64::INFINITY;
                 let scale = f64::INFINITY;
@@ -225,7 +242,6 @@ impl Corrector {
                 self.worst = worst;
             }
         }
-        meter.counters.residual_time += (meter.clock)() - start;
         Ok(())
     }
 
@@ -269,22 +285,43 @@ impl Corrector {
         limits.jacobians == Jacobians::Full || has_changed || is_slow || kept.uses >= USES
     }
 
-    fn find_jacobian(
+    /// Residuals and derivatives of all stages in one evaluation.
+    fn evaluate(
         &mut self,
         dae: &mut dyn Dae,
         weights: &[[f64; STAGES]; STAGES],
         meter: &mut Meter<'_>,
+    ) {
+        let start = (meter.clock)();
+        let residuals = &mut self.residuals[..];
+        self.matrix.combine(dae, weights, Some(residuals));
+        meter.counters.jacobian_time += (meter.clock)() - start;
+    }
+
+    /// Derivatives of all stages.
+    fn combine(
+        &mut self,
+        dae: &mut dyn Dae,
+        weights: &[[f64; STAGES]; STAGES],
+        meter: &mut Meter<'_>,
+    ) {
+        let start = (meter.clock)();
+        self.matrix.combine(dae, weights, None);
+        meter.counters.jacobian_time += (meter.clock)() - start;
+    }
+
+    fn factorize(
+        &mut self,
+        weights: &[[f64; STAGES]; STAGES],
+        meter: &mut Meter<'_>,
     ) -> Result<(), Reason> {
         let start = (meter.clock)();
-        self.matrix.combine(dae, weights);
-        let combined = (meter.clock)();
         let pivotings = self.solver.counts().pivotings;
         let factorized = self.solver.factorize_taking(self.matrix.matrix_mut());
         meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
         let end = (meter.clock)();
         meter.counters.jacobians += 1;
-        meter.counters.jacobian_time += combined - start;
-        meter.counters.factorization_time += end - combined;
+        meter.counters.factorization_time += end - start;
         self.kept = None;
         factorized.ok_or_else(|| self.why_singular())?;
         self.kept = Some(Kept {

@@ -72,8 +72,14 @@ pub trait Dae {
     /// The residual of trial state `stage`, with the sizes of its terms.
     fn residual(&mut self, stage: usize, out: &mut Residual);
 
-    /// Sums of derivatives at trial state `stage` by the corrections.
-    fn jacobian(&mut self, stage: usize, out: &mut [Combination<'_>]);
+    /// Sums of derivatives at trial state `stage` by the corrections, and the residual where
+    /// that is wanted.
+    fn jacobian(
+        &mut self,
+        stage: usize,
+        out: &mut [Combination<'_>],
+        residual: Option<&mut Residual>,
+    );
 
     /// Takes trial state `stage` as the latest accepted one; the latest so far becomes
     /// the one before it.

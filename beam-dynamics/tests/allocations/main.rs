@@ -83,7 +83,8 @@ fn an_iteration_allocates_nothing() {
             by_algebraic: 1.0,
             matrix: &mut matrix,
         };
-        system.combine(&state, &conditions, &variations, &mut [sum], &mut work);
+        let out = (&mut [sum][..], Some(&mut residual));
+        system.combine(&state, &conditions, &variations, out, &mut work);
         solver.factorize(&matrix).unwrap();
         solver.solve(&mut residual.values).unwrap();
     };

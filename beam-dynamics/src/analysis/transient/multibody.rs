@@ -271,8 +271,13 @@ impl Dae for Multibody<'_> {
         trial.sharing.add_residual(&trial.state.multipliers, out);
     }
 
-    fn jacobian(&mut self, stage: usize, out: &mut [Combination<'_>]) {
-        let trial = &self.trials[stage];
+    fn jacobian(
+        &mut self,
+        stage: usize,
+        out: &mut [Combination<'_>],
+        mut residual: Option<&mut Residual>,
+    ) {
+        let trial = &mut self.trials[stage];
         let nodes = trial.base.nodes.iter().zip(&trial.turns);
         for (variation, (base, turn)) in self.variations.iter_mut().zip(nodes) {
             let exact = gibbs::linearized(turn, &attitude(base));
@@ -291,9 +296,14 @@ impl Dae for Multibody<'_> {
             &trial.state,
             &trial.conditions,
             &self.variations,
-            out,
+            (out, residual.as_deref_mut()),
             &mut self.work,
         );
+        if let Some(residual) = residual {
+            trial
+                .sharing
+                .add_residual(&trial.state.multipliers, residual);
+        }
         trial.sharing.add_jacobian(out);
         let nodes = trial.state.nodes.iter().zip(&self.variations);
         let origins = self.own_axes.iter().zip(&self.states[0].nodes);

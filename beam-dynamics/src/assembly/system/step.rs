@@ -21,10 +21,7 @@ impl System {
         out: &mut Residual,
         work: &mut Workspace,
     ) {
-        for sums in [&mut out.values, &mut out.sizes] {
-            sums.clear();
-            sums.resize(self.numbering.unknowns(), 0.0);
-        }
+        self.clear(out);
         for (index, (element, layout)) in self.elements.iter().zip(&self.layouts).enumerate() {
             let Workspace { gathered, rooms } = &mut *work;
             let local = &mut rooms[layout.room].residual;
@@ -36,8 +33,15 @@ impl System {
         }
     }
 
-    /// Sums of the derivatives at a state, by the unknowns of a formula: those of
-    /// rotations turn the nodes by `variations`, one a node. With G and W of
+    fn clear(&self, out: &mut Residual) {
+        for sums in [&mut out.values, &mut out.sizes] {
+            sums.clear();
+            sums.resize(self.numbering.unknowns(), 0.0);
+        }
+    }
+
+    /// Sums of the derivatives at a state, by the unknowns of a formula, and the residual where
+    /// that is wanted: rotations turn the nodes by `variations`, one a node. With G and W of
     /// [`Variation`],
     ///
     /// ```text
@@ -48,14 +52,31 @@ impl System {
         state: &State,
         conditions: &Conditions,
         variations: &[Variation],
-        out: &mut [Combination<'_>],
+        (out, residual): (&mut [Combination<'_>], Option<&mut Residual>),
         work: &mut Workspace,
     ) {
         for sum in out.iter_mut() {
             sum.matrix.values_mut().fill(0.0);
         }
+        let mut residual = residual;
+        if let Some(residual) = residual.as_deref_mut() {
+            self.clear(residual);
+        }
         for (index, layout) in self.layouts.iter().enumerate() {
-            let local = self.local_jacobian(index, state, conditions, work);
+            let Workspace { gathered, rooms } = &mut *work;
+            let room = &mut rooms[layout.room];
+            let (local, forces) = (&mut room.jacobian, &mut room.residual);
+            local.clear();
+            let at = self.placed(index, state, conditions, gathered);
+            match residual.as_deref_mut() {
+                None => self.elements[index].jacobian(&at, local),
+                Some(sums) => {
+                    forces.clear();
+                    self.elements[index].evaluate(&at, forces, Some(local));
+                    layout.add_vector(forces.values(), &mut sums.values);
+                    layout.add_vector(forces.sizes(), &mut sums.sizes);
+                }
+            }
             for (i, &node) in self.elements[index].nodes().iter().enumerate() {
                 let Variation { turn, spin } = &variations[node];
                 local.turn(i, turn, spin);
@@ -236,10 +257,16 @@ mod tests {
             matrix: &mut matrix,
         }];
         let mut work = system.workspace();
-        // The second evaluation finds the room used.
-        for _ in 0..2 {
-            system.combine(&state, &conditions, &variations, &mut out, &mut work);
+        // The second evaluation finds the room used, and makes the residual as well.
+        let mut residual = Residual::default();
+        for both in [None, Some(&mut residual)] {
+            let out = (&mut out[..], both);
+            system.combine(&state, &conditions, &variations, out, &mut work);
         }
+        let mut alone = Residual::default();
+        system.residual_into(&state, &conditions, &mut alone, &mut work);
+        assert_eq!(residual.values, alone.values);
+        assert_eq!(residual.sizes, alone.sizes);
         let x = scattered(n);
         let mut found = vec![0.0; n];
         matrix.multiply_add(&x, &mut found);

@@ -210,6 +210,30 @@ impl Beam {
 }
 
 impl Beam {
+    /// Adds the derivatives of the forces and charges of an evaluation point.
+    fn add_jacobian(
+        &self,
+        (place, point): (usize, &At<'_>),
+        at: &Local<'_>,
+        out: &mut LocalJacobian,
+    ) {
+        let Response {
+            force,
+            by_strain,
+            by_rate,
+        } = &point.response;
+        let mut by_unknowns: Variation = by_strain * point.strain.variation;
+        if self.points[place].law.is_viscous() {
+            by_unknowns += by_rate * point.strain.rate_variation(at.nodes);
+            let by_rates = by_rate * point.strain.variation;
+            add_tangent(&point.test, &by_rates, true, out);
+        }
+        add_tangent(&point.test, &by_unknowns, false, out);
+        let formulation = self.geometry.formulation;
+        formulation.add_geometric(place, &point.strain, force, out);
+        self.add_by_scalars(place, (point, at), out);
+    }
+
     /// Adds the derivatives of a component of the strain, or of the internal force, at an
     /// evaluation point.
     fn add_reading(
@@ -322,37 +346,24 @@ impl Element for Beam {
         self.geometry.formulation == Formulation::Variational
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);
         let points = [0, 1].map(|place| self.at(place, &nodal, at, &voltages));
         for point in &points {
             add_forces(&point.test, &point.response.force, out);
         }
-        let strains = points.map(|point| point.now);
+        let strains = points.each_ref().map(|point| point.now);
         self.electrodes.add_charges(&voltages, &strains, out);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
-        let voltages = self.electrodes.voltages(at);
-        for place in [0, 1] {
-            let point = self.at(place, &nodal, at, &voltages);
-            let Response {
-                force,
-                by_strain,
-                by_rate,
-            } = &point.response;
-            let mut by_unknowns: Variation = by_strain * point.strain.variation;
-            if self.points[place].law.is_viscous() {
-                by_unknowns += by_rate * point.strain.rate_variation(at.nodes);
-                let by_rates = by_rate * point.strain.variation;
-                add_tangent(&point.test, &by_rates, true, out);
+        if let Some(out) = jacobian {
+            for (place, point) in points.iter().enumerate() {
+                self.add_jacobian((place, point), at, out);
             }
-            add_tangent(&point.test, &by_unknowns, false, out);
-            let formulation = self.geometry.formulation;
-            formulation.add_geometric(place, &point.strain, force, out);
-            self.add_by_scalars(place, (&point, at), out);
         }
     }
 

@@ -209,6 +209,25 @@ impl<'a> Motion<'a> {
     }
 
     /// Adds the variations by a variable of a node.
+    /// Adds the derivatives of what it and its weight add to the equations of the nodes.
+    fn add_jacobian(
+        &self,
+        velocities: &Velocities,
+        (columns, weight): (&Columns, &LineForce),
+        out: &mut LocalJacobian,
+    ) {
+        for (column, of_node) in columns {
+            self.add_variation(velocities, *column, of_node, out);
+        }
+        let by_rotation = moment_variation(&self.section, &self.sigma(), &Vector3::zeros());
+        for (j, row) in by_rotation.iter().enumerate() {
+            for (k, block) in row.iter().enumerate() {
+                out.add((j, Moment), (k, Variable::Rotation), &-block);
+            }
+        }
+        add_on_line_variation(&self.section, weight, out);
+    }
+
     fn add_variation(
         &self,
         velocities: &Velocities,
@@ -240,6 +259,25 @@ impl<'a> Motion<'a> {
     }
 }
 
+/// Node and variable, with the variation of line velocity and angular velocity by it.
+type Columns = [((usize, Variable), [Matrix3<f64>; 2]); 12];
+
+/// Variables of a node on which its motion depends.
+const VARIABLES: [Variable; 4] = [
+    Variable::Position,
+    Variable::Rotation,
+    Variable::Velocity,
+    Variable::AngularVelocity,
+];
+
+/// Variables of the nodes, with the variation of the motion of each by it.
+fn columns(at: &Local<'_>, nodal: &NodalKinematics, velocities: &Velocities) -> Columns {
+    std::array::from_fn(|i| {
+        let column = (i / 4, VARIABLES[i % 4]);
+        (column, Motion::of_node(at, nodal, velocities, column))
+    })
+}
+
 impl Element for BeamInertia {
     fn label(&self) -> &str {
         &self.label
@@ -263,9 +301,16 @@ impl Element for BeamInertia {
         sum
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let velocities = Velocities::new(&nodal, at.nodes, at.frame);
+        let columns = jacobian.is_some().then(|| columns(at, &nodal, &velocities));
+        let mut jacobian = jacobian.zip(columns);
         for mass in &self.points {
             let motion = Motion::new(mass, &nodal, &velocities);
             motion.add_residual(&velocities, out);
@@ -273,35 +318,9 @@ impl Element for BeamInertia {
             add_on_line(&motion.section, &weight, |node, equation, value| {
                 out.add(node, equation, value);
             });
-        }
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        const VARIABLES: [Variable; 4] = [
-            Variable::Position,
-            Variable::Rotation,
-            Variable::Velocity,
-            Variable::AngularVelocity,
-        ];
-        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
-        let velocities = Velocities::new(&nodal, at.nodes, at.frame);
-        let columns: [_; 12] = std::array::from_fn(|i| {
-            let column = (i / 4, VARIABLES[i % 4]);
-            (column, Motion::of_node(at, &nodal, &velocities, column))
-        });
-        for mass in &self.points {
-            let motion = Motion::new(mass, &nodal, &velocities);
-            for (column, of_node) in &columns {
-                motion.add_variation(&velocities, *column, of_node, out);
+            if let Some((out, columns)) = &mut jacobian {
+                motion.add_jacobian(&velocities, (columns, &weight), out);
             }
-            let by_rotation = moment_variation(&motion.section, &motion.sigma(), &Vector3::zeros());
-            for (j, row) in by_rotation.iter().enumerate() {
-                for (k, block) in row.iter().enumerate() {
-                    out.add((j, Moment), (k, Variable::Rotation), &-block);
-                }
-            }
-            let weight = motion.weight(&at.loading.gravity);
-            add_on_line_variation(&motion.section, &weight, out);
         }
     }
 }

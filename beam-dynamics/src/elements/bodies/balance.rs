@@ -45,7 +45,12 @@ impl Element for NodeBalance {
         &self.nodes
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let node = &at.nodes[0];
         let omega = &at.frame.angular_velocity;
         let v = node.velocity_in_space(at.frame);
@@ -57,9 +62,7 @@ impl Element for NodeBalance {
         out.add(0, Moment, &-node.angular_momentum_rate);
         out.add(0, Moment, &-omega.cross(&node.angular_momentum));
         out.add(0, Moment, &-v.cross(&node.momentum));
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let Some(out) = jacobian else { return };
         let node = &at.nodes[0];
         let identity = Matrix3::identity();
         let turning = at.frame.skew();

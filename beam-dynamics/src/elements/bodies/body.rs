@@ -115,7 +115,12 @@ impl Element for RigidBody {
         }
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let Kinematics { s, j, v, omega } = self.kinematics(&at.nodes[0], at.frame);
         out.add(0, Momentum, &-(self.inertia.mass * v));
         out.add(0, Momentum, &-omega.cross(&s));
@@ -124,10 +129,7 @@ impl Element for RigidBody {
         let gravity = &at.loading.gravity;
         out.add(0, Force, &(self.inertia.mass * gravity));
         out.add(0, Moment, &s.cross(gravity));
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        let Kinematics { s, j, v, omega } = self.kinematics(&at.nodes[0], at.frame);
+        let Some(out) = jacobian else { return };
         let m = self.inertia.mass;
         let turning = at.frame.skew();
         let skew_s = skew(&s);

@@ -163,14 +163,17 @@ impl Element for Actuator {
         self.command.signals().iter().for_each(visit);
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         out.add_scalar(0, at.scalars.rates[0]);
         out.add_scalar(0, -at.scalars.values[1]);
         out.add_scalar(1, at.scalars.rates[1]);
         out.add_scalar(1, -self.acceleration(at)[0]);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let Some(out) = jacobian else { return };
         let [_, by_position, by_rate, by_command] = self.acceleration(at);
         out.add_scalar(0, 0, 1.0, true);
         out.add_scalar(0, 1, -1.0, false);

@@ -183,15 +183,18 @@ impl Element for Sampled {
         self.sampling.next(time)
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let held = &at.memory[self.outputs(self.sampling.delay)];
         for (i, held) in held.iter().enumerate() {
             out.add_scalar(i, at.scalars.values[i]);
             out.add_scalar(i, -held);
         }
-    }
-
-    fn jacobian(&self, _at: &Local<'_>, out: &mut LocalJacobian) {
+        let Some(out) = jacobian else { return };
         (0..self.limits.len()).for_each(|i| out.add_scalar(i, i, 1.0, false));
     }
 }

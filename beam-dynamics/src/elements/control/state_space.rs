@@ -201,7 +201,12 @@ impl Element for StateSpace {
         self.inputs.signals().iter().for_each(visit);
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let [states, _, outputs] = self.matrices.sizes();
         let Matrices { a, b, c, d } = &self.matrices;
         for i in 0..states {
@@ -219,9 +224,7 @@ impl Element for StateSpace {
             (0..states).for_each(|i| out.add_scalar(i, -b[(i, j)] * u));
             (0..outputs).for_each(|i| out.add_scalar(states + i, -d[(i, j)] * u));
         }
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let Some(out) = jacobian else { return };
         let [states, _, outputs] = self.matrices.sizes();
         for row in 0..states + outputs {
             out.add_scalar(row, row, 1.0, row < states);

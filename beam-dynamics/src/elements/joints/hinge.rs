@@ -267,18 +267,20 @@ impl Element for Hinge {
         Exchange::of(self.spring.damping != 0.0, is_driven)
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.joint.residual(at, out);
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
+        let mut jacobian = jacobian;
+        self.joint.evaluate(at, out, jacobian.as_deref_mut());
         let state = self.state(at.nodes);
         let moment = self.moment(&state, &at.instant()) * state.axis();
         out.add(0, Moment, &moment);
         out.add(1, Moment, &-moment);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        self.joint.jacobian(at, out);
-        if !self.is_free() {
-            self.spring_jacobian(&self.state(at.nodes), &at.instant(), out);
+        if let Some(out) = jacobian.filter(|_| !self.is_free()) {
+            self.spring_jacobian(&state, &at.instant(), out);
         }
     }
 

@@ -364,19 +364,24 @@ impl Element for ConstraintJoint {
         }
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let seen = self.seen_at(at);
+        let mut jacobian = jacobian;
         for (i, row) in self.rows.iter().enumerate() {
-            row.at(&seen).residual(i, at.multipliers[i], out);
+            let placed = row.at(&seen);
+            placed.residual(i, at.multipliers[i], out);
+            if let Some(out) = jacobian.as_deref_mut() {
+                placed.jacobian(i, at.multipliers[i], out);
+            }
         }
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        let seen = self.seen_at(at);
-        for (i, row) in self.rows.iter().enumerate() {
-            row.at(&seen).jacobian(i, at.multipliers[i], out);
+        if let Some(out) = jacobian {
+            self.jacobian_by_scalars(&seen, at, out);
         }
-        self.jacobian_by_scalars(&seen, at, out);
     }
 
     fn motions(&self) -> Vec<Motion> {

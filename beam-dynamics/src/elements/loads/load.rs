@@ -103,11 +103,14 @@ impl<T: Load> Element for T {
         Exchange::Driven
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         add_whole(self, self.head().factor.value(at.loading), at, out);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let Some(out) = jacobian else { return };
         add_variations(self, self.head().factor.value(at.loading), at, out);
     }
 

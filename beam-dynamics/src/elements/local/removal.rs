@@ -4,6 +4,9 @@ use super::{LocalJacobian, LocalResidual};
 impl LocalResidual {
     /// Puts "the multiplier is zero" in the place of a constraint.
     pub fn remove_constraint(&mut self, constraint: usize, multiplier: f64) {
+        if self.is_ignored() {
+            return;
+        }
         let row = self.size.multiplier(constraint);
         self.values[row] = multiplier;
         self.sizes[row] = multiplier.abs();

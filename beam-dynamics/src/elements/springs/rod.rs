@@ -251,18 +251,21 @@ impl Element for Rod {
         Exchange::of(self.law.is_viscous(), is_driven)
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let state = self.state(at);
         state.line.add_pull(state.response.force[0], out);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let Some(out) = jacobian else { return };
         let Strained {
             line: state,
             scale: [scale, scale_rate],
             response,
             ..
-        } = self.state(at);
+        } = state;
         let tension = response.force[0];
         let along = state.n * state.n.transpose() / scale;
         let viscosity = response.by_rate[(0, 0)];

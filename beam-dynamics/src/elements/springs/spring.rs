@@ -345,18 +345,19 @@ impl Element for Spring {
         Exchange::of(self.law.is_viscous(), !self.law.keeps_energy())
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        let state = self.state(at.nodes);
-        let wrench = state.wrench(&self.response(&state, at).force);
-        self.each_wrench(&state, &wrench, |row, equation, value| {
-            out.add(row, equation, value);
-        });
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let state = self.state(at.nodes);
         let response = self.response(&state, at);
         let wrench = state.wrench(&response.force);
+        self.each_wrench(&state, &wrench, |row, equation, value| {
+            out.add(row, equation, value);
+        });
+        let Some(out) = jacobian else { return };
         let slopes = [&response.by_strain, &response.by_rate];
         self.add_variation(&state, &wrench, slopes, out);
         let (strain, rate) = (&state.strain, &state.rate);

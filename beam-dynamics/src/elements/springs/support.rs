@@ -182,13 +182,16 @@ impl Element for SupportSpring {
         Exchange::of(is_viscous, false)
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let (force, moment) = self.wrench(&self.state(&at.nodes[0], at.frame));
         out.add(0, Force, &force);
         out.add(0, Moment, &moment);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let Some(out) = jacobian else { return };
         let node = &at.nodes[0];
         let law = &self.law;
         let state = self.state(node, at.frame);

@@ -1,6 +1,6 @@
 //! The matrix of all stages of a formula.
 
-use super::{Arc, Combination, Dae, Pattern, STAGES, Sparse};
+use super::{Arc, Combination, Dae, Pattern, Residual, STAGES, Sparse};
 
 /// The blocks (D-112) of a formula in one matrix, in which the stages of an unknown stand
 /// next to each other: the order of the unknowns that suits one stage suits them all.
@@ -55,19 +55,27 @@ impl StageMatrix {
     }
 
     /// Fills the matrix at the present stages of the system; `weights` are those of the
-    /// formula times the step.
-    pub fn combine(&mut self, dae: &mut dyn Dae, weights: &[[f64; STAGES]; STAGES]) {
+    /// formula times the step, and `residuals` take those of the stages where they are wanted.
+    pub fn combine(
+        &mut self,
+        dae: &mut dyn Dae,
+        weights: &[[f64; STAGES]; STAGES],
+        mut residuals: Option<&mut [Residual]>,
+    ) {
         if self.stages == 1 {
             let sum = block(weights[0][0], true, &mut self.matrix);
-            dae.jacobian(0, &mut [sum]);
+            let residual = residuals.map(|all| &mut all[0]);
+            dae.jacobian(0, &mut [sum], residual);
             return;
         }
         for row in 0..self.stages {
             let weight = weights[row];
+            let residual = residuals.as_deref_mut().map(|all| &mut all[row]);
             match &mut self.blocks[..] {
                 [a, b] => dae.jacobian(
                     row,
                     &mut [block(weight[0], row == 0, a), block(weight[1], row == 1, b)],
+                    residual,
                 ),
                 [a, b, c] => dae.jacobian(
                     row,
@@ -76,6 +84,7 @@ impl StageMatrix {
                         block(weight[1], row == 1, b),
                         block(weight[2], row == 2, c),
                     ],
+                    residual,
                 ),
                 _ => {}
             }

@@ -50,7 +50,7 @@ fn error(model: &Model) -> f64 {
         by_algebraic: 1.0,
         matrix: &mut matrix,
     };
-    dae.jacobian(0, &mut [sum]);
+    dae.jacobian(0, &mut [sum], None);
     let largest = matrix.values().iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let mut worst = 0.0_f64;
     for column in 0..count {

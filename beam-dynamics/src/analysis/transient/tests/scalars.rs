@@ -146,15 +146,18 @@ impl Element for Lag {
         &self.scalars
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         out.add_scalar(0, self.rate * self.law(at.scalars.values[0]));
         out.add_scalar(0, -self.rate * self.law(self.rest));
         if self.scalars[0].has_rate {
             out.add_scalar(0, at.scalars.rates[0]);
         }
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
+        let Some(out) = jacobian else { return };
         let slope = 1.0 + 3.0 * self.cubic * at.scalars.values[0].powi(2);
         out.add_scalar(0, 0, self.rate * slope, false);
         if self.scalars[0].has_rate {

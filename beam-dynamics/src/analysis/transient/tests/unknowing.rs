@@ -41,12 +41,13 @@ impl Element for Unknowing {
         self.0.next_corner(time)
     }
 
-    fn residual(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.0.residual(at, out);
-    }
-
-    fn jacobian(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        self.0.jacobian(at, out);
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
+        self.0.evaluate(at, out, jacobian);
     }
 
     fn observe(&self, at: &Local<'_>, out: &mut Observations) {
