@@ -194,7 +194,9 @@ fn free_hinges(names: &[String]) -> Option<String> {
 /// What the reader must know of systems that sample, where there is no time.
 fn sampled(model: &Model) -> Option<String> {
     let elements = model.system.elements();
-    let mut names = elements.filter(|one| one.memory() > 0).map(Element::label);
+    let mut names = elements
+        .filter(|one| one.memory().is_some())
+        .map(Element::label);
     let first = names.next()?;
     let others = match names.count() {
         0 => String::new(),

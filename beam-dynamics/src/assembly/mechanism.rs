@@ -15,6 +15,7 @@
 //! free on purpose are no mechanisms: what is free also with these rows (all hinges
 //! locked) has been forgotten; what is free only without them is the freedom of hinges.
 
+use crate::elements::Queries;
 use nalgebra::{DMatrix, DVector, RowDVector, Vector3};
 
 use super::System;

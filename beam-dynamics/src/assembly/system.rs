@@ -1,5 +1,6 @@
 //! The sum of all elements.
 
+use crate::elements::{Element, Local, LocalJacobian, LocalSize, Observations, Queries};
 use std::sync::Arc;
 
 pub use layout::Workspace;
@@ -11,7 +12,6 @@ use size::Lengths;
 
 use super::{Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
-use crate::elements::{Element, Local, LocalJacobian, LocalSize, Observations};
 use crate::model::{Conditions, Node, Numbering, Scalar, State};
 
 mod constraints;
@@ -85,7 +85,7 @@ impl System {
         let used = elements.iter().flat_map(|element| element.scalars());
         let (used, scalars) = Scalar::number(used);
         let uses = elements.iter().map(|element| element.scalars().len());
-        let memory = elements.iter().map(|element| element.memory());
+        let memory = elements.iter().map(|element| element.memory_size());
         let numbering = Numbering::new(nodes.len(), counts)
             .with_scalars(uses, used)
             .with_memory(memory);

@@ -1,5 +1,6 @@
 //! What is asked about motion in time.
 
+use crate::elements::Queries;
 use nalgebra::Vector3;
 
 use super::Model;

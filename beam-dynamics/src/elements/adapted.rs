@@ -9,6 +9,7 @@
 //! q = m . F ,      dq = m . dF + ( m x F ) . theta_c
 //! ```
 
+use crate::elements::{Constraints, Energetic, Growth, Memory, Queries, Reports, Structure};
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
@@ -203,104 +204,16 @@ impl Element for Adapted {
         self.element.nodes()
     }
 
-    fn multipliers(&self) -> usize {
-        self.element.multipliers()
-    }
-
     fn scalars(&self) -> &[Scalar] {
         &self.scalars
-    }
-
-    fn memory(&self) -> usize {
-        self.element.memory()
-    }
-
-    fn begin(&self, at: &Local<'_>, memory: &mut [f64]) {
-        self.with(at, |at| self.element.begin(at, memory));
-    }
-
-    fn accept(&self, at: &Local<'_>, memory: &mut [f64]) {
-        self.with(at, |at| self.element.accept(at, memory));
     }
 
     fn acts(&self) -> bool {
         self.element.acts()
     }
 
-    fn joins_nodes(&self) -> bool {
-        self.element.joins_nodes()
-    }
-
-    fn charges(&self, at: &Local<'_>, out: &mut Charges) {
-        self.with(at, |at| self.element.charges(at, out));
-    }
-
-    fn level(&self, constraint: usize) -> Level {
-        self.element.level(constraint)
-    }
-
-    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
-        self.element.constraint_words(constraint)
-    }
-
-    fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
-        let knows = self.element.constraint_rates(at, out);
-        for &constraint in &self.removed {
-            out.by_time[constraint] = 0.0;
-            out.convective[constraint] = 0.0;
-        }
-        knows
-    }
-
-    fn reach(&self) -> f64 {
-        self.element.reach()
-    }
-
     fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         self.element.each_signal(visit);
-    }
-
-    fn next_corner(&self, time: f64) -> f64 {
-        self.element.next_corner(time)
-    }
-
-    fn jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
-        self.element.jump(between, scalars)
-    }
-
-    fn held(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
-        let held = self.element.held(undeformed)?;
-        let readings = self.readings.iter().copied();
-        let own = self.scalars[self.first()..].iter().cloned();
-        let held = Self::read(Arc::from(held), readings.zip(own).collect());
-        Some(Box::new(Self {
-            removed: self.removed.clone(),
-            ..held
-        }))
-    }
-
-    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
-        self.element.winding(at)
-    }
-
-    fn without_value(&self, at: &Local<'_>) -> Option<String> {
-        self.element.without_value(at)
-    }
-
-    fn is_turned_over(&self, at: &Local<'_>) -> bool {
-        self.element.is_turned_over(at)
-    }
-
-    fn energy(&self, at: &Local<'_>) -> Energy {
-        self.with(at, |at| self.element.energy(at))
-    }
-
-    fn exchange(&self) -> Exchange {
-        self.element.exchange()
-    }
-
-    fn keeps_energy(&self) -> bool {
-        self.element.keeps_energy()
     }
 
     fn evaluate(
@@ -334,11 +247,154 @@ impl Element for Adapted {
         }
     }
 
-    fn end_axes(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
-        self.element.end_axes(at)
+    fn constraints(&self) -> Option<&dyn Constraints> {
+        self.element.constraints().map(|_| self as &dyn Constraints)
     }
 
-    fn read(
+    fn memory(&self) -> Option<&dyn Memory> {
+        self.element.memory().map(|_| self as &dyn Memory)
+    }
+
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        self.element.energetic().map(|_| self as &dyn Energetic)
+    }
+
+    fn growth(&self) -> Option<&dyn Growth> {
+        self.element.growth().map(|_| self as &dyn Growth)
+    }
+
+    fn structure(&self) -> Option<&dyn Structure> {
+        self.element.structure().map(|_| self as &dyn Structure)
+    }
+
+    fn reports(&self) -> Option<&dyn Reports> {
+        self.element.reports().map(|_| self as &dyn Reports)
+    }
+}
+
+impl Constraints for Adapted {
+    fn count(&self) -> usize {
+        self.element.multipliers()
+    }
+
+    fn level_of(&self, constraint: usize) -> Level {
+        self.element.level(constraint)
+    }
+
+    fn words_of(&self, constraint: usize) -> ConstraintWords {
+        self.element.constraint_words(constraint)
+    }
+
+    fn add_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
+        let knows = self.element.constraint_rates(at, out);
+        for &constraint in &self.removed {
+            out.by_time[constraint] = 0.0;
+            out.convective[constraint] = 0.0;
+        }
+        knows
+    }
+
+    fn jump_of_place(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
+        self.element.jump(between, scalars)
+    }
+
+    fn held_in_place(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
+        let held = self.element.held(undeformed)?;
+        let readings = self.readings.iter().copied();
+        let own = self.scalars[self.first()..].iter().cloned();
+        let held = Self::read(Arc::from(held), readings.zip(own).collect());
+        Some(Box::new(Self {
+            removed: self.removed.clone(),
+            ..held
+        }))
+    }
+
+    fn turned_over(&self, at: &Local<'_>) -> bool {
+        self.element.is_turned_over(at)
+    }
+
+    fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
+        self.element.end_axes(at)
+    }
+}
+
+impl Memory for Adapted {
+    fn size(&self) -> usize {
+        self.element.memory_size()
+    }
+
+    fn begin(&self, at: &Local<'_>, memory: &mut [f64]) {
+        if let Some(own) = self.element.memory() {
+            self.with(at, |at| own.begin(at, memory));
+        }
+    }
+
+    fn accept(&self, at: &Local<'_>, memory: &mut [f64]) {
+        if let Some(own) = self.element.memory() {
+            self.with(at, |at| own.accept(at, memory));
+        }
+    }
+
+    fn next_change(&self, time: f64) -> f64 {
+        self.element.next_corner(time)
+    }
+}
+
+impl Energetic for Adapted {
+    fn stored(&self, at: &Local<'_>) -> Energy {
+        self.with(at, |at| self.element.energy(at))
+    }
+
+    fn exchanged(&self) -> Exchange {
+        self.element.exchange()
+    }
+
+    fn is_conservative(&self) -> bool {
+        self.element.keeps_energy()
+    }
+}
+
+impl Growth for Adapted {
+    fn add_by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
+        self.with(at, |at| self.element.by_factor(at, out));
+        for &constraint in &self.removed {
+            out.remove_constraint(constraint, 0.0);
+        }
+    }
+
+    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        self.with(at, |at| self.element.prestress(at, along, out));
+    }
+}
+
+impl Structure for Adapted {
+    fn arm(&self) -> f64 {
+        self.element.reach()
+    }
+
+    fn is_joining(&self) -> bool {
+        self.element.joins_nodes()
+    }
+
+    fn free_motions(&self) -> Vec<Motion> {
+        self.element.motions()
+    }
+
+    fn loaded_turn(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        self.element.winding(at)
+    }
+
+    fn undefined(&self, at: &Local<'_>) -> Option<String> {
+        self.element.without_value(at)
+    }
+}
+
+impl Reports for Adapted {
+    fn report(&self, at: &Local<'_>, out: &mut Observations) {
+        self.with(at, |at| self.element.observe(at, out));
+    }
+
+    fn reading(
         &self,
         reading: &Reading,
         at: &Local<'_>,
@@ -347,22 +403,7 @@ impl Element for Adapted {
         self.with(at, |at| self.element.read(reading, at, row))
     }
 
-    fn motions(&self) -> Vec<Motion> {
-        self.element.motions()
-    }
-
-    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
-        self.with(at, |at| self.element.by_factor(at, out));
-        for &constraint in &self.removed {
-            out.remove_constraint(constraint, 0.0);
-        }
-    }
-
-    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
-        self.with(at, |at| self.element.prestress(at, along, out));
-    }
-
-    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
-        self.with(at, |at| self.element.observe(at, out));
+    fn report_charges(&self, at: &Local<'_>, out: &mut Charges) {
+        self.with(at, |at| self.element.charges(at, out));
     }
 }

@@ -26,6 +26,7 @@
 use super::{
     Charges, CircuitState, Element, Energy, Flow, Local, LocalJacobian, LocalResidual, Signal,
 };
+use crate::elements::{Energetic, Exchange, Observations, Reading, ReadingRow, Reports};
 use crate::model::{Quantity, Scalar, ScalarSpec, ScalarStart};
 
 /// What an electrode is connected to.
@@ -219,7 +220,29 @@ impl Element for Electrode {
         self.circuit.source().into_iter().for_each(visit);
     }
 
-    fn energy(&self, at: &Local<'_>) -> Energy {
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
+        self.add_residual(at, out);
+        if let Some(out) = jacobian {
+            self.add_jacobian(at, out);
+        }
+    }
+
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        Some(self)
+    }
+
+    fn reports(&self) -> Option<&dyn Reports> {
+        Some(self)
+    }
+}
+
+impl Energetic for Electrode {
+    fn stored(&self, at: &Local<'_>) -> Energy {
         let electric = match self.circuit {
             Circuit::Shunt { inductance, .. } if inductance > 0.0 => {
                 let [current, _] = unknown(2, at);
@@ -233,19 +256,28 @@ impl Element for Electrode {
         }
     }
 
-    fn evaluate(
-        &self,
-        at: &Local<'_>,
-        out: &mut LocalResidual,
-        jacobian: Option<&mut LocalJacobian>,
-    ) {
-        self.add_residual(at, out);
-        if let Some(out) = jacobian {
-            self.add_jacobian(at, out);
-        }
+    fn exchanged(&self) -> Exchange {
+        Exchange::by_signals(self)
     }
 
-    fn charges(&self, at: &Local<'_>, out: &mut Charges) {
+    fn is_conservative(&self) -> bool {
+        true
+    }
+}
+
+impl Reports for Electrode {
+    fn report(&self, _at: &Local<'_>, _out: &mut Observations) {}
+
+    fn reading(
+        &self,
+        _reading: &Reading,
+        _at: &Local<'_>,
+        _row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        None
+    }
+
+    fn report_charges(&self, at: &Local<'_>, out: &mut Charges) {
         let (voltage, flow) = match &self.circuit {
             Circuit::Held(source) => {
                 let now = source.at(&at.instant());

@@ -4,6 +4,7 @@
 //! with the step 1e-5: truncation 1e-10 of third derivatives of order one, round-off 1e-11
 //! of energies of order ten.
 
+use crate::elements::Queries;
 use nalgebra::{Matrix1, Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
 

@@ -4,6 +4,7 @@
 //! eps/h of terms of order one (properties are chosen so) give about 1e-9 of the
 //! largest entry; 2e-8 leaves a factor for the third derivatives.
 
+use crate::elements::Queries;
 use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
 use shared_geom::rotation::parameters::Parametrization;
 use shared_geom::rotation::{gibbs, vector};
@@ -134,7 +135,7 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
         let multipliers: Vec<_> = numbers(element.multipliers());
         let count = element.scalars().len();
         let (scalars, scalar_rates) = (numbers(count), numbers(count));
-        let memory = numbers(element.memory());
+        let memory = numbers(element.memory_size());
         let own = Own {
             multipliers,
             scalars,

@@ -1,5 +1,6 @@
 //! Small dense residual and Jacobian of one element.
 
+use crate::elements::Queries;
 use nalgebra::{DMatrix, Matrix3, RowVector3, Vector3};
 
 use super::Element;

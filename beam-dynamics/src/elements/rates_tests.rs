@@ -6,6 +6,7 @@
 //! fifth derivatives (up to 1e3), round-off 1e-16/1e-6: 1e-8 leaves a factor.
 #![allow(clippy::unwrap_used, reason = "test helpers")]
 
+use crate::elements::Queries;
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 

@@ -12,6 +12,7 @@
 //! balance. Constraints are functions times their multipliers. Random states that fulfill
 //! no constraint; round-off of products of numbers of order one.
 
+use crate::elements::Queries;
 use nalgebra::DMatrix;
 use shared_geom::rotation::{skew, vector};
 

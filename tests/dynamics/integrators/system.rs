@@ -137,7 +137,15 @@ impl<E: Equations> Dae for System<E> {
         }
     }
 
-    fn jacobian(&mut self, stage: usize, out: &mut [Combination<'_>]) {
+    fn jacobian(
+        &mut self,
+        stage: usize,
+        out: &mut [Combination<'_>],
+        residual: Option<&mut Residual>,
+    ) {
+        if let Some(residual) = residual {
+            self.residual(stage, residual);
+        }
         let Trial { time, state, .. } = &self.trials[stage];
         let [by_y, by_rates] = self.equations.derivatives(*time, &state.y, &state.rates);
         let n = E::ALGEBRAIC.len();

@@ -1,5 +1,6 @@
 //! One general element: offsets, turned sections, full stiffness, large rotations.
 
+use beam_dynamics::elements::Queries;
 use beam_dynamics::elements::beams::{
     Beam, BeamGeometry, BeamInertia, BeamNode, Formulation, MassAlong,
 };

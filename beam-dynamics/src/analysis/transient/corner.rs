@@ -10,6 +10,7 @@
 //! the change of the least kinetic energy by which the constraints are fulfilled. Where a
 //! drive jumps in what it holds in place, no motion follows it.
 
+use crate::elements::{Element, Level, PlaceJump, Queries};
 use std::borrow::Cow;
 use std::cell::Cell;
 use std::fmt;
@@ -17,7 +18,6 @@ use std::ops::Range;
 
 use crate::assembly::{Residual, Sharing, System};
 use crate::case::Model;
-use crate::elements::{Element, Level, PlaceJump};
 use crate::integrator::{Corner, Renewal};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Scalars, State};
 

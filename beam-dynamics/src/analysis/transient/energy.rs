@@ -24,7 +24,7 @@
 
 use crate::assembly::{System, Workspace};
 use crate::case::{Model, TransientQuestion};
-use crate::elements::{Energy, Exchange};
+use crate::elements::{Energy, Exchange, Queries};
 use crate::integrator::Corner;
 use crate::model::{Conditions, State};
 

@@ -1,5 +1,6 @@
 //! The first state of a run: places, velocities, momenta, rates and multipliers.
 
+use crate::elements::{Level, Queries};
 use std::fmt;
 
 use nalgebra::Vector3;
@@ -8,7 +9,6 @@ use shared_geom::rotation::vector;
 use crate::analysis::steady::equilibrium;
 use crate::assembly::{MasslessMotions, System};
 use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
-use crate::elements::Level;
 use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
 use crate::modes::EigenProblem;
 use crate::solver::LinearSolver;

@@ -1,7 +1,7 @@
 //! Levels of the constraints of a system, and their derivatives.
 
 use super::{System, Tangent};
-use crate::elements::{Element, Level};
+use crate::elements::{Element, Level, Queries};
 use crate::model::{NODE_UNKNOWNS, Variable};
 
 impl System {

@@ -2,7 +2,7 @@
 
 use super::System;
 use super::layout::Workspace;
-use crate::elements::Energy;
+use crate::elements::{Energy, Queries};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
 
 impl System {

@@ -5,6 +5,7 @@
 //! alone connects two parts carries none of them. Two joints are in one [`Loop`] when some
 //! ring of joints, that of the frame counted, leads through both.
 
+use crate::elements::Queries;
 use std::collections::BTreeMap;
 
 use super::System;

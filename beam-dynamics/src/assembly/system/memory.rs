@@ -10,8 +10,9 @@ impl System {
         let mut memory = std::mem::take(&mut state.memory);
         for (index, range) in self.numbering.remembering() {
             let own = &mut memory[range.clone()];
-            let element = &self.elements[*index];
-            self.seen(*index, state, conditions, |at| element.begin(at, own));
+            if let Some(element) = self.elements[*index].memory() {
+                self.seen(*index, state, conditions, |at| element.begin(at, own));
+            }
         }
         state.memory = memory;
     }
@@ -29,7 +30,9 @@ impl System {
         let mut memory = std::mem::take(&mut state.memory);
         for (index, range) in self.numbering.remembering() {
             let at = self.placed(*index, state, &conditions, &mut work.gathered);
-            self.elements[*index].accept(&at, &mut memory[range.clone()]);
+            if let Some(element) = self.elements[*index].memory() {
+                element.accept(&at, &mut memory[range.clone()]);
+            }
         }
         state.memory = memory;
     }

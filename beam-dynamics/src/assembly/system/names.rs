@@ -1,7 +1,7 @@
 //! What the unknowns and equations of a system are called, and their units.
 
 use super::System;
-use crate::elements::ConstraintWords;
+use crate::elements::{ConstraintWords, Queries};
 use crate::model::{Equation, NODE_UNKNOWNS, Name, Scalar, Variable};
 
 const AXES: [&str; 3] = ["x", "y", "z"];

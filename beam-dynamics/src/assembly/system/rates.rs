@@ -1,7 +1,7 @@
 //! How the constraints of a system change by themselves.
 
 use super::System;
-use crate::elements::{ConstraintRates, Element, Local};
+use crate::elements::{ConstraintRates, Element, Local, Queries};
 use crate::model::{Conditions, NodeMotion, Scalars, State};
 
 impl System {

@@ -1,7 +1,7 @@
 //! Scalar unknowns of a system, and the scales by which they are measured.
 
 use super::System;
-use crate::elements::{Charges, ElectrodeState, Local};
+use crate::elements::{Charges, ElectrodeState, Local, Queries};
 use crate::model::{Conditions, Scalar, State};
 
 /// Scales by which changes of scalars, or residuals of their equations, are measured.

@@ -4,7 +4,7 @@
 use super::layout::{Gathered, Workspace};
 use super::{Residual, System};
 use crate::assembly::{Combination, Variation};
-use crate::elements::{Local, LocalJacobian};
+use crate::elements::{Local, LocalJacobian, Queries};
 use crate::model::{Conditions, Scalars, State};
 
 impl System {

@@ -3,6 +3,7 @@
 use super::System;
 use crate::elements::{
     Element, Energy, Local, LocalJacobian, LocalResidual, LocalSize, Observations, PlaceJump,
+    Queries,
 };
 use crate::model::{Conditions, State};
 

@@ -16,6 +16,11 @@
 //!
 //! References: [Masarati], the three-node beam (5.2-5.4).
 
+use crate::elements::{
+    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, SectionState, Signal,
+    Structure,
+};
 use nalgebra::{DMatrix, Matrix6, RowVector6, Vector3, Vector6};
 
 use super::attachment::{BeamGeometry, EVALUATION_POINTS, Formulation};
@@ -25,10 +30,6 @@ use super::geometry::ReferencePoint;
 use super::interpolation::{LARGEST, NodalKinematics, Shape};
 use super::strain::{StrainPoint, Variation};
 use crate::elements::laws::{Law, Response};
-use crate::elements::{
-    Along, Charges, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Observations,
-    Reading, ReadingRow, SectionState, Signal,
-};
 use crate::model::{Node, NodeMotion, Scalar, Variable};
 
 /// A geometrically exact beam through three nodes.
@@ -294,56 +295,13 @@ impl Element for Beam {
         &self.nodes
     }
 
-    fn joins_nodes(&self) -> bool {
-        true
-    }
-
     fn scalars(&self) -> &[Scalar] {
         &self.scalars
-    }
-
-    fn reach(&self) -> f64 {
-        let offsets = self.geometry.nodes.iter().map(|node| node.offset.norm());
-        offsets.fold(0.0, f64::max)
     }
 
     fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         let laws = self.points.iter().flat_map(|point| point.law.signals());
         laws.chain(self.electrodes.signals()).for_each(visit);
-    }
-
-    fn without_value(&self, at: &Local<'_>) -> Option<String> {
-        let turn = NodalKinematics::largest_turn(&self.geometry, at.nodes);
-        let largest = LARGEST.to_degrees();
-        (turn > LARGEST).then(|| {
-            format!(
-                "its ends turn by {:.0} deg against its middle, more than the {largest:.0} deg that \
-                 one element can follow",
-                turn.to_degrees()
-            )
-        })
-    }
-
-    fn energy(&self, at: &Local<'_>) -> Energy {
-        let strains = self.strains(at.nodes);
-        let of_point = |(point, strain): (&Point, &Vector6<f64>)| {
-            point.law.energy(strain, &at.instant()) * point.reference.j0
-        };
-        Energy {
-            elastic: self.points.iter().zip(&strains).map(of_point).sum(),
-            electric: self.electrodes.energy(&self.electrodes.voltages(at)),
-            ..Energy::default()
-        }
-    }
-
-    fn exchange(&self) -> Exchange {
-        let laws = || self.points.iter().map(|point| &point.law);
-        let is_driven = !self.electrodes.is_empty() || !laws().all(Law::keeps_energy);
-        Exchange::of(laws().any(Law::is_viscous), is_driven)
-    }
-
-    fn keeps_energy(&self) -> bool {
-        self.geometry.formulation == Formulation::Variational
     }
 
     fn evaluate(
@@ -367,9 +325,53 @@ impl Element for Beam {
         }
     }
 
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        Some(self)
+    }
+
+    fn growth(&self) -> Option<&dyn Growth> {
+        Some(self)
+    }
+
+    fn structure(&self) -> Option<&dyn Structure> {
+        Some(self)
+    }
+
+    fn reports(&self) -> Option<&dyn Reports> {
+        Some(self)
+    }
+}
+
+impl Energetic for Beam {
+    fn stored(&self, at: &Local<'_>) -> Energy {
+        let strains = self.strains(at.nodes);
+        let of_point = |(point, strain): (&Point, &Vector6<f64>)| {
+            point.law.energy(strain, &at.instant()) * point.reference.j0
+        };
+        Energy {
+            elastic: self.points.iter().zip(&strains).map(of_point).sum(),
+            electric: self.electrodes.energy(&self.electrodes.voltages(at)),
+            ..Energy::default()
+        }
+    }
+
+    fn exchanged(&self) -> Exchange {
+        let laws = || self.points.iter().map(|point| &point.law);
+        let is_driven = !self.electrodes.is_empty() || !laws().all(Law::keeps_energy);
+        Exchange::of(laws().any(Law::is_viscous), is_driven)
+    }
+
+    fn is_conservative(&self) -> bool {
+        self.geometry.formulation == Formulation::Variational
+    }
+}
+
+impl Growth for Beam {
+    fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
+
     /// The part that is proportional to the internal forces, for their growth along the
     /// motion, with the stiffness of the section where it grows with the strain.
-    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);
         let growth = self.electrodes.growth(along);
@@ -383,8 +385,41 @@ impl Element for Beam {
             formulation.add_geometric(place, &point.strain, &force, out);
         }
     }
+}
 
-    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+impl Structure for Beam {
+    fn arm(&self) -> f64 {
+        let offsets = self.geometry.nodes.iter().map(|node| node.offset.norm());
+        offsets.fold(0.0, f64::max)
+    }
+
+    fn is_joining(&self) -> bool {
+        true
+    }
+
+    fn free_motions(&self) -> Vec<Motion> {
+        Vec::new()
+    }
+
+    fn loaded_turn(&self, _at: &Local<'_>) -> Option<Vector3<f64>> {
+        None
+    }
+
+    fn undefined(&self, at: &Local<'_>) -> Option<String> {
+        let turn = NodalKinematics::largest_turn(&self.geometry, at.nodes);
+        let largest = LARGEST.to_degrees();
+        (turn > LARGEST).then(|| {
+            format!(
+                "its ends turn by {:.0} deg against its middle, more than the {largest:.0} deg that \
+                 one element can follow",
+                turn.to_degrees()
+            )
+        })
+    }
+}
+
+impl Reports for Beam {
+    fn report(&self, at: &Local<'_>, out: &mut Observations) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);
         let turn = NodalKinematics::largest_turn(&self.geometry, at.nodes);
@@ -404,7 +439,7 @@ impl Element for Beam {
         }
     }
 
-    fn read(
+    fn reading(
         &self,
         reading: &Reading,
         at: &Local<'_>,
@@ -430,7 +465,7 @@ impl Element for Beam {
         })
     }
 
-    fn charges(&self, at: &Local<'_>, out: &mut Charges) {
+    fn report_charges(&self, at: &Local<'_>, out: &mut Charges) {
         if self.electrodes.is_empty() {
             return;
         }

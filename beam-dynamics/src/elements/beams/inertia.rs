@@ -30,6 +30,7 @@
 //! Frequencies are of fourth order, with about twice the error of bodies by nodal
 //! weights ([`super::lumped_bodies`]).
 
+use crate::elements::{Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
 
@@ -39,7 +40,6 @@ use super::interpolation::NodalKinematics;
 use super::mass::{MassAlong, MassPoint, mass_points};
 use super::strain::SectionPoint;
 use super::variational::{add_on_line, add_on_line_variation, moment_variation};
-use crate::elements::{Element, Energy, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Moment, Momentum};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 
@@ -287,20 +287,6 @@ impl Element for BeamInertia {
         &self.nodes
     }
 
-    fn energy(&self, at: &Local<'_>) -> Energy {
-        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
-        let velocities = Velocities::new(&nodal, at.nodes, at.frame);
-        let mut sum = Energy::default();
-        for mass in &self.points {
-            let motion = Motion::new(mass, &nodal, &velocities);
-            let twice = motion.velocity.dot(&motion.h) + motion.omega.dot(&motion.k);
-            let moment_of_mass = mass.mass * motion.section.point.p + motion.s;
-            sum.kinetic += 0.5 * twice;
-            sum.gravity -= moment_of_mass.dot(&at.loading.gravity);
-        }
-        sum
-    }
-
     fn evaluate(
         &self,
         at: &Local<'_>,
@@ -322,5 +308,33 @@ impl Element for BeamInertia {
                 motion.add_jacobian(&velocities, (columns, &weight), out);
             }
         }
+    }
+
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        Some(self)
+    }
+}
+
+impl Energetic for BeamInertia {
+    fn stored(&self, at: &Local<'_>) -> Energy {
+        let nodal = NodalKinematics::new(&self.geometry, at.nodes);
+        let velocities = Velocities::new(&nodal, at.nodes, at.frame);
+        let mut sum = Energy::default();
+        for mass in &self.points {
+            let motion = Motion::new(mass, &nodal, &velocities);
+            let twice = motion.velocity.dot(&motion.h) + motion.omega.dot(&motion.k);
+            let moment_of_mass = mass.mass * motion.section.point.p + motion.s;
+            sum.kinetic += 0.5 * twice;
+            sum.gravity -= moment_of_mass.dot(&at.loading.gravity);
+        }
+        sum
+    }
+
+    fn exchanged(&self) -> Exchange {
+        Exchange::by_signals(self)
+    }
+
+    fn is_conservative(&self) -> bool {
+        true
     }
 }

@@ -14,10 +14,10 @@
 //!
 //! References: [Masarati], momentum and momenta moment of a rigid body.
 
+use crate::elements::{Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew, times_skew};
 
-use crate::elements::{Element, Energy, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{NodeMotion, TurningFrame, Variable};
 
@@ -102,19 +102,6 @@ impl Element for RigidBody {
         &self.nodes
     }
 
-    fn energy(&self, at: &Local<'_>) -> Energy {
-        let node = &at.nodes[0];
-        let Kinematics { s, j, v, omega } = self.kinematics(node, at.frame);
-        let momentum = self.inertia.mass * v + omega.cross(&s);
-        let angular = s.cross(&v) + j * omega;
-        let moment_of_mass = self.inertia.mass * node.position + s;
-        Energy {
-            kinetic: 0.5 * (v.dot(&momentum) + omega.dot(&angular)),
-            gravity: -moment_of_mass.dot(&at.loading.gravity),
-            ..Energy::default()
-        }
-    }
-
     fn evaluate(
         &self,
         at: &Local<'_>,
@@ -153,5 +140,32 @@ impl Element for RigidBody {
         // d(S x a_g) = [a_g]x [S]x theta.
         let weight = skew_skew(&at.loading.gravity, &s);
         out.add((0, Moment), (0, Variable::Rotation), &weight);
+    }
+
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        Some(self)
+    }
+}
+
+impl Energetic for RigidBody {
+    fn stored(&self, at: &Local<'_>) -> Energy {
+        let node = &at.nodes[0];
+        let Kinematics { s, j, v, omega } = self.kinematics(node, at.frame);
+        let momentum = self.inertia.mass * v + omega.cross(&s);
+        let angular = s.cross(&v) + j * omega;
+        let moment_of_mass = self.inertia.mass * node.position + s;
+        Energy {
+            kinetic: 0.5 * (v.dot(&momentum) + omega.dot(&angular)),
+            gravity: -moment_of_mass.dot(&at.loading.gravity),
+            ..Energy::default()
+        }
+    }
+
+    fn exchanged(&self) -> Exchange {
+        Exchange::by_signals(self)
+    }
+
+    fn is_conservative(&self) -> bool {
+        true
     }
 }

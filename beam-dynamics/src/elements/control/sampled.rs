@@ -16,6 +16,7 @@ use nalgebra::DVector;
 
 use super::Matrices;
 use super::inputs::Inputs;
+use crate::elements::Memory;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::Scalar;
 
@@ -156,7 +157,32 @@ impl Element for Sampled {
         &self.scalars
     }
 
-    fn memory(&self) -> usize {
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        self.inputs.signals().iter().for_each(visit);
+    }
+
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
+        let held = &at.memory[self.outputs(self.sampling.delay)];
+        for (i, held) in held.iter().enumerate() {
+            out.add_scalar(i, at.scalars.values[i]);
+            out.add_scalar(i, -held);
+        }
+        let Some(out) = jacobian else { return };
+        (0..self.limits.len()).for_each(|i| out.add_scalar(i, i, 1.0, false));
+    }
+
+    fn memory(&self) -> Option<&dyn Memory> {
+        Some(self)
+    }
+}
+
+impl Memory for Sampled {
+    fn size(&self) -> usize {
         self.outputs(self.sampling.delay).end
     }
 
@@ -175,26 +201,7 @@ impl Element for Sampled {
         }
     }
 
-    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
-        self.inputs.signals().iter().for_each(visit);
-    }
-
-    fn next_corner(&self, time: f64) -> f64 {
+    fn next_change(&self, time: f64) -> f64 {
         self.sampling.next(time)
-    }
-
-    fn evaluate(
-        &self,
-        at: &Local<'_>,
-        out: &mut LocalResidual,
-        jacobian: Option<&mut LocalJacobian>,
-    ) {
-        let held = &at.memory[self.outputs(self.sampling.delay)];
-        for (i, held) in held.iter().enumerate() {
-            out.add_scalar(i, at.scalars.values[i]);
-            out.add_scalar(i, -held);
-        }
-        let Some(out) = jacobian else { return };
-        (0..self.limits.len()).for_each(|i| out.add_scalar(i, i, 1.0, false));
     }
 }

@@ -7,7 +7,7 @@ use crate::elements::joints::{Hinge, HingeSpring, samples};
 use crate::elements::springs::{End, Measure, Rod, Spring, SpringLaw};
 use crate::elements::{
     Adapted, Axes, Element, JointMotion, Local, LocalResidual, LocalSize, Observations, Part,
-    Reading, Sensor, SpringVector,
+    Queries, Reading, Sensor, SpringVector,
 };
 use crate::model::{Conditions, Node, NodeMotion, Quantity, Scalar, Scalars};
 use nalgebra::{DMatrix, Vector6};

@@ -31,6 +31,12 @@
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
+use crate::elements::{
+    Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Energetic, Energy,
+    Exchange, Growth, Instant, Level, Local, LocalJacobian, LocalResidual, Motion, Observations,
+    PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, Structure, prestress_of_multipliers,
+};
+use crate::model::{Loading, Node, NodeMotion, Scalar, Scalars, Variable};
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
@@ -38,13 +44,7 @@ use shared_geom::rotation::skew;
 
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
-use crate::elements::{
-    Along, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Instant, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, Reading, ReadingRow, Signal,
-    prestress_of_multipliers,
-};
 use crate::model::Equation::Moment;
-use crate::model::{Node, NodeMotion, Scalar, Variable};
 
 /// Spring and damper of a hinge.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -217,54 +217,12 @@ impl Element for Hinge {
         self.joint.nodes()
     }
 
-    fn multipliers(&self) -> usize {
-        self.joint.multipliers()
-    }
-
-    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
-        self.joint.constraint_words(constraint)
-    }
-
-    fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
-        self.joint.constraint_rates(at, out)
-    }
-
-    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
-        let is_loaded = self.spring.stiffness != 0.0;
-        is_loaded.then(|| {
-            let turned = self.turned(&self.state(at.nodes), &at.instant());
-            turned * Vector3::x()
-        })
-    }
-
-    fn reach(&self) -> f64 {
-        self.joint.reach()
-    }
-
     fn scalars(&self) -> &[Scalar] {
         &self.scalars
     }
 
     fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         self.relaxed.iter().for_each(visit);
-    }
-
-    fn energy(&self, at: &Local<'_>) -> Energy {
-        let stiffness = self.spring.stiffness;
-        // A free hinge may stand where its angle has no value.
-        let turned = match stiffness == 0.0 {
-            true => 0.0,
-            false => self.turned(&self.state(at.nodes), &at.instant()),
-        };
-        Energy {
-            elastic: 0.5 * stiffness * turned * turned,
-            ..Energy::default()
-        }
-    }
-
-    fn exchange(&self) -> Exchange {
-        let is_driven = self.relaxed.iter().any(|angle| angle.constant().is_none());
-        Exchange::of(self.spring.damping != 0.0, is_driven)
     }
 
     fn evaluate(
@@ -284,7 +242,89 @@ impl Element for Hinge {
         }
     }
 
-    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn constraints(&self) -> Option<&dyn Constraints> {
+        Some(self)
+    }
+
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        Some(self)
+    }
+
+    fn growth(&self) -> Option<&dyn Growth> {
+        Some(self)
+    }
+
+    fn structure(&self) -> Option<&dyn Structure> {
+        Some(self)
+    }
+
+    fn reports(&self) -> Option<&dyn Reports> {
+        Some(self)
+    }
+}
+
+impl Constraints for Hinge {
+    fn count(&self) -> usize {
+        self.joint.multipliers()
+    }
+
+    fn level_of(&self, _constraint: usize) -> Level {
+        Level::Position
+    }
+
+    fn words_of(&self, constraint: usize) -> ConstraintWords {
+        self.joint.constraint_words(constraint)
+    }
+
+    fn add_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
+        self.joint.constraint_rates(at, out)
+    }
+
+    fn jump_of_place(&self, _between: [&Loading; 2], _scalars: Scalars<'_>) -> Option<PlaceJump> {
+        None
+    }
+
+    fn held_in_place(&self, _undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
+        None
+    }
+
+    fn turned_over(&self, _at: &Local<'_>) -> bool {
+        false
+    }
+
+    fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
+        self.joint.end_axes(at)
+    }
+}
+
+impl Energetic for Hinge {
+    fn stored(&self, at: &Local<'_>) -> Energy {
+        let stiffness = self.spring.stiffness;
+        // A free hinge may stand where its angle has no value.
+        let turned = match stiffness == 0.0 {
+            true => 0.0,
+            false => self.turned(&self.state(at.nodes), &at.instant()),
+        };
+        Energy {
+            elastic: 0.5 * stiffness * turned * turned,
+            ..Energy::default()
+        }
+    }
+
+    fn exchanged(&self) -> Exchange {
+        let is_driven = self.relaxed.iter().any(|angle| angle.constant().is_none());
+        Exchange::of(self.spring.damping != 0.0, is_driven)
+    }
+
+    fn is_conservative(&self) -> bool {
+        true
+    }
+}
+
+impl Growth for Hinge {
+    fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
+
+    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
         prestress_of_multipliers(self, at, along, out);
         if self.spring.stiffness == 0.0 {
             return;
@@ -298,8 +338,18 @@ impl Element for Hinge {
             out.add((node, Moment), (0, Variable::Rotation), &(sign * by_a));
         }
     }
+}
 
-    fn motions(&self) -> Vec<Motion> {
+impl Structure for Hinge {
+    fn arm(&self) -> f64 {
+        self.joint.reach()
+    }
+
+    fn is_joining(&self) -> bool {
+        false
+    }
+
+    fn free_motions(&self) -> Vec<Motion> {
         let zero = Vector3::zeros();
         vec![Motion {
             form: vec![[zero, -self.axis], [zero, self.axis]],
@@ -307,11 +357,27 @@ impl Element for Hinge {
         }]
     }
 
-    fn end_axes(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
-        self.joint.end_axes(at)
+    fn loaded_turn(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        let is_loaded = self.spring.stiffness != 0.0;
+        is_loaded.then(|| {
+            let turned = self.turned(&self.state(at.nodes), &at.instant());
+            turned * Vector3::x()
+        })
     }
 
-    fn read(
+    fn undefined(&self, _at: &Local<'_>) -> Option<String> {
+        None
+    }
+}
+
+impl Reports for Hinge {
+    fn report(&self, at: &Local<'_>, out: &mut Observations) {
+        let state = self.state(at.nodes);
+        let moment = self.moment(&state, &at.instant()) * state.axis();
+        self.joint.observe_with(at, &moment, out);
+    }
+
+    fn reading(
         &self,
         reading: &Reading,
         at: &Local<'_>,
@@ -320,9 +386,5 @@ impl Element for Hinge {
         self.joint.read(reading, at, row)
     }
 
-    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
-        let state = self.state(at.nodes);
-        let moment = self.moment(&state, &at.instant()) * state.axis();
-        self.joint.observe_with(at, &moment, out);
-    }
+    fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}
 }

@@ -6,16 +6,17 @@
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
+use crate::elements::{
+    Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Growth, Instant, Level,
+    Local, LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reaction, Reading,
+    ReadingRow, Reports, Signal, Structure, prestress_of_multipliers,
+};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
 use crate::elements::loads::LoadFactor;
-use crate::elements::{
-    ConstraintRates, ConstraintWords, Element, Instant, Level, Local, LocalJacobian, LocalResidual,
-    Motion, Observations, PlaceJump, Reaction, Reading, ReadingRow, Signal,
-};
 use crate::model::{DriveValue, Loading, Node, NodeMotion, Scalar, Scalars};
 
 mod held;
@@ -298,70 +299,12 @@ impl Element for ConstraintJoint {
         &self.nodes
     }
 
-    fn multipliers(&self) -> usize {
-        self.rows.len()
-    }
-
-    fn level(&self, constraint: usize) -> Level {
-        self.rows
-            .get(constraint)
-            .map_or(Level::Position, Row::level)
-    }
-
-    fn constraint_words(&self, constraint: usize) -> ConstraintWords {
-        match self.rows.get(constraint) {
-            Some(row) => row.held.words(),
-            None => ConstraintWords::numbered(constraint),
-        }
-    }
-
-    fn constraint_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
-        let seen = self.seen_at(at);
-        for (i, row) in self.rows.iter().enumerate() {
-            (out.by_time[i], out.convective[i]) = row.at(&seen).rates();
-        }
-        true
-    }
-
-    fn reach(&self) -> f64 {
-        self.reach
-    }
-
     fn scalars(&self) -> &[Scalar] {
         &self.scalars
     }
 
     fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         self.given().for_each(visit);
-    }
-
-    fn jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
-        self.place_jump(between, scalars)
-    }
-
-    fn held(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
-        let held = self.without_velocities(undeformed)?;
-        Some(Box::new(held))
-    }
-
-    fn is_turned_over(&self, at: &Local<'_>) -> bool {
-        if self.turn.is_none() {
-            return false;
-        }
-        let seen = self.seen_at(at);
-        let against = seen.turned.axes.transpose() * seen.ends.b.axes;
-        let angles = self.rows.iter();
-        let angles = angles.filter(|row| matches!(row.held, Held::Across(..)));
-        match (angles.count(), self.angle_about) {
-            (3, _) => against.diagonal().min() < 0.0,
-            (2, Some(axis)) => against[(axis, axis)] < 0.0,
-            // Another joint keeps the axis.
-            (1, Some(axis)) => {
-                let across = (axis + 1) % 3;
-                against[(axis, axis)] > 0.5 && against[(across, across)] < 0.0
-            }
-            _ => false,
-        }
     }
 
     fn evaluate(
@@ -384,11 +327,86 @@ impl Element for ConstraintJoint {
         }
     }
 
-    fn motions(&self) -> Vec<Motion> {
-        self.motions.clone()
+    fn constraints(&self) -> Option<&dyn Constraints> {
+        Some(self)
     }
 
-    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn growth(&self) -> Option<&dyn Growth> {
+        Some(self)
+    }
+
+    fn structure(&self) -> Option<&dyn Structure> {
+        Some(self)
+    }
+
+    fn reports(&self) -> Option<&dyn Reports> {
+        Some(self)
+    }
+}
+
+impl Constraints for ConstraintJoint {
+    fn count(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn level_of(&self, constraint: usize) -> Level {
+        self.rows
+            .get(constraint)
+            .map_or(Level::Position, Row::level)
+    }
+
+    fn words_of(&self, constraint: usize) -> ConstraintWords {
+        match self.rows.get(constraint) {
+            Some(row) => row.held.words(),
+            None => ConstraintWords::numbered(constraint),
+        }
+    }
+
+    fn add_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool {
+        let seen = self.seen_at(at);
+        for (i, row) in self.rows.iter().enumerate() {
+            (out.by_time[i], out.convective[i]) = row.at(&seen).rates();
+        }
+        true
+    }
+
+    fn jump_of_place(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
+        self.place_jump(between, scalars)
+    }
+
+    fn held_in_place(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
+        let held = self.without_velocities(undeformed)?;
+        Some(Box::new(held))
+    }
+
+    fn turned_over(&self, at: &Local<'_>) -> bool {
+        if self.turn.is_none() {
+            return false;
+        }
+        let seen = self.seen_at(at);
+        let against = seen.turned.axes.transpose() * seen.ends.b.axes;
+        let angles = self.rows.iter();
+        let angles = angles.filter(|row| matches!(row.held, Held::Across(..)));
+        match (angles.count(), self.angle_about) {
+            (3, _) => against.diagonal().min() < 0.0,
+            (2, Some(axis)) => against[(axis, axis)] < 0.0,
+            // Another joint keeps the axis.
+            (1, Some(axis)) => {
+                let across = (axis + 1) % 3;
+                against[(axis, axis)] > 0.5 && against[(across, across)] < 0.0
+            }
+            _ => false,
+        }
+    }
+
+    fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
+        let ends = self.ends(at.nodes);
+        Some([ends.a.axes, ends.b.axes])
+    }
+}
+
+impl Growth for ConstraintJoint {
+    fn add_by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
         let Some(factor) = self.factor else {
             return;
         };
@@ -409,12 +427,39 @@ impl Element for ConstraintJoint {
         }
     }
 
-    fn end_axes(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
-        let ends = self.ends(at.nodes);
-        Some([ends.a.axes, ends.b.axes])
+    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+        prestress_of_multipliers(self, at, along, out);
+    }
+}
+
+impl Structure for ConstraintJoint {
+    fn arm(&self) -> f64 {
+        self.reach
     }
 
-    fn read(
+    fn is_joining(&self) -> bool {
+        false
+    }
+
+    fn free_motions(&self) -> Vec<Motion> {
+        self.motions.clone()
+    }
+
+    fn loaded_turn(&self, _at: &Local<'_>) -> Option<Vector3<f64>> {
+        None
+    }
+
+    fn undefined(&self, _at: &Local<'_>) -> Option<String> {
+        None
+    }
+}
+
+impl Reports for ConstraintJoint {
+    fn report(&self, at: &Local<'_>, out: &mut Observations) {
+        self.observe_with(at, &Vector3::zeros(), out);
+    }
+
+    fn reading(
         &self,
         reading: &Reading,
         at: &Local<'_>,
@@ -427,9 +472,7 @@ impl Element for ConstraintJoint {
         relative::read(ends, (motion, part), row)
     }
 
-    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
-        self.observe_with(at, &Vector3::zeros(), out);
-    }
+    fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}
 }
 
 /// Rows that hold all three distances of the points along the axes of `carrier`.

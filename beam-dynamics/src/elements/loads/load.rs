@@ -1,11 +1,14 @@
 //! Loads as elements: forces and moments that a factor and a signal multiply.
 
+use crate::elements::{
+    Along, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian, LocalResidual,
+    Motion, Signal, Structure,
+};
 use std::fmt::Debug;
 
 use nalgebra::Vector3;
 
 use super::factor::LoadFactor;
-use crate::elements::{Along, Element, Exchange, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::{Equation, Scalar};
 
 /// What all loads have.
@@ -91,16 +94,8 @@ impl<T: Load> Element for T {
         &self.head().scalars
     }
 
-    fn reach(&self) -> f64 {
-        self.arm()
-    }
-
     fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         visit(&self.head().signal);
-    }
-
-    fn exchange(&self) -> Exchange {
-        Exchange::Driven
     }
 
     fn evaluate(
@@ -114,11 +109,61 @@ impl<T: Load> Element for T {
         add_variations(self, self.head().factor.value(at.loading), at, out);
     }
 
-    fn by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        Some(self)
+    }
+
+    fn growth(&self) -> Option<&dyn Growth> {
+        Some(self)
+    }
+
+    fn structure(&self) -> Option<&dyn Structure> {
+        Some(self)
+    }
+}
+
+impl<T: Load> Energetic for T {
+    fn stored(&self, _at: &Local<'_>) -> Energy {
+        Energy::default()
+    }
+
+    fn exchanged(&self) -> Exchange {
+        Exchange::Driven
+    }
+
+    fn is_conservative(&self) -> bool {
+        true
+    }
+}
+
+impl<T: Load> Growth for T {
+    fn add_by_factor(&self, at: &Local<'_>, out: &mut LocalResidual) {
         add_whole(self, self.head().factor.derivative(), at, out);
     }
 
-    fn prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
         add_variations(self, self.head().factor.derivative(), at, out);
+    }
+}
+
+impl<T: Load> Structure for T {
+    fn arm(&self) -> f64 {
+        self.arm()
+    }
+
+    fn is_joining(&self) -> bool {
+        false
+    }
+
+    fn free_motions(&self) -> Vec<Motion> {
+        Vec::new()
+    }
+
+    fn loaded_turn(&self, _at: &Local<'_>) -> Option<Vector3<f64>> {
+        None
+    }
+
+    fn undefined(&self, _at: &Local<'_>) -> Option<String> {
+        None
     }
 }

@@ -17,14 +17,15 @@
 //!
 //! References: [Masarati], rods.
 
+use crate::elements::{
+    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, Signal, SpringState,
+    SpringVector, Structure,
+};
 use nalgebra::{Vector1, Vector3};
 
 use super::line::{End, Line, LineState, PullVariation};
 use crate::elements::laws::{Law, Response};
-use crate::elements::{
-    Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    Reading, ReadingRow, Signal, SpringState, SpringVector,
-};
 use crate::model::{Drive, Equation, Node, NodeMotion, Scalar, Variable};
 
 /// What the law of a rod takes for its strain.
@@ -216,39 +217,12 @@ impl Element for Rod {
         self.line.nodes()
     }
 
-    fn reach(&self) -> f64 {
-        let length = self.length(&self.undeformed);
-        self.line.reach().max(length)
-    }
-
     fn scalars(&self) -> &[Scalar] {
         &self.scalars
     }
 
     fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         self.law.signals().chain([&self.relaxed]).for_each(visit);
-    }
-
-    fn without_value(&self, at: &Local<'_>) -> Option<String> {
-        let relaxed = self.relaxed.value(&at.instant());
-        (relaxed <= 0.0).then(|| {
-            let time = at.loading.time;
-            format!("its relaxed length is zero or less: {relaxed:.3e} m at {time} s")
-        })
-    }
-
-    fn energy(&self, at: &Local<'_>) -> Energy {
-        let state = self.state(at);
-        let strain = Vector1::new(state.strain[0]);
-        Energy {
-            elastic: self.law.energy(&strain, &at.instant()) * state.scale[0],
-            ..Energy::default()
-        }
-    }
-
-    fn exchange(&self) -> Exchange {
-        let is_driven = self.relaxed.constant().is_none() || !self.law.keeps_energy();
-        Exchange::of(self.law.is_viscous(), is_driven)
     }
 
     fn evaluate(
@@ -280,8 +254,48 @@ impl Element for Rod {
         self.add_by_scalars(at, out);
     }
 
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        Some(self)
+    }
+
+    fn growth(&self) -> Option<&dyn Growth> {
+        Some(self)
+    }
+
+    fn structure(&self) -> Option<&dyn Structure> {
+        Some(self)
+    }
+
+    fn reports(&self) -> Option<&dyn Reports> {
+        Some(self)
+    }
+}
+
+impl Energetic for Rod {
+    fn stored(&self, at: &Local<'_>) -> Energy {
+        let state = self.state(at);
+        let strain = Vector1::new(state.strain[0]);
+        Energy {
+            elastic: self.law.energy(&strain, &at.instant()) * state.scale[0],
+            ..Energy::default()
+        }
+    }
+
+    fn exchanged(&self) -> Exchange {
+        let is_driven = self.relaxed.constant().is_none() || !self.law.keeps_energy();
+        Exchange::of(self.law.is_viscous(), is_driven)
+    }
+
+    fn is_conservative(&self) -> bool {
+        true
+    }
+}
+
+impl Growth for Rod {
+    fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
+
     /// The part that is proportional to the tension, for its growth along the motion.
-    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
         let Strained {
             line: state,
             scale,
@@ -296,15 +310,52 @@ impl Element for Rod {
         };
         state.add_variation(tension, &by, out);
     }
+}
 
-    fn motions(&self) -> Vec<Motion> {
+impl Structure for Rod {
+    fn arm(&self) -> f64 {
+        let length = self.length(&self.undeformed);
+        self.line.reach().max(length)
+    }
+
+    fn is_joining(&self) -> bool {
+        false
+    }
+
+    fn free_motions(&self) -> Vec<Motion> {
         let form = self.line.state(&self.undeformed).form();
         let is_resisted = self.law.stiffness_at_rest()[(0, 0)] != 0.0;
         let motion = is_resisted.then_some(Motion { form, is_resisted });
         motion.into_iter().collect()
     }
 
-    fn read(
+    fn loaded_turn(&self, _at: &Local<'_>) -> Option<Vector3<f64>> {
+        None
+    }
+
+    fn undefined(&self, at: &Local<'_>) -> Option<String> {
+        let relaxed = self.relaxed.value(&at.instant());
+        (relaxed <= 0.0).then(|| {
+            let time = at.loading.time;
+            format!("its relaxed length is zero or less: {relaxed:.3e} m at {time} s")
+        })
+    }
+}
+
+impl Reports for Rod {
+    fn report(&self, at: &Local<'_>, out: &mut Observations) {
+        let state = self.state(at);
+        out.springs.push(SpringState {
+            spring: self.label.clone(),
+            axes: state.line.axes(),
+            displacement: Vector3::new(state.line.length - state.relaxed, 0.0, 0.0),
+            rotation: Vector3::zeros(),
+            force: Vector3::new(state.response.force[0], 0.0, 0.0),
+            moment: Vector3::zeros(),
+        });
+    }
+
+    fn reading(
         &self,
         reading: &Reading,
         at: &Local<'_>,
@@ -327,15 +378,5 @@ impl Element for Rod {
         Some(part.of(&w))
     }
 
-    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
-        let state = self.state(at);
-        out.springs.push(SpringState {
-            spring: self.label.clone(),
-            axes: state.line.axes(),
-            displacement: Vector3::new(state.line.length - state.relaxed, 0.0, 0.0),
-            rotation: Vector3::zeros(),
-            force: Vector3::new(state.response.force[0], 0.0, 0.0),
-            moment: Vector3::zeros(),
-        });
-    }
+    fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}
 }

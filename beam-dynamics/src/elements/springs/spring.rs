@@ -33,6 +33,11 @@
 //! References: [Bauchau2003] for T and its inverse; [Masarati], springs in the axes of a
 //! node.
 
+use crate::elements::{
+    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Signal,
+    SpringState, SpringVector, Structure,
+};
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
@@ -41,10 +46,6 @@ use shared_geom::rotation::vector;
 use super::spring_law::SpringLaw;
 use super::spring_state::{State, Wrench, six};
 use crate::elements::laws::Response;
-use crate::elements::{
-    Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    Reaction, Reading, ReadingRow, Signal, SpringState, SpringVector,
-};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Equation, Node, NodeMotion, Scalar, Variable};
 
@@ -299,50 +300,12 @@ impl Element for Spring {
         &self.nodes
     }
 
-    fn reach(&self) -> f64 {
-        let on_a = match self.nodes.len() {
-            1 => 0.0,
-            _ => self.relaxed.norm(),
-        };
-        on_a.max(self.offset.norm())
-    }
-
     fn scalars(&self) -> &[Scalar] {
         &self.scalars
     }
 
     fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
         self.law.each_signal(visit);
-    }
-
-    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
-        let state = self.state(at.nodes);
-        let psi = state.psi();
-        let of = |psi: &Vector3<f64>| {
-            let u = state.strain.fixed_rows::<3>(0).into_owned();
-            let law = self.law.at(&six(&u, psi), &Vector6::zeros(), &at.instant());
-            let [force, inner] = [0, 3].map(|k| law.force.fixed_rows::<3>(k).into_owned());
-            let moment = vector::tangent_inverse(psi).transpose() * inner;
-            ([force, moment], law.by_strain)
-        };
-        let ((one, slopes), (other, _)) = (of(&psi), of(&other_way(&psi)));
-        let is_loaded = [0, 1].into_iter().any(|k| {
-            let stiffness = slopes.fixed_view::<3, 3>(3 * k, 3).into_owned();
-            is_other([&one[k], &other[k]], &stiffness, &psi)
-        });
-        is_loaded.then_some(psi)
-    }
-
-    fn energy(&self, at: &Local<'_>) -> Energy {
-        let strain = self.state(at.nodes).strain;
-        Energy {
-            elastic: self.law.energy(&strain, &at.instant()),
-            ..Energy::default()
-        }
-    }
-
-    fn exchange(&self) -> Exchange {
-        Exchange::of(self.law.is_viscous(), !self.law.keeps_energy())
     }
 
     fn evaluate(
@@ -369,8 +332,46 @@ impl Element for Spring {
         });
     }
 
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        Some(self)
+    }
+
+    fn growth(&self) -> Option<&dyn Growth> {
+        Some(self)
+    }
+
+    fn structure(&self) -> Option<&dyn Structure> {
+        Some(self)
+    }
+
+    fn reports(&self) -> Option<&dyn Reports> {
+        Some(self)
+    }
+}
+
+impl Energetic for Spring {
+    fn stored(&self, at: &Local<'_>) -> Energy {
+        let strain = self.state(at.nodes).strain;
+        Energy {
+            elastic: self.law.energy(&strain, &at.instant()),
+            ..Energy::default()
+        }
+    }
+
+    fn exchanged(&self) -> Exchange {
+        Exchange::of(self.law.is_viscous(), !self.law.keeps_energy())
+    }
+
+    fn is_conservative(&self) -> bool {
+        true
+    }
+}
+
+impl Growth for Spring {
+    fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
+
     /// The part that is proportional to force and moment, for their growth along the motion.
-    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
         let state = self.state(at.nodes);
         let mut strain = Vector6::zeros();
         for (end, by) in state.variation().iter().enumerate() {
@@ -383,8 +384,22 @@ impl Element for Spring {
         let none = Matrix6::zeros();
         self.add_variation(&state, &state.wrench(&growth), [&none, &none], out);
     }
+}
 
-    fn motions(&self) -> Vec<Motion> {
+impl Structure for Spring {
+    fn arm(&self) -> f64 {
+        let on_a = match self.nodes.len() {
+            1 => 0.0,
+            _ => self.relaxed.norm(),
+        };
+        on_a.max(self.offset.norm())
+    }
+
+    fn is_joining(&self) -> bool {
+        false
+    }
+
+    fn free_motions(&self) -> Vec<Motion> {
         let by = self.state(&self.undeformed).variation();
         let stiffness = self.law.stiffness_at_rest();
         let resisted = stiffness.row_iter().filter(|row| row.amax() > 0.0);
@@ -399,7 +414,53 @@ impl Element for Spring {
         resisted.map(|row| motion(row.into_owned())).collect()
     }
 
-    fn read(
+    fn loaded_turn(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        let state = self.state(at.nodes);
+        let psi = state.psi();
+        let of = |psi: &Vector3<f64>| {
+            let u = state.strain.fixed_rows::<3>(0).into_owned();
+            let law = self.law.at(&six(&u, psi), &Vector6::zeros(), &at.instant());
+            let [force, inner] = [0, 3].map(|k| law.force.fixed_rows::<3>(k).into_owned());
+            let moment = vector::tangent_inverse(psi).transpose() * inner;
+            ([force, moment], law.by_strain)
+        };
+        let ((one, slopes), (other, _)) = (of(&psi), of(&other_way(&psi)));
+        let is_loaded = [0, 1].into_iter().any(|k| {
+            let stiffness = slopes.fixed_view::<3, 3>(3 * k, 3).into_owned();
+            is_other([&one[k], &other[k]], &stiffness, &psi)
+        });
+        is_loaded.then_some(psi)
+    }
+
+    fn undefined(&self, _at: &Local<'_>) -> Option<String> {
+        None
+    }
+}
+
+impl Reports for Spring {
+    fn report(&self, at: &Local<'_>, out: &mut Observations) {
+        let state = self.state(at.nodes);
+        let section = self.response(&state, at).force;
+        let Wrench { force, moment, .. } = state.wrench(&section);
+        out.springs.push(SpringState {
+            spring: self.label.clone(),
+            axes: state.g,
+            displacement: state.strain.fixed_rows::<3>(0).into_owned(),
+            rotation: state.psi(),
+            force: section.fixed_rows::<3>(0).into_owned(),
+            moment: state.g.transpose() * moment,
+        });
+        if self.nodes.len() == 1 {
+            out.reactions.push(Reaction {
+                joint: self.label.clone(),
+                node: self.nodes[0],
+                force: -force,
+                moment: -(state.f.cross(&force) + moment),
+            });
+        }
+    }
+
+    fn reading(
         &self,
         reading: &Reading,
         at: &Local<'_>,
@@ -423,25 +484,5 @@ impl Element for Spring {
         Some(part.of(&w))
     }
 
-    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
-        let state = self.state(at.nodes);
-        let section = self.response(&state, at).force;
-        let Wrench { force, moment, .. } = state.wrench(&section);
-        out.springs.push(SpringState {
-            spring: self.label.clone(),
-            axes: state.g,
-            displacement: state.strain.fixed_rows::<3>(0).into_owned(),
-            rotation: state.psi(),
-            force: section.fixed_rows::<3>(0).into_owned(),
-            moment: state.g.transpose() * moment,
-        });
-        if self.nodes.len() == 1 {
-            out.reactions.push(Reaction {
-                joint: self.label.clone(),
-                node: self.nodes[0],
-                force: -force,
-                moment: -(state.f.cross(&force) + moment),
-            });
-        }
-    }
+    fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}
 }

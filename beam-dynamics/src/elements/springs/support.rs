@@ -25,14 +25,14 @@
 //!
 //! References: [Bauchau2003] for T and its inverse.
 
+use crate::elements::{
+    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Structure,
+};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::spring::{is_other, other_way};
-use crate::elements::{
-    Along, Element, Energy, Exchange, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    Reaction,
-};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 
@@ -159,29 +159,6 @@ impl Element for SupportSpring {
         &self.nodes
     }
 
-    fn winding(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
-        let stiffness = &self.law.turning_stiffness;
-        let psi = self.state(&at.nodes[0], at.frame).psi;
-        let [one, other] = [psi, other_way(&psi)].map(|psi| stiffness * psi);
-        is_other([&one, &other], stiffness, &psi).then_some(psi)
-    }
-
-    fn energy(&self, at: &Local<'_>) -> Energy {
-        let State { u, psi, .. } = self.state(&at.nodes[0], at.frame);
-        let along = u.dot(&(self.law.stiffness * u));
-        let about = psi.dot(&(self.law.turning_stiffness * psi));
-        Energy {
-            elastic: 0.5 * (along + about),
-            ..Energy::default()
-        }
-    }
-
-    fn exchange(&self) -> Exchange {
-        let zero = Matrix3::zeros();
-        let is_viscous = self.law.damping != zero || self.law.turning_damping != zero;
-        Exchange::of(is_viscous, false)
-    }
-
     fn evaluate(
         &self,
         at: &Local<'_>,
@@ -214,16 +191,68 @@ impl Element for SupportSpring {
         }
     }
 
+    fn energetic(&self) -> Option<&dyn Energetic> {
+        Some(self)
+    }
+
+    fn growth(&self) -> Option<&dyn Growth> {
+        Some(self)
+    }
+
+    fn structure(&self) -> Option<&dyn Structure> {
+        Some(self)
+    }
+
+    fn reports(&self) -> Option<&dyn Reports> {
+        Some(self)
+    }
+}
+
+impl Energetic for SupportSpring {
+    fn stored(&self, at: &Local<'_>) -> Energy {
+        let State { u, psi, .. } = self.state(&at.nodes[0], at.frame);
+        let along = u.dot(&(self.law.stiffness * u));
+        let about = psi.dot(&(self.law.turning_stiffness * psi));
+        Energy {
+            elastic: 0.5 * (along + about),
+            ..Energy::default()
+        }
+    }
+
+    fn exchanged(&self) -> Exchange {
+        let zero = Matrix3::zeros();
+        let is_viscous = self.law.damping != zero || self.law.turning_damping != zero;
+        Exchange::of(is_viscous, false)
+    }
+
+    fn is_conservative(&self) -> bool {
+        true
+    }
+}
+
+impl Growth for SupportSpring {
+    fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
+
     /// `d(T^-T q)/d psi d psi` with the growth of q, `K_psi d psi` along the motion.
-    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
         let state = self.state(&at.nodes[0], at.frame);
         let growth = self.law.turning_stiffness * state.inverse * along.nodes[0][1];
         let by_psi = vector::tangent_inverse_derivative(&-state.psi, &growth);
         let by_rotation = by_psi * state.inverse;
         out.add((0, Moment), (0, Variable::Rotation), &by_rotation);
     }
+}
 
-    fn motions(&self) -> Vec<Motion> {
+impl Structure for SupportSpring {
+    fn arm(&self) -> f64 {
+        0.0
+    }
+
+    fn is_joining(&self) -> bool {
+        false
+    }
+
+    fn free_motions(&self) -> Vec<Motion> {
         let zero = Vector3::zeros();
         let along = columns(&self.law.stiffness).map(|row| [row, zero]);
         let about = columns(&self.law.turning_stiffness).map(|row| [zero, row]);
@@ -234,7 +263,20 @@ impl Element for SupportSpring {
         along.chain(about).map(motion).collect()
     }
 
-    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+    fn loaded_turn(&self, at: &Local<'_>) -> Option<Vector3<f64>> {
+        let stiffness = &self.law.turning_stiffness;
+        let psi = self.state(&at.nodes[0], at.frame).psi;
+        let [one, other] = [psi, other_way(&psi)].map(|psi| stiffness * psi);
+        is_other([&one, &other], stiffness, &psi).then_some(psi)
+    }
+
+    fn undefined(&self, _at: &Local<'_>) -> Option<String> {
+        None
+    }
+}
+
+impl Reports for SupportSpring {
+    fn report(&self, at: &Local<'_>, out: &mut Observations) {
         let (force, moment) = self.wrench(&self.state(&at.nodes[0], at.frame));
         out.reactions.push(Reaction {
             joint: self.label.clone(),
@@ -243,4 +285,15 @@ impl Element for SupportSpring {
             moment,
         });
     }
+
+    fn reading(
+        &self,
+        _reading: &Reading,
+        _at: &Local<'_>,
+        _row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        None
+    }
+
+    fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}
 }

@@ -1,6 +1,6 @@
 //! Tests of the card of joints.
 
-use crate::elements::{Element, Level};
+use crate::elements::{Element, Level, Queries};
 use crate::input::Input;
 use crate::input::test_files::read_beside;
 use crate::model::Conditions;

@@ -2,7 +2,7 @@
 
 use super::EnergyWatch;
 use crate::case::{Model, TransientQuestion};
-use crate::elements::Element;
+use crate::elements::{Element, Queries};
 use crate::integrator::Scheme;
 
 /// Radius above which a scheme hardly damps what its steps do not resolve.

@@ -7,7 +7,7 @@
 use crate::analysis::transient::energy::Finding;
 use crate::analysis::transient::multibody::Multibody;
 use crate::case::{Model, TransientQuestion};
-use crate::elements::Element;
+use crate::elements::{Element, Queries};
 use crate::integrator::{Jacobians, LocalError, Reason, Scheme, StepFailure, StepLimits, Stepping};
 use crate::model::{NodeMotion, State};
 use crate::solver::Iteration;

@@ -26,6 +26,7 @@
 //! `P = -G(g) A [e]x` with `A = dg/de`. Bodies that are not slender, and free ones, keep
 //! components in space.
 
+use crate::elements::Queries;
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{gibbs, skew};
 

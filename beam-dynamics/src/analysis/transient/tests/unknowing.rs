@@ -1,6 +1,14 @@
 //! Constraints of which no one knows how they change: dummy steps, differences, and corners
 //! from which the next step takes no rates.
 
+use crate::elements::{
+    Charges, ConstraintRates, ConstraintWords, Constraints, Element, Level, Local, LocalJacobian,
+    LocalResidual, Observations, PlaceJump, Queries, Reading, ReadingRow, Reports, Signal,
+};
+use crate::model::{
+    Drive, DriveTable, Formula, Harmonic, Interpolation, Loading, Node, NodeMotion, Outside,
+    Scalars, State, Step,
+};
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
@@ -10,10 +18,6 @@ use crate::analysis::transient::TransientFailure;
 use crate::assembly::System;
 use crate::case::{Model, Start, StartAccelerations, TransientQuestion};
 use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along};
-use crate::elements::{Element, Level, Local, LocalJacobian, LocalResidual, Observations};
-use crate::model::{
-    Drive, DriveTable, Formula, Harmonic, Interpolation, Node, Outside, State, Step,
-};
 use shared_geom::expression::{Expression, Names};
 
 /// A joint that does not tell the derivatives of its constraints.
@@ -29,16 +33,8 @@ impl Element for Unknowing {
         self.0.nodes()
     }
 
-    fn multipliers(&self) -> usize {
-        self.0.multipliers()
-    }
-
-    fn level(&self, constraint: usize) -> Level {
-        self.0.level(constraint)
-    }
-
-    fn next_corner(&self, time: f64) -> f64 {
-        self.0.next_corner(time)
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        self.0.each_signal(visit);
     }
 
     fn evaluate(
@@ -50,9 +46,64 @@ impl Element for Unknowing {
         self.0.evaluate(at, out, jacobian);
     }
 
-    fn observe(&self, at: &Local<'_>, out: &mut Observations) {
+    fn constraints(&self) -> Option<&dyn Constraints> {
+        Some(self)
+    }
+
+    fn reports(&self) -> Option<&dyn Reports> {
+        Some(self)
+    }
+}
+
+impl Constraints for Unknowing {
+    fn count(&self) -> usize {
+        self.0.multipliers()
+    }
+
+    fn level_of(&self, constraint: usize) -> Level {
+        self.0.level(constraint)
+    }
+
+    fn words_of(&self, constraint: usize) -> ConstraintWords {
+        ConstraintWords::numbered(constraint)
+    }
+
+    fn add_rates(&self, _at: &Local<'_>, _out: &mut ConstraintRates<'_>) -> bool {
+        false
+    }
+
+    fn jump_of_place(&self, _between: [&Loading; 2], _scalars: Scalars<'_>) -> Option<PlaceJump> {
+        None
+    }
+
+    fn held_in_place(&self, _undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
+        None
+    }
+
+    fn turned_over(&self, _at: &Local<'_>) -> bool {
+        false
+    }
+
+    fn axes_of_ends(&self, _at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
+        None
+    }
+}
+
+impl Reports for Unknowing {
+    fn report(&self, at: &Local<'_>, out: &mut Observations) {
         self.0.observe(at, out);
     }
+
+    fn reading(
+        &self,
+        _reading: &Reading,
+        _at: &Local<'_>,
+        _row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        None
+    }
+
+    fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}
 }
 
 /// A mass of one at (1, 0) on a joint about z at the origin.

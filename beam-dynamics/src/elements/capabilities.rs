@@ -1,0 +1,114 @@
+//! Capabilities of elements: each is a set of methods that an element has together, or not at
+//! all. None has a default, so that nothing that decorates an element can forget one.
+//!
+//! The equations of a kind that an element has not are asked of it by [`Queries`], which say
+//! what follows from that.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::{
+    Along, Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level, Local,
+    LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reading, ReadingRow,
+};
+use crate::model::{Loading, NodeMotion, Scalars};
+
+/// Constraints with multipliers.
+pub trait Constraints {
+    /// Number of constraints, and of multipliers.
+    fn count(&self) -> usize;
+
+    /// See [`Queries::level`].
+    fn level_of(&self, constraint: usize) -> Level;
+
+    /// See [`Queries::constraint_words`].
+    fn words_of(&self, constraint: usize) -> ConstraintWords;
+
+    /// See [`Queries::constraint_rates`].
+    fn add_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool;
+
+    /// See [`Queries::jump`].
+    fn jump_of_place(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump>;
+
+    /// See [`Queries::held`].
+    fn held_in_place(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>>;
+
+    /// See [`Queries::is_turned_over`].
+    fn turned_over(&self, at: &Local<'_>) -> bool;
+
+    /// See [`Queries::end_axes`].
+    fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]>;
+}
+
+/// Numbers that an element keeps of accepted steps.
+pub trait Memory {
+    /// How many they are.
+    fn size(&self) -> usize;
+
+    /// Writes those with which a run in time begins from a state.
+    fn begin(&self, at: &Local<'_>, memory: &mut [f64]);
+
+    /// Takes notice of an accepted state: `memory` is that from which it was found, and becomes
+    /// that of the steps from here on. At the times at which it changes,
+    /// [`Memory::next_change`] must have a corner.
+    fn accept(&self, at: &Local<'_>, memory: &mut [f64]);
+
+    /// The first time after `time` at which it may change \[s\]. The signals of the element have
+    /// no corners of their own.
+    fn next_change(&self, time: f64) -> f64;
+}
+
+/// Energy of an element.
+pub trait Energetic {
+    /// See [`Queries::energy`].
+    fn stored(&self, at: &Local<'_>) -> Energy;
+
+    /// See [`Queries::exchange`].
+    fn exchanged(&self) -> Exchange;
+
+    /// See [`Queries::keeps_energy`].
+    fn is_conservative(&self) -> bool;
+}
+
+/// Forces that grow with the proportional loads.
+pub trait Growth {
+    /// See [`Queries::by_factor`].
+    fn add_by_factor(&self, at: &Local<'_>, out: &mut LocalResidual);
+
+    /// See [`Queries::prestress`].
+    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian);
+}
+
+/// A part of the structure.
+pub trait Structure {
+    /// See [`Queries::reach`].
+    fn arm(&self) -> f64;
+
+    /// See [`Queries::joins_nodes`].
+    fn is_joining(&self) -> bool;
+
+    /// See [`Queries::motions`].
+    fn free_motions(&self) -> Vec<Motion>;
+
+    /// See [`Queries::winding`].
+    fn loaded_turn(&self, at: &Local<'_>) -> Option<Vector3<f64>>;
+
+    /// See [`Queries::without_value`].
+    fn undefined(&self, at: &Local<'_>) -> Option<String>;
+}
+
+/// Reports of a state beside the forces on the nodes.
+pub trait Reports {
+    /// See [`Queries::observe`].
+    fn report(&self, at: &Local<'_>, out: &mut Observations);
+
+    /// See [`Queries::read`].
+    fn reading(
+        &self,
+        reading: &Reading,
+        at: &Local<'_>,
+        row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64>;
+
+    /// See [`Queries::charges`].
+    fn report_charges(&self, at: &Local<'_>, out: &mut Charges);
+}
