@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::corrector::{Corrector, Meter};
 use super::formula::{Formula, STAGES};
 use super::lengths::{Accepted, Lengths, Plan, cut_by};
+use super::limits::MOST_CROWDED;
 use super::prediction::Past;
 use super::speeds::Speeds;
 use super::{
@@ -12,8 +13,6 @@ use super::{
 };
 
 mod errors;
-
-pub(super) use errors::counted_constant;
 
 /// An accepted step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,10 +76,9 @@ impl Progress {
     }
 }
 
-/// Corners crowd when they make steps shorter than this part of what is wanted, so many
-/// times in a row.
+/// Corners crowd when they make steps shorter than this part of the wanted length,
+/// [`MOST_CROWDED`] times in a row.
 const CROWDED: f64 = 1e-4;
-pub(super) const MOST_CROWDED: usize = 20_000;
 
 /// The cubic through two states does not reach farther than this, in steps before.
 const REACH: f64 = 4.0;

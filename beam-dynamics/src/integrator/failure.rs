@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::advance::MOST_CROWDED;
+use super::limits::MOST_CROWDED;
 use crate::model::Name;
 use crate::solver::{Iteration, Worst};
 

@@ -39,6 +39,11 @@ pub struct Formula {
     pub error: f64,
 }
 
+/// A local error is not thought to have a smaller constant than this, that of the formula
+/// of fourth order: those of higher order than the estimate has are measured as if one
+/// time derivative were one step.
+const LEAST_CONSTANT: f64 = 1.0 / 720.0;
+
 /// A smaller |zeta| is not used: the weights of cubic and parabolic formulas grow as
 /// 1/zeta and cancel, so that 1e-3 costs three digits of round-off.
 const LEAST_ZETA: f64 = 1e-3;
@@ -47,6 +52,14 @@ const LEAST_ZETA: f64 = 1e-3;
 const OPTIMAL: f64 = 1e-9;
 
 impl Formula {
+    /// The constant C of the local error, as it is counted.
+    pub(super) fn counted_constant(&self) -> f64 {
+        match self.error.abs() < LEAST_CONSTANT {
+            true => LEAST_CONSTANT,
+            false => self.error,
+        }
+    }
+
     /// One stage, at the end.
     fn one_stage(weight: f64, order: usize, error: f64) -> Self {
         let mut weights = [[0.0; STAGES]; STAGES];

@@ -1,4 +1,7 @@
-//! Limits of the iteration of a step.
+//! Limits of the iteration of a step, and of the steps that end at corners.
+
+/// Steps in a row that corners may make far shorter than wanted, at most.
+pub(super) const MOST_CROWDED: usize = 20_000;
 
 /// When the Jacobian is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

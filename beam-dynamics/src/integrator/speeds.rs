@@ -33,7 +33,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::advance::counted_constant;
 use super::{Dae, Formula};
 
 /// Velocities through which a polynomial is laid, at most.
@@ -129,7 +128,7 @@ impl Speeds {
             return None;
         }
         dae.speeds(Some(formula.stages - 1), &mut self.trial);
-        let own = counted_constant(formula);
+        let own = formula.counted_constant();
         let of_polynomial = (0..=order).fold(1.0, |product, j| {
             product * (times[0] - times[j + 1]) / (length * (j + 1) as f64)
         });

@@ -4,11 +4,6 @@ use super::super::lengths::factor;
 use super::super::prediction::error_of_value;
 use super::{Dae, Formula, Integrator, Plan, Speeds, Stepping};
 
-/// A local error is not thought to have a smaller constant than this, that of the formula
-/// of fourth order: those of higher order than the estimate has are measured as if one
-/// time derivative were one step.
-const LEAST_CONSTANT: f64 = 1.0 / 720.0;
-
 /// Local errors of a trial by the tolerance [-].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Errors {
@@ -31,14 +26,6 @@ impl Errors {
     /// The next step by this one that both allow; `order` is that of the formula.
     pub fn allowed(&self, order: usize) -> f64 {
         factor(self.places, order).min(factor(self.speeds, Speeds::ORDER))
-    }
-}
-
-/// The constant C of the local error of a formula, as it is counted.
-pub fn counted_constant(formula: &Formula) -> f64 {
-    match formula.error.abs() < LEAST_CONSTANT {
-        true => LEAST_CONSTANT,
-        false => formula.error,
     }
 }
 
@@ -73,7 +60,7 @@ impl Integrator {
             1 => 1.0,
             _ => self.ratio(plan.length),
         };
-        let constant = counted_constant(formula);
+        let constant = formula.counted_constant();
         let factor = constant / (error_of_value(order, ratio) - constant);
         let moved = self.corrector.moved().iter().zip(&self.end);
         for (i, (moved, predicted)) in moved.enumerate() {
