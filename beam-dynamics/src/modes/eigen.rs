@@ -11,6 +11,7 @@
 use faer::{Mat, c64};
 
 use super::inverse::{DENSE, Inverse};
+use super::krylov::start_value;
 use super::sorted::Sorted;
 use crate::assembly::{Entry, MasslessMotions, Sparse, Tangent};
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
@@ -479,16 +480,4 @@ fn orthonormalize(vectors: &mut [Vec<c64>], size: usize) {
             vector.iter_mut().for_each(|v| *v /= norm);
         }
     }
-}
-
-/// Entry of a start vector: without structure and without chance (the finalizer of
-/// the splitmix generator applied to its place).
-pub(super) fn start_value(i: usize) -> f64 {
-    let mut z = (i as u64)
-        .wrapping_add(1)
-        .wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^= z >> 31;
-    (z >> 11) as f64 / (1u64 << 53) as f64 - 0.5
 }

@@ -19,8 +19,7 @@ use std::collections::BTreeSet;
 use faer::{Mat, c64};
 
 use super::dense::eigenvalues;
-use super::eigen::start_value;
-use super::krylov::{Operator, largest, rough};
+use super::krylov::{Operator, largest, rough, start_value};
 use crate::assembly::Entry;
 use crate::model::NODE_UNKNOWNS;
 use crate::solver::Factorization;

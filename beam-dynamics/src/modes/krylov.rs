@@ -17,7 +17,6 @@
 use faer::{Mat, MatRef, c64};
 
 use super::dense::eigenvalues;
-use super::eigen::start_value;
 
 /// Change of the wanted eigenvalues while the space grows by a quarter at which they
 /// count as found, relative: near enough for inverse iteration, which gives the last
@@ -30,6 +29,18 @@ const INSIDE: f64 = 1e-12;
 /// Products that purge the start vectors: the chains of the zero eigenvalues are not
 /// longer (a multiplier, a momentum, a place).
 const PURGES: usize = 3;
+
+/// Entry of a start vector: without structure and without chance (the finalizer of
+/// the splitmix generator applied to its place).
+pub(super) fn start_value(i: usize) -> f64 {
+    let mut z = (i as u64)
+        .wrapping_add(1)
+        .wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^= z >> 31;
+    (z >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+}
 
 /// An operator on columns: replaces each by its product.
 pub(super) trait Operator {

@@ -7,7 +7,7 @@
 
 use nalgebra::{Complex, Vector3};
 
-use super::{Eigenpair, Rotor};
+use super::Eigenpair;
 use crate::assembly::Sparse;
 use crate::model::{Equation, NODE_UNKNOWNS, NamingAxes, Variable};
 use crate::result::{ModeKind, ModeShape, Shares};
@@ -19,9 +19,9 @@ const PURE_SHARE: f64 = 0.6;
 #[derive(Debug, Clone)]
 pub struct ModeMotion {
     /// Six complex entries a node: displacement [m] and rotation [rad], of unit energy.
-    motion: Vec<Complex<f64>>,
+    pub(super) motion: Vec<Complex<f64>>,
     /// `M` times the motion.
-    momentum: Vec<Complex<f64>>,
+    pub(super) momentum: Vec<Complex<f64>>,
 }
 
 /// Six rows or columns a node, of the twelve of the system.
@@ -104,17 +104,6 @@ impl ModeMotion {
             }
         }
         energies
-    }
-
-    /// Energies of `q_a` and `q_b` in each way in which the blades of a rotor move
-    /// together, in the order of [`Rotor::harmonics`].
-    pub(super) fn harmonics(
-        &self,
-        other: &Self,
-        rotor: &Rotor,
-        axes: &[NamingAxes],
-    ) -> Vec<Complex<f64>> {
-        rotor.energies(&self.motion, &other.momentum, axes)
     }
 
     /// The sum of `modes`, each times its factor.

@@ -23,6 +23,7 @@
 
 use nalgebra::{Complex, Vector3};
 
+use super::ModeMotion;
 use crate::case::BladeNodes;
 use crate::model::NamingAxes;
 use crate::result::Whirl;
@@ -69,18 +70,17 @@ impl Rotor {
         -((count - 1) / 2)..=count / 2
     }
 
-    /// `Q_h^H P_h N` for each harmonic, from a motion and a momentum of six entries a node
-    /// in the model's axes.
+    /// `Q_h^H P_h N` for each harmonic, from the motion of one mode and the momentum of
+    /// another, in the order of [`Self::harmonics`].
     pub(super) fn energies(
         &self,
-        motion: &[Complex<f64>],
-        momentum: &[Complex<f64>],
+        [one, other]: [&ModeMotion; 2],
         axes: &[NamingAxes],
     ) -> Vec<Complex<f64>> {
         let count = self.blades.len() as f64;
         let product = |h: i32| {
-            let q = self.part(h, motion, axes);
-            let p = self.part(h, momentum, axes);
+            let q = self.part(h, &one.motion, axes);
+            let p = self.part(h, &other.momentum, axes);
             let terms = q.iter().zip(&p).map(|(q, p)| q.conj() * p);
             terms.sum::<Complex<f64>>() / count
         };
@@ -116,8 +116,8 @@ impl Rotor {
 
     /// The part that holds most of the energy of the blades, with its share of that: a
     /// hub that moves most of all goes with the blades. `None` where the blades rest.
-    pub fn whirl(&self, motion: &super::ModeMotion, axes: &[NamingAxes]) -> Option<Whirl> {
-        let energies = motion.harmonics(motion, self, axes);
+    pub fn whirl(&self, motion: &ModeMotion, axes: &[NamingAxes]) -> Option<Whirl> {
+        let energies = self.energies([motion, motion], axes);
         let total: f64 = energies.iter().map(|energy| energy.re).sum();
         if total <= STILL * motion.product(motion).re {
             return None;

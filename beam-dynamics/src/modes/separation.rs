@@ -106,7 +106,7 @@ fn pure_combinations(
             .iter()
             .zip([1.0, 2.0, 3.0, 4.0])
             .map(|(e, w)| e * w);
-        let together = rotor.map_or_else(Vec::new, |r| modes[i].harmonics(&modes[j], r, axes));
+        let together = rotor.map_or_else(Vec::new, |r| r.energies([&modes[i], &modes[j]], axes));
         // Weights below one, apart by as much as the number of blades allows.
         let step = 0.7 / together.len().max(1) as f64;
         let ways = together
