@@ -13,7 +13,9 @@ use crate::integrator::{Corner, Counters, Integrator, Progress, Scheme, Stepping
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
+mod change;
 mod corner;
+mod diagnosis;
 mod dummy;
 mod energy;
 mod failure;
@@ -30,11 +32,12 @@ mod start;
 #[cfg(test)]
 mod tests;
 
+pub use change::{Changed, StartChange};
 pub use energy::EnergyBalance;
 pub use failure::{StepTrouble, TransientFailure};
 pub use snapshot::difference;
-pub use start::{Changed, StartChange};
 
+use diagnosis::trouble;
 use energy::{EnergyWatch, Finding};
 use multibody::Multibody;
 use singular::Passed;
@@ -464,7 +467,7 @@ impl Run<'_> {
 
     fn trouble(&self, failure: crate::integrator::StepFailure) -> TransientFailure {
         let asked = (self.model, self.question);
-        let trouble = StepTrouble::new(failure, asked, (&self.dae, self.gained()));
+        let trouble = trouble(failure, asked, (&self.dae, self.gained()));
         TransientFailure::Step(Box::new(trouble))
     }
 }

@@ -22,12 +22,10 @@ use crate::integrator::{Corner, Renewal};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Scalars, State};
 
 use super::failure::TransientFailure;
-use super::multibody::Multibody;
 use super::placing::velocity_constraints;
-use super::rates::{Accelerated, consistent_rates};
+use super::rates::{Accelerated, consistent_rates, find_momenta};
 use super::saddle::MOTION;
 use super::scalars::{self, Settling};
-use super::start::find_momenta;
 
 /// The next corner of what is given over time, which stays what it is until it is reached.
 #[derive(Debug, Clone, Default)]
@@ -290,54 +288,55 @@ impl fmt::Display for Struck {
     }
 }
 
-impl Multibody<'_> {
-    /// What is to be done at a corner, see [`crate::integrator::Dae::renew`].
-    pub(super) fn pass(&mut self, corner: &Corner, step: f64) -> Renewal {
-        let model = self.model;
-        let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
-        let system = &model.system;
-        // What elements remember may have changed here, as an output that is sampled.
-        let earlier = {
-            let [latest, previous] = &mut self.states;
-            std::mem::swap(&mut latest.memory, &mut previous.memory);
-            let residual = system.residual(latest, &before);
-            std::mem::swap(&mut latest.memory, &mut previous.memory);
-            residual
-        };
-        let state = self.state();
-        let jump = jump(system, (state, &earlier), [&before, &after], step);
-        let mut renewal = Renewal::Rates;
-        let moved = match jump {
-            None => return Renewal::Unknown,
-            Some(Jump::Nothing) => return Renewal::Smooth,
-            Some(Jump::Acting) => None,
-            Some(Jump::Rates(constraints)) => {
-                let found = struck(system, state, &after);
-                let impulse = found.as_ref().map(|found| &found.1[..]);
-                (self.impulses).add(system, &constraints, impulse, corner.after);
-                let Some((state, _)) = found else {
-                    return Renewal::Unknown;
-                };
-                renewal = Renewal::Velocities;
-                Some(state)
-            }
-        };
-        if let Some(moved) = moved {
+/// Passes a corner with the accepted `states`, the latest first, and notes the impulses, see
+/// [`crate::integrator::Dae::renew`].
+pub(super) fn pass(
+    model: &Model,
+    states: &mut [State; 2],
+    impulses: &mut Impulses,
+    corner: &Corner,
+    step: f64,
+) -> Renewal {
+    let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
+    let system = &model.system;
+    // What elements remember may have changed here, as an output that is sampled.
+    let earlier = {
+        let [latest, previous] = &mut *states;
+        std::mem::swap(&mut latest.memory, &mut previous.memory);
+        let residual = system.residual(latest, &before);
+        std::mem::swap(&mut latest.memory, &mut previous.memory);
+        residual
+    };
+    let state = &mut states[0];
+    let jump = jump(system, (state, &earlier), [&before, &after], step);
+    let mut renewal = Renewal::Rates;
+    match jump {
+        None => return Renewal::Unknown,
+        Some(Jump::Nothing) => return Renewal::Smooth,
+        Some(Jump::Acting) => {}
+        Some(Jump::Rates(constraints)) => {
+            let found = struck(system, state, &after);
+            let impulse = found.as_ref().map(|found| &found.1[..]);
+            impulses.add(system, &constraints, impulse, corner.after);
+            let Some((moved, _)) = found else {
+                return Renewal::Unknown;
+            };
+            renewal = Renewal::Velocities;
             let kinetic = |state: &State| system.energy(state, &after).kinetic;
-            self.impulses.work += kinetic(&moved) - kinetic(&self.states[0]);
-            self.states[0] = moved;
+            impulses.work += kinetic(&moved) - kinetic(state);
+            *state = moved;
         }
-        let settled = scalars::settle(system, &mut self.states[0], &after, Settling::InMotion);
-        if settled.is_err() {
-            return Renewal::Unknown;
+    }
+    let settled = scalars::settle(system, state, &after, Settling::InMotion);
+    if settled.is_err() {
+        return Renewal::Unknown;
+    }
+    match consistent_rates(system, state, &after) {
+        Some(found) => {
+            *state = found;
+            renewal
         }
-        match consistent_rates(system, &self.states[0], &after) {
-            Some(state) => {
-                self.states[0] = state;
-                renewal
-            }
-            None => Renewal::Unknown,
-        }
+        None => Renewal::Unknown,
     }
 }
 

@@ -8,13 +8,12 @@ use crate::integrator::StepFailure;
 use crate::model::Name;
 use shared_geom::error::Explain;
 
-use super::redundant::in_words;
-use super::start::StartChange;
+use super::change::StartChange;
 
-mod cause;
 mod step;
 
 pub use step::StepTrouble;
+pub(super) use step::quoted;
 
 /// A number as it was given, without the digits that round-off adds.
 fn short(value: f64) -> f64 {
@@ -256,4 +255,21 @@ impl TransientFailure {
         };
         fixed.to_owned()
     }
+}
+
+/// Redundant constraints in words, the first few of them.
+fn in_words(found: &[Redundant]) -> String {
+    let told: Vec<_> = found.iter().map(ToString::to_string).collect();
+    listed(&told)
+}
+
+/// The first few of many.
+pub(super) fn listed(found: &[String]) -> String {
+    const TOLD: usize = 10;
+    let more = match found.len().saturating_sub(TOLD) {
+        0 => String::new(),
+        count => format!("; and {count} more"),
+    };
+    let told = &found[..found.len().min(TOLD)];
+    format!("{}{more}", told.join("; "))
 }

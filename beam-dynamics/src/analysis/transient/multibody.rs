@@ -33,7 +33,7 @@ use crate::integrator::{Corner, Dae, Renewal};
 use crate::model::{Conditions, NODE_UNKNOWNS, Name, Pace, State};
 use crate::solver::Worst;
 
-use super::corner::{Impulses, NextCorner};
+use super::corner::{Impulses, NextCorner, pass};
 
 mod numbers;
 mod own_axes;
@@ -203,7 +203,13 @@ impl Dae for Multibody<'_> {
     }
 
     fn renew(&mut self, corner: &Corner, step: f64) -> Renewal {
-        self.pass(corner, step)
+        pass(
+            self.model,
+            &mut self.states,
+            &mut self.impulses,
+            corner,
+            step,
+        )
     }
 
     fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]) {

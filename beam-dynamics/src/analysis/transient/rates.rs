@@ -15,7 +15,7 @@
 //! or is no one's concern: next to nothing is added to M in these directions, and left out
 //! again of the rates.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::assembly::massless::without_mass;
 use crate::assembly::{Sharing, System, Tangent};
@@ -33,6 +33,16 @@ const ROUNDS: usize = 30;
 const AGREED: f64 = 1e-10;
 /// Singular values of differences below this part of the largest are round-off.
 const LINEAR: f64 = 1e-10;
+
+/// Momenta from their definitions.
+pub(super) fn find_momenta(system: &System, state: &mut State, conditions: &Conditions) {
+    let residual = system.residual(state, conditions).values;
+    let rows = residual.chunks(NODE_UNKNOWNS);
+    for (node, rows) in state.nodes.iter_mut().zip(rows) {
+        node.momentum -= Vector3::from_column_slice(&rows[..3]);
+        node.angular_momentum -= Vector3::from_column_slice(&rows[3..6]);
+    }
+}
 
 /// `state` with rates of momenta and multipliers that agree with its motion and with what
 /// acts, and with scalars that agree with them; `None` when an element does not know how its

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::TransientFailure;
+use super::failure::{TransientFailure, listed};
 use super::placing::{beside, own_rates, place, position_values};
 use crate::assembly::redundancy::{self, Redundant};
 use crate::assembly::{Sharing, Slack, Sparse, System};
@@ -195,23 +195,6 @@ pub(super) fn contradicting(
     });
     let told: Vec<_> = told.collect();
     (!told.is_empty()).then(|| listed(&told))
-}
-
-/// Redundant constraints in words, the first few of them.
-pub(super) fn in_words(found: &[Redundant]) -> String {
-    let told: Vec<_> = found.iter().map(ToString::to_string).collect();
-    listed(&told)
-}
-
-/// The first few of many.
-fn listed(found: &[String]) -> String {
-    const TOLD: usize = 10;
-    let more = match found.len().saturating_sub(TOLD) {
-        0 => String::new(),
-        count => format!("; and {count} more"),
-    };
-    let told = &found[..found.len().min(TOLD)];
-    format!("{}{more}", told.join("; "))
 }
 
 #[cfg(test)]

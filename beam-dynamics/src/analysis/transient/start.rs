@@ -1,22 +1,21 @@
 //! The first state of a run: places, velocities, momenta, rates and multipliers.
 
-use crate::elements::{Level, Queries};
-use std::fmt;
-
 use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use crate::analysis::steady::equilibrium;
 use crate::assembly::{MasslessMotions, System};
 use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
+use crate::elements::{Level, Queries};
 use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
 use crate::modes::EigenProblem;
 use crate::solver::LinearSolver;
 
+use super::change::{Changed, StartChange};
 use super::dummy::dummy_rates;
 use super::failure::TransientFailure;
 use super::placing::{Unfulfilled, place, set_moving};
-use super::rates::consistent_rates;
+use super::rates::{consistent_rates, find_momenta};
 use super::scalars::{self, Settling};
 
 /// Changes below this part of the size of the model, or of the fastest motion, are
@@ -40,61 +39,6 @@ const AGREED: f64 = 1e-9;
 /// Driven velocities that differ by a larger part of the speed at which a model is to turn
 /// are those of another motion; where it is deformed they differ by less.
 const FAR: f64 = 0.1;
-
-/// What of a node start-up changed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Changed {
-    /// Position [m].
-    Position,
-    /// Orientation, by the components of the rotation vector of its change [rad].
-    Orientation,
-    /// Velocity [m/s].
-    Velocity,
-    /// Angular velocity [rad/s].
-    AngularVelocity,
-}
-
-/// A change that start-up made, for the constraints to be fulfilled.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StartChange {
-    /// The node.
-    pub node: String,
-    /// What was changed.
-    pub what: Changed,
-    /// The component: 0 to 2 for x to z.
-    pub component: usize,
-    /// As it was given [SI unit of it].
-    pub from: f64,
-    /// As it is [SI unit of it].
-    pub to: f64,
-}
-
-impl fmt::Display for StartChange {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let axis = ["x", "y", "z"][self.component];
-        let (what, unit, scale) = match self.what {
-            Changed::Position => ("position", "m", 1.0),
-            Changed::Orientation => ("orientation", "deg", 180.0 / std::f64::consts::PI),
-            Changed::Velocity => ("velocity", "m/s", 1.0),
-            Changed::AngularVelocity => ("angular velocity", "rad/s", 1.0),
-        };
-        let number = |value: f64| {
-            let text = format!("{:.9e}", scale * value);
-            text.parse::<f64>().unwrap_or(value).to_string()
-        };
-        let about = match self.what {
-            Changed::Position | Changed::Velocity => "along",
-            Changed::Orientation | Changed::AngularVelocity => "about",
-        };
-        write!(
-            f,
-            "{what} of node \"{}\" {about} {axis}: from {} to {} {unit}",
-            self.node,
-            number(self.from),
-            number(self.to)
-        )
-    }
-}
 
 /// The first state, and how it was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -332,16 +276,6 @@ fn with_velocities(mut state: State, initial: &[InitialMotion]) -> State {
         node.angular_velocity += initial.angular_velocity.unwrap_or_default();
     }
     state
-}
-
-/// Momenta from their definitions.
-pub(super) fn find_momenta(system: &System, state: &mut State, conditions: &Conditions) {
-    let residual = system.residual(state, conditions).values;
-    let rows = residual.chunks(NODE_UNKNOWNS);
-    for (node, rows) in state.nodes.iter_mut().zip(rows) {
-        node.momentum -= Vector3::from_column_slice(&rows[..3]);
-        node.angular_momentum -= Vector3::from_column_slice(&rows[3..6]);
-    }
 }
 
 fn find_rates(

@@ -5,6 +5,7 @@
 //! tried last.
 
 use crate::analysis::transient::energy::Finding;
+use crate::analysis::transient::failure::quoted;
 use crate::analysis::transient::multibody::Multibody;
 use crate::case::{Model, TransientQuestion};
 use crate::elements::{Element, Queries};
@@ -34,8 +35,6 @@ const FLOOR: f64 = 1e-7;
 const SHRINKING: f64 = 0.8;
 /// Iterations that tell how an iteration went.
 const LATEST: usize = 4;
-/// Names that are told of many.
-const NAMED: usize = 3;
 
 /// A likely cause, and what to try, the likeliest first.
 #[derive(Debug, Clone, PartialEq)]
@@ -206,7 +205,7 @@ impl<'a> Scene<'a> {
             false => Cause::new(
                 format!(
                     "{words}; {} acts on what it senses and feeds it",
-                    listed(&feedback)
+                    quoted(&feedback)
                 ),
                 &[
                     "look at the sign and the gain of the drive that senses, and bound it by \
@@ -308,7 +307,7 @@ impl<'a> Scene<'a> {
         let feedback = self.feedback();
         let who = match feedback.is_empty() {
             true => String::new(),
-            false => format!(": {} acts on what it senses", listed(&feedback)),
+            false => format!(": {} acts on what it senses", quoted(&feedback)),
         };
         Cause {
             words: format!(
@@ -428,7 +427,7 @@ impl<'a> Scene<'a> {
             true => String::new(),
             false => format!(
                 "; or it comes from {}, acting on what is sensed",
-                listed(&feedback)
+                quoted(&feedback)
             ),
         }
     }
@@ -451,19 +450,4 @@ fn is_to_and_fro(history: &[Iteration]) -> bool {
         (least.min(size), most.max(size))
     });
     most < 4.0 * least
-}
-
-/// Names in quotes, the first of many.
-pub(super) fn listed(names: &[String]) -> String {
-    let quoted: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
-    match &quoted[..] {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] if quoted.len() <= NAMED => format!("{} and {last}", first.join(", ")),
-        many => format!(
-            "{} and {} more",
-            many[..NAMED].join(", "),
-            many.len() - NAMED
-        ),
-    }
 }

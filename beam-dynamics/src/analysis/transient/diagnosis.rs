@@ -1,0 +1,83 @@
+//! The data about a step that could not be made: the elements at the worst equation, the
+//! likely cause, and how the iteration went.
+
+use std::fmt::Write;
+
+use super::energy::Finding;
+use super::failure::StepTrouble;
+use super::multibody::Multibody;
+use crate::assembly::System;
+use crate::case::{Model, TransientQuestion};
+use crate::integrator::{Reason, StepFailure};
+use crate::model::NODE_UNKNOWNS;
+use crate::solver::Iteration;
+
+mod cause;
+
+use cause::{Cause, Scene};
+
+/// Iterations of the history that are told.
+const TOLD: usize = 12;
+
+/// The failure of a step of `model`, with its likely cause.
+pub(super) fn trouble(
+    failure: StepFailure,
+    (model, question): (&Model, &TransientQuestion),
+    (dae, gained): (&Multibody<'_>, Option<Finding>),
+) -> StepTrouble {
+    let scene = Scene::new(&failure, (model, question), (dae, gained));
+    let Cause { words, remedies } = scene.cause();
+    let is_inexact = failure.local_error.is_some() || failure.reason == Reason::Corners;
+    StepTrouble {
+        acting: match is_inexact {
+            true => Vec::new(),
+            false => acting(&model.system, failure.worst.place),
+        },
+        // Iterations that converged are of no interest.
+        history: match is_inexact {
+            true => String::new(),
+            false => history(&model.system, &failure.history),
+        },
+        failure,
+        cause: words,
+        remedies,
+    }
+}
+
+/// Names of the elements that act on the node to which an equation belongs, each once.
+fn acting(system: &System, place: usize) -> Vec<String> {
+    let node = place / NODE_UNKNOWNS;
+    let mut names: Vec<String> = Vec::new();
+    // The balances of the nodes come first.
+    for element in system.elements().skip(system.nodes().len()) {
+        let is_new = names.last().is_none_or(|last| last != element.label());
+        let acts = element.acts() && element.nodes().contains(&node);
+        if is_new && node < system.nodes().len() && acts {
+            names.push(element.label().to_owned());
+        }
+    }
+    names
+}
+
+/// The iterations: those with the same worst equation in a row behind its name.
+fn history(system: &System, iterations: &[Iteration]) -> String {
+    let mut text = String::new();
+    let mut place = None;
+    for (i, iteration) in iterations.iter().take(TOLD).enumerate() {
+        let (worst, correction) = (&iteration.worst, iteration.correction);
+        let is_same = place.replace(worst.place) == Some(worst.place);
+        // Writing to a string does not fail.
+        let _ = match is_same {
+            true => write!(text, ", "),
+            false => {
+                let semicolon = if i > 0 { "; " } else { "" };
+                write!(text, "{semicolon}{}: ", system.equation(worst.place))
+            }
+        };
+        let _ = write!(text, "{:.1e} {correction:.1e}", worst.relative);
+    }
+    if iterations.len() > TOLD {
+        let _ = write!(text, " and {} more", iterations.len() - TOLD);
+    }
+    text
+}
