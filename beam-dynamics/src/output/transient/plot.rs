@@ -17,8 +17,6 @@ mod legend;
 mod line;
 mod names;
 
-pub(super) use names::stem;
-
 use legend::Legend;
 use line::{COLORS, Stroke, TONES, thinned};
 

@@ -5,9 +5,10 @@ use std::path::Path;
 use shared_geom::files::read_bytes;
 
 use super::netcdf_table::{self, Content};
-use super::plot::stem;
 use super::{Heading, RunFileProblem, cannot_read};
 
+/// Endings that results have and names of runs have not.
+const ENDINGS: [&str; 4] = [".transient.csv", ".transient.nc", ".csv", ".nc"];
 /// What to do with a file that is no table.
 const REMEDY: &str = "name a table that transient wrote, NAME.transient.csv or NAME.transient.nc";
 
@@ -167,4 +168,11 @@ fn read_netcdf(path: &Path) -> Result<TimeTable, RunFileProblem> {
         headings: content.headings,
         columns: content.columns,
     })
+}
+
+/// The name of the file at `path` without what all results are called.
+pub(super) fn stem(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let stem = ENDINGS.iter().find_map(|ending| name.strip_suffix(ending));
+    stem.unwrap_or(&name).to_owned()
 }

@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use crate::output::TimeTable;
+use crate::output::transient::table::stem;
 
-/// Endings that results have and names of runs have not.
-const ENDINGS: [&str; 4] = [".transient.csv", ".transient.nc", ".csv", ".nc"];
 /// Models that a title names.
 const MOST_TITLES: usize = 3;
 
@@ -23,13 +22,6 @@ pub(super) fn title(tables: &[TimeTable]) -> String {
         0 => titles.join(" / "),
         more => format!("{} and {more} more", titles.join(" / ")),
     }
-}
-
-/// The name of the file at `path` without what all results are called.
-pub(in crate::output::transient) fn stem(path: &Path) -> String {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let stem = ENDINGS.iter().find_map(|ending| name.strip_suffix(ending));
-    stem.unwrap_or(&name).to_owned()
 }
 
 /// A name for each run: that of the file, with its ending or with so many folders as it
