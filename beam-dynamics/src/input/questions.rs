@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
+use super::counts::at_most;
 use super::loads::{LoadProblem, flag};
 use super::problem::InputProblem;
 use super::speeds::{self, RPM};
@@ -60,12 +61,12 @@ fn statics(root: &Table<'_>) -> Option<Option<StaticQuestion>> {
         false => Some(1.0),
     };
     let steps = match table.has("steps") {
-        true => at_most(&table, "steps", MOST_STEPS).map(Some),
+        true => at_most(&table, "steps", table.count("steps"), MOST_STEPS).map(Some),
         false => Some(None),
     };
     let arc_length = flag(&table, "arc_length");
     let most_steps = match table.has("most_steps") {
-        true => at_most(&table, "most_steps", MOST_STEPS),
+        true => at_most(&table, "most_steps", table.count("most_steps"), MOST_STEPS),
         false => Some(DEFAULT_MOST_STEPS),
     };
     table.finish();
@@ -88,7 +89,7 @@ fn buckling(root: &Table<'_>) -> Option<Option<BucklingQuestion>> {
     let table = root.table("buckling")?;
     let speed = speed(&table);
     let count = match table.has("count") {
-        true => at_most(&table, "count", MOST_LOADS),
+        true => at_most(&table, "count", table.count("count"), MOST_LOADS),
         false => Some(DEFAULT_COUNT),
     };
     table.finish();
@@ -109,15 +110,6 @@ fn speed(table: &Table<'_>) -> Option<f64> {
         return None;
     }
     Some(speed)
-}
-
-pub(super) fn at_most(table: &Table<'_>, key: &'static str, limit: usize) -> Option<usize> {
-    let found = table.count(key)?;
-    if found > limit {
-        table.note(key, &InputProblem::TooMany { key, found, limit });
-        return None;
-    }
-    Some(found)
 }
 
 impl Questions {

@@ -1,13 +1,13 @@
-//! What is asked: rotor speeds and the number of modes.
+//! The question for modes: rotor speeds, the number of modes, and shapes that are animated.
 
 use std::f64::consts::PI;
 
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
 
+use super::counts::at_most;
 use super::modal_damping;
 use super::problem::InputProblem;
-use super::shapes;
 use crate::case::ModesQuestion;
 
 /// Radians per second in one revolution per minute.
@@ -20,7 +20,7 @@ const MOST_SPEEDS: usize = 10_000;
 /// Modes of one run: more than any model has that can be solved here.
 const MOST_MODES: usize = 10_000;
 /// Speeds closer than this part of the larger are the same speed.
-pub(super) const SAME_SPEED: f64 = 1e-9;
+const SAME_SPEED: f64 = 1e-9;
 
 /// Reads `[modes]`.
 pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
@@ -30,7 +30,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
         true => at_most(&table, "count", table.count("count"), MOST_MODES),
         false => Some(DEFAULT_COUNT),
     };
-    let shapes = shapes::read(&table, speeds.as_deref());
+    let shapes = shapes(&table, speeds.as_deref());
     let damping = modal_damping::read(&table);
     table.finish();
     let mut question = ModesQuestion::new(speeds?, count?);
@@ -53,21 +53,6 @@ fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
         false => table.quantities("speeds", Dimension::ROTATION_SPEED),
     };
     ascending(table, speeds?)
-}
-
-/// The number `found` under `key`, unless it is above `limit`, which is noted.
-fn at_most(
-    table: &Table<'_>,
-    key: &'static str,
-    found: Option<usize>,
-    limit: usize,
-) -> Option<usize> {
-    let found = found?;
-    if found > limit {
-        table.note(key, &InputProblem::TooMany { key, found, limit });
-        return None;
-    }
-    Some(found)
 }
 
 /// `steps` speeds at equal distances, both ends included.
@@ -114,6 +99,46 @@ fn ascending(table: &Table<'_>, mut speeds: Vec<f64>) -> Option<Vec<f64>> {
         note(InputProblem::SpeedTwice { rpm: pair[0] / RPM });
     }
     (below.is_empty() && doubled.is_empty()).then_some(speeds)
+}
+
+/// Reads `shapes` and `shape_speeds` of `[modes]`: whether shapes are animated, and the
+/// speeds chosen for shapes, of `speeds`; none chosen is an empty list.
+fn shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<(bool, Vec<f64>)> {
+    let animate = match table.has("shapes") {
+        true => table.boolean("shapes"),
+        false => Some(false),
+    };
+    let chosen = match table.has("shape_speeds") {
+        true => chosen_shapes(table, speeds),
+        false => Some(Vec::new()),
+    };
+    Some((animate?, chosen?))
+}
+
+/// The speeds of the analysis that `shape_speeds` names; each one that is none of them
+/// is noted.
+fn chosen_shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<Vec<f64>> {
+    const KEY: &str = "shape_speeds";
+    let wanted = table.quantities(KEY, Dimension::ROTATION_SPEED)?;
+    let speeds = speeds?;
+    let nearest = |wanted: f64| {
+        let distance = |speed: f64| (speed - wanted).abs();
+        speeds
+            .iter()
+            .copied()
+            .min_by(|a, b| distance(*a).total_cmp(&distance(*b)))
+    };
+    let mut found = Vec::with_capacity(wanted.len());
+    for &wanted in &wanted {
+        let nearest = nearest(wanted)?;
+        if (nearest - wanted).abs() <= SAME_SPEED * nearest.abs() {
+            found.push(nearest);
+            continue;
+        }
+        let [rpm, nearest] = [wanted, nearest].map(|speed| speed / RPM);
+        table.note(KEY, &InputProblem::ShapeSpeed { rpm, nearest });
+    }
+    (found.len() == wanted.len()).then_some(found)
 }
 
 #[cfg(test)]

@@ -4,9 +4,9 @@ use shared_geom::document::Table;
 use shared_geom::error::Explain;
 use shared_geom::units::Dimension;
 
+use super::counts::at_most;
 use super::elsewhere::OF_TRANSIENT;
 use super::number::short_number;
-use super::questions::at_most;
 use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
 use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
@@ -354,7 +354,12 @@ fn newton(table: &Table<'_>) -> Option<StepLimits> {
     let table = table.table("newton")?;
     let method = word(&table, "method", &["full", "modified"]);
     let iterations = match table.has("iterations") {
-        true => at_most(&table, "iterations", MOST_ITERATIONS),
+        true => at_most(
+            &table,
+            "iterations",
+            table.count("iterations"),
+            MOST_ITERATIONS,
+        ),
         false => Some(standard.iterations),
     };
     let tolerance = match table.has("tolerance") {
