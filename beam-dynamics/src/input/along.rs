@@ -3,9 +3,8 @@
 use nalgebra::Matrix6;
 use shared_geom::section::{CubicTable, Piezo, among_six};
 
+use super::beam_section::{Acting, Heat, Properties};
 use super::curved::Curved;
-use super::heat::{Acting, Heat};
-use super::properties::Properties;
 use crate::elements::beams::MassAlong;
 use crate::elements::laws::{Imposed, Law, LawKind};
 

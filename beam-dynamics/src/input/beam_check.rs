@@ -13,7 +13,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 use shared_geom::rotation::vector;
 
-use super::draft::Beam;
+use super::beam_card::Beam;
 use super::problem::InputProblem;
 use crate::model::Node;
 

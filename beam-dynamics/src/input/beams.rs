@@ -3,25 +3,19 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 use shared_geom::rotation::vector;
-use shared_geom::section::least_eigenvalue;
 use shared_geom::units::Dimension;
 
 use super::along::Along;
+use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
-use super::curved;
-use super::draft::{Beam, Draft};
-use super::drives::Catalog;
+use super::beam_section::Properties;
+use super::curved_fit;
+use super::draft::Draft;
 use super::formulation;
 use super::heat;
-use super::laws::{self, Components, LawProblem};
+use super::laws::{self, LawProblem};
 use super::problem::InputProblem;
-use super::properties::Properties;
 use crate::elements::beams::{BeamGeometry, BeamNode};
-use crate::elements::laws::Law;
-
-/// Least eigenvalue of the stiffness of a law, scaled to a unit diagonal, that counts as
-/// positive: more than its round-off.
-const SOFT: f64 = 1e-12;
 
 /// Adds every `[[beam]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
@@ -37,7 +31,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
             BeamCheck::new(&words, beam, draft.nodes()).note_on(table, "nodes")
         };
         let beam = beam.filter(sound);
-        match beam.filter(|beam| curved::suits_beam(beam, table, draft)) {
+        match beam.filter(|beam| curved_fit::suits_beam(beam, table, draft)) {
             Some(beam) if is_new => draft.add_beam(beam),
             _ => draft.note_broken(),
         }
@@ -79,7 +73,7 @@ fn along(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Along> {
             table.note("law", &problem);
             return None;
         }
-        let law = law(table, draft.drives(), words, known.as_ref())?;
+        let law = laws::of_section(table, draft.drives(), words, known.as_ref())?;
         if let Some(properties) = known {
             let properties = Properties {
                 law: Some(law),
@@ -96,26 +90,6 @@ fn along(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Along> {
     }
     let heated = heat::read(table, properties?, draft.drives(), words)?;
     Some(Along::constant(&heated))
-}
-
-/// The law of a beam, or of properties, which must hold it together: no rest of the program knows what a
-/// beam is that can come apart.
-pub(super) fn law(
-    table: &Table<'_>,
-    drives: &Catalog,
-    words: &str,
-    properties: Option<&Properties>,
-) -> Option<Law<6>> {
-    let of = Components::section(properties.map(|found| found.stiffness));
-    let law = laws::read(table, "law", &of, drives)?;
-    let stiffness = law.stiffness_at_rest();
-    let least = least_eigenvalue(&stiffness);
-    if least.is_nan() || least <= SOFT {
-        let beam = words.to_owned();
-        table.note("law", &LawProblem::SoftBeam { beam, least });
-        return None;
-    }
-    Some(law)
 }
 
 fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 3]> {

@@ -3,8 +3,9 @@
 use nalgebra::Vector3;
 use shared_geom::document::Table;
 
+use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
-use super::draft::{Beam, Draft};
+use super::draft::Draft;
 use super::formulation::{self, Inertia};
 use crate::case::BladeNodes;
 use crate::elements::beams::{BeamGeometry, BeamNode, Formulation};

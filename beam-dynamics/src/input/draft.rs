@@ -9,17 +9,18 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
 use shared_geom::error::nearest_name;
 
-use super::along::Along;
+use super::beam_card::Beam;
+use super::beam_section::Properties;
 use super::drives;
 use super::formulation::Inertia;
 use super::frames::Frames;
+use super::hinge_card::HingeCard;
 use super::hub::Hub;
-use super::joints::HingeCard;
 use super::problem::InputProblem;
-use super::properties::{Catalog, Properties};
+use super::properties::Catalog;
 use crate::assembly::System;
 use crate::case::{BladeNodes, InitialMotion, Model, Spin};
-use crate::elements::beams::{self, BeamGeometry, BeamInertia, LumpedMass, lumped_bodies};
+use crate::elements::beams::{self, BeamInertia, LumpedMass, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Hinge, clamped, rigid_connection};
 use crate::elements::{Element, Reading};
@@ -33,16 +34,6 @@ mod remarks;
 mod watch;
 
 pub(super) use electrodes::{ElectrodeCard, names as electrode_names};
-
-/// A beam with its properties.
-#[derive(Debug, Clone)]
-pub(super) struct Beam {
-    pub label: String,
-    pub nodes: [usize; 3],
-    pub geometry: BeamGeometry,
-    pub along: Along,
-    pub inertia: Inertia,
-}
 
 /// What a name of a node stands for.
 #[derive(Debug, Clone, Copy)]

@@ -9,15 +9,13 @@
 //!
 //! Without these keys nothing is heated, whatever the property file says.
 
-use nalgebra::{Matrix4, Vector6};
 use shared_geom::document::Table;
 use shared_geom::error::{Explain, nearest_name};
-use shared_geom::section::{ImposedState, SectionProperties};
 use shared_geom::units::Dimension;
 
+use super::beam_section::{Acting, Heat, Properties, TEMPERATURE};
 use super::drives::{self, Catalog};
 use super::number::short_number;
-use super::properties::Properties;
 use crate::elements::laws::Driven;
 use crate::elements::{Instant, Signal};
 use crate::model::Drive;
@@ -29,37 +27,6 @@ const KEYS: [&str; 2] = ["temperature", "imposed"];
 const MOST_CARDS: usize = 3;
 /// Digits of temperatures and factors.
 const DIGITS: usize = 6;
-/// What an even rise of temperature is called.
-const TEMPERATURE: &str = "temperature";
-
-/// What heat and imposed strains do to a section.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Heat {
-    /// Internal force per kelvin when held \[N/K, N m/K\]; `None` where it is not known.
-    thermal_force: Option<Vector6<f64>>,
-    /// Named states.
-    imposed: Vec<ImposedState>,
-    /// Change of the stiffness per kelvin \[N/K, N m/K, N m^2/K\]; `None` where it is not
-    /// known.
-    stiffness_per_kelvin: Option<Matrix4<f64>>,
-    /// What acts, of the card that was read last.
-    acting: Vec<Acting>,
-}
-
-/// A state of heat or imposed strain that acts.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Acting {
-    /// The card that says it, in words.
-    pub card: String,
-    /// What it is called: "temperature", or the name of the state.
-    pub name: String,
-    /// Force of the section that is held \[N, N m\], times its drive.
-    pub force: Driven<6>,
-    /// Change of the stiffness for the drive one, over the components of a table of
-    /// prestress \[N, N m, N m^2\]; `None` where it is not known.
-    pub stiffness: Option<Matrix4<f64>>,
-}
-
 /// A problem of heat.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum HeatProblem {
@@ -114,35 +81,6 @@ impl Explain for HeatProblem {
                     .to_owned()
             }
         })
-    }
-}
-
-impl Heat {
-    /// What is known of a section.
-    pub fn of(properties: &SectionProperties) -> Self {
-        Self {
-            thermal_force: properties.thermal_force,
-            imposed: properties.imposed.clone(),
-            stiffness_per_kelvin: properties
-                .prestress
-                .and_then(|prestress| prestress.per_kelvin),
-            acting: Vec::new(),
-        }
-    }
-
-    /// States whose effect on the stiffness the property file does not have.
-    pub fn without_stiffness(&self) -> Vec<&str> {
-        let kelvin = self.thermal_force.is_some() && self.stiffness_per_kelvin.is_none();
-        let kelvin = kelvin.then_some(TEMPERATURE);
-        let states = self.imposed.iter();
-        let states = states.filter(|state| state.stiffness_change.is_none());
-        let states = states.map(|state| state.name.as_str());
-        kelvin.into_iter().chain(states).collect()
-    }
-
-    /// What acts: forces that are held, times drives.
-    pub fn acting(&self) -> &[Acting] {
-        &self.acting
     }
 }
 

@@ -5,13 +5,30 @@ use shared_geom::document::Table;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
-use super::hub_support::MovingHub;
+use super::moments::moments;
+use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::case::Spin;
+use crate::elements::bodies::RigidInertia;
 
+/// Name of the node of a hub that moves.
+pub(super) const HUB: &str = "hub";
+/// Directions of a support: across the axis, along it, about the diameters, about it.
+const DIRECTIONS: [&str; 4] = ["in_plane", "axial", "tilt", "torsion"];
 /// Smallest sine of the angle between the axis and x for which the direction of
 /// azimuth zero has a meaning: a twentieth of a degree.
 const SMALLEST_SINE: f64 = 1e-3;
+
+/// Mass and support of a hub.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct MovingHub {
+    /// Mass and moments of inertia about the center of the hub.
+    pub inertia: RigidInertia,
+    /// Stiffness in each direction; `None` where the hub is held \[N/m, N m\].
+    pub stiffness: [Option<f64>; 4],
+    /// Damping in each direction \[N s/m, N m s\].
+    pub damping: [f64; 4],
+}
 
 /// Axis and center of rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -117,6 +134,60 @@ impl Hub {
     fn turn(&self, azimuth: f64) -> Matrix3<f64> {
         vector::to_rotation(&(self.axis * azimuth))
     }
+}
+
+impl MovingHub {
+    /// What `[hub]` says of its support: `None` when that is wrong, `Some(None)` when the
+    /// frame holds the hub.
+    fn read(table: &Table<'_>) -> Option<Option<Self>> {
+        if !table.has("support") {
+            let useless = ["mass", "inertia", "support_damping"];
+            let useless: Vec<_> = useless.into_iter().filter(|key| table.has(key)).collect();
+            for key in &useless {
+                table.note(key, &InputProblem::HeldHub { key });
+            }
+            return useless.is_empty().then_some(None);
+        }
+        let mass = match table.has("mass") {
+            true => not_negative(table, "mass", Dimension::MASS),
+            false => Some(0.0),
+        };
+        let moments = moments(table, HUB);
+        let stiffness = [Dimension::SPRING_STIFFNESS, Dimension::MOMENT];
+        let stiffness = directions(table, "support", stiffness);
+        let damping = [Dimension::DAMPER, Dimension::TURNING_DAMPER];
+        let damping = directions(table, "support_damping", damping);
+        let (stiffness, damping) = (stiffness?, damping?);
+        let held = (0..4).find(|&i| damping[i].is_some() && stiffness[i].is_none());
+        if let Some(i) = held {
+            let direction = DIRECTIONS[i];
+            table.note("support_damping", &InputProblem::DampedClamp { direction });
+            return None;
+        }
+        let central = Matrix3::from_diagonal(&moments?);
+        Some(Some(Self {
+            inertia: RigidInertia::about_node(mass?, &Vector3::zeros(), &central),
+            stiffness,
+            damping: damping.map(|damping| damping.unwrap_or(0.0)),
+        }))
+    }
+}
+
+/// A number for each direction in the table under `key`.
+fn directions(table: &Table<'_>, key: &str, of: [Dimension; 2]) -> Option<[Option<f64>; 4]> {
+    if !table.has(key) {
+        return Some([None; 4]);
+    }
+    let table = table.table(key)?;
+    let read: Vec<_> = (0..4)
+        .map(|i| match table.has(DIRECTIONS[i]) {
+            true => not_negative(&table, DIRECTIONS[i], of[i / 2]).map(Some),
+            false => Some(None),
+        })
+        .collect();
+    table.finish();
+    let read: Option<Vec<_>> = read.into_iter().collect();
+    read?.try_into().ok()
 }
 
 #[cfg(test)]

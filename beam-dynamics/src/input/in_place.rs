@@ -5,10 +5,10 @@ use shared_geom::document::Table;
 use shared_geom::section::{Centers, Engineering, Provenance, SectionProperties};
 use shared_geom::units::Dimension;
 
+use super::beam_section::{Properties, usable};
 use super::damping;
 use super::number::not_negative;
 use super::problem::InputProblem;
-use super::properties::{Properties, usable};
 
 /// Keys of properties in place.
 pub(super) const KEYS: [&str; 13] = [

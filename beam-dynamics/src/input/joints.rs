@@ -7,6 +7,7 @@ use shared_geom::units::Dimension;
 use super::draft::Draft;
 use super::drives::{self, Catalog};
 use super::ends::{label, pair};
+use super::hinge_card::HingeCard;
 use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::elements::Signal;
@@ -84,15 +85,6 @@ fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
         return None;
     }
     Some(axis / largest)
-}
-
-/// Spring and damper of a hinge as a card means them.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct HingeCard {
-    /// The spring, with the relaxed angle where that does not change.
-    pub spring: HingeSpring,
-    /// The relaxed angle where it changes \[rad\].
-    pub relaxed: Option<Signal>,
 }
 
 /// Spring and damper of a hinge: `stiffness`, `damping`, `angle`.

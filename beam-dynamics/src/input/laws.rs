@@ -3,8 +3,10 @@
 
 use nalgebra::{SMatrix, SVector};
 use shared_geom::document::Table;
+use shared_geom::section::least_eigenvalue;
 use shared_geom::units::Dimension;
 
+use super::beam_section::Properties;
 use super::drives::{self, Catalog};
 use crate::elements::laws::{Driven, Law, Term};
 use crate::elements::{Instant, Signal, Smoothness};
@@ -17,6 +19,10 @@ mod problem;
 mod tests;
 
 pub use problem::LawProblem;
+
+/// Least eigenvalue of the stiffness of a law, scaled to a unit diagonal, that counts as
+/// positive: more than its round-off.
+const SOFT: f64 = 1e-12;
 
 /// What the components of a law are.
 #[derive(Debug, Clone, Copy)]
@@ -200,4 +206,24 @@ fn driven<const N: usize>(
         vector,
         signal: signal?,
     }))
+}
+
+/// The law of a beam, or of properties, which must hold the beam together: the rest of the
+/// program knows no beam that can come apart.
+pub(super) fn of_section(
+    table: &Table<'_>,
+    drives: &Catalog,
+    words: &str,
+    properties: Option<&Properties>,
+) -> Option<Law<6>> {
+    let of = Components::section(properties.map(|found| found.stiffness));
+    let law = read(table, "law", &of, drives)?;
+    let stiffness = law.stiffness_at_rest();
+    let least = least_eigenvalue(&stiffness);
+    if least.is_nan() || least <= SOFT {
+        let beam = words.to_owned();
+        table.note("law", &LawProblem::SoftBeam { beam, least });
+        return None;
+    }
+    Some(law)
 }

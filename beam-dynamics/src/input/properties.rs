@@ -2,47 +2,22 @@
 
 use std::path::Path;
 
-use nalgebra::Matrix6;
 use shared_geom::blade::{section_remark, written_section_remark};
 use shared_geom::document::Table;
 use shared_geom::files::names_beside;
-use shared_geom::section::{self, CubicTable, Damping, Piezo, SectionProperties};
+use shared_geom::section::{self, CubicTable, SectionProperties};
 use shared_geom::units::Dimension;
 
+use super::beam_section::{Properties, usable};
 use super::curved::Curved;
-use super::heat::{self, Heat};
+use super::heat;
 use super::in_place::{self, KEYS};
-use super::laws::LawProblem;
+use super::laws::{self, LawProblem};
 use super::problem::InputProblem;
-use super::{beams, damping, drives};
-use crate::elements::laws::Law;
+use super::{damping, drives};
 
 /// Ending of the names of property files.
 const PROPERTY_FILE: &str = ".properties.json";
-
-/// What a beam needs of its section, in section axes about the reference line.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Properties {
-    /// 6x6 stiffness \[N, N m, N m^2\].
-    pub stiffness: Matrix6<f64>,
-    /// 6x6 mass per length \[kg/m, kg, kg m\].
-    pub mass: Matrix6<f64>,
-    /// 6x6 viscosity; `None` without internal damping \[N s, N m s, N m^2 s\].
-    pub damping: Option<Matrix6<f64>>,
-    /// Law in place of stiffness and viscosity; `None` for these.
-    pub law: Option<Law<6>>,
-    /// What heat and imposed strains do to the section.
-    pub heat: Heat,
-    /// Effect of prestress on the stiffness; `None` where it is not asked for.
-    pub prestress: Option<CubicTable>,
-    /// Why critical loads know nothing of torsional buckling, in words; `None` where they
-    /// do, and for numbers in place.
-    pub torsional_buckling: Option<&'static str>,
-    /// Electrodes; `None` without.
-    pub piezo: Option<Piezo>,
-    /// What the section was solved for; `None` for a straight beam.
-    pub curved: Option<Curved>,
-}
 
 /// Remark on properties whose table of prestress is not used.
 const UNUSED_TABLE: &str = "torsional and torsional-flexural buckling are left out, as the \
@@ -167,7 +142,7 @@ fn with_law(
         return None;
     }
     let properties = properties?;
-    let law = beams::law(table, drives, &words, Some(&properties))?;
+    let law = laws::of_section(table, drives, &words, Some(&properties))?;
     Some(Properties {
         law: Some(law),
         ..properties
@@ -258,32 +233,4 @@ fn property_files_beside(path: &Path) -> Vec<String> {
     let mut names = names_beside(path);
     names.retain(|name| name.ends_with(PROPERTY_FILE));
     names
-}
-
-/// The matrices of sound properties; notes under `key` what is unsound.
-pub(super) fn usable(
-    name: &str,
-    table: &Table<'_>,
-    key: &str,
-    properties: &SectionProperties,
-) -> Option<Properties> {
-    let problems = properties.problems();
-    for problem in &problems {
-        let (name, problem) = (name.to_owned(), problem.clone());
-        table.note(key, &InputProblem::Unsound { name, problem });
-    }
-    problems.is_empty().then(|| Properties {
-        curved: None,
-        stiffness: properties.stiffness,
-        mass: properties.mass,
-        damping: properties.damping.as_ref().map(|damping| match damping {
-            Damping::StiffnessProportional(time) => *time * properties.stiffness,
-            Damping::Viscous(matrix) => *matrix,
-        }),
-        law: None,
-        heat: Heat::of(properties),
-        prestress: None,
-        torsional_buckling: None,
-        piezo: properties.piezo.clone(),
-    })
 }

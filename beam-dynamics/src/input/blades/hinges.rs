@@ -20,7 +20,8 @@ use super::problem::BladeProblem;
 use super::seats::Seat;
 use crate::input::draft::Draft;
 use crate::input::drives::Catalog;
-use crate::input::joints::{HingeCard, spring};
+use crate::input::hinge_card::HingeCard;
+use crate::input::joints::spring;
 use crate::model::Node;
 
 /// What a hinge lets the blade do.

@@ -106,7 +106,7 @@ impl PieceLine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::properties::Properties;
+    use crate::input::beam_section::Properties;
     use nalgebra::Matrix6;
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, FRAC_PI_6};
 
@@ -129,7 +129,7 @@ mod tests {
             mass: Matrix6::identity(),
             damping: None,
             law: None,
-            heat: crate::input::heat::Heat::default(),
+            heat: crate::input::beam_section::Heat::default(),
             prestress: None,
             torsional_buckling: None,
             piezo: None,

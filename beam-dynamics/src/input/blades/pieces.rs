@@ -7,11 +7,11 @@ use super::laid::Laid;
 use super::piece_line::{Piece, PieceLine};
 use super::seats::shallow;
 use crate::input::along::Along;
-use crate::input::curved;
+use crate::input::beam_section::Properties;
+use crate::input::curved_fit;
 use crate::input::draft::Draft;
 use crate::input::heat;
 use crate::input::problem::InputProblem;
-use crate::input::properties::Properties;
 
 /// Beams of one piece: more are a slip of the pen.
 const MOST_ELEMENTS: usize = 1000;
@@ -88,7 +88,7 @@ fn pieces(
             let pair = piece.as_ref().zip(properties.as_ref());
             let suits = pair.is_none_or(|(piece, properties)| {
                 let curved = properties.curved.as_ref();
-                curved::suits_piece(curved, piece.twist_rate(), &words, table, draft)
+                curved_fit::suits_piece(curved, piece.twist_rate(), &words, table, draft)
             });
             (piece.filter(|_| suits), properties)
         })

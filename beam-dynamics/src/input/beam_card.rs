@@ -1,0 +1,15 @@
+//! A beam of the model, as its card means it.
+
+use super::along::Along;
+use super::formulation::Inertia;
+use crate::elements::beams::BeamGeometry;
+
+/// A beam with its properties.
+#[derive(Debug, Clone)]
+pub(super) struct Beam {
+    pub label: String,
+    pub nodes: [usize; 3],
+    pub geometry: BeamGeometry,
+    pub along: Along,
+    pub inertia: Inertia,
+}

@@ -1,0 +1,71 @@
+//! Whether a beam has the curvature for which its section was solved, (D-230).
+
+use nalgebra::Vector3;
+use shared_geom::document::Table;
+use shared_geom::section::{Agreement, InitialCurvature};
+
+use super::beam_card::Beam;
+use super::curved::Curved;
+use super::draft::Draft;
+use super::problem::InputProblem;
+use crate::elements::beams;
+
+/// Whether a straight piece, in words, with a twist that grows by `rate` \[1/m\] has the
+/// curvature for which its section was solved.
+pub(super) fn suits_piece(
+    curved: Option<&Curved>,
+    rate: f64,
+    words: &str,
+    table: &Table<'_>,
+    draft: &mut Draft,
+) -> bool {
+    let line = InitialCurvature {
+        curvature: Vector3::new(rate, 0.0, 0.0),
+        ..InitialCurvature::STRAIGHT
+    };
+    curved.is_none_or(|curved| is_on(curved, &line, words, (table, "twist"), draft))
+}
+
+/// Whether a beam has the curvature for which its section was solved at both evaluation
+/// points.
+pub(super) fn suits_beam(beam: &Beam, table: &Table<'_>, draft: &mut Draft) -> bool {
+    let Some(curved) = &beam.along.curved else {
+        return true;
+    };
+    let (geometry, names) = (beam.geometry, beam.nodes);
+    beams::Beam::evaluation_points().into_iter().all(|xi| {
+        let nodes = names.map(|node| &draft.nodes()[node]);
+        let line = geometry.initial_curvature(&nodes, xi);
+        let (place, length) = (geometry.arc_length(&nodes, xi), geometry.length(&nodes));
+        let user = format!("beam \"{}\", {place:.4} m of {length:.4} m", beam.label);
+        is_on(curved, &line, &user, (table, "nodes"), draft)
+    })
+}
+
+/// Compares a section with a line: notes on `table` that this is another beam, and tells
+/// in `draft` that it differs a little. `user` says who uses the properties, and where.
+/// True unless it is another beam.
+fn is_on(
+    curved: &Curved,
+    line: &InitialCurvature,
+    user: &str,
+    (table, key): (&Table<'_>, &str),
+    draft: &mut Draft,
+) -> bool {
+    match Agreement::of(&curved.initial, [*line; 2], &curved.stiffness) {
+        Agreement::Same => true,
+        Agreement::Near(mismatch) => {
+            draft.add_remarks(vec![curved.remark(user, &mismatch)]);
+            true
+        }
+        Agreement::Other(mismatch) => {
+            let problem = InputProblem::OtherCurvature {
+                user: user.to_owned(),
+                name: curved.name.clone(),
+                mismatch: Box::new(mismatch),
+            };
+            table.note(key, &problem);
+            false
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Moments of inertia in cards.
+
+use nalgebra::Vector3;
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::problem::InputProblem;
+
+/// By how much one moment of inertia may pass the sum of the others, relative: digits
+/// lost in the input.
+const ROUNDING: f64 = 1e-6;
+
+/// Moments of inertia about three axes under `inertia`; zeros when absent.
+pub(super) fn moments(table: &Table<'_>, label: &str) -> Option<Vector3<f64>> {
+    let moments = match table.has("inertia") {
+        true => table.vector("inertia", Dimension::INERTIA),
+        false => Some(Vector3::zeros()),
+    };
+    moments.filter(|moments| {
+        let possible = is_possible(moments);
+        if !possible {
+            let (body, found) = (label.to_owned(), (*moments).into());
+            table.note("inertia", &InputProblem::ImpossibleInertia { body, found });
+        }
+        possible
+    })
+}
+
+/// Moments of inertia are sums of two of the three non-negative `int x^2 dm`: none is
+/// negative, and none larger than the sum of the others.
+fn is_possible(moments: &Vector3<f64>) -> bool {
+    let sum = moments.sum();
+    moments
+        .iter()
+        .all(|&moment| moment >= 0.0 && 2.0 * moment <= sum * (1.0 + ROUNDING))
+}
