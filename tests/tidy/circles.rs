@@ -12,7 +12,7 @@ use crate::source::{is_word, words};
 use crate::tree::{File, Tree};
 
 /// The crates that the rules hold for.
-const HELD: [&str; 2] = ["shared-geom", "section-analyzer"];
+const HELD: [&str; 3] = ["shared-geom", "section-analyzer", "beam-dynamics"];
 
 /// How many re-exports may lead to the file that defines a name.
 const MOST_STEPS: usize = 16;
