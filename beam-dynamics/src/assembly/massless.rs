@@ -11,11 +11,11 @@
 //! Rotations are scaled by the size of the model.
 
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+use shared_geom::error::Explain;
 
 use super::mechanism::finite;
 use super::{System, Tangent};
 use crate::model::{Conditions, Equation, MOTION_WORDS, NODE_UNKNOWNS, Variable};
-use shared_geom::error::Explain;
 
 /// A mass below this part of the largest of its node is none.
 const NO_MASS: f64 = 1e-15;

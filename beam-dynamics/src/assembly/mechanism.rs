@@ -15,12 +15,12 @@
 //! free on purpose are no mechanisms: what is free also with these rows (all hinges
 //! locked) has been forgotten; what is free only without them is the freedom of hinges.
 
-use crate::elements::Queries;
 use nalgebra::{DMatrix, DVector, RowDVector, Vector3};
+use shared_geom::error::Explain;
 
 use super::System;
+use crate::elements::Queries;
 use crate::model::{Conditions, NODE_UNKNOWNS, Variable};
-use shared_geom::error::Explain;
 
 /// Singular values below this part of the largest count as zero: the entries are of
 /// order one, their round-off is 1e-16.

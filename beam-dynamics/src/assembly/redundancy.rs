@@ -22,13 +22,13 @@
 //! Phi_t,i - sum_k c_k Phi_t,k != 0
 //! ```
 
-use crate::elements::{Element, Level, Queries};
 use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
 use shared_geom::error::Explain;
 
 use super::System;
+use crate::elements::{Element, Level, Queries};
 use crate::model::{Conditions, NODE_UNKNOWNS, State, Variable};
 
 /// What is left of a row of size one counts as zero below this: the entries carry the

@@ -1,9 +1,9 @@
 //! What is asked about motion in time.
 
-use crate::elements::Queries;
 use nalgebra::Vector3;
 
 use super::Model;
+use crate::elements::Queries;
 use crate::integrator::{Scheme, StepLimits, Stepping};
 use crate::model::{Conditions, Loading, Pace, TurningFrame};
 

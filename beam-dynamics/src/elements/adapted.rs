@@ -9,7 +9,6 @@
 //! q = m . F ,      dq = m . dF + ( m x F ) . theta_c
 //! ```
 
-use crate::elements::{Constraints, Energetic, Growth, Memory, Queries, Reports, Structure};
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
@@ -19,6 +18,7 @@ use super::{
     Local, LocalJacobian, LocalResidual, Motion, Observations, Part, PlaceJump, Reading,
     ReadingRow, Signal,
 };
+use crate::elements::{Constraints, Energetic, Growth, Memory, Queries, Reports, Structure};
 use crate::model::{Equation, Loading, NodeMotion, Scalar, Scalars, Variable};
 
 /// Number of multipliers of all but unusual elements.

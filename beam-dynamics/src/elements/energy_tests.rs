@@ -4,7 +4,6 @@
 //! with the step 1e-5: truncation 1e-10 of third derivatives of order one, round-off 1e-11
 //! of energies of order ten.
 
-use crate::elements::Queries;
 use nalgebra::{Matrix1, Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
 
@@ -14,6 +13,7 @@ use super::joints::{Hinge, HingeSpring};
 use super::laws::{Cubic, Driven, Law, LawKind, Term};
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
 use super::{Element, Energy, Local, LocalResidual, LocalSize};
+use crate::elements::Queries;
 use crate::model::{Conditions, Drive, Harmonic, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
 
 const STEP: f64 = 1e-5;

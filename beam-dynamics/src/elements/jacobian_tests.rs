@@ -4,7 +4,6 @@
 //! eps/h of terms of order one (properties are chosen so) give about 1e-9 of the
 //! largest entry; 2e-8 leaves a factor for the third derivatives.
 
-use crate::elements::Queries;
 use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
 use shared_geom::rotation::parameters::Parametrization;
 use shared_geom::rotation::{gibbs, vector};
@@ -22,6 +21,7 @@ use super::loads::{
 };
 use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
 use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Signal};
+use crate::elements::Queries;
 use crate::model::{
     Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, Scalars, TurningFrame, Variable,
 };

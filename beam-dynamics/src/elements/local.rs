@@ -1,9 +1,9 @@
 //! Small dense residual and Jacobian of one element.
 
-use crate::elements::Queries;
 use nalgebra::{DMatrix, Matrix3, RowVector3, Vector3};
 
 use super::Element;
+use crate::elements::Queries;
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 
 mod removal;

@@ -6,7 +6,6 @@
 //! fifth derivatives (up to 1e3), round-off 1e-16/1e-6: 1e-8 leaves a factor.
 #![allow(clippy::unwrap_used, reason = "test helpers")]
 
-use crate::elements::Queries;
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
@@ -14,6 +13,7 @@ use super::jacobian_tests::{Random, nodes};
 use super::joints::{Hinge, HingeSpring, partly_clamped, rigid_connection, samples};
 use super::loads::{ImposedMotion, LoadFactor, imposed};
 use super::{ConstraintRates, Element, Level, Local, LocalJacobian, LocalResidual, LocalSize};
+use crate::elements::Queries;
 use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion, Scalars, Variable};
 
 const STEP: f64 = 1e-3;

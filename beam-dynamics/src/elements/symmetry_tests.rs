@@ -12,7 +12,6 @@
 //! balance. Constraints are functions times their multipliers. Random states that fulfill
 //! no constraint; round-off of products of numbers of order one.
 
-use crate::elements::Queries;
 use nalgebra::DMatrix;
 use shared_geom::rotation::{skew, vector};
 
@@ -21,6 +20,7 @@ use super::joints::{Hinge, HingeSpring, clamped, rigid_connection, samples};
 use super::laws::Law;
 use super::springs::{Spring, SpringLaw};
 use super::{Element, Level, Local, LocalJacobian, LocalResidual, LocalSize};
+use crate::elements::Queries;
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Scalars, Variable};
 
 const TOLERANCE: f64 = 1e-13;

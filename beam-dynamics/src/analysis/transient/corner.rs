@@ -10,22 +10,21 @@
 //! the change of the least kinetic energy by which the constraints are fulfilled. Where a
 //! drive jumps in what it holds in place, no motion follows it.
 
-use crate::elements::{Element, Level, PlaceJump, Queries};
 use std::borrow::Cow;
 use std::cell::Cell;
 use std::fmt;
 use std::ops::Range;
-
-use crate::assembly::{Residual, Sharing, System};
-use crate::case::Model;
-use crate::integrator::{Corner, Renewal};
-use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Scalars, State};
 
 use super::failure::TransientFailure;
 use super::placing::velocity_constraints;
 use super::rates::{Accelerated, consistent_rates, find_momenta};
 use super::saddle::MOTION;
 use super::scalars::{self, Settling};
+use crate::assembly::{Residual, Sharing, System};
+use crate::case::Model;
+use crate::elements::{Element, Level, PlaceJump, Queries};
+use crate::integrator::{Corner, Renewal};
+use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Scalars, State};
 
 /// The next corner of what is given over time, which stays what it is until it is reached.
 #[derive(Debug, Clone, Default)]

@@ -1,14 +1,14 @@
 //! Why a run in time ended before its last instant, in words.
 
+use shared_geom::error::Explain;
+
+use super::change::StartChange;
 use crate::analysis::steady::{NoEquilibrium, rpm};
 use crate::assembly::massless::MasslessNode;
 use crate::assembly::redundancy::Redundant;
 use crate::elements::PlaceJump;
 use crate::integrator::StepFailure;
 use crate::model::Name;
-use shared_geom::error::Explain;
-
-use super::change::StartChange;
 
 mod step;
 

@@ -8,16 +8,15 @@
 //! by Newton's method on the conditions of an extremum. Weights are those of the nodes,
 //! for rotations times the square of the size of the model.
 
-use crate::elements::{Element, Level, Queries};
 use nalgebra::Vector3;
 use shared_geom::rotation::{gibbs, vector};
 
+use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
 use crate::analysis::balance::largest_motion;
 use crate::assembly::{System, Tangent, redundancy};
 use crate::case::InitialMotion;
+use crate::elements::{Element, Level, Queries};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
-
-use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
 
 mod search;
 

@@ -1,12 +1,12 @@
 //! How a system changes with the factor of the proportional loads.
 
-use crate::elements::{Along, Local, LocalJacobian, LocalResidual, LocalSize, Queries};
 use std::sync::Arc;
 
 use nalgebra::Vector3;
 
 use super::System;
 use crate::assembly::Sparse;
+use crate::elements::{Along, Local, LocalJacobian, LocalResidual, LocalSize, Queries};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 
 impl System {

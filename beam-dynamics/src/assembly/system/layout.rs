@@ -1,12 +1,12 @@
 //! Where the equations and unknowns of an element stand in the system, found once, and
 //! the room in which elements are evaluated.
 
-use crate::elements::{Element, LocalJacobian, LocalResidual, LocalSize, Queries};
 use std::ops::Range;
 
 use nalgebra::DMatrix;
 
 use crate::assembly::Pattern;
+use crate::elements::{Element, LocalJacobian, LocalResidual, LocalSize, Queries};
 use crate::model::{NODE_UNKNOWNS, NodeMotion, Numbering};
 
 /// Places of one element in the vectors and matrices of the system.

@@ -5,10 +5,10 @@
 //! alone connects two parts carries none of them. Two joints are in one [`Loop`] when some
 //! ring of joints, that of the frame counted, leads through both.
 
-use crate::elements::Queries;
 use std::collections::BTreeMap;
 
 use super::System;
+use crate::elements::Queries;
 
 /// Joints of loops that are closed together, some constraints of which follow from others.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,12 +1,12 @@
 //! A system without some of its constraints, with others, or in which constraints share
 //! their loads.
 
-use crate::elements::{Adapted, Element, Queries};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{System, loops};
 use crate::assembly::redundancy::Redundant;
+use crate::elements::{Adapted, Element, Queries};
 use crate::model::NODE_UNKNOWNS;
 
 impl System {

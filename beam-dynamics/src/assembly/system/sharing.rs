@@ -19,11 +19,11 @@
 //! both do. P is that of the places that a step predicts; as the rank of A is that of the
 //! start, it goes continuously with the motion.
 
-use crate::elements::{Level, Queries};
 use nalgebra::DMatrix;
 
 use super::{Residual, System, Workspace};
 use crate::assembly::{Combination, Sparse};
+use crate::elements::{Level, Queries};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 
 /// Unknowns of the motion of a node.

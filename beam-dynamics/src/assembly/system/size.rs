@@ -1,9 +1,9 @@
 //! How large a model is.
 
-use crate::elements::{Element, LocalJacobian, Queries};
 use nalgebra::DMatrix;
 
 use super::System;
+use crate::elements::{Element, LocalJacobian, Queries};
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 
 /// Offsets below this part of the radius of gyration are round-off.

@@ -16,11 +16,6 @@
 //!
 //! References: [Masarati], the three-node beam (5.2-5.4).
 
-use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
-    LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, SectionState, Signal,
-    Structure,
-};
 use nalgebra::{DMatrix, Matrix6, RowVector6, Vector3, Vector6};
 
 use super::attachment::{BeamGeometry, EVALUATION_POINTS, Formulation};
@@ -30,6 +25,11 @@ use super::geometry::ReferencePoint;
 use super::interpolation::{LARGEST, NodalKinematics, Shape};
 use super::strain::{StrainPoint, Variation};
 use crate::elements::laws::{Law, Response};
+use crate::elements::{
+    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, SectionState, Signal,
+    Structure,
+};
 use crate::model::{Node, NodeMotion, Scalar, Variable};
 
 /// A geometrically exact beam through three nodes.

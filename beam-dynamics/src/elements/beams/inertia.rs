@@ -30,7 +30,6 @@
 //! Frequencies are of fourth order, with about twice the error of bodies by nodal
 //! weights ([`super::lumped_bodies`]).
 
-use crate::elements::{Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
 
@@ -40,6 +39,7 @@ use super::interpolation::NodalKinematics;
 use super::mass::{MassAlong, MassPoint, mass_points};
 use super::strain::SectionPoint;
 use super::variational::{add_on_line, add_on_line_variation, moment_variation};
+use crate::elements::{Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Moment, Momentum};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 

@@ -1,10 +1,10 @@
 //! The beam feels no rigid motion, and its nodal forces balance.
 
-use crate::elements::{Local, LocalResidual, LocalSize, Queries};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
 
 use super::{Beam, BeamGeometry, BeamNode};
+use crate::elements::{Local, LocalResidual, LocalSize, Queries};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
 
 /// A curved, twisted beam with offsets.

@@ -14,10 +14,10 @@
 //!
 //! References: [Masarati], momentum and momenta moment of a rigid body.
 
-use crate::elements::{Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew, times_skew};
 
+use crate::elements::{Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{NodeMotion, TurningFrame, Variable};
 

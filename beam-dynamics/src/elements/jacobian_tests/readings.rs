@@ -1,5 +1,9 @@
 //! Readings of elements as scalars.
 
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, Vector6};
+
 use super::{Random, beam_nodes, check, driven_law, geometries, nodes};
 use crate::elements::beams::{Beam, BeamElectrode, Potential};
 use crate::elements::circuits::Circuit;
@@ -10,8 +14,6 @@ use crate::elements::{
     Queries, Reading, Sensor, SpringVector,
 };
 use crate::model::{Conditions, Node, NodeMotion, Quantity, Scalar, Scalars};
-use nalgebra::{DMatrix, Vector6};
-use std::sync::Arc;
 
 const PARTS: [Part; 4] = [
     Part::Component(0),

@@ -31,12 +31,6 @@
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
-use crate::elements::{
-    Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Energetic, Energy,
-    Exchange, Growth, Instant, Level, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, Structure, prestress_of_multipliers,
-};
-use crate::model::{Loading, Node, NodeMotion, Scalar, Scalars, Variable};
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
@@ -44,7 +38,13 @@ use shared_geom::rotation::skew;
 
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
+use crate::elements::{
+    Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Energetic, Energy,
+    Exchange, Growth, Instant, Level, Local, LocalJacobian, LocalResidual, Motion, Observations,
+    PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, Structure, prestress_of_multipliers,
+};
 use crate::model::Equation::Moment;
+use crate::model::{Loading, Node, NodeMotion, Scalar, Scalars, Variable};
 
 /// Spring and damper of a hinge.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

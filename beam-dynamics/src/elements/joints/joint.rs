@@ -6,17 +6,17 @@
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
-use crate::elements::{
-    Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Growth, Instant, Level,
-    Local, LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reaction, Reading,
-    ReadingRow, Reports, Signal, Structure, prestress_of_multipliers,
-};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
 use crate::elements::loads::LoadFactor;
+use crate::elements::{
+    Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Growth, Instant, Level,
+    Local, LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reaction, Reading,
+    ReadingRow, Reports, Signal, Structure, prestress_of_multipliers,
+};
 use crate::model::{DriveValue, Loading, Node, NodeMotion, Scalar, Scalars};
 
 mod held;

@@ -3,16 +3,16 @@
 //! Positions of order one: constraints and sums of forces are zero to some roundings, 1e-13.
 #![allow(clippy::unwrap_used, reason = "test helpers")]
 
-use crate::elements::{
-    Element, JointState, Local, LocalJacobian, LocalResidual, LocalSize, Observations, Queries,
-    ReactionAxes,
-};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::samples::{Setting, all, settings};
 use super::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::elements::jacobian_tests::{Random, nodes};
+use crate::elements::{
+    Element, JointState, Local, LocalJacobian, LocalResidual, LocalSize, Observations, Queries,
+    ReactionAxes,
+};
 use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
 
 const ROUNDING: f64 = 1e-13;

@@ -1,11 +1,11 @@
 //! Growth of the tangent with the moments of springs, at fixed geometry.
 
-use crate::elements::{Along, Element, Local, LocalJacobian, LocalSize, Observations, Queries};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::{Hinge, HingeSpring};
 use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
+use crate::elements::{Along, Element, Local, LocalJacobian, LocalSize, Observations, Queries};
 use crate::model::{Conditions, Drive, Node, NodeMotion, Scalars};
 
 fn node(x: f64) -> Node {

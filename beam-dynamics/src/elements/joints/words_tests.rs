@@ -2,12 +2,12 @@
 //! name by as much, and no other of its kind.
 #![allow(clippy::unwrap_used, reason = "test helpers")]
 
-use crate::elements::{Element, Level, Local, LocalResidual, LocalSize, Queries};
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::samples::freedoms;
 use super::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
+use crate::elements::{Element, Level, Local, LocalResidual, LocalSize, Queries};
 use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
 
 /// A small motion: what is left of second order is its square.

@@ -1,14 +1,14 @@
 //! Loads as elements: forces and moments that a factor and a signal multiply.
 
-use crate::elements::{
-    Along, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian, LocalResidual,
-    Motion, Signal, Structure,
-};
 use std::fmt::Debug;
 
 use nalgebra::Vector3;
 
 use super::factor::LoadFactor;
+use crate::elements::{
+    Along, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian, LocalResidual,
+    Motion, Signal, Structure,
+};
 use crate::model::{Equation, Scalar};
 
 /// What all loads have.

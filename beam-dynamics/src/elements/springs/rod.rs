@@ -17,15 +17,15 @@
 //!
 //! References: [Masarati], rods.
 
+use nalgebra::{Vector1, Vector3};
+
+use super::line::{End, Line, LineState, PullVariation};
+use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
     LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, Signal, SpringState,
     SpringVector, Structure,
 };
-use nalgebra::{Vector1, Vector3};
-
-use super::line::{End, Line, LineState, PullVariation};
-use crate::elements::laws::{Law, Response};
 use crate::model::{Drive, Equation, Node, NodeMotion, Scalar, Variable};
 
 /// What the law of a rod takes for its strain.

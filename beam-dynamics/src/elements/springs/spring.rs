@@ -33,11 +33,6 @@
 //! References: [Bauchau2003] for T and its inverse; [Masarati], springs in the axes of a
 //! node.
 
-use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
-    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Signal,
-    SpringState, SpringVector, Structure,
-};
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
@@ -46,6 +41,11 @@ use shared_geom::rotation::vector;
 use super::spring_law::SpringLaw;
 use super::spring_state::{State, Wrench, six};
 use crate::elements::laws::Response;
+use crate::elements::{
+    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Signal,
+    SpringState, SpringVector, Structure,
+};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Equation, Node, NodeMotion, Scalar, Variable};
 

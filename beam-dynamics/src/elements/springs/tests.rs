@@ -1,13 +1,13 @@
 //! Rods, springs and forces between nodes against closed forms; they feel no rigid motion,
 //! and their forces balance.
 
-use crate::elements::{Element, Local, LocalResidual, LocalSize, Observations, Queries, Signal};
 use nalgebra::{Matrix1, Matrix3, Matrix6, Vector3};
 use shared_geom::rotation::{skew, vector};
 
 use super::{End, Measure, Rod, Spring, SpringLaw};
 use crate::elements::laws::{Cubic, Driven, Law, LawKind, Term};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
+use crate::elements::{Element, Local, LocalResidual, LocalSize, Observations, Queries, Signal};
 use crate::model::{
     Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Ramp, Scalars, TurningFrame,
 };

@@ -1,10 +1,10 @@
 //! Names that output uses: looked up, without a use of what they name.
 
-use crate::elements::{Adapted, Axes, Element, Queries, Reading};
 use shared_geom::document::Table;
 
 use super::Draft;
 use crate::elements::joints::clamped;
+use crate::elements::{Adapted, Axes, Element, Queries, Reading};
 use crate::input::problem::InputProblem;
 use crate::model::NodeMotion;
 

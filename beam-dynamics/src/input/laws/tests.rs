@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use crate::elements::{Local, Queries};
 use nalgebra::Vector3;
 
+use crate::elements::{Local, Queries};
 use crate::input::Input;
 use crate::input::test_files::read_beside;
 use crate::model::{Conditions, NodeMotion, Scalars};

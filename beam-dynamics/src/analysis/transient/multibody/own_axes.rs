@@ -26,11 +26,11 @@
 //! `P = -G(g) A [e]x` with `A = dg/de`. Bodies that are not slender, and free ones, keep
 //! components in space.
 
-use crate::elements::Queries;
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{gibbs, skew};
 
 use crate::assembly::{Combination, Pattern, System, Tangent, Variation};
+use crate::elements::Queries;
 use crate::model::{Equation, NODE_UNKNOWNS, NodeMotion, Variable};
 
 /// A body is slender when its smallest moment of inertia is below this part of the

@@ -2,6 +2,7 @@
 //! that are too long for a rotation.
 
 use nalgebra::{Matrix3, Vector3};
+use shared_geom::expression::{Expression, Names};
 
 use super::models::{Strip, body, free_body, moving, node, run, states};
 use crate::analysis::transient::TransientFailure;
@@ -15,7 +16,6 @@ use crate::elements::laws::Law;
 use crate::elements::springs::{Spring, SpringLaw};
 use crate::integrator::Reason;
 use crate::model::{Drive, Formula, Ramp};
-use shared_geom::expression::{Expression, Names};
 
 /// A beam along x whose root turns about z.
 fn beam(turning: Turning) -> Model {

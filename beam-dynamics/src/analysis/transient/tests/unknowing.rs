@@ -1,6 +1,16 @@
 //! Constraints of which no one knows how they change: dummy steps, differences, and corners
 //! from which the next step takes no rates.
 
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::expression::{Expression, Names};
+
+use super::models::{body, moving, node, pendulum, run, states};
+use crate::analysis::transient::TransientFailure;
+use crate::assembly::System;
+use crate::case::{Model, Start, StartAccelerations, TransientQuestion};
+use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along};
 use crate::elements::{
     Charges, ConstraintRates, ConstraintWords, Constraints, Element, Level, Local, LocalJacobian,
     LocalResidual, Observations, PlaceJump, Queries, Reading, ReadingRow, Reports, Signal,
@@ -9,16 +19,6 @@ use crate::model::{
     Drive, DriveTable, Formula, Harmonic, Interpolation, Loading, Node, NodeMotion, Outside,
     Scalars, State, Step,
 };
-use std::sync::Arc;
-
-use nalgebra::{Matrix3, Vector3};
-
-use super::models::{body, moving, node, pendulum, run, states};
-use crate::analysis::transient::TransientFailure;
-use crate::assembly::System;
-use crate::case::{Model, Start, StartAccelerations, TransientQuestion};
-use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along};
-use shared_geom::expression::{Expression, Names};
 
 /// A joint that does not tell the derivatives of its constraints.
 #[derive(Debug)]

@@ -1,11 +1,11 @@
 //! Where the drives of a joint jump in what they hold in place: no motion follows that.
 
-use crate::elements::{Instant, PlaceJump};
 use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use super::{ConstraintJoint, by_axis};
 use crate::elements::joints::algebra::Held;
+use crate::elements::{Instant, PlaceJump};
 use crate::model::{DriveValue, Loading, Scalars};
 
 /// What the value of a drive differs by from one instant to the next beside its rate:
