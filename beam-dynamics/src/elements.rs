@@ -39,6 +39,7 @@ mod rates_tests;
 mod symmetry_tests;
 
 pub use adapted::Adapted;
+pub(crate) use capabilities::has;
 pub use capabilities::{Constraints, Energetic, Growth, Memory, Reports, Structure};
 pub use charges::{Charges, CircuitState, ElectrodeState, Flow};
 pub use constraint::{ConstraintRates, ConstraintWords, Energy, Level, PlaceJump};

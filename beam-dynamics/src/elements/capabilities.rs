@@ -12,6 +12,19 @@ use super::{
 };
 use crate::model::{Loading, NodeMotion, Scalars};
 
+/// Says in the `Element` of a type which capabilities it has: `has!(energetic: Energetic)`.
+macro_rules! has {
+    ($($query:ident: $capability:ident),+) => {
+        $(
+            fn $query(&self) -> Option<&dyn $capability> {
+                Some(self)
+            }
+        )+
+    };
+}
+
+pub(crate) use has;
+
 /// Constraints with multipliers.
 pub trait Constraints {
     /// Number of constraints, and of multipliers.

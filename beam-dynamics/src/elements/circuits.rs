@@ -26,7 +26,7 @@
 use super::{
     Charges, CircuitState, Element, Energy, Flow, Local, LocalJacobian, LocalResidual, Signal,
 };
-use crate::elements::{Energetic, Exchange, Observations, Reading, ReadingRow, Reports};
+use crate::elements::{Energetic, Exchange, Observations, Reading, ReadingRow, Reports, has};
 use crate::model::{Quantity, Scalar, ScalarSpec, ScalarStart};
 
 /// What an electrode is connected to.
@@ -232,13 +232,7 @@ impl Element for Electrode {
         }
     }
 
-    fn energetic(&self) -> Option<&dyn Energetic> {
-        Some(self)
-    }
-
-    fn reports(&self) -> Option<&dyn Reports> {
-        Some(self)
-    }
+    has!(energetic: Energetic, reports: Reports);
 }
 
 impl Energetic for Electrode {

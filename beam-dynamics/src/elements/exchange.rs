@@ -1,7 +1,5 @@
 //! How elements exchange energy with what is outside of the model.
 
-use super::{Element, Level, Queries};
-
 /// How an element exchanges energy with what is outside of the model: what it gives the
 /// nodes beyond its own energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -17,15 +15,6 @@ pub enum Exchange {
 }
 
 impl Exchange {
-    /// That of an element without energy of its own: it gives and takes by what it is given.
-    pub fn by_signals<E: Element + ?Sized>(element: &E) -> Self {
-        let drives = element.drives();
-        let has_rates = (0..element.multipliers()).any(|i| element.level(i) == Level::Velocity);
-        let changes = drives.iter().any(|drive| drive.constant().is_none());
-        let is_driven = changes || element.senses() || (has_rates && !drives.is_empty());
-        Self::of(false, is_driven)
-    }
-
     /// That of an element which resists rates, is given something over time or has forces
     /// without an energy.
     pub fn of(is_viscous: bool, is_driven: bool) -> Self {

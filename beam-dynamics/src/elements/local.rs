@@ -3,7 +3,6 @@
 use nalgebra::{DMatrix, Matrix3, RowVector3, Vector3};
 
 use super::Element;
-use crate::elements::Queries;
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 
 mod removal;
@@ -24,7 +23,7 @@ impl LocalSize {
     pub fn of<E: Element + ?Sized>(element: &E) -> Self {
         Self {
             nodes: element.nodes().len(),
-            multipliers: element.multipliers(),
+            multipliers: element.constraints().map_or(0, |own| own.count()),
             scalars: element.scalars().len(),
         }
     }

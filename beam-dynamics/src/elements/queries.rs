@@ -204,3 +204,14 @@ pub trait Queries: Element {
 }
 
 impl<E: Element + ?Sized> Queries for E {}
+
+impl Exchange {
+    /// That of an element without energy of its own: it gives and takes by what it is given.
+    pub fn by_signals<E: Element + ?Sized>(element: &E) -> Self {
+        let drives = element.drives();
+        let has_rates = (0..element.multipliers()).any(|i| element.level(i) == Level::Velocity);
+        let changes = drives.iter().any(|drive| drive.constant().is_none());
+        let is_driven = changes || element.senses() || (has_rates && !drives.is_empty());
+        Self::of(false, is_driven)
+    }
+}

@@ -12,6 +12,9 @@ mod actuators;
 mod sensors;
 mod state_spaces;
 
+#[cfg(test)]
+mod tests;
+
 pub use state_spaces::StateSpaceProblem;
 
 /// The cards whose names expressions may read.

@@ -28,7 +28,7 @@ use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
     LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, SectionState, Signal,
-    Structure,
+    Structure, has,
 };
 use crate::model::{Node, NodeMotion, Scalar, Variable};
 
@@ -325,21 +325,7 @@ impl Element for Beam {
         }
     }
 
-    fn energetic(&self) -> Option<&dyn Energetic> {
-        Some(self)
-    }
-
-    fn growth(&self) -> Option<&dyn Growth> {
-        Some(self)
-    }
-
-    fn structure(&self) -> Option<&dyn Structure> {
-        Some(self)
-    }
-
-    fn reports(&self) -> Option<&dyn Reports> {
-        Some(self)
-    }
+    has!(energetic: Energetic, growth: Growth, structure: Structure, reports: Reports);
 }
 
 impl Energetic for Beam {

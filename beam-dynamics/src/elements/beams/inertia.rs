@@ -39,7 +39,9 @@ use super::interpolation::NodalKinematics;
 use super::mass::{MassAlong, MassPoint, mass_points};
 use super::strain::SectionPoint;
 use super::variational::{add_on_line, add_on_line_variation, moment_variation};
-use crate::elements::{Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual};
+use crate::elements::{
+    Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual, has,
+};
 use crate::model::Equation::{AngularMomentum, Moment, Momentum};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 
@@ -310,9 +312,7 @@ impl Element for BeamInertia {
         }
     }
 
-    fn energetic(&self) -> Option<&dyn Energetic> {
-        Some(self)
-    }
+    has!(energetic: Energetic);
 }
 
 impl Energetic for BeamInertia {

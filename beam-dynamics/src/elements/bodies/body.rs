@@ -17,7 +17,9 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew, times_skew};
 
-use crate::elements::{Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual};
+use crate::elements::{
+    Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual, has,
+};
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{NodeMotion, TurningFrame, Variable};
 
@@ -142,9 +144,7 @@ impl Element for RigidBody {
         out.add((0, Moment), (0, Variable::Rotation), &weight);
     }
 
-    fn energetic(&self) -> Option<&dyn Energetic> {
-        Some(self)
-    }
+    has!(energetic: Energetic);
 }
 
 impl Energetic for RigidBody {

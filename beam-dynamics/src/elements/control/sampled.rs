@@ -16,8 +16,8 @@ use nalgebra::DVector;
 
 use super::Matrices;
 use super::inputs::Inputs;
-use crate::elements::Memory;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
+use crate::elements::{Memory, has};
 use crate::model::Scalar;
 
 /// Instants that are nearer to each other, in periods, are the same.
@@ -176,9 +176,7 @@ impl Element for Sampled {
         (0..self.limits.len()).for_each(|i| out.add_scalar(i, i, 1.0, false));
     }
 
-    fn memory(&self) -> Option<&dyn Memory> {
-        Some(self)
-    }
+    has!(memory: Memory);
 }
 
 impl Memory for Sampled {

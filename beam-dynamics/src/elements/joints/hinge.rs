@@ -41,7 +41,8 @@ use super::kinds::{Placing, axes_along};
 use crate::elements::{
     Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Energetic, Energy,
     Exchange, Growth, Instant, Level, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, Structure, prestress_of_multipliers,
+    PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, Structure, has,
+    prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Loading, Node, NodeMotion, Scalar, Scalars, Variable};
@@ -242,25 +243,7 @@ impl Element for Hinge {
         }
     }
 
-    fn constraints(&self) -> Option<&dyn Constraints> {
-        Some(self)
-    }
-
-    fn energetic(&self) -> Option<&dyn Energetic> {
-        Some(self)
-    }
-
-    fn growth(&self) -> Option<&dyn Growth> {
-        Some(self)
-    }
-
-    fn structure(&self) -> Option<&dyn Structure> {
-        Some(self)
-    }
-
-    fn reports(&self) -> Option<&dyn Reports> {
-        Some(self)
-    }
+    has!(constraints: Constraints, energetic: Energetic, growth: Growth, structure: Structure, reports: Reports);
 }
 
 impl Constraints for Hinge {

@@ -15,7 +15,7 @@ use crate::elements::loads::LoadFactor;
 use crate::elements::{
     Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Growth, Instant, Level,
     Local, LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reaction, Reading,
-    ReadingRow, Reports, Signal, Structure, prestress_of_multipliers,
+    ReadingRow, Reports, Signal, Structure, has, prestress_of_multipliers,
 };
 use crate::model::{DriveValue, Loading, Node, NodeMotion, Scalar, Scalars};
 
@@ -327,21 +327,7 @@ impl Element for ConstraintJoint {
         }
     }
 
-    fn constraints(&self) -> Option<&dyn Constraints> {
-        Some(self)
-    }
-
-    fn growth(&self) -> Option<&dyn Growth> {
-        Some(self)
-    }
-
-    fn structure(&self) -> Option<&dyn Structure> {
-        Some(self)
-    }
-
-    fn reports(&self) -> Option<&dyn Reports> {
-        Some(self)
-    }
+    has!(constraints: Constraints, growth: Growth, structure: Structure, reports: Reports);
 }
 
 impl Constraints for ConstraintJoint {

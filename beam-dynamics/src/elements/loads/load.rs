@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::factor::LoadFactor;
 use crate::elements::{
     Along, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian, LocalResidual,
-    Motion, Signal, Structure,
+    Motion, Signal, Structure, has,
 };
 use crate::model::{Equation, Scalar};
 
@@ -109,17 +109,7 @@ impl<T: Load> Element for T {
         add_variations(self, self.head().factor.value(at.loading), at, out);
     }
 
-    fn energetic(&self) -> Option<&dyn Energetic> {
-        Some(self)
-    }
-
-    fn growth(&self) -> Option<&dyn Growth> {
-        Some(self)
-    }
-
-    fn structure(&self) -> Option<&dyn Structure> {
-        Some(self)
-    }
+    has!(energetic: Energetic, growth: Growth, structure: Structure);
 }
 
 impl<T: Load> Energetic for T {

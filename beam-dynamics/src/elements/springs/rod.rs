@@ -24,7 +24,7 @@ use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
     LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, Signal, SpringState,
-    SpringVector, Structure,
+    SpringVector, Structure, has,
 };
 use crate::model::{Drive, Equation, Node, NodeMotion, Scalar, Variable};
 
@@ -254,21 +254,7 @@ impl Element for Rod {
         self.add_by_scalars(at, out);
     }
 
-    fn energetic(&self) -> Option<&dyn Energetic> {
-        Some(self)
-    }
-
-    fn growth(&self) -> Option<&dyn Growth> {
-        Some(self)
-    }
-
-    fn structure(&self) -> Option<&dyn Structure> {
-        Some(self)
-    }
-
-    fn reports(&self) -> Option<&dyn Reports> {
-        Some(self)
-    }
+    has!(energetic: Energetic, growth: Growth, structure: Structure, reports: Reports);
 }
 
 impl Energetic for Rod {

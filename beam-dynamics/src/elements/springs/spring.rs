@@ -44,7 +44,7 @@ use crate::elements::laws::Response;
 use crate::elements::{
     Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
     LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Signal,
-    SpringState, SpringVector, Structure,
+    SpringState, SpringVector, Structure, has,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Equation, Node, NodeMotion, Scalar, Variable};
@@ -332,21 +332,7 @@ impl Element for Spring {
         });
     }
 
-    fn energetic(&self) -> Option<&dyn Energetic> {
-        Some(self)
-    }
-
-    fn growth(&self) -> Option<&dyn Growth> {
-        Some(self)
-    }
-
-    fn structure(&self) -> Option<&dyn Structure> {
-        Some(self)
-    }
-
-    fn reports(&self) -> Option<&dyn Reports> {
-        Some(self)
-    }
+    has!(energetic: Energetic, growth: Growth, structure: Structure, reports: Reports);
 }
 
 impl Energetic for Spring {

@@ -31,7 +31,7 @@ use shared_geom::rotation::vector;
 use super::spring::{is_other, other_way};
 use crate::elements::{
     Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
-    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Structure,
+    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Structure, has,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
@@ -191,21 +191,7 @@ impl Element for SupportSpring {
         }
     }
 
-    fn energetic(&self) -> Option<&dyn Energetic> {
-        Some(self)
-    }
-
-    fn growth(&self) -> Option<&dyn Growth> {
-        Some(self)
-    }
-
-    fn structure(&self) -> Option<&dyn Structure> {
-        Some(self)
-    }
-
-    fn reports(&self) -> Option<&dyn Reports> {
-        Some(self)
-    }
+    has!(energetic: Energetic, growth: Growth, structure: Structure, reports: Reports);
 }
 
 impl Energetic for SupportSpring {

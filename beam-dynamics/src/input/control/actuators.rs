@@ -58,9 +58,13 @@ fn start(table: &Table<'_>) -> Option<ScalarStart> {
     if !table.has(KEY) {
         return Some(ScalarStart::Settled);
     }
-    if table.is_text(KEY) {
-        table.word(KEY, &["settled"])?;
-        return Some(ScalarStart::Settled);
+    match table.item(KEY).as_ref().and_then(|item| item.text()) {
+        Some("settled") => return Some(ScalarStart::Settled),
+        Some(text) if !text.trim_start().starts_with('=') => {
+            table.wrong(KEY, "a number, or \"settled\"");
+            return None;
+        }
+        _ => {}
     }
     (table.quantity(KEY, Dimension::NUMBER)).map(ScalarStart::Value)
 }

@@ -57,9 +57,8 @@ pub(in crate::input) fn read_speed(
     dimension: Dimension,
     catalog: &Catalog,
 ) -> Option<Signal> {
-    let item = table.item(key)?;
-    let signal = find(&item, dimension, catalog, Counts::Slope)?;
-    is_smooth(&item, &signal, Smoothness::Rate).then_some(signal)
+    let counts = (Counts::Slope, Smoothness::Rate);
+    read_smooth(&table.item(key)?, dimension, catalog, counts)
 }
 
 /// As [`read_signal`], of a place or an angle in which something is held: the second
@@ -70,9 +69,18 @@ pub(in crate::input) fn read_place(
     dimension: Dimension,
     catalog: &Catalog,
 ) -> Option<Signal> {
-    let item = table.item(key)?;
-    let signal = find(&item, dimension, catalog, Counts::Slope)?;
-    is_smooth(&item, &signal, Smoothness::Acceleration).then_some(signal)
+    let counts = (Counts::Slope, Smoothness::Acceleration);
+    read_smooth(&table.item(key)?, dimension, catalog, counts)
+}
+
+fn read_smooth(
+    item: &Item<'_>,
+    dimension: Dimension,
+    catalog: &Catalog,
+    (counts, needed): (Counts, Smoothness),
+) -> Option<Signal> {
+    let signal = find(item, dimension, catalog, counts)?;
+    is_smooth(item, &signal, needed).then_some(signal)
 }
 
 /// As [`read_place`], of a length above zero at all times.

@@ -13,7 +13,7 @@ use crate::case::{Model, Start, StartAccelerations, TransientQuestion};
 use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along};
 use crate::elements::{
     Charges, ConstraintRates, ConstraintWords, Constraints, Element, Level, Local, LocalJacobian,
-    LocalResidual, Observations, PlaceJump, Queries, Reading, ReadingRow, Reports, Signal,
+    LocalResidual, Observations, PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, has,
 };
 use crate::model::{
     Drive, DriveTable, Formula, Harmonic, Interpolation, Loading, Node, NodeMotion, Outside,
@@ -46,13 +46,7 @@ impl Element for Unknowing {
         self.0.evaluate(at, out, jacobian);
     }
 
-    fn constraints(&self) -> Option<&dyn Constraints> {
-        Some(self)
-    }
-
-    fn reports(&self) -> Option<&dyn Reports> {
-        Some(self)
-    }
+    has!(constraints: Constraints, reports: Reports);
 }
 
 impl Constraints for Unknowing {
