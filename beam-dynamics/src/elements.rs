@@ -180,8 +180,10 @@ fn prestress_of_multipliers<E: Element + ?Sized>(
         multipliers: &multipliers,
         ..*at
     };
+    // A decorator may have more scalars.
+    let size = out.size();
     let of = |at: &Local<'_>| {
-        let mut jacobian = LocalJacobian::new(LocalSize::of(element));
+        let mut jacobian = LocalJacobian::new(size);
         element.jacobian(at, &mut jacobian);
         jacobian
     };

@@ -100,7 +100,10 @@ impl<'a> Balance<'a> {
         }
         let scaled = residual.iter().zip(&largest);
         let reach = self.reach().max(1.0);
-        let mut scaled = scaled.map(|(value, size)| value.abs() <= ROUND_OFF * size * reach);
+        let mut scaled = scaled.map(|(value, size)| {
+            // A slope without an end measures nothing.
+            size.is_finite() && value.abs() <= ROUND_OFF * size * reach
+        });
         scaled.all(|is_small| is_small)
     }
 

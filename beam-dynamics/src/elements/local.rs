@@ -337,6 +337,11 @@ impl LocalJacobian {
         }
     }
 
+    /// The size of the element.
+    pub fn size(&self) -> LocalSize {
+        self.size
+    }
+
     /// Derivatives by the unknowns.
     pub fn by_unknowns(&self) -> &DMatrix<f64> {
         &self.by_unknowns

@@ -298,7 +298,12 @@ impl Sensing {
     fn variable(&self, index: usize, places: &[Place], at: &Instant<'_>) -> f64 {
         match index.checked_sub(1) {
             None => at.time / self.second,
-            Some(i) => number(at.scalars.values, places[i].value) / self.inputs[i].unit,
+            Some(i) => {
+                let value = places
+                    .get(i)
+                    .map_or(0.0, |place| number(at.scalars.values, place.value));
+                value / self.inputs[i].unit
+            }
         }
     }
 
@@ -307,7 +312,9 @@ impl Sensing {
         let Some(i) = index.checked_sub(1) else {
             return Jet::line(at.time / self.second, 1.0 / self.second);
         };
-        let Place { value, rate } = places[i];
+        let Some(&Place { value, rate }) = places.get(i) else {
+            return Jet::constant(0.0);
+        };
         let [first, second] = match rate {
             Some(rate) => [at.scalars.values, at.scalars.rates].map(|of| number(of, rate)),
             None => [number(at.scalars.rates, value), 0.0],

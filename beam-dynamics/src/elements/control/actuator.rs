@@ -9,10 +9,10 @@
 //! v' - s( v, g ) g = 0 ,    g = omega^2 ( sat(u) - a ) - 2 zeta omega v           (D-279)
 //! ```
 //!
-//! The command is limited to the range from `u_1` to `u_2`, smoothly over `e = 5e-4 ( u_2 - u_1 )`,
+//! `sat(u)` is the command within its limits,
 //!
 //! ```text
-//! sat(u) = 1/2 ( u_1 + u_2 + sqrt( (u - u_1)^2 + e^2 ) - sqrt( (u - u_2)^2 + e^2 ) )
+//! sat(u) = min( max( u, u_1 ), u_2 )
 //! ```
 //!
 //! and the rate to the size L: s is one, but near L for an acceleration g away from zero rate,
@@ -29,9 +29,6 @@ use crate::model::{Quantity, Scalar, ScalarSpec, ScalarStart};
 
 /// Part of the largest rate within which the acceleration falls to zero.
 const BAND: f64 = 0.05;
-/// Part of the range of commands over which its ends are rounded.
-const ROUNDED: f64 = 5e-4;
-
 /// How an actuator follows its command.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Servo {
@@ -54,15 +51,11 @@ impl Servo {
         let Some([least, most]) = self.limits else {
             return [u, 1.0];
         };
-        let rounded = ROUNDED * (most - least);
-        let [from_least, from_most] = [u - least, u - most].map(|from| {
-            let root = from.hypot(rounded);
-            [root, if root > 0.0 { from / root } else { 0.0 }]
-        });
-        [
-            0.5 * (least + most + from_least[0] - from_most[0]),
-            0.5 * (from_least[1] - from_most[1]),
-        ]
+        match u {
+            u if u < least => [least, 0.0],
+            u if u > most => [most, 0.0],
+            _ => [u, 1.0],
+        }
     }
 
     /// `s(v, g)`, and its derivative by v.

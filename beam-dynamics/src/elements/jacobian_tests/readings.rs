@@ -10,10 +10,10 @@ use crate::elements::circuits::Circuit;
 use crate::elements::joints::{Hinge, HingeSpring, samples};
 use crate::elements::springs::{End, Measure, Rod, Spring, SpringLaw};
 use crate::elements::{
-    Adapted, Axes, Element, JointMotion, Local, LocalResidual, LocalSize, Observations, Part,
-    Queries, Reading, Sensor, SpringVector,
+    Adapted, Along, Axes, Element, JointMotion, Local, LocalJacobian, LocalResidual, LocalSize,
+    Observations, Part, Queries, Reading, Sensor, SpringVector,
 };
-use crate::model::{Conditions, Node, NodeMotion, Quantity, Scalar, Scalars};
+use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion, Quantity, Scalar, Scalars};
 
 const PARTS: [Part; 4] = [
     Part::Component(0),
@@ -246,6 +246,46 @@ fn sections_of_beams() {
         let beam = adapted(Box::new(piezo), &readings, &nodes);
         check_all(beam, &readings, &nodes, &mut random);
     }
+}
+
+// The growth of the Jacobian with the loads is that of the element without its readings.
+#[test]
+fn elements_that_are_read_grow_with_the_loads() {
+    let mut random = Random(95);
+    let nodes = nodes(&mut random, 2);
+    let [setting, _] = samples::settings(&nodes, || random.vector(1.0));
+    let joint = samples::all(&setting).swap_remove(0);
+    let reading = reactions(2).remove(0);
+    let read = Adapted::read(Arc::new(joint.clone()), vec![(reading, scalar())]);
+    let motion: Vec<_> = nodes
+        .iter()
+        .map(|node| super::moved(&mut random, node))
+        .collect();
+    let conditions = Conditions::at_rest();
+    let numbers = [0.3, -0.2, 0.5, 0.1, 0.7, -0.4];
+    let grown = |element: &dyn Element, scalars: &[f64]| {
+        let at = Local {
+            nodes: &motion,
+            multipliers: &numbers,
+            scalars: Scalars {
+                values: scalars,
+                rates: scalars,
+            },
+            memory: &[],
+            frame: &conditions.frame,
+            loading: &conditions.loading,
+        };
+        let along = Along {
+            nodes: &[[nalgebra::Vector3::x(); 2]; 2],
+            multipliers: &numbers,
+            scalars,
+        };
+        let mut out = LocalJacobian::new(LocalSize::of(element));
+        element.prestress(&at, &along, &mut out);
+        let n = NODE_UNKNOWNS * 2 + 6;
+        out.by_unknowns().view((0, 0), (n, n)).into_owned()
+    };
+    assert_eq!(grown(&read, &[0.2]), grown(&joint, &[]));
 }
 
 // Without a constraint its reaction is read as zero, and the readings stay.

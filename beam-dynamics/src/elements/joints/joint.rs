@@ -435,8 +435,18 @@ impl Structure for ConstraintJoint {
         None
     }
 
-    fn undefined(&self, _at: &Local<'_>) -> Option<String> {
-        None
+    fn undefined(&self, at: &Local<'_>) -> Option<String> {
+        let seen = self.seen_at(at);
+        let distances = self.rows.iter().filter(|row| row.held == Held::Distance);
+        let mut lengths = distances.filter_map(|row| row.target.as_ref());
+        let length = lengths.find_map(|target| {
+            let length = seen.scale.value * target.value(&seen.now);
+            (length <= 0.0).then_some(length)
+        })?;
+        let time = at.loading.time;
+        Some(format!(
+            "its length is zero or less: {length:.3e} m at {time} s"
+        ))
     }
 }
 

@@ -106,6 +106,42 @@ fn scalars_have_the_names_and_units_of_their_readings() {
     assert_eq!(words.into_iter().collect::<Vec<_>>(), expected);
 }
 
+// Where the state is not known yet all that a signal reads counts as zero; ln(0) and 1/0 too.
+#[test]
+fn signals_stand_for_temperatures_and_laws() {
+    let cards = "
+[[node]]
+name = \"c\"
+position = [2, 0, 0]
+[[beam]]
+nodes = [\"a\", \"b\", \"c\"]
+properties = \"hot\"
+temperature = \"= 20*servo + turn\"
+[[rod]]
+nodes = [\"a\", \"c\"]
+law = { kind = \"linear\", stiffness = 10, prestrain = 1, prestrain_drive = \"= 1/turn\" }
+[[rod]]
+name = \"second\"
+nodes = [\"a\", \"c\"]
+law = { kind = \"viscoelastic\", stiffness = 9, viscosity = 1, prestrain = 1, prestrain_drive = \"servo\" }
+[properties.hot]
+ea = 1e6
+gay = 1e6
+gaz = 1e6
+gj = 100
+eiy = 100
+eiz = 100
+m = 0.5
+iy = 1e-4
+iz = 1e-4
+thermal_force = [-10, 0, 0, 0, 0, 0]
+";
+    let found = input(&format!("{MODEL}{cards}")).unwrap();
+    let words = found.remarks.concat();
+    let expected = "temperature 0 K while all that it reads is zero";
+    assert!(words.contains(expected), "{words}");
+}
+
 /// Each mistake in the place of a right card, and the words that tell it.
 const MISTAKES: [[&str; 3]; 12] = [
     [

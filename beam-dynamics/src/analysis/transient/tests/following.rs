@@ -90,7 +90,7 @@ fn the_rate_of_an_actuator_stays_in_its_limit_and_does_not_wind_up() {
     assert!((reached - 0.2705).abs() < 4e-4, "{reached}");
 }
 
-// A command of 5 is that of the limit 0.2, less the rounding e^2/(4 |u - u_2|) = 2e-9.
+// A command of 5 is that of the limit 0.2, which is reached to exp(-0.7 60 0.6), 1e-11.
 #[test]
 fn a_command_beyond_the_limits_is_that_of_the_limit() {
     let servo = Servo {
@@ -100,7 +100,7 @@ fn a_command_beyond_the_limits_is_that_of_the_limit() {
     for (command, expected) in [(5.0, 0.2), (-5.0, -0.1), (0.05, 0.05)] {
         let found = states(&alone(servo, step(command)), &exact_to_order_two(0.6, 1e-3));
         let place = found[found.len() - 1].scalars[0];
-        assert!((place - expected).abs() < 1e-7, "{command}: {place}");
+        assert!((place - expected).abs() < 1e-9, "{command}: {place}");
     }
 }
 
@@ -291,4 +291,31 @@ fn follows_its_reaction(gain: f64) {
         let off = (found - expected).abs();
         assert!(off < 1e-8 * expected.abs(), "{gain}: {found} {expected}");
     }
+}
+
+// A distance that follows an actuator towards -1 m from 1 m ends the run where it gets to zero.
+#[test]
+fn a_distance_that_gets_to_zero_ends_the_run() {
+    let nodes = vec![node("bob", Vector3::x(), Matrix3::identity())];
+    let position = Actuator::position("servo", ScalarStart::Value(1.0));
+    let ends = JointEnds {
+        a: None,
+        b: (0, &nodes[0]),
+    };
+    let axes = Matrix3::identity();
+    let at = Placing {
+        points: [Vector3::zeros(), Vector3::x()],
+        axes: [axes; 2],
+    };
+    let length = signal("a", &[&position]);
+    let joint = ConstraintJoint::distance("winch", &ends, &at, length);
+    let elements = vec![
+        body(0, 1.0, Vector3::zeros(), [0.2; 3]),
+        Box::new(joint) as Box<dyn Element>,
+        Box::new(Actuator::new("servo", SERVO, step(-1.0), position)),
+    ];
+    let model = Model::new("winch", System::new(nodes, elements));
+    let (_, outcome) = run(&model, &exact_to_order_two(0.5, 1e-3));
+    let failure = outcome.failure.unwrap().to_string();
+    assert!(failure.contains("winch"), "{failure}");
 }

@@ -107,8 +107,12 @@ impl Row {
                 let b = axis(Carrier::B, b);
                 Form::Across { a, b }
             }
+            // At no length there is no value.
             Held::Distance => Form::Distance {
-                length: target.value,
+                length: match target.value > 0.0 {
+                    true => target.value,
+                    false => f64::NAN,
+                },
             },
             Held::Spin(carrier, i) => Form::Spin {
                 axis: axis(carrier, i),
