@@ -1,8 +1,8 @@
 //! Capabilities of elements: each is a set of methods that an element has together, or not at
-//! all. None has a default, so that nothing that decorates an element can forget one.
+//! all. None has a default, so that an element that decorates another one can forget none.
 //!
-//! The equations of a kind that an element has not are asked of it by [`Queries`], which say
-//! what follows from that.
+//! The rest of the program asks [`Queries`](super::Queries), which every element answers, also
+//! without the capability.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -30,25 +30,25 @@ pub trait Constraints {
     /// Number of constraints, and of multipliers.
     fn count(&self) -> usize;
 
-    /// See [`Queries::level`].
+    /// See [`super::Queries::level`].
     fn level_of(&self, constraint: usize) -> Level;
 
-    /// See [`Queries::constraint_words`].
+    /// See [`super::Queries::constraint_words`].
     fn words_of(&self, constraint: usize) -> ConstraintWords;
 
-    /// See [`Queries::constraint_rates`].
+    /// See [`super::Queries::constraint_rates`].
     fn add_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool;
 
-    /// See [`Queries::jump`].
+    /// See [`super::Queries::jump`].
     fn jump_of_place(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump>;
 
-    /// See [`Queries::held`].
+    /// See [`super::Queries::held`].
     fn held_in_place(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>>;
 
-    /// See [`Queries::is_turned_over`].
+    /// See [`super::Queries::is_turned_over`].
     fn turned_over(&self, at: &Local<'_>) -> bool;
 
-    /// See [`Queries::end_axes`].
+    /// See [`super::Queries::end_axes`].
     fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]>;
 }
 
@@ -72,49 +72,49 @@ pub trait Memory {
 
 /// Energy of an element.
 pub trait Energetic {
-    /// See [`Queries::energy`].
+    /// See [`super::Queries::energy`].
     fn stored(&self, at: &Local<'_>) -> Energy;
 
-    /// See [`Queries::exchange`].
+    /// See [`super::Queries::exchange`].
     fn exchanged(&self) -> Exchange;
 
-    /// See [`Queries::keeps_energy`].
+    /// See [`super::Queries::keeps_energy`].
     fn is_conservative(&self) -> bool;
 }
 
 /// Forces that grow with the proportional loads.
 pub trait Growth {
-    /// See [`Queries::by_factor`].
+    /// See [`super::Queries::by_factor`].
     fn add_by_factor(&self, at: &Local<'_>, out: &mut LocalResidual);
 
-    /// See [`Queries::prestress`].
+    /// See [`super::Queries::prestress`].
     fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian);
 }
 
 /// A part of the structure.
 pub trait Structure {
-    /// See [`Queries::reach`].
+    /// See [`super::Queries::reach`].
     fn arm(&self) -> f64;
 
-    /// See [`Queries::joins_nodes`].
+    /// See [`super::Queries::joins_nodes`].
     fn is_joining(&self) -> bool;
 
-    /// See [`Queries::motions`].
+    /// See [`super::Queries::motions`].
     fn free_motions(&self) -> Vec<Motion>;
 
-    /// See [`Queries::winding`].
+    /// See [`super::Queries::winding`].
     fn loaded_turn(&self, at: &Local<'_>) -> Option<Vector3<f64>>;
 
-    /// See [`Queries::without_value`].
+    /// See [`super::Queries::without_value`].
     fn undefined(&self, at: &Local<'_>) -> Option<String>;
 }
 
 /// Reports of a state beside the forces on the nodes.
 pub trait Reports {
-    /// See [`Queries::observe`].
+    /// See [`super::Queries::observe`].
     fn report(&self, at: &Local<'_>, out: &mut Observations);
 
-    /// See [`Queries::read`].
+    /// See [`super::Queries::read`].
     fn reading(
         &self,
         reading: &Reading,
@@ -122,6 +122,6 @@ pub trait Reports {
         row: Option<&mut ReadingRow<'_>>,
     ) -> Option<f64>;
 
-    /// See [`Queries::charges`].
+    /// See [`super::Queries::charges`].
     fn report_charges(&self, at: &Local<'_>, out: &mut Charges);
 }
