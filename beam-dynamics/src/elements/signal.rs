@@ -142,7 +142,7 @@ impl Signal {
     }
 
     /// Lets it find its inputs among the `scalars` of an element, to which those are added that
-    /// are not there. Every other method needs this first, unless it is a drive.
+    /// are not there. Before that every input counts as zero.
     pub fn bind(&mut self, scalars: &mut Vec<Scalar>) {
         if let Self::Sensing { of, places } = self {
             let place = |input: &Input| Place {
@@ -165,7 +165,7 @@ impl Signal {
         match self {
             Self::Drive(drive) => drive.at(at.time).value,
             Self::Sensing { of, places } => {
-                let variable = |index| Jet::constant(of.variable(index, places, at));
+                let variable = |index| Jet::constant(of.jet(index, places, at).value);
                 of.factor * of.expression.at(variable).value
             }
         }
@@ -194,7 +194,7 @@ impl Signal {
         };
         for (i, (input, place)) in of.inputs.iter().zip(places).enumerate() {
             let jet = of.expression.at(|index| {
-                let value = of.variable(index, places, at);
+                let value = of.jet(index, places, at).value;
                 Jet::line(value, f64::from(u8::from(index == i + 1)))
             });
             add(place.value, of.factor * jet.first / input.unit);
@@ -295,18 +295,6 @@ fn number(of: &[f64], place: usize) -> f64 {
 }
 
 impl Sensing {
-    fn variable(&self, index: usize, places: &[Place], at: &Instant<'_>) -> f64 {
-        match index.checked_sub(1) {
-            None => at.time / self.second,
-            Some(i) => {
-                let value = places
-                    .get(i)
-                    .map_or(0.0, |place| number(at.scalars.values, place.value));
-                value / self.inputs[i].unit
-            }
-        }
-    }
-
     /// A variable with its derivatives by the time in seconds.
     fn jet(&self, index: usize, places: &[Place], at: &Instant<'_>) -> Jet {
         let Some(i) = index.checked_sub(1) else {

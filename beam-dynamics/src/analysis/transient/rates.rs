@@ -60,9 +60,7 @@ pub(super) fn consistent_rates(
     for _ in 0..ROUNDS {
         let before = DVector::from_column_slice(&state.scalars);
         scalars::settle(system, &mut state, conditions, Settling::InMotion).ok()?;
-        let pairs = state.scalars.iter().zip(&before);
-        let off = pairs.map(|(now, before)| (now - before).abs() / before.abs().max(1.0));
-        if off.fold(0.0, f64::max) < AGREED {
+        if scalars::apart(&state.scalars, before.as_slice()) < AGREED {
             return Some(state);
         }
         let next = search.next(before, &DVector::from_column_slice(&state.scalars))?;

@@ -38,6 +38,13 @@ pub(super) fn begin(system: &System, state: &mut State) {
     state.scalar_rates.fill(0.0);
 }
 
+/// The largest difference of scalars that should agree, by their values or by one.
+pub(super) fn apart(found: &[f64], expected: &[f64]) -> f64 {
+    let pairs = found.iter().zip(expected);
+    let off = pairs.map(|(found, expected)| (found - expected).abs() / expected.abs().max(1.0));
+    off.fold(0.0, f64::max)
+}
+
 /// Brings the scalars of a state in line with its motion and with what acts.
 ///
 /// # Errors

@@ -110,8 +110,8 @@ fn placed(
         return Ok((state, None));
     }
     // Joints follow scalars, which may follow the motion of the joints.
+    at_rest(&mut state)?;
     for _ in 0..ROUNDS {
-        at_rest(&mut state)?;
         let from = State {
             scalars: state.scalars,
             scalar_rates: state.scalar_rates,
@@ -120,9 +120,7 @@ fn placed(
         let found = moved(model, question, conditions, &from)?;
         let mut again = found.clone();
         at_rest(&mut again)?;
-        let pairs = again.scalars.iter().zip(&found.scalars);
-        let off = pairs.map(|(again, found)| (again - found).abs() / found.abs().max(1.0));
-        if off.fold(0.0, f64::max) < AGREED {
+        if scalars::apart(&again.scalars, &found.scalars) < AGREED {
             return Ok((found, None));
         }
         state = again;
