@@ -241,9 +241,14 @@ impl Numbering {
         place.map_or(0..0, |place| self.remembering[place].1.clone())
     }
 
+    /// Place of the first multiplier among the unknowns.
+    pub fn first_multiplier(&self) -> usize {
+        NODE_UNKNOWNS * self.nodes
+    }
+
     /// Place of the first scalar unknown.
     pub fn first_scalar(&self) -> usize {
-        NODE_UNKNOWNS * self.nodes + self.multipliers()
+        self.first_multiplier() + self.multipliers()
     }
 
     /// Place of the first unknown of a node.
@@ -258,7 +263,7 @@ impl Numbering {
 
     /// Place of the first multiplier of an element among the unknowns.
     pub fn first_multiplier_of(&self, element: usize) -> usize {
-        NODE_UNKNOWNS * self.nodes + self.first_multiplier[element]
+        self.first_multiplier() + self.first_multiplier[element]
     }
 }
 

@@ -142,7 +142,7 @@ pub(super) fn struck(
     if !follows {
         return None;
     }
-    Sharing::new(system, &state, conditions).apply(&mut impulse);
+    Sharing::new(system, &state, conditions).take_surplus(&mut impulse);
     find_momenta(system, &mut state, conditions);
     Some((state, impulse))
 }

@@ -246,6 +246,7 @@ impl Dae for Multibody<'_> {
         }
         let (system, conditions) = (&self.model.system, &trial.conditions);
         (trial.sharing).update(system, &trial.base, conditions, &mut self.work);
+        trial.sharing.take_surplus(&mut trial.state.multipliers);
     }
 
     fn correct(&mut self, stage: usize, y: &[f64], rates: &[f64]) {
@@ -263,6 +264,7 @@ impl Dae for Multibody<'_> {
             *state = moved((base, 1.0), &turned, axes, numbers);
         }
         move_own(&mut trial.state, &trial.base, own);
+        trial.sharing.take_surplus(&mut trial.state.multipliers);
         let changes = &own_rates[trial.base.multipliers.len()..];
         let bases = trial.base.scalar_rates.iter().zip(changes);
         for (state, (base, change)) in trial.state.scalar_rates.iter_mut().zip(bases) {
@@ -274,7 +276,8 @@ impl Dae for Multibody<'_> {
         let trial = &mut self.trials[stage];
         let system = &self.model.system;
         system.residual_into(&trial.state, &trial.conditions, out, &mut self.work);
-        trial.sharing.add_residual(&trial.state.multipliers, out);
+        let first = system.numbering().first_multiplier();
+        trial.sharing.add_residual(first, out);
     }
 
     fn jacobian(
@@ -306,9 +309,8 @@ impl Dae for Multibody<'_> {
             &mut self.work,
         );
         if let Some(residual) = residual {
-            trial
-                .sharing
-                .add_residual(&trial.state.multipliers, residual);
+            let first = self.model.system.numbering().first_multiplier();
+            trial.sharing.add_residual(first, residual);
         }
         trial.sharing.add_jacobian(out);
         let nodes = trial.state.nodes.iter().zip(&self.variations);
@@ -325,11 +327,8 @@ impl Dae for Multibody<'_> {
         self.states.swap(0, 1);
         let trial = &mut self.trials[stage];
         self.states[0].copy_from(&trial.state);
-        let multipliers = &mut self.states[0].multipliers;
-        let slack = trial.sharing.slack(multipliers);
+        let slack = trial.sharing.slack();
         self.slack = slack.max_by(|a, b| a.part.abs().total_cmp(&b.part.abs()));
-        // What the iteration leaves of it is no load.
-        trial.sharing.apply(multipliers);
         for node in &mut self.states[0].nodes {
             node.rotation = orthogonal(&node.rotation);
         }

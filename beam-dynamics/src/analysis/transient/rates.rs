@@ -135,7 +135,7 @@ fn rates_at_scalars(system: &System, state: &State, conditions: &Conditions) -> 
     }
     let solution = equations.solve(nodes, &right)?;
     state.multipliers.copy_from_slice(&solution[first..]);
-    Sharing::new(system, &state, conditions).apply(&mut state.multipliers);
+    Sharing::new(system, &state, conditions).take_surplus(&mut state.multipliers);
     let mut rates = carried;
     for (row, column, mass) in equations.masses {
         rates[row] += mass * solution[column];

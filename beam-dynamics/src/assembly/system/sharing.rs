@@ -125,8 +125,9 @@ impl Sharing {
         }
     }
 
-    /// Takes from multipliers what balances itself.
-    pub fn apply(&mut self, multipliers: &mut [f64]) {
+    /// Takes from multipliers the part that balances itself, `P mu`: it is no load, and no
+    /// element sees it. It stays known until the next call.
+    pub fn take_surplus(&mut self, multipliers: &mut [f64]) {
         for part in &mut self.parts {
             part.multiply(multipliers);
             let numbers = part.constraints.iter().zip(&part.work).zip(&part.forces);
@@ -136,20 +137,18 @@ impl Sharing {
         }
     }
 
-    /// Adds `s P mu` to the constraints of a residual.
-    pub fn add_residual(&mut self, multipliers: &[f64], out: &mut Residual) {
-        let first = out.values.len() - multipliers.len();
-        for slack in self.slack(multipliers) {
+    /// Adds `s P mu` to the constraints of a residual, the first of which has the given number.
+    pub fn add_residual(&self, first: usize, out: &mut Residual) {
+        for slack in self.slack() {
             out.values[first + slack.constraint] += slack.value;
         }
     }
 
-    /// What each constraint of the loops gives way by: next to nothing, as long as
-    /// those that followed from others do.
-    pub fn slack<'a>(&'a mut self, multipliers: &'a [f64]) -> impl Iterator<Item = Slack> + 'a {
+    /// What each constraint of the loops gives way by, `s P mu` of the multipliers of
+    /// [`Self::take_surplus`]: next to nothing, as long as those that followed from others do.
+    pub fn slack(&self) -> impl Iterator<Item = Slack> + '_ {
         let (compliance, size) = (self.compliance, self.size);
-        self.parts.iter_mut().flat_map(move |part| {
-            part.multiply(multipliers);
+        self.parts.iter().flat_map(move |part| {
             let numbers = part.constraints.iter().zip(&part.work).zip(&part.forces);
             numbers.map(move |((&constraint, surplus), force)| Slack {
                 constraint,

@@ -165,10 +165,11 @@ fn what_gives_way_is_measured_by_the_size_of_lengths_and_as_it_is_of_angles() {
         assert!((system.size() / size - 1.0).abs() < 1e-12);
         let mut sharing = Sharing::new(system, &state, &conditions);
         let count = state.multipliers.len();
-        let multipliers: Vec<_> = (0..count).map(|i| (1.0 + i as f64).sin()).collect();
+        let mut multipliers: Vec<_> = (0..count).map(|i| (1.0 + i as f64).sin()).collect();
+        sharing.take_surplus(&mut multipliers);
         let mut seen = [0, 0];
-        for slack in sharing.slack(&multipliers) {
-            let first = system.numbering().unknowns() - count;
+        for slack in sharing.slack() {
+            let first = system.numbering().first_multiplier();
             let is_length = system.equation(first + slack.constraint).unit == "m";
             let scale = if is_length { size } else { 1.0 };
             let off = (slack.value - scale * slack.part).abs();

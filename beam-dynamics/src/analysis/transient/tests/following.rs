@@ -9,13 +9,13 @@ use shared_geom::expression::{Expression, Names};
 use super::models::{Kept, body, node, run, states};
 use super::sampled::{sensor, signal};
 use crate::assembly::System;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, Redundant, TransientQuestion};
 use crate::elements::control::{Actuator, Servo};
-use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning};
+use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning::Dead};
 use crate::elements::{Adapted, Axes, Element, NodeVector, Part, Reading, Sensor, Signal};
 use crate::integrator::Scheme;
-use crate::model::{Drive, Formula, Quantity, ScalarStart, Step};
+use crate::model::{Drive, Formula, Quantity, ScalarStart, State, Step};
 
 const SERVO: Servo = Servo {
     frequency: 60.0,
@@ -318,4 +318,68 @@ fn a_distance_that_gets_to_zero_ends_the_run() {
     let (_, outcome) = run(&model, &exact_to_order_two(0.5, 1e-3));
     let failure = outcome.failure.unwrap().to_string();
     assert!(failure.contains("winch"), "{failure}");
+}
+
+// Two hinges, above and below the mass center of a door and as far from it, carry a half each:
+// a moment that follows the load on one of them is that of half the load on a hinge between.
+#[test]
+fn a_load_follows_the_reaction_of_one_of_two_redundant_hinges() {
+    for gain in [0.2, -0.5, 1.2] {
+        let [two, one] = [(&[1.8, 0.2][..], gain), (&[1.0], 0.5 * gain)].map(following_door);
+        assert_eq!(two.len(), one.len());
+        for (two, one) in two.iter().zip(&one) {
+            let off = (two.nodes[0].position - one.nodes[0].position).norm();
+            assert!(off < 1e-8, "{gain}: {off}");
+            let [half, whole] = [two, one].map(|state| state.scalars[0]);
+            let scale = 9.81 + whole.abs();
+            assert!((2.0 * half - whole).abs() < 1e-7 * scale, "{half} {whole}");
+        }
+    }
+}
+
+/// The states of a door under a moment about its hinges, which are at the given heights, of
+/// `gain` times the reaction of the first along y.
+fn following_door((heights, gain): (&[f64], f64)) -> Vec<State> {
+    let nodes = vec![node(
+        "door",
+        Vector3::new(0.5, 0.0, 1.0),
+        Matrix3::identity(),
+    )];
+    let value = Sensor::output("a", Quantity::new("reaction", "N", 1.0));
+    let mut elements = vec![body(0, 1.0, Vector3::zeros(), [0.3, 0.4, 0.1])];
+    for (number, height) in heights.iter().enumerate() {
+        let ends = JointEnds {
+            a: None,
+            b: (0, &nodes[0]),
+        };
+        let at = Placing::at(&Vector3::new(0.0, 0.0, *height), &axes_along(&Vector3::z()));
+        let hinge = ConstraintJoint::revolute(format!("hinge {number}"), &ends, &at, None);
+        let reading = Reading::Reaction {
+            node: 0,
+            moment: false,
+            part: Part::Component(1),
+            axes: Axes::Model,
+        };
+        let read = (number == 0).then(|| (reading, value.clone()));
+        let hinge = Adapted::read(Arc::new(hinge), read.into_iter().collect());
+        elements.push(Box::new(hinge) as Box<dyn Element>);
+    }
+    let turn = NodalForce {
+        force: Vector3::zeros(),
+        moment: Vector3::z(),
+        offset: Vector3::zeros(),
+        turning: Dead,
+        factor: LoadFactor::Constant,
+    };
+    let drive = signal(&format!("{gain}*a"), &[&value]);
+    elements.push(Box::new(
+        NodalLoad::new("turn", 0, &nodes[0], turn).driven(drive),
+    ));
+    let mut model = Model::new("door", System::new(nodes, elements));
+    model.gravity = -9.81 * Vector3::y();
+    let question = TransientQuestion {
+        redundant: Redundant::Remove,
+        ..TransientQuestion::new(0.2, 0.01)
+    };
+    states(&model, &question)
 }
