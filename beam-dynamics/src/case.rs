@@ -9,7 +9,7 @@ use crate::model::{Conditions, Drive, Loading, NamingAxes, TurningFrame};
 mod columns;
 mod transient;
 
-pub use columns::{Column, ElectrodeQuantity, EnergyPart, Every, OutputQuestion, Quantity};
+pub use columns::{Column, ElectrodeQuantity, Every, OutputQuestion, Quantity};
 pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 
 /// How the model's frame turns.

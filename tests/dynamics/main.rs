@@ -41,6 +41,7 @@ mod rotating_beam;
 mod rotating_in_time;
 mod rotor;
 mod rotor_in_time;
+mod sensed_energy;
 mod spinning_top;
 mod statics;
 mod superposed;

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::elements::{NodeQuantity, Part, Reading, Signal};
+use crate::elements::{EnergyPart, NodeQuantity, Part, Reading, Signal};
 use crate::model::Drive;
 
 /// A number of every state that is written, with its name and its unit.
@@ -69,21 +69,6 @@ pub enum ElectrodeQuantity {
     Charge,
     /// That flows to it \[A\].
     Current,
-}
-
-/// A part of the energy of a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EnergyPart {
-    /// Of motion in space.
-    Kinetic,
-    /// Stored in elastic parts.
-    Elastic,
-    /// Potential of gravity.
-    Gravity,
-    /// Of electric fields and inductances.
-    Electric,
-    /// The sum of them.
-    Total,
 }
 
 /// How often something is written.

@@ -13,9 +13,10 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::energy_rows::add_slope;
 use super::{
-    Along, Axes, Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level,
-    Local, LocalJacobian, LocalResidual, Motion, Observations, Part, PlaceJump, Reading,
+    Along, Axes, Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange,
+    Level, Local, LocalJacobian, LocalResidual, Motion, Observations, Part, PlaceJump, Reading,
     ReadingRow, Signal,
 };
 use crate::elements::{Constraints, Energetic, Growth, Memory, Queries, Reports, Structure};
@@ -166,9 +167,14 @@ impl Adapted {
             let force = |node, equation| out.of(node, equation);
             let value = match self.reacting(reading, at, force) {
                 Some((_, value)) => Some(value),
-                None => self.with(at, |at| self.element.read(reading, at, None)),
+                None => self.with(at, |at| match reading {
+                    Reading::Energy(part) => Some(self.element.energy(at).part(*part)),
+                    _ => self.element.read(reading, at, None),
+                }),
             };
-            out.add_scalar(scalar, at.scalars.values[scalar]);
+            if !reading.is_share() {
+                out.add_scalar(scalar, at.scalars.values[scalar]);
+            }
             out.add_scalar(scalar, -value.unwrap_or(f64::NAN));
         }
     }
@@ -177,12 +183,21 @@ impl Adapted {
     fn add_reading_rows(&self, at: &Local<'_>, acting: &LocalResidual, out: &mut LocalJacobian) {
         for (i, reading) in self.readings.iter().enumerate() {
             let scalar = self.first() + i;
-            out.add_scalar(scalar, scalar, 1.0, false);
+            if !reading.is_share() {
+                out.add_scalar(scalar, scalar, 1.0, false);
+            }
             let force = |node, equation| acting.of(node, equation);
             let reacting = self.reacting(reading, at, force);
             let mut row = ReadingRow::new(scalar, out);
             let Some((reaction, _)) = reacting else {
-                self.with(at, |at| self.element.read(reading, at, Some(&mut row)));
+                self.with(at, |at| match reading {
+                    Reading::Energy(part) => {
+                        add_slope(self.element.as_ref(), *part, (at, acting), &mut row);
+                    }
+                    _ => {
+                        self.element.read(reading, at, Some(&mut row));
+                    }
+                });
                 continue;
             };
             let (node, equation) = reaction.place;
@@ -351,6 +366,11 @@ impl Energetic for Adapted {
 
     fn is_conservative(&self) -> bool {
         self.element.keeps_energy()
+    }
+
+    fn slope(&self) -> EnergySlope {
+        let own = self.element.energetic();
+        own.map_or(EnergySlope::Zero, |own| own.slope())
     }
 }
 

@@ -7,8 +7,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    Along, Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reading, ReadingRow,
+    Along, Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange,
+    Level, Local, LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reading,
+    ReadingRow,
 };
 use crate::model::{Loading, NodeMotion, Scalars};
 
@@ -80,6 +81,9 @@ pub trait Energetic {
 
     /// See [`super::Queries::keeps_energy`].
     fn is_conservative(&self) -> bool;
+
+    /// From where the derivatives of its energy follow.
+    fn slope(&self) -> EnergySlope;
 }
 
 /// Forces that grow with the proportional loads.

@@ -24,7 +24,8 @@
 //! References: [Masarati], piezoelectric beams; [HagoodFlotow1991], shunts.
 
 use super::{
-    Charges, CircuitState, Element, Energy, Flow, Local, LocalJacobian, LocalResidual, Signal,
+    Charges, CircuitState, Element, Energy, EnergySlope, Flow, Local, LocalJacobian, LocalResidual,
+    Signal,
 };
 use crate::elements::{Energetic, Exchange, Observations, Reading, ReadingRow, Reports, has};
 use crate::model::{Quantity, Scalar, ScalarSpec, ScalarStart};
@@ -256,6 +257,10 @@ impl Energetic for Electrode {
 
     fn is_conservative(&self) -> bool {
         true
+    }
+
+    fn slope(&self) -> EnergySlope {
+        EnergySlope::Unknown
     }
 }
 

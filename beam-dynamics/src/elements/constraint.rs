@@ -71,32 +71,3 @@ pub struct ConstraintRates<'a> {
     /// What is left of the last derivative without accelerations [unit of it].
     pub convective: &'a mut [f64],
 }
-
-/// Energy of an element.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Energy {
-    /// Kinetic energy, of the motion in space [J].
-    pub kinetic: f64,
-    /// Energy stored in elastic parts [J].
-    pub elastic: f64,
-    /// Potential of gravity, zero at the origin [J].
-    pub gravity: f64,
-    /// Energy of the electric fields at the voltages that there are, and of inductances [J].
-    pub electric: f64,
-}
-
-impl Energy {
-    /// The sum of all parts [J].
-    pub fn total(&self) -> f64 {
-        self.kinetic + self.elastic + self.gravity + self.electric
-    }
-}
-
-impl std::ops::AddAssign for Energy {
-    fn add_assign(&mut self, other: Self) {
-        self.kinetic += other.kinetic;
-        self.elastic += other.elastic;
-        self.gravity += other.gravity;
-        self.electric += other.electric;
-    }
-}

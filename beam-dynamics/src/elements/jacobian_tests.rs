@@ -28,6 +28,7 @@ use crate::model::{
 
 mod control;
 mod driven;
+mod energies;
 mod piezo;
 mod readings;
 mod sensing;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, RowVector3, Vector3};
 
-use super::{LocalJacobian, Observations};
+use super::{EnergyPart, LocalJacobian, Observations};
 use crate::model::{Equation, Variable};
 
 /// A part of a vector of a node, or of one node relative to another.
@@ -51,6 +51,8 @@ pub enum NodeVector {
 /// A number that an element reports.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reading {
+    /// The share of an element in the energy of the model \[J\].
+    Energy(EnergyPart),
     /// A component of a beam section at an evaluation point.
     Section {
         /// Evaluation point, from zero.
@@ -167,6 +169,11 @@ impl Part {
 }
 
 impl Reading {
+    /// Whether it is a part of a sum over elements, which have its scalar in common.
+    pub fn is_share(&self) -> bool {
+        matches!(self, Self::Energy(_))
+    }
+
     /// Its value among what the element reports, in SI units, with the `rotation` of a node;
     /// `None` where the element reports nothing of the kind.
     pub fn of(
@@ -187,6 +194,7 @@ impl Reading {
                 };
                 all.iter().nth(*component).copied()
             }
+            Self::Energy(_) => None,
             Self::Reaction { .. } => self.reaction(observed, rotation),
             Self::Joint { motion, part } => {
                 let joint = observed.joints.first()?;

@@ -23,7 +23,7 @@ use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::beams::{self, BeamInertia, LumpedMass, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Hinge, clamped, rigid_connection};
-use crate::elements::{Element, Reading};
+use crate::elements::{Element, EnergyPart, Reading};
 use crate::model::{Drive, Node, Scalar};
 
 mod blades;
@@ -75,6 +75,8 @@ pub(super) struct Draft {
     labels: BTreeMap<(&'static str, String), usize>,
     /// Readings of elements, by their names, with their scalars.
     watched: Vec<(String, Reading, Scalar)>,
+    /// Energies of the model, with their scalars.
+    watched_energies: Vec<(EnergyPart, Scalar)>,
     /// Unknowns of electrodes, by numbers of both, with names and scalars of sensors.
     watched_electrodes: Vec<([usize; 2], String, Scalar)>,
     /// Whether some beam or other user of a node could not be attached.
@@ -110,6 +112,7 @@ impl Draft {
             remarks,
             labels: BTreeMap::new(),
             watched: Vec::new(),
+            watched_energies: Vec::new(),
             watched_electrodes: Vec::new(),
             loose_ends: false,
             broken: false,
@@ -429,7 +432,8 @@ impl Draft {
         elements.extend(self.joints);
         elements.extend(self.control);
         elements.extend(self.loads);
-        let elements = watch::adapt(elements, self.watched, &self.nodes);
+        let energies = &self.watched_energies;
+        let elements = watch::adapt(elements, self.watched, energies, &self.nodes);
         Some(Model {
             name,
             initial: self.initial,

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::Moment;
-use crate::case::{Column, ElectrodeQuantity, EnergyPart, Model, OutputQuestion, Quantity};
+use crate::case::{Column, ElectrodeQuantity, Model, OutputQuestion, Quantity};
 use crate::elements::{
-    ElectrodeState, Energy, Instant, JointMotion, NodeReading, Observations, Reading, Signal,
+    ElectrodeState, Instant, JointMotion, NodeReading, Observations, Reading, Signal,
 };
 use crate::model::{NodeMotion, Scalars};
 
@@ -138,7 +138,7 @@ impl<'a> ColumnValues<'a> {
             let energy = self.model.system.energy(moment.state, moment.conditions);
             for &index in &self.energy {
                 if let Quantity::Energy(part) = self.columns[index].quantity {
-                    out[index] = energy_part(&energy, part);
+                    out[index] = energy.part(part);
                 }
             }
         }
@@ -268,16 +268,6 @@ fn of_electrode(electrode: &ElectrodeState, quantity: ElectrodeQuantity) -> f64 
         ElectrodeQuantity::Voltage => electrode.voltage,
         ElectrodeQuantity::Charge => electrode.charge,
         ElectrodeQuantity::Current => electrode.current,
-    }
-}
-
-fn energy_part(energy: &Energy, part: EnergyPart) -> f64 {
-    match part {
-        EnergyPart::Kinetic => energy.kinetic,
-        EnergyPart::Elastic => energy.elastic,
-        EnergyPart::Gravity => energy.gravity,
-        EnergyPart::Electric => energy.electric,
-        EnergyPart::Total => energy.total(),
     }
 }
 

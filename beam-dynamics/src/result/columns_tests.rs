@@ -9,7 +9,7 @@ use crate::assembly::System;
 use crate::case::OutputQuestion;
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::clamped;
-use crate::elements::{Axes, Element, NodeQuantity, NodeVector, Part};
+use crate::elements::{Axes, Element, EnergyPart, NodeQuantity, NodeVector, Part};
 use crate::model::{Conditions, Drive, Node, State};
 
 fn node(label: &str, position: [f64; 3]) -> Node {

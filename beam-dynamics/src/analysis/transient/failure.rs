@@ -22,8 +22,8 @@ fn short(value: f64) -> f64 {
 
 /// Remedy where scalars have no start.
 const UNDETERMINED: &str = "look for unknowns that no equation determines, as an output \
-     that is its own input, a system that integrates and is to settle, a loop of voltages, and \
-     for laws without a value at the start";
+     that is its own input, a system that integrates and is to settle (give it a \"start\"), a \
+     loop of voltages, and for laws without a value at the start";
 
 /// Why a run in time ended before its last instant.
 #[derive(Debug, Clone, thiserror::Error)]

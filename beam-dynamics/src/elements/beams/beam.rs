@@ -26,9 +26,9 @@ use super::interpolation::{LARGEST, NodalKinematics, Shape};
 use super::strain::{StrainPoint, Variation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
-    LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, SectionState, Signal,
-    Structure, has,
+    Along, Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local,
+    LocalJacobian, LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, SectionState,
+    Signal, Structure, has,
 };
 use crate::model::{Node, NodeMotion, Scalar, Variable};
 
@@ -349,6 +349,15 @@ impl Energetic for Beam {
 
     fn is_conservative(&self) -> bool {
         self.geometry.formulation == Formulation::Variational
+    }
+
+    fn slope(&self) -> EnergySlope {
+        let mut laws = self.points.iter().map(|point| &point.law);
+        let is_driven = !self.electrodes.is_empty() || !laws.all(Law::keeps_energy);
+        match self.is_conservative() && !is_driven {
+            true => EnergySlope::Forces,
+            false => EnergySlope::Unknown,
+        }
     }
 }
 

@@ -40,7 +40,7 @@ use super::mass::{MassAlong, MassPoint, mass_points};
 use super::strain::SectionPoint;
 use super::variational::{add_on_line, add_on_line_variation, moment_variation};
 use crate::elements::{
-    Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual, has,
+    Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, has,
 };
 use crate::model::Equation::{AngularMomentum, Moment, Momentum};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
@@ -336,5 +336,9 @@ impl Energetic for BeamInertia {
 
     fn is_conservative(&self) -> bool {
         true
+    }
+
+    fn slope(&self) -> EnergySlope {
+        EnergySlope::Momenta
     }
 }

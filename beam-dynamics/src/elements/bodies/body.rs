@@ -18,7 +18,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew, times_skew};
 
 use crate::elements::{
-    Element, Energetic, Energy, Exchange, Local, LocalJacobian, LocalResidual, has,
+    Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, has,
 };
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{NodeMotion, TurningFrame, Variable};
@@ -167,5 +167,9 @@ impl Energetic for RigidBody {
 
     fn is_conservative(&self) -> bool {
         true
+    }
+
+    fn slope(&self) -> EnergySlope {
+        EnergySlope::Momenta
     }
 }

@@ -40,8 +40,8 @@ use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
 use crate::elements::{
     Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Energetic, Energy,
-    Exchange, Growth, Instant, Level, Local, LocalJacobian, LocalResidual, Motion, Observations,
-    PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, Structure, has,
+    EnergySlope, Exchange, Growth, Instant, Level, Local, LocalJacobian, LocalResidual, Motion,
+    Observations, PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, Structure, has,
     prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
@@ -144,6 +144,29 @@ impl Hinge {
             moment += stiffness * self.turned(state, now);
         }
         moment + damping * state.axis().dot(&state.rate)
+    }
+
+    /// Energy of the spring \[J\]. Where the constraints are not fulfilled, the moment about the
+    /// axis is not its derivative.
+    fn elastic_energy(&self, at: &Local<'_>, row: Option<&mut ReadingRow<'_>>) -> f64 {
+        // A free hinge may stand where its angle has no value.
+        if self.spring.stiffness == 0.0 {
+            return 0.0;
+        }
+        let (state, now) = (self.state(at.nodes), at.instant());
+        let turned = self.turned(&state, &now);
+        let moment = self.spring.stiffness * turned;
+        if let Some(row) = row {
+            let slope = moment * state.angle_gradient();
+            row.by_node(0, Variable::Rotation, &-slope);
+            row.by_node(1, Variable::Rotation, &slope);
+            if let Some(relaxed) = &self.relaxed {
+                relaxed.gradient(&now, |scalar, slope| {
+                    row.by_scalar((scalar, false), -moment * slope);
+                });
+            }
+        }
+        0.5 * moment * turned
     }
 
     fn is_free(&self) -> bool {
@@ -282,14 +305,8 @@ impl Constraints for Hinge {
 
 impl Energetic for Hinge {
     fn stored(&self, at: &Local<'_>) -> Energy {
-        let stiffness = self.spring.stiffness;
-        // A free hinge may stand where its angle has no value.
-        let turned = match stiffness == 0.0 {
-            true => 0.0,
-            false => self.turned(&self.state(at.nodes), &at.instant()),
-        };
         Energy {
-            elastic: 0.5 * stiffness * turned * turned,
+            elastic: self.elastic_energy(at, None),
             ..Energy::default()
         }
     }
@@ -301,6 +318,10 @@ impl Energetic for Hinge {
 
     fn is_conservative(&self) -> bool {
         true
+    }
+
+    fn slope(&self) -> EnergySlope {
+        EnergySlope::Read
     }
 }
 
@@ -366,7 +387,10 @@ impl Reports for Hinge {
         at: &Local<'_>,
         row: Option<&mut ReadingRow<'_>>,
     ) -> Option<f64> {
-        self.joint.read(reading, at, row)
+        match reading {
+            Reading::Energy(_) => Some(self.elastic_energy(at, row)),
+            _ => self.joint.read(reading, at, row),
+        }
     }
 
     fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}

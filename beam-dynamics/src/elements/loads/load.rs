@@ -6,8 +6,8 @@ use nalgebra::Vector3;
 
 use super::factor::LoadFactor;
 use crate::elements::{
-    Along, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian, LocalResidual,
-    Motion, Signal, Structure, has,
+    Along, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Signal, Structure, has,
 };
 use crate::model::{Equation, Scalar};
 
@@ -123,6 +123,10 @@ impl<T: Load> Energetic for T {
 
     fn is_conservative(&self) -> bool {
         true
+    }
+
+    fn slope(&self) -> EnergySlope {
+        EnergySlope::Zero
     }
 }
 

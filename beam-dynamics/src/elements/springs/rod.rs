@@ -22,9 +22,9 @@ use nalgebra::{Vector1, Vector3};
 use super::line::{End, Line, LineState, PullVariation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
-    LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, Signal, SpringState,
-    SpringVector, Structure, has,
+    Along, Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local,
+    LocalJacobian, LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, Signal,
+    SpringState, SpringVector, Structure, has,
 };
 use crate::model::{Drive, Equation, Node, NodeMotion, Scalar, Variable};
 
@@ -274,6 +274,13 @@ impl Energetic for Rod {
 
     fn is_conservative(&self) -> bool {
         true
+    }
+
+    fn slope(&self) -> EnergySlope {
+        match self.relaxed.constant().is_some() && self.law.keeps_energy() {
+            true => EnergySlope::Forces,
+            false => EnergySlope::Unknown,
+        }
     }
 }
 

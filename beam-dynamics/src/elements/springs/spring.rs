@@ -42,9 +42,9 @@ use super::spring_law::SpringLaw;
 use super::spring_state::{State, Wrench, six};
 use crate::elements::laws::Response;
 use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
-    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Signal,
-    SpringState, SpringVector, Structure, has,
+    Along, Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local,
+    LocalJacobian, LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports,
+    Signal, SpringState, SpringVector, Structure, has,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Equation, Node, NodeMotion, Scalar, Variable};
@@ -350,6 +350,13 @@ impl Energetic for Spring {
 
     fn is_conservative(&self) -> bool {
         true
+    }
+
+    fn slope(&self) -> EnergySlope {
+        match self.law.keeps_energy() {
+            true => EnergySlope::Forces,
+            false => EnergySlope::Unknown,
+        }
     }
 }
 

@@ -30,8 +30,9 @@ use shared_geom::rotation::vector;
 
 use super::spring::{is_other, other_way};
 use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, Exchange, Growth, Local, LocalJacobian,
-    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Structure, has,
+    Along, Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local,
+    LocalJacobian, LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports,
+    Structure, has,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
@@ -213,6 +214,10 @@ impl Energetic for SupportSpring {
 
     fn is_conservative(&self) -> bool {
         true
+    }
+
+    fn slope(&self) -> EnergySlope {
+        EnergySlope::Forces
     }
 }
 

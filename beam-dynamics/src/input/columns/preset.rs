@@ -1,7 +1,8 @@
 //! Columns of a file that asks for none.
 
 use super::column::is_name;
-use crate::case::{Column, ElectrodeQuantity, EnergyPart, Quantity};
+use crate::case::{Column, ElectrodeQuantity, Quantity};
+use crate::elements::EnergyPart;
 use crate::elements::{Axes, NodeQuantity, NodeVector, Part};
 use crate::input::draft::Draft;
 

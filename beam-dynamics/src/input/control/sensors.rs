@@ -6,7 +6,9 @@ use shared_geom::document::Table;
 
 use crate::case::{ElectrodeQuantity, Quantity};
 use crate::elements::circuits::Circuit;
-use crate::elements::{Axes, Input, NodeReading, NodeVector, Reading as ElementReading, Sensor};
+use crate::elements::{
+    Axes, EnergyPart, Input, NodeReading, NodeVector, Reading as ElementReading, Sensor,
+};
 use crate::input::draft::Draft;
 use crate::input::drives::{self, Measure, Read};
 use crate::input::readings::{self, Kind, Reading, ReadingProblem, Source};
@@ -56,7 +58,7 @@ fn kind(table: &Table<'_>) -> Option<&'static Kind> {
     let kind = readings::kind(table)?;
     let reason = match kind.1 {
         Source::Drive | Source::Signal => "its name stands in expressions itself",
-        Source::Energy(_) => "the derivatives of the energy of a model are not known",
+        Source::Energy(EnergyPart::Electric) => "the derivatives of this energy are not known",
         Source::StepLength | Source::Iterations => "it is no number of the state",
         Source::Node(NodeVector::Euler(_)) => "the derivatives of these angles are not known",
         Source::Momentum { .. } if !table.has("of") => "the momenta of single nodes are",
@@ -119,7 +121,8 @@ fn sensor(declared: &Declared<'_>, draft: &mut Draft) -> Option<()> {
     match attach(found.quantity, words, scalar, draft) {
         Ok(()) => Some(()),
         Err(problem) => {
-            table.note("of", &problem);
+            let key = if table.has("of") { "of" } else { "quantity" };
+            table.note(key, &problem);
             None
         }
     }
@@ -162,6 +165,13 @@ fn attach(
             let place = place
                 .ok_or_else(|| not_sensed("it is no unknown of the circuit of this electrode"))?;
             draft.watch_electrode((electrode, place), name.to_owned(), scalar.clone());
+        }
+        Quantity::Energy(part) => {
+            let known = draft.watch_energy(part, name, scalar);
+            known.map_err(|element| ReadingProblem::EnergyOf {
+                quantity: word,
+                element,
+            })?;
         }
         // These have been refused as kinds.
         _ => return Err(not_sensed("it is no number of the state")),

@@ -162,8 +162,8 @@ const MISTAKES: [[&str; 3]; 12] = [
     ],
     [
         "quantity = \"joint_angle\"",
-        "quantity = \"energy\"",
-        "\"energy\" cannot be sensed: the derivatives of the energy of a model are not known",
+        "quantity = \"electric_energy\"",
+        "\"electric_energy\" cannot be sensed: the derivatives of this energy are not known",
     ],
     [
         "quantity = \"joint_angle\"",
@@ -213,4 +213,46 @@ fn mistakes_are_told_with_their_reason() {
         let shown = refused(&MODEL.replace(right, wrong));
         assert!(shown.contains(told), "{told}\nis not in\n{shown}");
     }
+}
+
+#[test]
+fn an_energy_without_known_derivatives_is_refused_by_the_name_of_the_element() {
+    let model = |spring: &str, quantity: &str| {
+        format!(
+            "
+[[node]]
+name = \"a\"
+position = [0, 0, 0]
+[[body]]
+node = \"a\"
+mass = 2
+inertia = [1, 1, 1]
+[[spring]]
+name = \"holder\"
+nodes = [\"a\"]
+{spring}
+[sensors.e]
+quantity = \"{quantity}\"
+[transient]
+to = 1
+step = 0.01
+"
+        )
+    };
+    let linear = "stiffness = [1, 1, 1]";
+    for quantity in [
+        "kinetic_energy",
+        "elastic_energy",
+        "gravity_energy",
+        "energy",
+    ] {
+        assert!(input(&model(linear, quantity)).is_ok(), "{quantity}");
+    }
+    let driven = "law = { kind = \"linear\", stiffness = [1, 1, 1], prestress = [1, 0, 0], \
+        prestress_drive = \"= t\" }";
+    let shown = refused(&model(driven, "elastic_energy"));
+    let expected = "\"elastic_energy\" cannot be sensed: the derivatives of the \
+        energy of \"holder\" are not known";
+    assert!(shown.contains(expected), "{shown}");
+    assert!(input(&model(driven, "kinetic_energy")).is_ok());
 }

@@ -6,13 +6,46 @@ use nalgebra::DMatrix;
 
 use super::{Draft, boxed};
 use crate::elements::control::{Matrices, StateSpace};
-use crate::elements::{Adapted, Element, Reading, Signal};
+use crate::elements::{Adapted, Element, EnergyPart, EnergySlope, Reading, Signal};
 use crate::model::{Node, NodeMotion, Scalar};
 
 impl Draft {
     /// Makes a scalar of a reading of the element called `label`.
     pub fn watch(&mut self, label: String, reading: Reading, scalar: Scalar) {
         self.watched.push((label, reading, scalar));
+    }
+
+    /// Makes a scalar of a part of the energy of the model, for the sensor `name`.
+    ///
+    /// # Errors
+    ///
+    /// The name of an element that has such energy, the derivatives of which are not known.
+    pub fn watch_energy(
+        &mut self,
+        part: EnergyPart,
+        name: &str,
+        scalar: &Scalar,
+    ) -> Result<(), String> {
+        let scalars = self.scalars_of_electrodes();
+        let beams = self.beams.iter().enumerate();
+        let of_beams = beams.flat_map(|(index, beam)| self.beam_elements(index, beam, &scalars));
+        let unknown = |element: &dyn Element| {
+            let slope = element.energetic().map(|own| own.slope());
+            let is_unknown = slope == Some(EnergySlope::Unknown) && EnergySlope::Unknown.has(part);
+            is_unknown.then(|| element.label().to_owned())
+        };
+        let mut circuits = self.circuits(&scalars);
+        circuits.extend(of_beams);
+        let known = circuits.iter().chain(&self.joints).map(AsRef::as_ref);
+        if let Some(label) = known.filter_map(unknown).next() {
+            return Err(label);
+        }
+        // To this the elements add their shares.
+        let none = Matrices::gain(DMatrix::zeros(1, 0));
+        let own = vec![scalar.clone()];
+        self.add_control(boxed(StateSpace::new(name, none, Vec::new(), own, &[])));
+        self.watched_energies.push((part, scalar.clone()));
+        Ok(())
     }
 
     /// Makes the scalar of the sensor `name` of an unknown of the circuit of an electrode, by
@@ -42,12 +75,15 @@ impl Draft {
 pub(super) fn adapt(
     elements: Vec<Box<dyn Element>>,
     mut watched: Vec<(String, Reading, Scalar)>,
+    energies: &[(EnergyPart, Scalar)],
     nodes: &[Node],
 ) -> Vec<Box<dyn Element>> {
     let adapted = elements.into_iter().map(|element| {
-        if !watched.iter().any(|(label, ..)| label == element.label()) {
-            return element;
-        }
+        let slope = element.energetic().map(|own| own.slope());
+        let has = |part: EnergyPart| slope.is_some_and(|slope| slope.has(part));
+        let shares = energies.iter().filter(|energy| has(energy.0));
+        let shares = shares.map(|(part, scalar)| (Reading::Energy(*part), scalar.clone()));
+        let mut readings: Vec<_> = shares.collect();
         let rest = element
             .nodes()
             .iter()
@@ -57,15 +93,11 @@ pub(super) fn adapt(
         let is_own = |(label, reading, _): &mut (String, Reading, Scalar)| {
             label == element.label() && Adapted::reports(element.as_ref(), reading, &rest)
         };
-        let own: Vec<_> = watched.extract_if(.., is_own).collect();
-        match own.is_empty() {
+        let own = watched.extract_if(.., is_own);
+        readings.extend(own.map(|(_, reading, scalar)| (reading, scalar)));
+        match readings.is_empty() {
             true => element,
-            false => {
-                let readings = own
-                    .into_iter()
-                    .map(|(_, reading, scalar)| (reading, scalar));
-                boxed(Adapted::read(Arc::from(element), readings.collect()))
-            }
+            false => boxed(Adapted::read(Arc::from(element), readings)),
         }
     });
     adapted.collect()

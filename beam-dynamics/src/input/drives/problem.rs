@@ -239,6 +239,10 @@ impl Explain for DriveProblem {
                 "its value, or its rate, may jump, which would be an impulse: put an [[actuator]] \
                  between, with this signal as its \"command\", and follow the actuator's name"
             }
+            Self::SignalName { name } if name.contains(' ') => {
+                "expressions read the names of sensors, state spaces and actuators: such cards cannot \
+                 be copied by [[repeat]], write one for each copy outside of it"
+            }
             Self::UnitInPlace => {
                 "give it a name, [drives.NAME], or write the values with their unit"
             }

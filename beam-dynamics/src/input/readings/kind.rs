@@ -2,8 +2,8 @@
 
 use shared_geom::units::{Dimension, Unit, UnitProblem, parse_as};
 
-use crate::case::{ElectrodeQuantity, EnergyPart};
-use crate::elements::{JointMotion, NodeVector, SpringVector};
+use crate::case::ElectrodeQuantity;
+use crate::elements::{EnergyPart, JointMotion, NodeVector, SpringVector};
 
 /// A word under `quantity`, where its numbers come from, what they measure (of beams
 /// their first three components), and their unit unless one is given.

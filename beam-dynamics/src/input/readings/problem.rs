@@ -43,6 +43,16 @@ pub enum ReadingProblem {
         /// Why, in words.
         reason: &'static str,
     },
+    /// An energy of elements, one of which knows no derivatives of it.
+    #[error(
+        "\"{quantity}\" cannot be sensed: the derivatives of the energy of \"{element}\" are not known"
+    )]
+    EnergyOf {
+        /// The quantity.
+        quantity: &'static str,
+        /// The element.
+        element: String,
+    },
     /// Axes that a joint does not know.
     #[error("a reaction is sensed in the axes of a node of the joint, a frame, or an end")]
     AxesOfOther,
@@ -63,6 +73,11 @@ impl Explain for ReadingProblem {
             Self::NotSensed { .. } => {
                 Some("columns of output can show it; docs: \"Signals\"".to_owned())
             }
+            Self::EnergyOf { .. } => Some(
+                "sense another energy, or one of a model without electrodes, elastic parts that are \
+                 driven, finite-volume beams and laws by expressions; columns of output can show it"
+                    .to_owned(),
+            ),
             Self::AxesOfOther => {
                 Some("or sense three components, and turn them by an expression".to_owned())
             }
