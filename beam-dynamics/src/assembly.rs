@@ -5,6 +5,7 @@ pub mod mechanism;
 pub mod redundancy;
 
 mod combination;
+mod elimination;
 mod momenta;
 mod pattern;
 mod system;

@@ -8,25 +8,31 @@
 //! Phi_y H r = 0,   r /= 0
 //! ```
 //!
-//! so that the mechanisms are the null space of a small matrix, whatever the
+//! so that the mechanisms are the null space of a sparse matrix, whatever the
 //! stiffness of the beams. Rotations are scaled by the size of the part.
 //!
 //! Motions that elements resist by springs are further rows. Those that hinges leave
 //! free on purpose are no mechanisms: what is free also with these rows (all hinges
 //! locked) has been forgotten; what is free only without them is the freedom of hinges.
+//! A hinge can move when it moves in a vector of the null space whose free numbers have no pattern.
 
-use nalgebra::{DMatrix, DVector, RowDVector, Vector3};
+use std::collections::BTreeMap;
+
+use nalgebra::{DMatrix, DVector, Vector3};
 use shared_geom::error::Explain;
 
 use super::System;
+use super::elimination::{Echelon, SparseRow};
 use crate::elements::Queries;
 use crate::model::{Conditions, NODE_UNKNOWNS, Variable};
 
-/// Singular values below this part of the largest count as zero: the entries are of
-/// order one, their round-off is 1e-16.
+/// What is left of rows of size one below this counts as zero: their round-off is 1e-16.
 const ZERO: f64 = 1e-9;
 /// Part of a unit motion of the model that counts as moving.
 const VISIBLE: f64 = 1e-6;
+
+/// The golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// A part of the model that can move freely.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -66,6 +72,9 @@ pub struct Mobility {
     pub free_hinges: Vec<String>,
 }
 
+/// A linear form of the motions of parts, by columns.
+type Form = BTreeMap<usize, f64>;
+
 /// A rigid part: its nodes, a point near their middle and its size.
 struct Part {
     nodes: Vec<usize>,
@@ -80,53 +89,100 @@ pub fn find(system: &System) -> Mobility {
     if parts.is_empty() {
         return Mobility::default();
     }
-    let mut rows = constraints_by_rigid_motions(system, &parts);
+    let part_of = part_of_nodes(system.nodes().len(), &parts);
+    let parts_of = (&parts[..], &part_of[..]);
+    let mut rows = constraints_by_rigid_motions(system, parts_of);
     let mut free = Vec::new();
     for element in system.elements() {
         for motion in element.motions() {
-            let row = row_of(system, &parts, (element.nodes(), &motion.form));
+            let row = row_of(system, parts_of, (element.nodes(), &motion.form));
             match motion.is_resisted {
                 true => rows.push(row),
                 false => free.push((element.label(), row)),
             }
         }
     }
-    let unlocked = null_space(&rows, 6 * parts.len());
-    if unlocked.ncols() == 0 {
+    let columns = 6 * parts.len();
+    let unlocked = Echelon::of(rows.clone(), columns, ZERO);
+    if unlocked.free().is_empty() {
         return Mobility::default();
     }
-    let turns = |row: &RowDVector<f64>| (row * &unlocked).amax() > VISIBLE;
-    let free_hinges = free.iter().filter(|(_, row)| turns(row));
-    let mut free_hinges: Vec<_> = free_hinges.map(|(label, _)| (*label).to_owned()).collect();
+    let mut free_hinges = moving(&unlocked, columns, &free);
     free_hinges.dedup();
     rows.extend(free.into_iter().map(|(_, row)| row));
-    let forgotten = null_space(&rows, 6 * parts.len());
-    let mechanisms = parts.iter().enumerate().filter_map(|(i, part)| {
-        let motions = forgotten.rows(6 * i, 6).into_owned();
-        let moves = motions.ncols() > 0 && motions.amax() > VISIBLE;
-        moves.then(|| describe(system, part, &motions))
-    });
     Mobility {
-        mechanisms: mechanisms.collect(),
+        mechanisms: mechanisms(system, &parts, rows),
         free_hinges,
     }
 }
 
-/// Nodes connected through elements that resist all their relative motions.
-fn rigid_parts(system: &System) -> Vec<Part> {
-    let count = system.nodes().len();
-    let mut part_of: Vec<usize> = (0..count).collect();
-    for element in system.elements().filter(|e| e.joins_nodes()) {
-        for pair in element.nodes().windows(2) {
-            let (a, b) = (part_of[pair[0]], part_of[pair[1]]);
-            part_of.iter_mut().filter(|p| **p == b).for_each(|p| *p = a);
+/// Names of the hinges whose motions, given with them, are part of the null space.
+fn moving(unlocked: &Echelon, columns: usize, free: &[(&str, SparseRow)]) -> Vec<String> {
+    let mut motion = vec![0.0; columns];
+    for (i, &column) in unlocked.free().iter().enumerate() {
+        // Numbers between 0.5 and 1 of which no two are alike.
+        motion[column] = 0.5 + 0.5 * (GOLDEN * (i + 1) as f64).fract();
+    }
+    unlocked.complete(&mut motion);
+    let turns = |row: &SparseRow| {
+        let parts = || row.iter().map(|(column, value)| value * motion[*column]);
+        let size = parts().map(f64::abs).fold(0.0, f64::max);
+        parts().sum::<f64>().abs() > VISIBLE * size
+    };
+    let free = free.iter().filter(|(_, row)| turns(row));
+    free.map(|(label, _)| (*label).to_owned()).collect()
+}
+
+/// The parts that move while all hinges are locked, in each group of parts that rows connect.
+fn mechanisms(system: &System, parts: &[Part], rows: Vec<SparseRow>) -> Vec<Mechanism> {
+    let mut groups = Groups::new(parts.len());
+    for row in &rows {
+        for pair in row.windows(2) {
+            groups.join(pair[0].0 / 6, pair[1].0 / 6);
         }
     }
-    let mut names = part_of.clone();
-    names.sort_unstable();
-    names.dedup();
-    let part = |name: usize| {
-        let nodes: Vec<_> = (0..count).filter(|&node| part_of[node] == name).collect();
+    let forgotten = Echelon::of(rows, 6 * parts.len(), ZERO);
+    if forgotten.free().is_empty() {
+        return Vec::new();
+    }
+    let split = forgotten.split(|column| groups.of(column / 6));
+    let members = groups.members();
+    let mut motion = vec![0.0; 6 * parts.len()];
+    let mut found = Vec::new();
+    for (group, forgotten) in split {
+        let own = &members[&group];
+        let columns = || own.iter().flat_map(|part| 6 * part..6 * part + 6);
+        let vectors = forgotten.free().iter().map(|&free| {
+            columns().for_each(|column| motion[column] = 0.0);
+            motion[free] = 1.0;
+            forgotten.complete(&mut motion);
+            DVector::from_iterator(6 * own.len(), columns().map(|column| motion[column]))
+        });
+        let vectors: Vec<_> = vectors.collect();
+        if vectors.is_empty() {
+            continue;
+        }
+        let basis = DMatrix::from_columns(&vectors).qr().q();
+        for (place, &part) in own.iter().enumerate() {
+            let motions = basis.rows(6 * place, 6).into_owned();
+            if motions.amax() > VISIBLE {
+                found.push((part, describe(system, &parts[part], &motions)));
+            }
+        }
+    }
+    found.sort_by_key(|(part, _)| *part);
+    found.into_iter().map(|(_, mechanism)| mechanism).collect()
+}
+
+/// Nodes connected through elements that resist all their relative motions.
+fn rigid_parts(system: &System) -> Vec<Part> {
+    let mut groups = Groups::new(system.nodes().len());
+    for element in system.elements().filter(|e| e.joins_nodes()) {
+        for pair in element.nodes().windows(2) {
+            groups.join(pair[0], pair[1]);
+        }
+    }
+    let part = |nodes: Vec<usize>| {
         let position = |node: &usize| system.nodes()[*node].position;
         let center = nodes.iter().map(position).sum::<Vector3<f64>>() / nodes.len() as f64;
         let reach = nodes.iter().map(|node| (position(node) - center).norm());
@@ -137,7 +193,7 @@ fn rigid_parts(system: &System) -> Vec<Part> {
             size: if size > 0.0 { size } else { 1.0 },
         }
     };
-    names.into_iter().map(part).collect()
+    groups.members().into_values().map(part).collect()
 }
 
 /// Rigid motion number `motion` of a part at a node: displacement, in units of the
@@ -153,12 +209,14 @@ fn rigid_motion(part: &Part, motion: usize, position: &Vector3<f64>) -> [Vector3
 }
 
 /// `Phi_y H`: a row a constraint, six columns a part, each row scaled to one.
-fn constraints_by_rigid_motions(system: &System, parts: &[Part]) -> Vec<RowDVector<f64>> {
+fn constraints_by_rigid_motions(
+    system: &System,
+    (parts, part_of): (&[Part], &[usize]),
+) -> Vec<SparseRow> {
     let numbering = system.numbering();
     let tangent = system.tangent(&system.rest(), &Conditions::at_rest());
     let first = NODE_UNKNOWNS * numbering.nodes();
-    let part_of = part_of_nodes(numbering.nodes(), parts);
-    let mut rows = vec![RowDVector::zeros(6 * parts.len()); numbering.multipliers()];
+    let mut rows = vec![Form::new(); numbering.multipliers()];
     for (row, column, value) in tangent.by_unknowns.triplets() {
         let is_constraint = (first..numbering.first_scalar()).contains(&row);
         if !is_constraint || column >= first {
@@ -178,8 +236,7 @@ fn constraints_by_rigid_motions(system: &System, parts: &[Part]) -> Vec<RowDVect
             );
         }
     }
-    rows.iter_mut().for_each(scale_to_one);
-    rows
+    rows.into_iter().map(scaled_to_one).collect()
 }
 
 /// Number of the part of each node.
@@ -194,38 +251,40 @@ fn part_of_nodes(nodes: usize, parts: &[Part]) -> Vec<usize> {
 /// A linear form of the motions of `nodes`, by the rigid motions of the parts.
 fn row_of(
     system: &System,
-    parts: &[Part],
+    (parts, part_of): (&[Part], &[usize]),
     (nodes, form): (&[usize], &[[Vector3<f64>; 2]]),
-) -> RowDVector<f64> {
-    let part_of = part_of_nodes(system.nodes().len(), parts);
-    let mut row = RowDVector::zeros(6 * parts.len());
+) -> SparseRow {
+    let mut row = Form::new();
     for (&node, form) in nodes.iter().zip(form) {
         let (part, position) = (part_of[node], &system.nodes()[node].position);
         add_form(&mut row, (part, &parts[part]), position, form);
     }
-    scale_to_one(&mut row);
-    row
+    scaled_to_one(row)
 }
 
 /// Adds `d . u + r . theta` of a node at `position` in part number `part.0`.
 fn add_form(
-    row: &mut RowDVector<f64>,
+    row: &mut Form,
     (number, part): (usize, &Part),
     position: &Vector3<f64>,
     [d, r]: &[Vector3<f64>; 2],
 ) {
     for motion in 0..6 {
         let [displacement, rotation] = rigid_motion(part, motion, position);
-        row[6 * number + motion] += part.size * d.dot(&displacement) + r.dot(&rotation);
+        *row.entry(6 * number + motion).or_default() +=
+            part.size * d.dot(&displacement) + r.dot(&rotation);
     }
 }
 
-fn scale_to_one(row: &mut RowDVector<f64>) {
-    row.apply(|value| *value = finite(*value));
-    let size = row.amax();
-    if size > 0.0 {
-        *row /= size;
-    }
+fn scaled_to_one(row: Form) -> SparseRow {
+    let size = row.values().map(|value| finite(*value).abs());
+    let size = size.fold(0.0, f64::max);
+    let entries = row
+        .into_iter()
+        .map(|(column, value)| (column, finite(value) / size));
+    entries
+        .filter(|entry| size > 0.0 && entry.1 != 0.0)
+        .collect()
 }
 
 /// The number; zero for one that is not finite, on which decompositions do not end.
@@ -233,26 +292,37 @@ pub(super) fn finite(value: f64) -> f64 {
     if value.is_finite() { value } else { 0.0 }
 }
 
-/// Orthonormal basis of the null space of rows of `columns` numbers, one column each.
-fn null_space(rows: &[RowDVector<f64>], columns: usize) -> DMatrix<f64> {
-    // At least as many rows as columns, so that the decomposition shows the null space.
-    let mut matrix = DMatrix::zeros(rows.len().max(columns), columns);
-    for (i, row) in rows.iter().enumerate() {
-        matrix.set_row(i, row);
+/// Things that are joined in pairs.
+struct Groups(Vec<usize>);
+
+impl Groups {
+    fn new(count: usize) -> Self {
+        Self((0..count).collect())
     }
-    let decomposition = matrix.map(finite).svd(false, true);
-    let largest = decomposition.singular_values.amax();
-    let Some(v_t) = decomposition.v_t else {
-        return DMatrix::zeros(columns, 0);
-    };
-    let values = decomposition.singular_values.iter().enumerate();
-    let free: Vec<DVector<f64>> = values
-        .filter(|(_, value)| **value <= ZERO * largest.max(1.0))
-        .map(|(i, _)| v_t.row(i).transpose())
-        .collect();
-    match free.is_empty() {
-        true => DMatrix::zeros(columns, 0),
-        false => DMatrix::from_columns(&free),
+
+    /// The group of one: its first member.
+    fn of(&mut self, one: usize) -> usize {
+        let mut at = one;
+        while self.0[at] != at {
+            self.0[at] = self.0[self.0[at]];
+            at = self.0[at];
+        }
+        at
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.of(a), self.of(b));
+        self.0[a.max(b)] = a.min(b);
+    }
+
+    /// The members of each group.
+    fn members(mut self) -> BTreeMap<usize, Vec<usize>> {
+        let mut members = BTreeMap::new();
+        for one in 0..self.0.len() {
+            let group = self.of(one);
+            members.entry(group).or_insert_with(Vec::new).push(one);
+        }
+        members
     }
 }
 

@@ -28,12 +28,15 @@ use nalgebra::Vector3;
 use shared_geom::error::Explain;
 
 use super::System;
+use super::elimination::Echelon;
 use crate::elements::{Element, Level, Queries};
 use crate::model::{Conditions, NODE_UNKNOWNS, State, Variable};
 
 /// What is left of a row of size one counts as zero below this: the entries carry the
 /// tolerance of the assembly of positions, 1e-10 and less.
 const ZERO: f64 = 1e-8;
+/// Rows are independent when so many times [`ZERO`] is left of each, in whatever order.
+const MARGIN: f64 = 10.0;
 /// Part of the largest entry that a pivot has at least.
 const PIVOT: f64 = 0.3;
 /// Part of the largest coefficient above which a constraint counts among those from which
@@ -159,6 +162,9 @@ struct Reduced {
 /// The redundant constraints of a system at a state, in order.
 pub fn find(system: &System, state: &State, conditions: &Conditions) -> Vec<Redundant> {
     let rows = rows(system, state, conditions);
+    if are_independent(&rows, system.numbering().unknowns()) {
+        return Vec::new();
+    }
     let mut search = Search::new(&rows, system.numbering().unknowns());
     let mut found = Vec::new();
     for (constraint, row) in rows.iter().enumerate() {
@@ -170,6 +176,13 @@ pub fn find(system: &System, state: &State, conditions: &Conditions) -> Vec<Redu
         found.push(describe(system, &rows, constraint, &sources));
     }
     found
+}
+
+/// Whether no row follows from others by a margin: found in an order that keeps chains of any
+/// length sparse.
+fn are_independent(rows: &[Row], columns: usize) -> bool {
+    let entries = rows.iter().map(|row| row.entries.clone()).collect();
+    Echelon::of(entries, columns, MARGIN * ZERO).rank() == rows.len()
 }
 
 /// The rows of `Phi_y`, scaled; empty where the constraint was removed.

@@ -217,29 +217,33 @@ impl Draft {
         user: &str,
     ) -> Option<usize> {
         let found = self.names.get(name).copied();
-        let of_broken_blade = name
-            .split_once('/')
-            .is_some_and(|(blade, _)| self.broken_blades.contains(blade));
-        let known = self.names.keys().map(String::as_str);
-        match nearest_name(name, known).filter(|_| found.is_none()) {
-            // The node that is likely meant has its user.
-            Some(meant) => self.used.extend(self.names[meant].node),
-            None if found.is_none() => self.loose_ends = true,
-            None => {}
-        }
-        if found.is_none() && !of_broken_blade {
-            let problem = InputProblem::UnknownName {
-                kind: "node",
-                name: name.to_owned(),
-                user: user.to_owned(),
-                known: self.names.keys().cloned().collect(),
-            };
-            table.note(key, &problem);
+        if found.is_none() {
+            self.note_unknown_node(name, table, key, user);
         }
         let node = found.and_then(|named| named.node);
         self.used.extend(node);
         self.broken |= node.is_none();
         node
+    }
+
+    fn note_unknown_node(&mut self, name: &str, table: &Table<'_>, key: &str, user: &str) {
+        let known = self.names.keys().map(String::as_str);
+        match nearest_name(name, known) {
+            // The node that is likely meant has its user.
+            Some(meant) => self.used.extend(self.names[meant].node),
+            None => self.loose_ends = true,
+        }
+        let blade = name.split_once('/').map(|(blade, _)| blade);
+        if blade.is_some_and(|blade| self.broken_blades.contains(blade)) {
+            return;
+        }
+        let problem = InputProblem::UnknownName {
+            kind: "node",
+            name: name.to_owned(),
+            user: user.to_owned(),
+            known: self.names.keys().cloned().collect(),
+        };
+        table.note(key, &problem);
     }
 
     /// Notes that something uses a node.
