@@ -36,15 +36,23 @@ impl std::fmt::Debug for Meter<'_> {
 /// A residual or correction so far below its limit is nothing but round-off.
 const ROUND_OFF: f64 = 1e-3;
 
+/// What one correction leaves must be so far below the limit for it to be the only one.
+const FAR_BELOW: f64 = 1e-2;
+
 /// A residual that falls by less has reached what round-off leaves of it.
 const STAGNATION: f64 = 0.5;
 
-/// A kept Jacobian is computed anew when the corrections shrink by less.
-const SLOW: f64 = 0.3;
+/// A kept Jacobian is computed anew when corrections or residuals shrink by less: a new one
+/// costs as much as two or three corrections.
+const SLOW: f64 = 0.1;
 
 /// A kept Jacobian is computed anew after so many corrections in a step: as many as one
 /// costs.
-const USES: usize = 5;
+const USES: usize = 4;
+
+/// Unknowns and equations of other scales shrink by this times what the measured ones do, or
+/// less.
+const BESIDE: f64 = 1000.0;
 
 /// A kept Jacobian is computed anew when the weights of the formula times the step have
 /// changed by more: the corrections would shrink by no more than this.
@@ -184,7 +192,7 @@ impl Corrector {
                 continue;
             }
             self.apply(dae, &weights);
-            if size <= ROUND_OFF * limits.correction {
+            if size <= ROUND_OFF * limits.correction || self.leaves_round_off(limits) {
                 return Ok(self.history.len());
             }
         }
@@ -253,25 +261,51 @@ impl Corrector {
         }
     }
 
+    /// What the last correction has left of the residual; `None` before the first.
+    fn fallen(&self) -> Option<f64> {
+        let last = self.history[self.first..].last()?;
+        Some(self.worst.relative / last.worst.relative)
+    }
+
     /// Whether the last correction was the last one that is needed.
     ///
-    /// Corrections that shrink by theta leave theta / (1 - theta) of the last one; full
-    /// Newton leaves less. Where stiffness is high the residual has a floor of round-off
-    /// above its limit: then a small correction is enough.
+    /// Corrections that shrink by theta leave theta / (1 - theta) of the last one; Newton's
+    /// method leaves less. After the first one theta is that of the residual, with a margin.
+    /// Where stiffness is high the residual has a floor of round-off above its limit: then a
+    /// small correction is enough.
     fn is_settled(&self, limits: &StepLimits) -> bool {
         let Some(last) = self.history[self.first..].last() else {
             return false;
         };
-        let left = match self.shrinking() {
-            Some(theta) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
-            Some(_) => f64::INFINITY,
-            None => last.correction,
+        let left = match (self.shrinking(), self.fallen()) {
+            (Some(theta), _) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
+            (Some(_), _) => f64::INFINITY,
+            (None, Some(fallen)) => (BESIDE * fallen).min(1.0) * last.correction / FAR_BELOW,
+            (None, None) => last.correction,
         };
         let worst = self.worst.relative;
         let is_at_floor = worst >= STAGNATION * last.worst.relative;
         worst <= ROUND_OFF * limits.residual
             || worst <= limits.residual && left <= limits.correction
             || is_at_floor && last.correction <= limits.correction
+    }
+
+    /// Whether nothing but round-off is left after the last correction, which has been applied:
+    /// its residual needs no look.
+    ///
+    /// With r the residual before it, c its size and theta the larger of what the corrections and
+    /// the residuals have shrunk by, `1000 theta c` and `1000 theta r` are left.
+    fn leaves_round_off(&self, limits: &StepLimits) -> bool {
+        let (Some(last), Some(shrinking)) = (self.history.last(), self.shrinking()) else {
+            return false;
+        };
+        let [.., before, _] = &self.history[self.first..] else {
+            return false;
+        };
+        let fallen = last.worst.relative / before.worst.relative;
+        let theta = BESIDE * shrinking.max(fallen);
+        let [correction, residual] = [last.correction, last.worst.relative].map(|of| theta * of);
+        correction <= ROUND_OFF * limits.correction && residual <= ROUND_OFF * limits.residual
     }
 
     fn is_due(&self, weights: &[[f64; STAGES]; STAGES], limits: &StepLimits) -> bool {
@@ -281,8 +315,10 @@ impl Corrector {
         let all = || kept.weights.iter().flatten().zip(weights.iter().flatten());
         let most = all().fold(0.0_f64, |most, (kept, _)| most.max(kept.abs()));
         let has_changed = all().any(|(kept, now)| (kept - now).abs() > CHANGED * most);
-        let is_slow = self.shrinking().is_some_and(|theta| theta > SLOW);
-        limits.jacobians == Jacobians::Full || has_changed || is_slow || kept.uses >= USES
+        let is_early = limits.jacobians == Jacobians::Full && !kept.is_of_this_step;
+        let ratios = [self.shrinking(), self.fallen()];
+        let is_slow = ratios.into_iter().flatten().any(|ratio| !(ratio <= SLOW));
+        is_early || has_changed || is_slow || kept.uses >= USES
     }
 
     /// Residuals and derivatives of all stages in one evaluation.
