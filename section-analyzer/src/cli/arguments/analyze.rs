@@ -72,6 +72,9 @@ pub(in crate::cli) struct AnalyzeArguments {
     /// Solve sections even if nothing has changed since the last run
     #[arg(long)]
     pub force: bool,
+    /// Draw no figures; those of an earlier run go
+    #[arg(long)]
+    pub no_figures: bool,
     /// Derivatives of stiffness, mass and centers with respect to every constant of the
     /// materials and the fiber and plane angle of every region
     #[arg(long)]
