@@ -105,3 +105,17 @@ fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
         code => Err(Stop::Told(code)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The id of the build is a SHA-256, made by the build script.
+    #[test]
+    fn the_program_is_told_by_version_and_build() {
+        let (version, build) = PROGRAM.split_once(' ').unwrap();
+        assert_eq!(version, env!("CARGO_PKG_VERSION"));
+        assert_eq!(build.len(), 64);
+        assert!(build.bytes().all(|digit| digit.is_ascii_hexdigit()));
+    }
+}

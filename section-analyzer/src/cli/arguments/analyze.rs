@@ -37,7 +37,7 @@ and this program are the same as they were: NAME.analysis.json holds their finge
 pub(super) const ANALYZE_EXAMPLE: &str = "\
 Examples:
   section-analyzer analyze blade/root.section.toml --out blade/results
-  section-analyzer analyze blade/*.section.toml --threads 2
+  section-analyzer analyze blade/*.section.toml --threads 2 --no-figures
   section-analyzer analyze box.section.toml --sensitivity --sensitivity-nodes 12,40
   section-analyzer analyze patch.section.toml --open sensor
 
