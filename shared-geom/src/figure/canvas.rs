@@ -12,7 +12,7 @@ use plotters::style::{
     BLACK, Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, TextStyle,
 };
 
-use super::shade::{ValueTriangle, shade};
+use super::shade::{ColorTable, ValueTriangle, shade};
 use super::sheet::Sheet;
 use super::{FONT, FigureProblem, raster};
 
@@ -227,9 +227,10 @@ impl<B: DrawingBackend> Canvas<B> {
                 .try_for_each(|triangle| self.polygon(&triangle.corners, color(triangle.mean())));
         };
         let sheet = &mut sheet.borrow_mut();
+        let colors = ColorTable::new(triangles, |value| bytes(color(value)));
         for triangle in triangles {
             let triangle = triangle.scaled(f64::from(self.scale));
-            shade(sheet, &triangle, |value| bytes(color(value)));
+            shade(sheet, &triangle, |value| colors.of(value));
         }
         Ok(())
     }

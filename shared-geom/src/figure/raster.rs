@@ -13,6 +13,9 @@ pub(super) struct Span {
     pub end: i32,
 }
 
+/// Corners of a polygon that is drawn without taking memory.
+const FEW: usize = 8;
+
 /// Calls `draw` with the spans of pixels (x from the left, y down; the center of pixel
 /// (0, 0) is at (1/2, 1/2)) inside a polygon by the even-odd rule, within `width` by
 /// `height`, row by row.
@@ -25,26 +28,35 @@ pub(super) fn each_span(corners: &[[f64; 2]], width: u32, height: u32, mut draw:
         (low, high) = (low.min(corner[1]), high.max(corner[1]));
     }
     let (first, last) = (first_center(low, height), first_center(high, height));
-    let mut crossings = Vec::with_capacity(corners.len());
+    // of few corners on the stack: most polygons are pieces of cells
+    let (mut few, mut many) = ([0.0; FEW], Vec::new());
+    let crossings = match corners.len() {
+        ..=FEW => &mut few[..],
+        count => {
+            many.resize(count, 0.0);
+            &mut many[..]
+        }
+    };
     for row in first..last {
         let y = f64::from(row) + 0.5;
-        crossings.clear();
+        let mut count = 0;
         let mut a = corners[corners.len() - 1];
         for &b in corners {
             if (a[1] <= y) != (b[1] <= y) {
                 // Of both directions of a side the same end comes first, so that
                 // neighbors find the same crossing to the last digit.
                 let (a, b) = if a[1] < b[1] { (a, b) } else { (b, a) };
-                crossings.push(a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+                crossings[count] = a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+                count += 1;
             }
             a = b;
         }
-        match &mut crossings[..] {
-            [a, b] if *a > *b => std::mem::swap(a, b),
-            [_, _] => {}
-            more => more.sort_by(f64::total_cmp),
+        let found = &mut crossings[..count];
+        match found {
+            [a, b] if *a <= *b => {}
+            _ => found.sort_unstable_by(f64::total_cmp),
         }
-        for pair in crossings.chunks_exact(2) {
+        for pair in found.chunks_exact(2) {
             let (start, end) = (first_center(pair[0], width), first_center(pair[1], width));
             if start < end {
                 draw(Span { row, start, end });

@@ -43,6 +43,46 @@ impl ValueTriangle {
     }
 }
 
+/// Colors of values in equal steps, small against those that can be told apart.
+#[derive(Debug)]
+pub(super) struct ColorTable {
+    low: f64,
+    /// Steps in a unit of the values.
+    density: f64,
+    colors: Vec<[u8; 3]>,
+}
+
+impl ColorTable {
+    const STEPS: usize = 4096;
+
+    /// The colors `color(value)` of all values in `triangles`.
+    pub fn new(triangles: &[ValueTriangle], color: impl Fn(f64) -> [u8; 3]) -> Self {
+        let values = triangles.iter().flat_map(|triangle| triangle.values);
+        let none = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = values
+            .filter(|value| value.is_finite())
+            .fold(none, |(low, high), value| (low.min(value), high.max(value)));
+        let step = (high - low) / Self::STEPS as f64;
+        // one value, or none, has one color
+        let (density, last) = match step > 0.0 && (1.0 / step).is_finite() {
+            true => (1.0 / step, Self::STEPS),
+            false => (0.0, 0),
+        };
+        let colors = (0..=last).map(|k| color(low + step * k as f64));
+        Self {
+            low,
+            density,
+            colors: colors.collect(),
+        }
+    }
+
+    /// The color of a value of the triangles.
+    pub fn of(&self, value: f64) -> [u8; 3] {
+        let place = ((value - self.low) * self.density + 0.5) as usize;
+        self.colors[place.min(self.colors.len() - 1)]
+    }
+}
+
 /// Puts a triangle with the colors `color(value)` over what is on the sheet
 /// [sheet pixels]; one with values that are no numbers is left out.
 pub(super) fn shade(sheet: &mut Sheet, triangle: &ValueTriangle, color: impl Fn(f64) -> [u8; 3]) {
@@ -103,6 +143,25 @@ mod tests {
         let pixels = sheet.averaged();
         assert_eq!(pixels[..3], [2; 3]);
         assert_eq!(pixels[pixels.len() - 3..], [255; 3]);
+    }
+
+    /// The color that is a thousandth of the range is that to a step of the table.
+    #[test]
+    fn tables_have_the_colors_of_their_values() {
+        let of = |values| ValueTriangle {
+            corners: [[0.0; 2]; 3],
+            values,
+        };
+        let color = |value: f64| [(1e-10 * value) as u8, 0, 0];
+        let triangles = [of([1e11, f64::NAN, 2e11]), of([2.5e12, 0.0, 3e11])];
+        let table = ColorTable::new(&triangles, color);
+        for k in 0..=250 {
+            let value = 1e10 * (f64::from(k) + 0.5);
+            assert_eq!(table.of(value)[0], k.min(250) as u8, "{k}");
+        }
+        let one = ColorTable::new(&[of([7e10; 3])], color);
+        assert_eq!((one.of(7e10), one.colors.len()), ([7, 0, 0], 1));
+        assert_eq!(ColorTable::new(&[], color).colors.len(), 1);
     }
 
     #[test]

@@ -142,14 +142,16 @@ impl Sheet {
 }
 
 /// The mean colors of two pixels by two of these rows.
-fn average(mean: &mut [u8], rows: [&[Pixel; SIDE]; OVERSAMPLING as usize]) {
-    let pairs = rows.map(|row| row.as_chunks::<{ OVERSAMPLING as usize }>().0);
+fn average(mean: &mut [u8], [above, below]: [&[Pixel; SIDE]; OVERSAMPLING as usize]) {
+    let mut sums = [0_u16; CHANNELS * SIDE];
+    let rows = above.as_flattened().iter().zip(below.as_flattened());
+    for (sum, (above, below)) in sums.iter_mut().zip(rows) {
+        *sum = u16::from(*above) + u16::from(*below);
+    }
     let pixels = mean.as_chunks_mut::<CHANNELS>().0.iter_mut();
-    for ((pixel, above), below) in pixels.zip(pairs[0]).zip(pairs[1]) {
-        for (channel, value) in pixel.iter_mut().enumerate() {
-            let four = [above[0], above[1], below[0], below[1]];
-            let sum: u16 = four.map(|pixel| u16::from(pixel[channel])).iter().sum();
-            *value = (sum / (OVERSAMPLING * OVERSAMPLING) as u16) as u8;
+    for (pixel, pair) in pixels.zip(sums.as_chunks::<{ 2 * CHANNELS }>().0) {
+        for channel in 0..CHANNELS {
+            pixel[channel] = ((pair[channel] + pair[channel + CHANNELS]) / 4) as u8;
         }
     }
 }
