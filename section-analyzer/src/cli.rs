@@ -94,7 +94,12 @@ fn dispatch(
     match arguments.command {
         Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),
         Command::Check { file, out } => check::check_file(&file, out, terminal),
-        Command::Stress { file, load, out } => stress::recover_file(&file, &load, out, terminal),
+        Command::Stress {
+            file,
+            load,
+            out,
+            no_figures,
+        } => stress::recover_file(&file, &load, (out, !no_figures), terminal),
         Command::Matrices { file, out } => matrices::analyze_file(&file, out, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
         Command::Report(arguments) => report::report_files(&arguments, terminal),

@@ -3,6 +3,7 @@
 
 mod areas;
 mod blade_section;
+mod cell_pieces;
 mod comparison;
 mod distributed;
 mod electric;

@@ -4,14 +4,17 @@
 //! or SVG file, by the ending of the file's name. Lengths are figure pixels: a
 //! figure [`WIDTH`] pixels wide is meant for the width of a text page, where
 //! [`TEXT`] pixels are the size of the page's own letters. PNG files are drawn
-//! several times larger and averaged, because the bitmap backend itself
-//! leaves the edges of circles and polygons jagged.
+//! twice as large and averaged, so that edges are not jagged.
 
+use std::cell::RefCell;
 use std::ffi::OsStr;
+use std::fs::File;
+use std::io::BufWriter;
 use std::path::Path;
+use std::rc::Rc;
 use std::sync::OnceLock;
 
-use plotters::backend::{BitMapBackend, DrawingBackend, SVGBackend};
+use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::drawing::{DrawingAreaErrorKind, IntoDrawingArea};
 use plotters::style::{FontStyle, WHITE, register_font};
 
@@ -21,6 +24,7 @@ mod canvas;
 mod color;
 mod raster;
 mod shade;
+mod sheet;
 mod tick;
 
 pub use canvas::{Anchor, Canvas, Label};
@@ -29,6 +33,7 @@ pub use shade::ValueTriangle;
 pub use tick::{Ticks, tick_label};
 
 use canvas::Medium;
+use sheet::{OVERSAMPLING, Sheet, SheetBackend};
 
 /// Name under which the embedded font is registered.
 pub const FONT: &str = "sans-serif";
@@ -36,8 +41,6 @@ pub const FONT: &str = "sans-serif";
 pub const WIDTH: u32 = 1800;
 /// Size of the letters of a figure of that width \[figure pixels\].
 pub const TEXT: f64 = 36.0;
-/// Backend pixels in one figure pixel, along each side.
-const OVERSAMPLING: u32 = 2;
 
 /// Something that can be drawn on every backend.
 pub trait Drawing {
@@ -139,42 +142,30 @@ fn unwritable(path: &Path, reason: impl ToString) -> FigureProblem {
 }
 
 fn save_png(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(), FigureProblem> {
-    let large = (size.0 * OVERSAMPLING, size.1 * OVERSAMPLING);
-    let mut pixels = vec![0; 3 * large.0 as usize * large.1 as usize];
-    {
-        let area = BitMapBackend::with_buffer(&mut pixels, large).into_drawing_area();
-        area.fill(&WHITE)?;
-        let canvas = Canvas::new(area, OVERSAMPLING, Medium::Bitmap);
-        drawing.draw(&canvas)?;
-        canvas.area().present()?;
-    }
-    let mean = averaged(&pixels, size);
-    let mut image = BitMapBackend::new(path, size);
-    let written = image
-        .blit_bitmap((0, 0), size, &mean)
-        .and_then(|()| image.present());
-    written.map_err(|error| unwritable(path, error))
+    let sheet = Rc::new(RefCell::new(Sheet::new(size)));
+    let area = SheetBackend(Rc::clone(&sheet)).into_drawing_area();
+    let medium = Medium::Bitmap(Rc::clone(&sheet));
+    drawing.draw(&Canvas::new(area, OVERSAMPLING, medium))?;
+    let pixels = sheet.borrow().averaged();
+    write_png(path, size, &pixels).map_err(|error| unwritable(path, error))
 }
 
-/// The mean color of each square of [`OVERSAMPLING`] pixels; `size` is that of
-/// the result, rows of red, green, blue.
-fn averaged(pixels: &[u8], (width, height): (u32, u32)) -> Vec<u8> {
-    let factor = OVERSAMPLING as usize;
-    let (width, height) = (width as usize, height as usize);
-    let row_length = 3 * factor * width;
-    let mut mean = Vec::with_capacity(3 * width * height);
-    for rows in pixels.chunks_exact(factor * row_length) {
-        for x in 0..width {
-            for channel in 0..3 {
-                let first = 3 * factor * x + channel;
-                let square = (0..factor * factor)
-                    .map(|k| rows[(k / factor) * row_length + first + 3 * (k % factor)]);
-                let sum: u32 = square.map(u32::from).sum();
-                mean.push((sum / (OVERSAMPLING * OVERSAMPLING)) as u8);
-            }
-        }
-    }
-    mean
+/// Writes rows of red, green, blue.
+///
+/// Pixels of a figure are mostly as those above or beside them, which one filter finds
+/// without trying all of them.
+fn write_png(
+    path: &Path,
+    (width, height): (u32, u32),
+    pixels: &[u8],
+) -> Result<(), png::EncodingError> {
+    let mut encoder = png::Encoder::new(BufWriter::new(File::create(path)?), width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::FilterType::Paeth);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    writer.finish()
 }
 
 /// Coordinates of the backend are whole numbers: an SVG is drawn on a finer grid

@@ -79,10 +79,15 @@ fn is_device(_: &std::fs::Metadata) -> bool {
 /// # Errors
 /// [`OutputProblem::File`].
 pub fn write_text(file: &Path, text: &str) -> Result<(), OutputProblem> {
-    std::fs::write(file, text).map_err(|error| OutputProblem::File {
+    std::fs::write(file, text).map_err(|error| unwritable(file, &error))
+}
+
+/// What tells that `file` cannot be written, for the reason `error`.
+pub(crate) fn unwritable(file: &Path, error: &io::Error) -> OutputProblem {
+    OutputProblem::File {
         file: file.display().to_string(),
-        reason: words(&error),
-    })
+        reason: words(error),
+    }
 }
 
 /// Draws a figure of `size` (width, height) in figure pixels into a file.

@@ -1,6 +1,13 @@
 //! Fingerprints of inputs, so that results can be traced to what they were made from.
 
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
 use sha2::{Digest, Sha256};
+
+/// Size of the pieces in which a file is read [byte].
+const PIECE: usize = 1 << 16;
 
 /// The SHA-256 of all `parts`, as `sha256:` and 64 hexadecimal digits.
 ///
@@ -18,6 +25,24 @@ pub fn sha256_of(parts: &[&[u8]]) -> String {
 /// The SHA-256 of the content of a file, `sha256:` and the digits of `sha256sum`.
 pub fn sha256_of_content(bytes: &[u8]) -> String {
     named(&Sha256::digest(bytes))
+}
+
+/// As [`sha256_of_content`], of the file at `path`, which is read piece by piece.
+///
+/// # Errors
+/// Those of the system.
+pub fn sha256_of_file(path: &Path) -> io::Result<String> {
+    let mut file = File::open(path)?;
+    let mut hasher = Sha256::new();
+    let mut piece = vec![0; PIECE];
+    loop {
+        match file.read(&mut piece) {
+            Ok(0) => return Ok(named(&hasher.finalize())),
+            Ok(count) => hasher.update(&piece[..count]),
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
+    }
 }
 
 fn named(digits: &[u8]) -> String {
@@ -45,6 +70,19 @@ mod tests {
             sha256_of_content(b"abc"),
             "sha256:ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
         );
+    }
+
+    /// A file of several pieces, the last one not full.
+    #[test]
+    fn hash_of_a_file_does_not_depend_on_its_pieces() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        for count in [0, PIECE, 2 * PIECE + 7] {
+            let content: Vec<u8> = (0..count).map(|k| (k % 251) as u8).collect();
+            std::fs::write(&path, &content).unwrap();
+            assert_eq!(sha256_of_file(&path).unwrap(), sha256_of_content(&content));
+        }
+        assert!(sha256_of_file(&folder.path().join("none")).is_err());
     }
 
     #[test]

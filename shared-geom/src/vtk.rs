@@ -8,6 +8,8 @@
 //! - W. Schroeder, K. Martin, B. Lorensen, "The Visualization Toolkit", 4th ed.
 //!   (2006): cell types, order of nodes, XML files.
 
+mod array;
+mod escape;
 mod grid;
 mod series;
 

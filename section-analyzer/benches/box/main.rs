@@ -5,10 +5,11 @@
 //! The mesh is `tests/reference/sections/box_CUS_45_m45.v41.msh` with each triangle
 //! cut into r x r: 2 000, 7 600 and 46 000 nodes for r = 1, 2, 5.
 
-use std::fs;
+use std::ffi::OsString;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use std::{fs, io};
 
 use cpu_time::ThreadTime;
 use criterion::{BenchmarkId, Criterion};
@@ -16,7 +17,6 @@ use nalgebra::{Matrix3, Matrix3x6, Matrix6xX, Vector3};
 use peak_alloc::PeakAlloc;
 use section_analyzer::analysis::{Analysis, analyze};
 use section_analyzer::assembly::{Domain, Pattern, SectionMatrices};
-use section_analyzer::input;
 use section_analyzer::material::ElectricLaw;
 use section_analyzer::recovery::{LoadCase, Recoverer};
 use section_analyzer::section::{Circuit, Electrode, ElectrodeShape, Section};
@@ -24,6 +24,7 @@ use section_analyzer::sensitivity::{Cells, Parameter};
 use section_analyzer::solve::{
     CentralSolution, CentralSystems, Factor, Pins, elimination_order, in_elimination_order,
 };
+use section_analyzer::{cli, input};
 use shared_geom::gmsh;
 use shared_geom::mesh::Mesh;
 
@@ -332,10 +333,38 @@ fn ratios(files: &[PathBuf]) {
             of_angles / analyze
         );
     }
+    commands(files, &times);
     if let [first, .., last] = &times[..] {
         let growth = (last.total.as_secs_f64() / first.total.as_secs_f64()).ln()
             / (last.nodes as f64 / first.nodes as f64).ln();
         println!("\ngrowth exponent of the total: {growth:.2}");
+    }
+}
+
+/// Prints the times of the whole command `analyze`, files written, over that of reading and
+/// analyzing.
+fn commands(files: &[PathBuf], times: &[Times]) {
+    println!("\n nodes | analyze --no-figures  with figures [ms]  both over total");
+    for (file, t) in files.iter().zip(times) {
+        let of = |option: &str| {
+            let words = ["section-analyzer", "analyze", "--force", option];
+            let words = words
+                .iter()
+                .filter(|word| !word.is_empty())
+                .map(OsString::from);
+            let words: Vec<_> = words.chain([file.into()]).collect();
+            shortest(|| cli::run(words.clone(), &mut io::sink(), &mut io::sink()))
+        };
+        let [bare, drawn, total] =
+            [of("--no-figures"), of(""), t.total].map(|time| time.as_secs_f64());
+        println!(
+            "{:6} | {:20.1} {:18.1} {:9.2} {:.2}",
+            t.nodes,
+            bare * 1e3,
+            drawn * 1e3,
+            bare / total,
+            drawn / total
+        );
     }
 }
 

@@ -2,8 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use shared_geom::hash::sha256_of_content;
-
 use super::arguments::AnalyzeArguments;
 use super::{DONE, Stop, Terminal, WRONG_INPUT, list};
 use crate::input;
@@ -18,6 +16,14 @@ mod progress;
 mod sensitivity;
 
 use one::{Outcome, analyze_one};
+
+/// What tells this program from others: its version and the id of its build, since two
+/// builds of one version may differ.
+const PROGRAM: &str = concat!(
+    env!("CARGO_PKG_VERSION"),
+    " ",
+    env!("SECTION_ANALYZER_BUILD")
+);
 
 /// A section to analyze, and where its results go.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,8 +51,8 @@ impl Job {
 struct Run {
     /// Whether sections are solved even if nothing has changed.
     force: bool,
-    /// Fingerprint of the program; without one every section is solved.
-    program: Option<String>,
+    /// Whether figures are drawn.
+    figures: bool,
     /// Numbers of the nodes whose coordinates are parameters of the derivatives; `None`
     /// where no derivatives are asked for.
     sensitivity: Option<Vec<u64>>,
@@ -74,7 +80,7 @@ pub(super) fn analyze_files(
     }
     let run = Run {
         force: arguments.force,
-        program: program(),
+        figures: !arguments.no_figures,
         sensitivity: arguments
             .sensitivity
             .then(|| arguments.sensitivity_nodes.clone()),
@@ -100,10 +106,16 @@ fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     }
 }
 
-/// Fingerprint of this program: its version and its file, since two builds of one
-/// version may differ.
-fn program() -> Option<String> {
-    let file = std::fs::read(std::env::current_exe().ok()?).ok()?;
-    let version = env!("CARGO_PKG_VERSION");
-    Some(format!("{version} {}", sha256_of_content(&file)))
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The id of the build is a SHA-256, made by the build script.
+    #[test]
+    fn the_program_is_told_by_version_and_build() {
+        let (version, build) = PROGRAM.split_once(' ').unwrap();
+        assert_eq!(version, env!("CARGO_PKG_VERSION"));
+        assert_eq!(build.len(), 64);
+        assert!(build.bytes().all(|digit| digit.is_ascii_hexdigit()));
+    }
 }

@@ -193,6 +193,9 @@ pub(super) enum Command {
         /// Folder for the results; the folder "results" beside FILE if not given
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
+        /// Draw no figures; those of an earlier run go
+        #[arg(long)]
+        no_figures: bool,
     },
     #[command(about = first_line(MATRICES), long_about = MATRICES, after_help = MATRICES_EXAMPLE)]
     Matrices {

@@ -17,13 +17,6 @@ pub(super) fn draw_section(
         section, summary, ..
     } = input;
     let files = results.files().clone();
-    let mesh = MeshPlot::new(section, summary, centers);
-    results.figure(files.mesh(), mesh.size(), &mesh)?;
-    match FiberPlot::new(section, summary) {
-        Some(fibers) => results.figure(files.fibers(), fibers.size(), &fibers),
-        None => {
-            files.remove_fibers();
-            Ok(())
-        }
-    }
+    results.figure(files.mesh(), || MeshPlot::new(section, summary, centers))?;
+    results.figure_where(files.fibers(), || FiberPlot::new(section, summary))
 }

@@ -34,11 +34,11 @@ impl Explain for NoLoad {
 }
 
 /// Analyzes a section and writes its stresses under the loads of the command line, or
-/// else under those of its file.
+/// else under those of its file, into the folder `out`, with or without `figures`.
 pub(super) fn recover_file(
     file: &Path,
     load: &LoadArguments,
-    out: Option<PathBuf>,
+    (out, figures): (Option<PathBuf>, bool),
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
     let mut input = terminal.read(file)?;
@@ -62,7 +62,7 @@ pub(super) fn recover_file(
         terminal.tell_text(&problem.to_string(), NOT_REACHED)
     })?;
 
-    let mut results = ResultWriter::beside(files);
+    let mut results = ResultWriter::beside(files).with_figures(figures);
     let mut stresses = Stresses::default();
     let written = stresses.write(&input, &solved, &mut results);
     write!(terminal.out, "{}", stresses.reports.join("\n"))?;
@@ -209,8 +209,12 @@ fn write_fields(
     let failure = failure_indices_of_cells(section, limits, recovery);
     let fields = stress_vtu(section, solution, recovery, &failure);
     results.add(files.stress_field(load), |file| fields.write(file))?;
+    if !results.draws() {
+        // those of an earlier run went with its reports
+        return Ok(());
+    }
     for (word, plot) in stress_plots(section, summary, recovery, &failure) {
-        results.figure(files.stress_figure(load, word), plot.size(), &plot)?;
+        results.figure(files.stress_figure(load, word), || plot)?;
     }
     Ok(())
 }

@@ -17,7 +17,8 @@ use shared_geom::figure::{
 };
 
 use super::figure_parts::{
-    BELOW, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_color_bar, draw_title, fill_cell,
+    BELOW, Figure, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_color_bar, draw_title,
+    fill_cell,
 };
 use super::outline::{Side, SideRole, cell_points, side_points, sides, widths};
 use super::plane::{Extent, INK, Plane, PlotUnit};
@@ -102,12 +103,6 @@ impl<'a> FiberPlot<'a> {
             scale: scale.unwrap_or(90.0),
             flags,
         })
-    }
-
-    /// Width and height \[figure pixels\].
-    pub fn size(&self) -> (u32, u32) {
-        let height = TOP + self.plane.frame[1] + BELOW + LEGEND;
-        (WIDTH, height.ceil() as u32)
     }
 
     fn color(&self, cell: usize) -> RGBColor {
@@ -230,6 +225,13 @@ impl Drawing for FiberPlot<'_> {
         self.draw_cells(canvas)?;
         self.draw_flags(canvas)?;
         self.draw_legend(canvas)
+    }
+}
+
+impl Figure for FiberPlot<'_> {
+    fn size(&self) -> (u32, u32) {
+        let height = TOP + self.plane.frame[1] + BELOW + LEGEND;
+        (WIDTH, height.ceil() as u32)
     }
 }
 

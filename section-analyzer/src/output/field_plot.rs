@@ -4,7 +4,7 @@ use plotters::backend::DrawingBackend;
 use plotters::style::{BLACK, WHITE};
 use shared_geom::figure::{Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, tick_label};
 
-use super::figure_parts::{LEFT, TITLE, draw_title};
+use super::figure_parts::{Figure, LEFT, TITLE, draw_title};
 use super::outline::{Side, SideRole, side_points, sides_by, widths};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use super::text::rounded;
@@ -110,12 +110,6 @@ impl<'a> FieldPlot<'a> {
             sides,
             words,
         }
-    }
-
-    /// Width and height \[figure pixels\].
-    pub fn size(&self) -> (u32, u32) {
-        let height = self.legend() + self.rows() * LINE;
-        (WIDTH, height.ceil() as u32)
     }
 
     /// Lower edge of the frame \[figure pixels\].
@@ -269,6 +263,13 @@ impl Drawing for FieldPlot<'_> {
         let ends = [LEFT, f64::from(WIDTH) - RIGHT];
         self.scale.draw_bar(canvas, ends, top, &self.field.title)?;
         self.draw_legend(canvas)
+    }
+}
+
+impl Figure for FieldPlot<'_> {
+    fn size(&self) -> (u32, u32) {
+        let height = self.legend() + self.rows() * LINE;
+        (WIDTH, height.ceil() as u32)
     }
 }
 

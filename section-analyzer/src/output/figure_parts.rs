@@ -2,7 +2,7 @@
 
 use plotters::backend::DrawingBackend;
 use plotters::style::RGBColor;
-use shared_geom::figure::{Canvas, FigureProblem, Label, TEXT};
+use shared_geom::figure::{Canvas, Drawing, FigureProblem, Label, TEXT};
 
 use super::plane::INK;
 
@@ -26,6 +26,12 @@ pub(super) const TITLE: f64 = 1.15 * TEXT;
 const BOLD: f64 = 1.2;
 /// Pieces of a color bar, each of one color.
 const STEPS: u32 = 256;
+
+/// A drawing that knows how large it is.
+pub trait Figure: Drawing {
+    /// Width and height \[figure pixels\].
+    fn size(&self) -> (u32, u32);
+}
 
 /// The name of the section, cut where it is too long for `room`, and `what` is shown of
 /// it; letters of `size` at `place` [figure pixels].

@@ -119,12 +119,6 @@ impl OutputFiles {
         remove(STRESS_PLOTS.map(|plot| self.stress_figure(load, plot)));
     }
 
-    /// Removes the figure of the fibers of an earlier run, for a section that has
-    /// none.
-    pub fn remove_fibers(&self) {
-        remove([self.fibers()]);
-    }
-
     /// The table of areas by region.
     pub fn areas(&self) -> PathBuf {
         self.path("areas.csv")

@@ -7,7 +7,7 @@ use shared_geom::figure::{
 };
 
 use super::figure_parts::{
-    BELOW, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_title, fill_cell,
+    BELOW, Figure, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_title, fill_cell,
 };
 use super::outline::{Side, SideRole, cell_points, side_points, sides, widths};
 use super::plane::{Extent, INK, Plane, PlotUnit};
@@ -94,13 +94,6 @@ impl<'a> MeshPlot<'a> {
             color_of,
             colors,
         }
-    }
-
-    /// Width and height \[figure pixels\].
-    pub fn size(&self) -> (u32, u32) {
-        let rows = self.legend_names().len().max(self.marks.len()) as f64;
-        let height = TOP + self.plane.frame[1] + BELOW + LINE * rows + 0.5 * LINE;
-        (WIDTH, height.ceil() as u32)
     }
 
     /// Names of the materials that cells are made of, in the order of their colors.
@@ -228,6 +221,14 @@ impl Drawing for MeshPlot<'_> {
         self.draw_cells(canvas)?;
         self.draw_marks(canvas)?;
         self.draw_legend(canvas)
+    }
+}
+
+impl Figure for MeshPlot<'_> {
+    fn size(&self) -> (u32, u32) {
+        let rows = self.legend_names().len().max(self.marks.len()) as f64;
+        let height = TOP + self.plane.frame[1] + BELOW + LINE * rows + 0.5 * LINE;
+        (WIDTH, height.ceil() as u32)
     }
 }
 

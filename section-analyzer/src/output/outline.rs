@@ -1,11 +1,9 @@
 //! Sides of cells as lines that can be drawn: curved sides curved, boundaries told
 //! from the sides between cells.
 
-use std::collections::HashMap;
-
 use shared_geom::lagrange::line3;
 
-use crate::mesh::{SectionCell, distance, polygon_area};
+use crate::mesh::{SectionCell, polygon_area};
 use crate::section::Section;
 
 /// Pieces in which a curved side is drawn.
@@ -47,11 +45,10 @@ pub(super) fn sides(section: &Section) -> Vec<Side> {
 /// The same with cells parted by the number that `part` gives each.
 pub(super) fn sides_by(cells: &[SectionCell], part: impl Fn(usize) -> usize) -> Vec<Side> {
     let mut sides: Vec<Side> = Vec::new();
-    let mut known: HashMap<[u32; 2], usize> = HashMap::new();
+    let mut known = KnownSides::default();
     for (index, cell) in cells.iter().enumerate() {
         for (local, (ends, middle)) in cell.kind.sides(cell.nodes()).enumerate() {
-            let key = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-            if let Some(&side) = known.get(&key) {
+            if let Some(side) = known.find_or_add(ends) {
                 let side = &mut sides[side];
                 side.other = Some(index);
                 side.role = match (part(side.cell), part(index)) {
@@ -60,7 +57,6 @@ pub(super) fn sides_by(cells: &[SectionCell], part: impl Fn(usize) -> usize) -> 
                 };
                 continue;
             }
-            known.insert(key, sides.len());
             sides.push(Side {
                 ends,
                 middle,
@@ -74,6 +70,38 @@ pub(super) fn sides_by(cells: &[SectionCell], part: impl Fn(usize) -> usize) -> 
     sides
 }
 
+/// Numbers of sides by their ends, counted as they come.
+///
+/// Few sides meet in a node: those of which it is the lower end stand in a list.
+#[derive(Debug, Default)]
+struct KnownSides {
+    /// The last side of each node.
+    last: Vec<Option<usize>>,
+    /// Upper end of each side, and the one before it in its list.
+    entries: Vec<(u32, Option<usize>)>,
+}
+
+impl KnownSides {
+    /// The number of the side between these nodes; `None` for a new one, which is added.
+    fn find_or_add(&mut self, [a, b]: [u32; 2]) -> Option<usize> {
+        let (low, high) = (a.min(b) as usize, a.max(b));
+        if self.last.len() <= low {
+            self.last.resize(low + 1, None);
+        }
+        let mut next = self.last[low];
+        while let Some(side) = next {
+            let (end, before) = self.entries[side];
+            if end == high {
+                return Some(side);
+            }
+            next = before;
+        }
+        let before = self.last[low].replace(self.entries.len());
+        self.entries.push((high, before));
+        None
+    }
+}
+
 /// The points of a side, where `place` puts the nodes: two for a straight one.
 pub(super) fn side_points(
     ends: [u32; 2],
@@ -85,7 +113,7 @@ pub(super) fn side_points(
         return vec![a, b];
     };
     let mean = [0, 1].map(|axis| 0.5 * (a[axis] + b[axis]));
-    if distance(m, mean) <= STRAIGHT * distance(a, b) {
+    if squared(m, mean) <= STRAIGHT * STRAIGHT * squared(a, b) {
         return vec![a, b];
     }
     let point = |piece: usize| {
@@ -131,7 +159,12 @@ pub(super) fn widths(section: &Section, sides: &[Side]) -> (f64, f64) {
 /// Length of a line through these points.
 pub(super) fn length(points: &[[f64; 2]]) -> f64 {
     let pieces = points.windows(2);
-    pieces.map(|pair| distance(pair[0], pair[1])).sum()
+    pieces.map(|pair| squared(pair[0], pair[1]).sqrt()).sum()
+}
+
+/// Square of the distance of two points.
+fn squared(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use shared_geom::files::{OutputProblem, write_text};
-use shared_geom::hash::sha256_of_content;
+use shared_geom::hash::sha256_of_file;
 
 use super::files::OutputFiles;
 
@@ -97,8 +97,7 @@ fn belongs(files: &OutputFiles, name: &str) -> bool {
 }
 
 fn content_of(files: &OutputFiles, name: &str) -> Option<String> {
-    let bytes = std::fs::read(files.folder().join(name)).ok()?;
-    Some(sha256_of_content(&bytes))
+    sha256_of_file(&files.folder().join(name)).ok()
 }
 
 #[cfg(test)]

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use shared_geom::figure::Drawing;
 use shared_geom::files::{OutputProblem, write_figure, write_text};
 
+use super::figure_parts::Figure;
 use super::files::OutputFiles;
 use super::record::AnalysisRecord;
 
@@ -17,6 +17,7 @@ pub struct ResultWriter {
     files: OutputFiles,
     earlier: Vec<String>,
     written: Vec<PathBuf>,
+    draws: bool,
 }
 
 impl ResultWriter {
@@ -30,6 +31,7 @@ impl ResultWriter {
             files,
             earlier,
             written: Vec::new(),
+            draws: true,
         }
     }
 
@@ -39,7 +41,18 @@ impl ResultWriter {
             files,
             earlier: Vec::new(),
             written: Vec::new(),
+            draws: true,
         }
+    }
+
+    /// The same, with figures drawn or left out.
+    pub fn with_figures(self, draws: bool) -> Self {
+        Self { draws, ..self }
+    }
+
+    /// Whether figures are drawn.
+    pub fn draws(&self) -> bool {
+        self.draws
     }
 
     /// Where the files of the section lie.
@@ -55,17 +68,36 @@ impl ResultWriter {
         self.add(file, |file| write_text(file, text))
     }
 
-    /// Draws a figure of `size` (width, height) in figure pixels.
+    /// Draws a figure, which is made only where figures are drawn; elsewhere that of an
+    /// earlier run goes.
     ///
     /// # Errors
     /// [`OutputProblem`].
-    pub fn figure(
+    pub fn figure<F: Figure>(
         &mut self,
         file: PathBuf,
-        size: (u32, u32),
-        drawing: &impl Drawing,
+        figure: impl FnOnce() -> F,
     ) -> Result<(), OutputProblem> {
-        self.add(file, |file| write_figure(file, size, drawing))
+        self.figure_where(file, || Some(figure()))
+    }
+
+    /// As [`ResultWriter::figure`], for a figure that not every section has.
+    ///
+    /// # Errors
+    /// [`OutputProblem`].
+    pub fn figure_where<F: Figure>(
+        &mut self,
+        file: PathBuf,
+        figure: impl FnOnce() -> Option<F>,
+    ) -> Result<(), OutputProblem> {
+        match self.draws.then(figure).flatten() {
+            Some(figure) => self.add(file, |file| write_figure(file, figure.size(), &figure)),
+            None => {
+                // One that does not exist is no problem.
+                let _ = std::fs::remove_file(file);
+                Ok(())
+            }
+        }
     }
 
     /// Notes a file of the section that `write` writes.

@@ -3,14 +3,15 @@
 use nalgebra::DMatrix;
 use plotters::backend::DrawingBackend;
 use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, diverging};
-use shared_geom::mesh::CellKind;
+use shared_geom::figure::{
+    Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, ValueTriangle, WIDTH, diverging,
+};
 use shared_geom::wrench::COMPONENTS;
 
-use super::figure_parts::{THINNEST, draw_color_bar, draw_title, fill_cell};
+use super::cell_pieces::{PIECE, Patterns};
+use super::figure_parts::{Figure, THINNEST, draw_color_bar, draw_title, fill_cell};
 use super::outline::{Side, SideRole, side_points, sides, widths};
 use super::plane::{Extent, INK, Plane};
-use crate::mesh::SectionCell;
 use crate::section::Section;
 use crate::solution::SectionSolution;
 
@@ -29,10 +30,9 @@ const HEADING: f64 = 115.0;
 /// Room for the title of the figure, and for the color bar below the panels.
 const TITLE: f64 = 100.0;
 const BAR: f64 = 220.0;
-/// Size of the smallest pieces of a cell of one color [figure pixels].
-const PIECE: f64 = 5.0;
-/// Pieces along the side of a cell at most.
-const PIECES: usize = 12;
+/// Size of the pieces of a cell that have one color each, where walls are so thin that
+/// their rims are drawn too [figure pixels].
+const FLAT: f64 = 5.0;
 /// Outline of the section before it warps.
 const FAINT: RGBColor = RGBColor(150, 150, 150);
 
@@ -81,13 +81,6 @@ impl<'a> WarpingPlot<'a> {
         }
     }
 
-    /// Width and height \[figure pixels\].
-    pub fn size(&self) -> (u32, u32) {
-        let rows = COMPONENTS.len().div_ceil(self.columns) as f64;
-        let height = TITLE + rows * (HEADING + self.room[1] + GAP) + BAR;
-        (WIDTH, height.ceil() as u32)
-    }
-
     /// Largest warping along x and in the plane, under one unit force.
     fn largest(&self, component: usize) -> [f64; 2] {
         let nodes = 0..self.section.mesh.nodes.len();
@@ -125,44 +118,46 @@ impl<'a> WarpingPlot<'a> {
             ..label
         };
         canvas.text(&panel.words(), [middle, top + 76.0], words)?;
-        for cell in &self.section.mesh.cells {
-            self.draw_cell(canvas, &panel, cell)?;
-        }
+        self.draw_cells(canvas, &panel)?;
         self.draw_outlines(canvas, &panel)
     }
 
-    /// Fills a cell with the color of its axial warping, piece by piece.
-    fn draw_cell<B: DrawingBackend>(
+    /// Fills the cells with the colors of their axial warping.
+    fn draw_cells<B: DrawingBackend>(
         &self,
         canvas: &Canvas<B>,
         panel: &Panel<'_>,
-        cell: &SectionCell,
     ) -> Result<(), FigureProblem> {
-        let length = Extent::of(self.section.mesh.places(cell)).largest() * panel.plane.scale;
-        let pieces = ((length / PIECE).ceil() as usize).clamp(1, PIECES);
         let thin = self.wall * panel.plane.scale < THINNEST;
-        for corners in reference_pieces(cell.kind, pieces) {
-            let points: Vec<_> = corners.iter().map(|at| self.at(panel, cell, *at)).collect();
-            let mean = points.iter().map(|point| point.1).sum::<f64>() / points.len() as f64;
-            let color = diverging(panel.relative(mean));
-            let places = points.iter().map(|point| point.0).collect();
-            fill_cell(canvas, places, color, thin)?;
+        let mut patterns = Patterns::new(if thin { FLAT } else { PIECE });
+        let mut points = Vec::new();
+        let mut triangles = Vec::with_capacity(self.section.mesh.cells.len());
+        for cell in &self.section.mesh.cells {
+            // place on the figure, and relative warping
+            let mut nodes = [[0.0; 3]; 9];
+            for (at, &node) in nodes.iter_mut().zip(cell.nodes()) {
+                let [x, y] = panel.plane.place(self.section.mesh.nodes[node as usize]);
+                let axial = self.warping[(3 * node as usize, panel.component)];
+                *at = [x, y, panel.relative(axial)];
+            }
+            let pattern = patterns.of(cell.kind, &nodes, 1);
+            points.clear();
+            points.extend(pattern.at(&nodes));
+            triangles.extend(pattern.triangles.iter().map(|corners| {
+                let corners = corners.map(|corner| points[corner]);
+                ValueTriangle {
+                    corners: corners.map(|[x, y, _]| [x, y]),
+                    values: corners.map(|[_, _, value]| value),
+                }
+            }));
         }
-        Ok(())
-    }
-
-    /// Place on the figure and axial warping at a point of the reference cell.
-    fn at(&self, panel: &Panel<'_>, cell: &SectionCell, [r, s]: [f64; 2]) -> ([f64; 2], f64) {
-        let shape = cell.kind.shape(r, s);
-        let (mut place, mut axial) = ([0.0; 2], 0.0);
-        for (i, &node) in cell.nodes().iter().enumerate() {
-            let node = node as usize;
-            let position = self.section.mesh.nodes[node];
-            place[0] += shape.n[i] * position[0];
-            place[1] += shape.n[i] * position[1];
-            axial += shape.n[i] * self.warping[(3 * node, panel.component)];
+        if !thin {
+            return canvas.shade(&triangles, diverging);
         }
-        (panel.plane.place(place), axial)
+        triangles.iter().try_for_each(|triangle| {
+            let color = diverging(triangle.mean());
+            fill_cell(canvas, triangle.corners.to_vec(), color, true)
+        })
     }
 
     /// The outline before and after the warping in the plane.
@@ -238,6 +233,14 @@ impl Drawing for WarpingPlot<'_> {
     }
 }
 
+impl Figure for WarpingPlot<'_> {
+    fn size(&self) -> (u32, u32) {
+        let rows = COMPONENTS.len().div_ceil(self.columns) as f64;
+        let height = TITLE + rows * (HEADING + self.room[1] + GAP) + BAR;
+        (WIDTH, height.ceil() as u32)
+    }
+}
+
 impl Panel<'_> {
     fn has_axial(&self) -> bool {
         self.largest[0] > NONE * self.largest[1]
@@ -295,52 +298,9 @@ fn layout(extent: &Extent) -> (usize, [f64; 2]) {
     best.unwrap_or_else(|| fit(3))
 }
 
-/// The corners of `n` by `n` pieces of the reference cell.
-fn reference_pieces(kind: CellKind, n: usize) -> Vec<Vec<[f64; 2]>> {
-    let mut pieces = Vec::with_capacity(n * n);
-    let step = 1.0 / n as f64;
-    let is_triangle = kind.corner_count() == 3;
-    let at = |i: usize, j: usize| {
-        let (a, b) = (i as f64 * step, j as f64 * step);
-        if is_triangle {
-            [a, b]
-        } else {
-            [2.0 * a - 1.0, 2.0 * b - 1.0]
-        }
-    };
-    for i in 0..n {
-        for j in 0..n {
-            let corners = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
-            match (is_triangle, i + j + 1) {
-                (true, sum) if sum > n => {}
-                (true, sum) if sum == n => pieces.push(vec![corners[0], corners[1], corners[3]]),
-                _ => pieces.push(corners.to_vec()),
-            }
-        }
-    }
-    pieces
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::polygon_area;
-
-    /// The pieces of a reference cell have its area: 1/2 and 4.
-    #[test]
-    fn pieces_cover_the_reference_cell() {
-        for kind in CellKind::ALL {
-            for n in 1..5 {
-                let pieces = reference_pieces(kind, n);
-                let area: f64 = pieces
-                    .iter()
-                    .map(|corners| polygon_area(corners.iter().copied()))
-                    .sum();
-                let expected = if kind.corner_count() == 3 { 0.5 } else { 4.0 };
-                assert!((area - expected).abs() < 1e-12, "{kind:?} {n} {area}");
-            }
-        }
-    }
 
     #[test]
     fn wide_sections_stand_above_each_other() {

@@ -169,3 +169,71 @@ fn constants_go_with_the_isotropic_material_also_without_a_record() {
     analyze(&place, &[]);
     assert!(!constants.exists());
 }
+
+/// Names of the results, in order.
+fn results(place: &Workplace) -> Vec<String> {
+    let files = std::fs::read_dir(place.path("results")).unwrap();
+    let names = files.map(|file| file.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<_> = names.collect();
+    names.sort();
+    names
+}
+
+/// A run without figures is another run than one with them: each makes its own files
+/// and removes those of the other; all that is no figure is the same to the last bit.
+#[test]
+fn a_run_without_figures_is_another_run() {
+    const BARE: &[&str] = &["--no-figures"];
+    let place = Workplace::with(&[], &[]);
+    analyze(&place, &[]);
+    let drawn = results(&place);
+    let field = place.read("results/a.warping.vtu");
+    let properties = place.read("results/a.properties.json");
+    for name in ["a.mesh.png", "a.warping.png"] {
+        assert!(drawn.iter().any(|found| found == name), "{name}");
+    }
+
+    let bare = analyze(&place, BARE);
+    assert!(
+        !bare.contains(UNCHANGED) && !bare.contains(".png"),
+        "{bare}"
+    );
+    assert!(analyze(&place, BARE).contains(UNCHANGED));
+    let left: Vec<_> = drawn
+        .iter()
+        .filter(|name| !name.ends_with(".png"))
+        .collect();
+    assert_eq!(results(&place).iter().collect::<Vec<_>>(), left);
+    assert_eq!(place.read("results/a.warping.vtu"), field);
+    assert_eq!(place.read("results/a.properties.json"), properties);
+
+    assert!(!is_unchanged(&place));
+    assert!(is_unchanged(&place));
+    assert_eq!(results(&place), drawn);
+}
+
+/// Without the record of the run before nothing tells which figures it drew.
+#[test]
+fn figures_go_without_a_record_too() {
+    let loads = (
+        "plane_angle = 0\n",
+        "plane_angle = 0\n\n[load.tip]\naxial = \"1 N\"\n",
+    );
+    let place = Workplace::with(&[loads], &[]);
+    analyze(&place, &[]);
+    let figures = |names: Vec<String>| {
+        let figures = names.iter().filter(|name| name.ends_with(".png"));
+        figures.count()
+    };
+    assert!(figures(results(&place)) > 3);
+    std::fs::remove_file(place.path("results/a.analysis.json")).unwrap();
+    analyze(&place, &["--no-figures"]);
+    assert_eq!(figures(results(&place)), 0);
+    let stress = |more: &[&str]| {
+        let run = place.run(&[&["stress", "a.section.toml"], more].concat());
+        assert_eq!((run.code, run.err.as_str()), (0, ""));
+        figures(results(&place))
+    };
+    assert!(stress(&[]) > 0);
+    assert_eq!(stress(&["--no-figures"]), 0);
+}

@@ -1,22 +1,26 @@
 //! A canvas in figure pixels, on any backend.
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use plotters::backend::DrawingBackend;
 use plotters::coord::Shift;
 use plotters::drawing::DrawingArea;
-use plotters::element::{BitMapElement, PathElement, Polygon, Rectangle, Text};
+use plotters::element::{PathElement, Polygon, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{
     BLACK, Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, TextStyle,
 };
 
-use super::shade::{Shading, ValueTriangle};
+use super::shade::{ColorTable, ValueTriangle, shade};
+use super::sheet::Sheet;
 use super::{FONT, FigureProblem, raster};
 
 /// How a backend draws.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug)]
 pub(super) enum Medium {
-    /// Pixels: shapes are filled by [`raster`].
-    Bitmap,
+    /// Pixels: shapes are filled by [`raster`], on the sheet behind the backend.
+    Bitmap(Rc<RefCell<Sheet>>),
     /// Shapes as such.
     Vector,
 }
@@ -24,9 +28,9 @@ pub(super) enum Medium {
 impl Medium {
     /// Where the backend puts the baseline of a text below its top, in sizes of the
     /// font. SVG: 0.76 em, where an em is the size over 1.24.
-    fn baseline(self) -> f64 {
+    fn baseline(&self) -> f64 {
         match self {
-            Self::Bitmap => 0.5,
+            Self::Bitmap(_) => 0.5,
             Self::Vector => 0.76 / 1.24,
         }
     }
@@ -147,8 +151,9 @@ impl<B: DrawingBackend> Canvas<B> {
     /// # Errors
     /// [`FigureProblem::Backend`].
     pub fn polygon(&self, corners: &[[f64; 2]], color: RGBColor) -> Result<(), FigureProblem> {
-        if self.medium == Medium::Bitmap {
-            return self.fill(&self.finer(corners), color);
+        if let Medium::Bitmap(sheet) = &self.medium {
+            fill(&mut sheet.borrow_mut(), &self.finer(corners), color);
+            return Ok(());
         }
         let mut corners = self.backend(corners);
         if corners.len() < 3 {
@@ -171,21 +176,22 @@ impl<B: DrawingBackend> Canvas<B> {
         color: RGBColor,
     ) -> Result<(), FigureProblem> {
         let width = (width * f64::from(self.scale)).max(1.0);
-        if self.medium == Medium::Vector {
+        let Medium::Bitmap(sheet) = &self.medium else {
             let style = color.stroke_width(width.round() as u32);
             return Ok(self
                 .area
                 .draw(&PathElement::new(self.backend(points), style))?);
-        }
+        };
+        let sheet = &mut sheet.borrow_mut();
         let points = self.finer(points);
         for piece in points.windows(2) {
-            self.fill(&raster::stroke(piece[0], piece[1], width), color)?;
+            fill(sheet, &raster::stroke(piece[0], piece[1], width), color);
         }
         if width > 2.0 {
             let is_closed = points.first() == points.last();
             let joints = if is_closed { 0 } else { 1 }..points.len().saturating_sub(1);
             for joint in points.get(joints).unwrap_or_default() {
-                self.fill(&raster::disc(*joint, 0.5 * width), color)?;
+                fill(sheet, &raster::disc(*joint, 0.5 * width), color);
             }
         }
         Ok(())
@@ -206,7 +212,7 @@ impl<B: DrawingBackend> Canvas<B> {
 
     /// Fills triangles with the colors of the values in them, `color(value)`; on a
     /// vector canvas each triangle has the color of its mean. Later triangles cover
-    /// earlier ones.
+    /// earlier ones; triangles with values that are no numbers are left out.
     ///
     /// # Errors
     /// [`FigureProblem::Backend`].
@@ -215,40 +221,16 @@ impl<B: DrawingBackend> Canvas<B> {
         triangles: &[ValueTriangle],
         color: impl Fn(f64) -> RGBColor,
     ) -> Result<(), FigureProblem> {
-        if self.medium == Medium::Vector {
+        let Medium::Bitmap(sheet) = &self.medium else {
             return triangles
                 .iter()
                 .try_for_each(|triangle| self.polygon(&triangle.corners, color(triangle.mean())));
-        }
-        let (width, height) = self.area.dim_in_pixel();
-        let mut shading = Shading::new(width, height);
+        };
+        let sheet = &mut sheet.borrow_mut();
+        let colors = ColorTable::new(triangles, |value| bytes(color(value)));
         for triangle in triangles {
-            shading.add(&triangle.scaled(f64::from(self.scale)));
-        }
-        for run in shading.runs() {
-            let pixels: Vec<u8> = run
-                .values
-                .iter()
-                .flat_map(|value| {
-                    let RGBColor(r, g, b) = color(f64::from(*value));
-                    [r, g, b]
-                })
-                .collect();
-            let size = (run.values.len() as u32, 1);
-            let bitmap = BitMapElement::with_ref((run.start, run.row), size, &pixels);
-            if let Some(bitmap) = bitmap {
-                self.area.draw(&bitmap)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Fills the polygon with these corners \[backend pixels\].
-    fn fill(&self, corners: &[[f64; 2]], color: RGBColor) -> Result<(), FigureProblem> {
-        let (width, height) = self.area.dim_in_pixel();
-        for span in raster::spans(corners, width, height) {
-            let row = [(span.start, span.row), (span.end, span.row + 1)];
-            self.area.draw(&Rectangle::new(row, color.filled()))?;
+            let triangle = triangle.scaled(f64::from(self.scale));
+            shade(sheet, &triangle, |value| colors.of(value));
         }
         Ok(())
     }
@@ -339,4 +321,16 @@ impl<B: DrawingBackend> Canvas<B> {
         let whole = |length: f64| (length * f64::from(self.scale)).round() as i32;
         points.iter().map(|[x, y]| (whole(*x), whole(*y))).collect()
     }
+}
+
+/// Fills the polygon with these corners [sheet pixels].
+fn fill(sheet: &mut Sheet, corners: &[[f64; 2]], color: RGBColor) {
+    let (width, height) = sheet.size();
+    raster::each_span(corners, width, height, |span| {
+        sheet.fill(span.row, span.start, span.end, bytes(color));
+    });
+}
+
+fn bytes(RGBColor(r, g, b): RGBColor) -> [u8; 3] {
+    [r, g, b]
 }

@@ -83,11 +83,12 @@ pub fn diverging(value: f64) -> RGBColor {
 fn between(table: &[[u8; 3]], value: f64) -> RGBColor {
     let value = if value.is_nan() { 0.0 } else { value };
     let place = value.clamp(0.0, 1.0) * (table.len() - 1) as f64;
-    let below = (place.floor() as usize).min(table.len() - 2);
+    let below = (place as usize).min(table.len() - 2);
     let part = place - below as f64;
     let channel = |c: usize| {
         let (low, high) = (f64::from(table[below][c]), f64::from(table[below + 1][c]));
-        (low + part * (high - low)).round() as u8
+        // rounded: the channel is positive, and a byte cuts off
+        (low + part * (high - low) + 0.5) as u8
     };
     RGBColor(channel(0), channel(1), channel(2))
 }

@@ -13,49 +13,63 @@ pub(super) struct Span {
     pub end: i32,
 }
 
-/// The spans of pixels (x from the left, y down; the center of pixel (0, 0) is at
-/// (1/2, 1/2)) inside a polygon by the even-odd rule, within `width` by `height`.
-pub(super) fn spans(corners: &[[f64; 2]], width: u32, height: u32) -> Vec<Span> {
-    let mut found = Vec::new();
+/// Corners of a polygon that is drawn without taking memory.
+const FEW: usize = 8;
+
+/// Calls `draw` with the spans of pixels (x from the left, y down; the center of pixel
+/// (0, 0) is at (1/2, 1/2)) inside a polygon by the even-odd rule, within `width` by
+/// `height`, row by row.
+pub(super) fn each_span(corners: &[[f64; 2]], width: u32, height: u32, mut draw: impl FnMut(Span)) {
     if corners.len() < 3 || !corners.as_flattened().iter().all(|value| value.is_finite()) {
-        return found;
+        return;
     }
-    let low = corners
-        .iter()
-        .map(|corner| corner[1])
-        .fold(f64::INFINITY, f64::min);
-    let high = corners
-        .iter()
-        .map(|corner| corner[1])
-        .fold(f64::NEG_INFINITY, f64::max);
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for corner in corners {
+        (low, high) = (low.min(corner[1]), high.max(corner[1]));
+    }
     let (first, last) = (first_center(low, height), first_center(high, height));
-    let mut crossings = Vec::new();
+    // of few corners on the stack: most polygons are pieces of cells
+    let (mut few, mut many) = ([0.0; FEW], Vec::new());
+    let crossings = match corners.len() {
+        ..=FEW => &mut few[..],
+        count => {
+            many.resize(count, 0.0);
+            &mut many[..]
+        }
+    };
     for row in first..last {
         let y = f64::from(row) + 0.5;
-        crossings.clear();
-        let next = corners.iter().cycle().skip(1);
-        for (a, b) in corners.iter().zip(next) {
+        let mut count = 0;
+        let mut a = corners[corners.len() - 1];
+        for &b in corners {
             if (a[1] <= y) != (b[1] <= y) {
                 // Of both directions of a side the same end comes first, so that
                 // neighbors find the same crossing to the last digit.
                 let (a, b) = if a[1] < b[1] { (a, b) } else { (b, a) };
-                crossings.push(a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+                crossings[count] = a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+                count += 1;
             }
+            a = b;
         }
-        crossings.sort_by(f64::total_cmp);
-        for pair in crossings.chunks_exact(2) {
+        let found = &mut crossings[..count];
+        match found {
+            [a, b] if *a <= *b => {}
+            _ => found.sort_unstable_by(f64::total_cmp),
+        }
+        for pair in found.chunks_exact(2) {
             let (start, end) = (first_center(pair[0], width), first_center(pair[1], width));
             if start < end {
-                found.push(Span { row, start, end });
+                draw(Span { row, start, end });
             }
         }
     }
-    found
 }
 
 /// The first of `count` pixels whose center lies at or behind `place`.
 fn first_center(place: f64, count: u32) -> i32 {
-    (place - 0.5).ceil().clamp(0.0, f64::from(count)) as i32
+    let place = (place - 0.5).clamp(0.0, f64::from(count));
+    let whole = place as i32;
+    whole + i32::from(f64::from(whole) < place)
 }
 
 /// The corners of a line of `width` from `a` to `b`; none for a line without length.
@@ -92,11 +106,11 @@ mod tests {
     use super::*;
 
     fn pixels(corners: &[[f64; 2]]) -> usize {
-        let spans = spans(corners, 100, 100);
-        spans
-            .iter()
-            .map(|span| (span.end - span.start) as usize)
-            .sum()
+        let mut count = 0;
+        each_span(corners, 100, 100, |span| {
+            count += (span.end - span.start) as usize;
+        });
+        count
     }
 
     #[test]

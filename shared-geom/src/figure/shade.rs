@@ -1,6 +1,7 @@
 //! Triangles filled with the values in them, on a grid of pixels.
 
-use super::raster::spans;
+use super::raster::each_span;
+use super::sheet::Sheet;
 
 /// A triangle with a value at each corner, linear in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,77 +43,62 @@ impl ValueTriangle {
     }
 }
 
-/// The values at the centers of pixels; those that nothing covers have none.
+/// Colors of values in equal steps, small against those that can be told apart.
 #[derive(Debug)]
-pub(super) struct Shading {
-    width: u32,
-    height: u32,
-    /// Row by row; not a number where nothing is.
-    values: Vec<f32>,
+pub(super) struct ColorTable {
+    low: f64,
+    /// Steps in a unit of the values.
+    density: f64,
+    colors: Vec<[u8; 3]>,
 }
 
-/// Values of neighboring pixels of one row.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Run<'a> {
-    pub row: i32,
-    pub start: i32,
-    pub values: &'a [f32],
-}
+impl ColorTable {
+    const STEPS: usize = 4096;
 
-impl Shading {
-    pub fn new(width: u32, height: u32) -> Self {
+    /// The colors `color(value)` of all values in `triangles`.
+    pub fn new(triangles: &[ValueTriangle], color: impl Fn(f64) -> [u8; 3]) -> Self {
+        let values = triangles.iter().flat_map(|triangle| triangle.values);
+        let none = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = values
+            .filter(|value| value.is_finite())
+            .fold(none, |(low, high), value| (low.min(value), high.max(value)));
+        let step = (high - low) / Self::STEPS as f64;
+        // one value, or none, has one color
+        let (density, last) = match step > 0.0 && (1.0 / step).is_finite() {
+            true => (1.0 / step, Self::STEPS),
+            false => (0.0, 0),
+        };
+        let colors = (0..=last).map(|k| color(low + step * k as f64));
         Self {
-            width,
-            height,
-            values: vec![f32::NAN; width as usize * height as usize],
+            low,
+            density,
+            colors: colors.collect(),
         }
     }
 
-    /// Puts a triangle over what is there \[pixels\].
-    pub fn add(&mut self, triangle: &ValueTriangle) {
-        if !triangle.values.iter().all(|value| value.is_finite()) {
-            return;
-        }
-        let [origin, dx, dy] = triangle.plane();
-        // Pixels on the rim must not leave the range of the corners by round-off.
-        let low = triangle
-            .values
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min);
-        let high = triangle
-            .values
-            .iter()
-            .copied()
-            .fold(f64::NEG_INFINITY, f64::max);
-        for span in spans(&triangle.corners, self.width, self.height) {
-            let row = span.row as usize * self.width as usize;
-            let pixels = &mut self.values[row + span.start as usize..row + span.end as usize];
-            let at_row = origin + dy * (f64::from(span.row) + 0.5);
-            for (pixel, x) in pixels.iter_mut().zip(span.start..) {
-                *pixel = (at_row + dx * (f64::from(x) + 0.5)).clamp(low, high) as f32;
-            }
-        }
+    /// The color of a value of the triangles.
+    pub fn of(&self, value: f64) -> [u8; 3] {
+        let place = ((value - self.low) * self.density + 0.5) as usize;
+        self.colors[place.min(self.colors.len() - 1)]
     }
+}
 
-    /// The runs of covered pixels.
-    pub fn runs(&self) -> impl Iterator<Item = Run<'_>> {
-        let rows = self.values.chunks_exact(self.width.max(1) as usize);
-        rows.zip(0..).flat_map(|(row, number)| {
-            let mut behind = 0;
-            row.chunk_by(|a, b| a.is_nan() == b.is_nan())
-                .filter_map(move |values| {
-                    let start = behind;
-                    behind += values.len();
-                    let run = Run {
-                        row: number,
-                        start: start as i32,
-                        values,
-                    };
-                    (!values[0].is_nan()).then_some(run)
-                })
-        })
+/// Puts a triangle with the colors `color(value)` over what is on the sheet
+/// [sheet pixels]; one with values that are no numbers is left out.
+pub(super) fn shade(sheet: &mut Sheet, triangle: &ValueTriangle, color: impl Fn(f64) -> [u8; 3]) {
+    if !triangle.values.iter().all(|value| value.is_finite()) {
+        return;
     }
+    let [origin, dx, dy] = triangle.plane();
+    // Pixels on the rim must not leave the range of the corners by round-off.
+    let [a, b, c] = triangle.values;
+    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+    let (width, height) = sheet.size();
+    each_span(&triangle.corners, width, height, |span| {
+        let at_row = origin + dy * (f64::from(span.row) + 0.5);
+        let value = |x: i32| (at_row + dx * (f64::from(x) + 0.5)).clamp(low, high);
+        sheet.shade(span.row, span.start, span.end, |x| color(value(x)));
+    });
 }
 
 #[cfg(test)]
@@ -120,7 +106,7 @@ mod tests {
     use super::*;
 
     /// Two triangles make a square with the value x + 2 y: every pixel has that of
-    /// its center, to the digits of single precision.
+    /// its center.
     #[test]
     fn linear_fields_are_met_at_every_pixel() {
         let value = |[x, y]: [f64; 2]| x + 2.0 * y;
@@ -128,33 +114,54 @@ mod tests {
             corners,
             values: corners.map(value),
         };
-        let mut shading = Shading::new(20, 10);
-        let [a, b, c, d] = [[2.0, 1.0], [12.0, 1.0], [12.0, 9.0], [2.0, 9.0]];
-        shading.add(&triangle([a, b, c]));
-        shading.add(&triangle([a, c, d]));
-        let runs: Vec<_> = shading.runs().collect();
-        assert_eq!(runs.len(), 8);
-        for run in runs {
-            assert_eq!((run.start, run.values.len()), (2, 10));
-            for (k, found) in run.values.iter().enumerate() {
-                let expected = value([2.5 + k as f64, f64::from(run.row) + 0.5]);
-                assert!((f64::from(*found) - expected).abs() < 1e-5 * expected);
+        // tenths of the value: four pixels of the sheet make one of the figure
+        let color = |value: f64| [(10.0 * value).round() as u8; 3];
+        let mut sheet = Sheet::new((10, 5));
+        let [a, b, c, d] = [[2.0, 1.0], [8.0, 1.0], [8.0, 9.0], [2.0, 9.0]];
+        shade(&mut sheet, &triangle([a, b, c]), color);
+        shade(&mut sheet, &triangle([a, c, d]), color);
+        let pixels = sheet.averaged();
+        for (k, pixel) in pixels.chunks(3).enumerate() {
+            let (x, y) = ((k % 10) as f64, (k / 10) as f64);
+            if (1.0..4.0).contains(&x) && (1.0..4.0).contains(&y) {
+                // the mean of four values is that in the middle of them
+                let expected = 10.0 * value([2.0 * x + 1.0, 2.0 * y + 1.0]);
+                assert_eq!(f64::from(pixel[0]), expected, "{x} {y}");
             }
         }
     }
 
     #[test]
     fn later_triangles_cover_earlier_ones_and_no_numbers_are_left_out() {
-        let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]];
+        let corners = [[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]];
         let of = |values| ValueTriangle { corners, values };
-        let mut shading = Shading::new(4, 4);
-        shading.add(&of([1.0; 3]));
-        shading.add(&of([2.0; 3]));
-        shading.add(&of([f64::NAN, 2.0, 2.0]));
-        let values: Vec<_> = shading.runs().flat_map(|run| run.values).collect();
-        assert_eq!(values.len(), 6);
-        assert!(values.iter().all(|value| **value == 2.0));
-        assert!(Shading::new(3, 3).runs().next().is_none());
+        let color = |value: f64| [value as u8; 3];
+        let mut sheet = Sheet::new((4, 4));
+        shade(&mut sheet, &of([1.0; 3]), color);
+        shade(&mut sheet, &of([2.0; 3]), color);
+        shade(&mut sheet, &of([f64::NAN, 2.0, 2.0]), color);
+        let pixels = sheet.averaged();
+        assert_eq!(pixels[..3], [2; 3]);
+        assert_eq!(pixels[pixels.len() - 3..], [255; 3]);
+    }
+
+    /// The color that is a thousandth of the range is that to a step of the table.
+    #[test]
+    fn tables_have_the_colors_of_their_values() {
+        let of = |values| ValueTriangle {
+            corners: [[0.0; 2]; 3],
+            values,
+        };
+        let color = |value: f64| [(1e-10 * value) as u8, 0, 0];
+        let triangles = [of([1e11, f64::NAN, 2e11]), of([2.5e12, 0.0, 3e11])];
+        let table = ColorTable::new(&triangles, color);
+        for k in 0..=250 {
+            let value = 1e10 * (f64::from(k) + 0.5);
+            assert_eq!(table.of(value)[0], k.min(250) as u8, "{k}");
+        }
+        let one = ColorTable::new(&[of([7e10; 3])], color);
+        assert_eq!((one.of(7e10), one.colors.len()), ([7, 0, 0], 1));
+        assert_eq!(ColorTable::new(&[], color).colors.len(), 1);
     }
 
     #[test]

@@ -56,15 +56,6 @@ fn wrong_endings_and_folders_are_told() {
 }
 
 #[test]
-fn averaging_takes_the_mean_of_each_square() {
-    // Two figure pixels beside each other: one half black and half white, one of 200.
-    let [black, white, gray] = [[0; 3], [255; 3], [200; 3]];
-    let rows = [[black, white, gray, gray], [white, black, gray, gray]];
-    let pixels: Vec<u8> = rows.as_flattened().as_flattened().to_vec();
-    assert_eq!(averaged(&pixels, (2, 1)), [127, 127, 127, 200, 200, 200]);
-}
-
-#[test]
 fn longer_texts_are_wider() {
     struct Widths;
     impl Drawing for Widths {

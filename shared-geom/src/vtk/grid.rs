@@ -1,15 +1,11 @@
 //! An unstructured grid with named values, and its file.
 
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use vtkio::IOBuffer;
-use vtkio::model::{
-    Attribute, Attributes, ByteOrder, CellType, Cells, DataSet, UnstructuredGridPiece, Version,
-    VertexNumbers, Vtk,
-};
-use vtkio::xml::{Compressor, VTKFile};
-
-use crate::files::{OutputProblem, write_text};
+use super::array::{Array, Values};
+use crate::files::{OutputProblem, unwritable};
 use crate::mesh::CellKind;
 
 /// Values on points and cells, ready to be written as a file of VTK.
@@ -18,8 +14,9 @@ pub struct FieldFile {
     points: Vec<f64>,
     connectivity: Vec<u64>,
     offsets: Vec<u64>,
-    types: Vec<CellType>,
-    data: Attributes,
+    types: Vec<u8>,
+    of_points: Vec<Array>,
+    of_cells: Vec<Array>,
 }
 
 /// What a cell of a grid is.
@@ -47,37 +44,43 @@ impl FieldFile {
     pub fn add_cell(&mut self, cell: Cell, points: impl IntoIterator<Item = u64>) {
         self.connectivity.extend(points);
         self.offsets.push(self.connectivity.len() as u64);
-        self.types.push(cell.vtk());
+        self.types.push(cell.number());
     }
 
     /// Adds an array of `components` values a point.
     pub fn point_values(&mut self, name: &str, components: u32, values: Vec<f64>) {
-        self.data.point.push(array(name, components, values.into()));
+        let array = Array::new(name, components, Values::Double(values));
+        self.of_points.push(array);
     }
 
     /// Adds an array of `components` values a cell.
     pub fn cell_values(&mut self, name: &str, components: u32, values: Vec<f64>) {
-        self.data.cell.push(array(name, components, values.into()));
+        let array = Array::new(name, components, Values::Double(values));
+        self.of_cells.push(array);
     }
 
     /// Adds whole numbers, one a cell.
     pub fn cell_numbers(&mut self, name: &str, values: Vec<i64>) {
-        self.data.cell.push(array(name, 1, values.into()));
+        let array = Array::new(name, 1, Values::Whole(values));
+        self.of_cells.push(array);
     }
 
     /// As [`FieldFile::point_values`], in single precision.
     pub fn point_values_short(&mut self, name: &str, components: u32, values: Vec<f32>) {
-        self.data.point.push(array(name, components, values.into()));
+        let array = Array::new(name, components, Values::Single(values));
+        self.of_points.push(array);
     }
 
     /// As [`FieldFile::cell_values`], in single precision.
     pub fn cell_values_short(&mut self, name: &str, components: u32, values: Vec<f32>) {
-        self.data.cell.push(array(name, components, values.into()));
+        let array = Array::new(name, components, Values::Single(values));
+        self.of_cells.push(array);
     }
 
     /// Adds whole numbers, one a point.
     pub fn point_numbers(&mut self, name: &str, values: Vec<i64>) {
-        self.data.point.push(array(name, 1, values.into()));
+        let array = Array::new(name, 1, Values::Whole(values));
+        self.of_points.push(array);
     }
 
     /// Writes the grid as XML, arrays in binary.
@@ -85,55 +88,56 @@ impl FieldFile {
     /// # Errors
     /// [`OutputProblem::File`].
     pub fn write(self, path: &Path) -> Result<(), OutputProblem> {
-        let grid = self.into_xml().map_err(|error| OutputProblem::File {
-            file: path.display().to_string(),
-            reason: error.to_string(),
-        })?;
-        write_text(path, &format!("<?xml version=\"1.0\"?>\n{grid}\n"))
+        let written = File::create(path).and_then(|file| {
+            let mut out = BufWriter::new(file);
+            self.write_to(&mut out)?;
+            out.flush()
+        });
+        written.map_err(|error| unwritable(path, &error))
     }
 
-    /// The file as the elements of its XML.
-    fn into_xml(self) -> Result<VTKFile, vtkio::xml::Error> {
-        let cells = Cells {
-            cell_verts: VertexNumbers::XML {
-                connectivity: self.connectivity,
-                offsets: self.offsets,
-            },
-            types: self.types,
-        };
-        let piece = UnstructuredGridPiece {
-            points: self.points.into(),
-            cells,
-            data: self.data,
-        };
-        let grid = Vtk {
-            version: Version::new_xml(1, 0),
-            title: String::new(),
-            byte_order: ByteOrder::LittleEndian,
-            file_path: None,
-            data: DataSet::inline(piece),
-        };
-        // Not compressed: that takes longer than writing, and the crate ends arrays of
-        // whole blocks with an empty one, which the format does not have.
-        grid.try_into_xml_format(Compressor::None, 0)
+    /// Array by array, so that the text never lies in memory as a whole. Not compressed:
+    /// that takes longer than writing.
+    fn write_to(self, out: &mut impl Write) -> io::Result<()> {
+        let (points, cells) = (self.points.len() / 3, self.types.len());
+        write!(
+            out,
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" \
+             byte_order=\"LittleEndian\" header_type=\"UInt64\"><UnstructuredGrid>\
+             <Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">"
+        )?;
+        write_arrays(out, "PointData", &self.of_points)?;
+        write_arrays(out, "CellData", &self.of_cells)?;
+        let points = Array::new("Points", 3, Values::Double(self.points));
+        write_arrays(out, "Points", &[points])?;
+        let of_cells = [
+            Array::new("connectivity", 1, Values::Natural(self.connectivity)),
+            Array::new("offsets", 1, Values::Natural(self.offsets)),
+            Array::new("types", 1, Values::Byte(self.types)),
+        ];
+        write_arrays(out, "Cells", &of_cells)?;
+        writeln!(out, "</Piece></UnstructuredGrid></VTKFile>")
     }
 }
 
-fn array(name: &str, components: u32, values: IOBuffer) -> Attribute {
-    Attribute::generic(name, components).with_data(values)
+/// Writes arrays as the content of an element.
+fn write_arrays(out: &mut impl Write, element: &str, arrays: &[Array]) -> io::Result<()> {
+    write!(out, "<{element}>")?;
+    arrays.iter().try_for_each(|array| array.write(out))?;
+    write!(out, "</{element}>")
 }
 
 impl Cell {
-    /// The cell of VTK with the same nodes in the same order.
-    fn vtk(self) -> CellType {
+    /// The number of the cell of VTK with the same nodes in the same order.
+    fn number(self) -> u8 {
         match self {
-            Self::Vertex => CellType::Vertex,
-            Self::Line => CellType::Line,
-            Self::Section(CellKind::Triangle3) => CellType::Triangle,
-            Self::Section(CellKind::Triangle6) => CellType::QuadraticTriangle,
-            Self::Section(CellKind::Quadrilateral4) => CellType::Quad,
-            Self::Section(CellKind::Quadrilateral8) => CellType::QuadraticQuad,
-            Self::Section(CellKind::Quadrilateral9) => CellType::BiquadraticQuad,
+            Self::Vertex => 1,
+            Self::Line => 3,
+            Self::Section(CellKind::Triangle3) => 5,
+            Self::Section(CellKind::Quadrilateral4) => 9,
+            Self::Section(CellKind::Triangle6) => 22,
+            Self::Section(CellKind::Quadrilateral8) => 23,
+            Self::Section(CellKind::Quadrilateral9) => 28,
         }
     }
 }

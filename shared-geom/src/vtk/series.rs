@@ -1,5 +1,7 @@
 //! A series of grids over time, phase or load: the file that ParaView opens.
 
+use super::escape::escaped;
+
 /// Grids of a series and the value of each.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Series {
@@ -29,19 +31,4 @@ impl Series {
         text.push_str("  </Collection>\n</VTKFile>\n");
         text
     }
-}
-
-/// The text with the signs that an attribute of XML cannot hold as such.
-fn escaped(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            _ => escaped.push(letter),
-        }
-    }
-    escaped
 }

@@ -50,15 +50,15 @@ pub(super) fn write_electrodes(
         return Ok(());
     };
     let files = results.files().clone();
+    // of an earlier run, which may have had figures
+    files.remove_electrodes(piezo.electrodes.iter().map(|known| known.name.as_str()));
     results.text(files.electrodes(), &electrodes_csv(piezo))?;
     for (name, recovery) in fields {
         let Some(plots) = electric_plots(&input.section, &input.summary, recovery) else {
             continue;
         };
-        if let Some(potential) = &plots.potential {
-            results.figure(files.potential(name), potential.size(), potential)?;
-        }
-        results.figure(files.field(name), plots.field.size(), &plots.field)?;
+        results.figure_where(files.potential(name), || plots.potential)?;
+        results.figure(files.field(name), || plots.field)?;
     }
     Ok(())
 }

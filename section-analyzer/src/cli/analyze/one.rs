@@ -10,7 +10,7 @@ use shared_geom::section::{self, SectionProperties};
 use super::electrodes::{fields_per_volt, write_electrodes};
 use super::open::open;
 use super::sensitivity::{Sensitivities, analyzed, parameters};
-use super::{Job, Run};
+use super::{Job, PROGRAM, Run};
 use crate::cli::figures::draw_section;
 use crate::cli::solved::Solved;
 use crate::cli::stress::Stresses;
@@ -127,14 +127,15 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
         Err(problem) => return Outcome::wrong_input(words(&problem)),
     };
     let made_from = made_from(&input, run);
-    let unchanged = match &made_from {
-        Some(made_from) if !run.force => unchanged(&files, made_from),
-        _ => None,
+    let unchanged = match run.force {
+        true => None,
+        false => unchanged(&files, &made_from),
     };
     let solve = || {
-        let results = ResultWriter::new(files);
-        match analyzed(&input, parameters).and_then(|found| InCircuit::new(&input, found)) {
-            Ok(found) => solved(job, &input, &found, results, made_from.as_deref()),
+        let results = ResultWriter::new(files).with_figures(run.figures);
+        let in_circuit = |found| InCircuit::new(&input, found, run.figures);
+        match analyzed(&input, parameters).and_then(in_circuit) {
+            Ok(found) => solved(job, &input, &found, results, &made_from),
             Err(failure) => failed(job, &input, &failure, results),
         }
     };
@@ -147,16 +148,16 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
 }
 
 /// Fingerprint of all that the results depend on: the files that were read, and the
-/// program. Options that change results belong here too.
-fn made_from(input: &Input, run: &Run) -> Option<String> {
-    let program = run.program.as_ref()?;
-    let mut parts = vec![input.summary.input_hash.as_bytes(), program.as_bytes()];
+/// program. Options that change results, or which files there are, belong here too.
+fn made_from(input: &Input, run: &Run) -> String {
+    let mut parts = vec![input.summary.input_hash.as_bytes(), PROGRAM.as_bytes()];
     let asked = run.sensitivity.as_ref();
     let asked = asked.map(|nodes| format!("sensitivity {nodes:?}"));
     parts.extend(asked.as_ref().map(|asked| asked.as_bytes()));
     let open = format!("open {:?}", run.open);
     parts.extend((!run.open.is_empty()).then_some(open.as_bytes()));
-    Some(sha256_of(&parts))
+    parts.extend((!run.figures).then_some(&b"no figures"[..]));
+    sha256_of(&parts)
 }
 
 /// The outcome of an earlier run, if this one would write the same files.
@@ -181,17 +182,24 @@ struct InCircuit {
     derivatives: Sensitivities,
     /// With open electrodes at no charge.
     seen: SectionSolution,
-    /// At one volt of each driven electrode.
+    /// At one volt of each driven electrode, for its figures.
     fields: Vec<(String, Recovery)>,
 }
 
 impl InCircuit {
     /// # Errors
     /// Voltages that the circuit leaves undetermined, fields that do not add up.
-    fn new(input: &Input, (found, derivatives): (Solved, Sensitivities)) -> Result<Self, Failure> {
+    fn new(
+        input: &Input,
+        (found, derivatives): (Solved, Sensitivities),
+        figures: bool,
+    ) -> Result<Self, Failure> {
         Ok(Self {
             seen: found.solution.in_circuit()?,
-            fields: fields_per_volt(input, &found.solution)?,
+            fields: match figures {
+                true => fields_per_volt(input, &found.solution)?,
+                false => Vec::new(),
+            },
             found,
             derivatives,
         })
@@ -203,7 +211,7 @@ fn solved(
     input: &Input,
     in_circuit: &InCircuit,
     mut results: ResultWriter,
-    made_from: Option<&str>,
+    made_from: &str,
 ) -> Outcome {
     let Input {
         section, summary, ..
@@ -230,12 +238,10 @@ fn solved(
 
     let failed = stresses.problems(&job.file);
     let open = found.open_problem(&job.file);
-    let (files, problem) = match (written, made_from) {
-        (Ok(()), Some(made_from)) if failed.is_none() && open.is_none() => {
-            results.finish(made_from)
-        }
-        (Ok(()), _) => (results.abandon(), None),
-        (Err(problem), _) => (results.abandon(), Some(problem)),
+    let (files, problem) = match written {
+        Ok(()) if failed.is_none() && open.is_none() => results.finish(made_from),
+        Ok(()) => (results.abandon(), None),
+        Err(problem) => (results.abandon(), Some(problem)),
     };
     let problems: Vec<_> = [problem.map(|problem| words(&problem)), failed, open]
         .into_iter()
@@ -316,8 +322,8 @@ fn write_figures(
 ) -> Result<(), OutputProblem> {
     let files = results.files().clone();
     draw_section(input, Some(centers), results)?;
-    let warping = WarpingPlot::new(&input.section, solution);
-    results.figure(files.warping(), warping.size(), &warping)?;
+    let warping = || WarpingPlot::new(&input.section, solution);
+    results.figure(files.warping(), warping)?;
     let fields = warping_vtu(&input.section, solution);
     results.add(files.warping_field(), |file| fields.write(file))
 }

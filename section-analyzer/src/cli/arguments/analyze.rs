@@ -37,7 +37,7 @@ and this program are the same as they were: NAME.analysis.json holds their finge
 pub(super) const ANALYZE_EXAMPLE: &str = "\
 Examples:
   section-analyzer analyze blade/root.section.toml --out blade/results
-  section-analyzer analyze blade/*.section.toml --threads 2
+  section-analyzer analyze blade/*.section.toml --threads 2 --no-figures
   section-analyzer analyze box.section.toml --sensitivity --sensitivity-nodes 12,40
   section-analyzer analyze patch.section.toml --open sensor
 
@@ -72,6 +72,9 @@ pub(in crate::cli) struct AnalyzeArguments {
     /// Solve sections even if nothing has changed since the last run
     #[arg(long)]
     pub force: bool,
+    /// Draw no figures; those of an earlier run go
+    #[arg(long)]
+    pub no_figures: bool,
     /// Derivatives of stiffness, mass and centers with respect to every constant of the
     /// materials and the fiber and plane angle of every region
     #[arg(long)]
