@@ -36,8 +36,12 @@ impl std::fmt::Debug for Meter<'_> {
 /// A residual or correction so far below its limit is nothing but round-off.
 const ROUND_OFF: f64 = 1e-3;
 
-/// What one correction leaves must be so far below the limit for it to be the only one.
-const FAR_BELOW: f64 = 1e-2;
+/// Part of the limits of the iteration that hold for corrections with a kept Jacobian, which
+/// leave more in directions of little inertia than new ones.
+const OF_KEPT: f64 = 1e-2;
+
+/// A residual that falls by less with a kept Jacobian has reached what round-off leaves of it.
+const FLOOR_OF_KEPT: f64 = 0.03;
 
 /// A residual that falls by less has reached what round-off leaves of it.
 const STAGNATION: f64 = 0.5;
@@ -52,7 +56,7 @@ const USES: usize = 4;
 
 /// Unknowns and equations of other scales shrink by this times what the measured ones do, or
 /// less.
-const BESIDE: f64 = 1000.0;
+const BESIDE: f64 = 100.0;
 
 /// A kept Jacobian is computed anew when the weights of the formula times the step have
 /// changed by more: the corrections would shrink by no more than this.
@@ -269,32 +273,37 @@ impl Corrector {
 
     /// Whether the last correction was the last one that is needed.
     ///
-    /// Corrections that shrink by theta leave theta / (1 - theta) of the last one; Newton's
-    /// method leaves less. After the first one theta is that of the residual, with a margin.
+    /// Corrections that shrink by theta leave theta / (1 - theta) of the last one; with a new
+    /// Jacobian Newton's method leaves far less, with a kept one it is the limit that is lower.
     /// Where stiffness is high the residual has a floor of round-off above its limit: then a
     /// small correction is enough.
     fn is_settled(&self, limits: &StepLimits) -> bool {
         let Some(last) = self.history[self.first..].last() else {
             return false;
         };
-        let left = match (self.shrinking(), self.fallen()) {
-            (Some(theta), _) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
-            (Some(_), _) => f64::INFINITY,
-            (None, Some(fallen)) => (BESIDE * fallen).min(1.0) * last.correction / FAR_BELOW,
-            (None, None) => last.correction,
+        let left = match self.shrinking() {
+            Some(theta) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
+            Some(_) => f64::INFINITY,
+            None => last.correction,
         };
         let worst = self.worst.relative;
-        let is_at_floor = worst >= STAGNATION * last.worst.relative;
-        worst <= ROUND_OFF * limits.residual
-            || worst <= limits.residual && left <= limits.correction
-            || is_at_floor && last.correction <= limits.correction
+        let fallen = worst / last.worst.relative;
+        let is_at_floor = fallen >= STAGNATION && last.correction <= limits.correction;
+        let is_kept = (self.kept).is_some_and(|kept| kept.uses > 1 || !kept.is_of_this_step);
+        // Of slow directions of a kept Jacobian the residual falls less, that at its floor hardly.
+        let part = match is_kept && fallen < FLOOR_OF_KEPT {
+            true => OF_KEPT,
+            false => 1.0,
+        };
+        let is_small = worst <= part * limits.residual && left <= part * limits.correction;
+        worst <= ROUND_OFF * limits.residual || is_small || is_at_floor
     }
 
     /// Whether nothing but round-off is left after the last correction, which has been applied:
     /// its residual needs no look.
     ///
     /// With r the residual before it, c its size and theta the larger of what the corrections and
-    /// the residuals have shrunk by, `1000 theta c` and `1000 theta r` are left.
+    /// the residuals have shrunk by, `100 theta c` and `100 theta r` are left at most.
     fn leaves_round_off(&self, limits: &StepLimits) -> bool {
         let (Some(last), Some(shrinking)) = (self.history.last(), self.shrinking()) else {
             return false;
@@ -316,8 +325,8 @@ impl Corrector {
         let most = all().fold(0.0_f64, |most, (kept, _)| most.max(kept.abs()));
         let has_changed = all().any(|(kept, now)| (kept - now).abs() > CHANGED * most);
         let is_early = limits.jacobians == Jacobians::Full && !kept.is_of_this_step;
-        let ratios = [self.shrinking(), self.fallen()];
-        let is_slow = ratios.into_iter().flatten().any(|ratio| !(ratio <= SLOW));
+        let ratio = self.shrinking().or_else(|| self.fallen());
+        let is_slow = ratio.is_some_and(|ratio| !(ratio <= SLOW));
         is_early || has_changed || is_slow || kept.uses >= USES
     }
 

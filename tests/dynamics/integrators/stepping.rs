@@ -340,7 +340,8 @@ fn cubic_gauss_passes_a_jump() {
     assert!((system.latest.y[1] - exact).abs() < 1e-13);
 }
 
-/// Modified Newton ends at the same states, with a tenth of the Jacobians at most.
+/// Full Newton takes a Jacobian a step here. Modified Newton ends at the same states, with a
+/// half of them at most.
 #[test]
 fn kept_jacobians_change_the_effort_and_not_the_answer() {
     for scheme in [TWO_STEP, CUBIC, RADAU] {
@@ -362,9 +363,9 @@ fn kept_jacobians_change_the_effort_and_not_the_answer() {
                 "{scheme:?} {full} {modified}"
             );
         }
-        assert_eq!(all.jacobians, all.iterations);
-        assert!(10 * kept.jacobians < all.jacobians, "{kept:?} {all:?}");
-        assert!(kept.iterations < 4 * all.iterations, "{kept:?} {all:?}");
+        assert_eq!(all.jacobians, all.steps);
+        assert!(2 * kept.jacobians < all.jacobians, "{kept:?} {all:?}");
+        assert!(kept.iterations < 3 * all.iterations, "{kept:?} {all:?}");
     }
 }
 
