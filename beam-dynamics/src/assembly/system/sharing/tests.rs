@@ -96,7 +96,11 @@ fn net(numbers: &mut Numbers) -> System {
     let axes = [Vector3::x(), Vector3::z(), numbers.vector().normalize()];
     let mut joints = Vec::new();
     for own in 0..count + 1 + numbers.below(5) {
-        let b = if own < count { own } else { numbers.below(count) };
+        let b = if own < count {
+            own
+        } else {
+            numbers.below(count)
+        };
         let a = numbers.below(b + 1).checked_sub(1);
         let at = match numbers.below(2) {
             0 => numbers.vector(),
@@ -134,8 +138,8 @@ fn projector(sharing: &mut Sharing, count: usize) -> DMatrix<f64> {
     all
 }
 
-/// The same by the singular values of all of A, and the number of those that vanish.
-fn dense(system: &System) -> (DMatrix<f64>, usize) {
+/// All of A, each row scaled to a unit displacement.
+fn rows(system: &System) -> DMatrix<f64> {
     let tangent = system.tangent(&system.rest(), &Conditions::at_rest());
     let count = system.numbering().multipliers();
     let mut rows = DMatrix::zeros(count, 6 * system.nodes().len());
@@ -145,35 +149,33 @@ fn dense(system: &System) -> (DMatrix<f64>, usize) {
         rows[(row, 6 * (column / NODE_UNKNOWNS) + place)] = value / size;
     }
     for mut row in rows.row_iter_mut() {
-        let norm = |first: usize, row: &[f64]| {
-            let vectors = row.chunks(6).map(|node| {
-                Vector3::from_column_slice(&node[first..first + 3]).norm()
+        let own: Vec<f64> = row.iter().copied().collect();
+        let norm = |first: usize| {
+            let vectors = own.chunks(6).map(|node| {
+                let vector = Vector3::from_column_slice(&node[first..first + 3]);
+                vector.norm()
             });
             vectors.fold(0.0, f64::max)
         };
-        let own: Vec<f64> = row.iter().copied().collect();
-        let (along, about) = (norm(0, &own), norm(3, &own));
+        let (along, about) = (norm(0), norm(3));
         row.unscale_mut(if along > 0.0 { along } else { about });
     }
-    let decomposed = rows.svd(true, false);
-    let vectors = decomposed.u.unwrap();
-    let mut all = DMatrix::identity(count, count);
-    let mut rank = 0;
-    for (value, vector) in decomposed.singular_values.iter().zip(vectors.column_iter()) {
-        if *value > 1e-7 {
-            all -= vector * vector.transpose();
-            rank += 1;
-        }
-    }
-    (all, count - rank)
+    rows
 }
 
-fn off(a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {
-    (a - b).amax()
+/// How far a matrix is from the projector on the solutions of `A^T mu = 0`, of which there are
+/// `loads`: these products make it the only one.
+fn off(found: &DMatrix<f64>, rows: &DMatrix<f64>, loads: usize) -> f64 {
+    let errors = [
+        (found.transpose() - found).amax(),
+        (found * found - found).amax(),
+        (rows.transpose() * found).amax(),
+        (found.trace() - loads as f64).abs(),
+    ];
+    errors.into_iter().fold(0.0, f64::max)
 }
 
-// Singular values of the nets go down to some 1e-4, and errors are those of round-off over
-// them.
+// Round-off of some fifty numbers of size one, in joints of a tree and in all rows at once.
 #[test]
 fn loads_that_balance_each_other_are_those_of_a_dense_decomposition() {
     let (mut looked_at, mut loops) = (0, 0);
@@ -187,11 +189,9 @@ fn loads_that_balance_each_other_are_those_of_a_dense_decomposition() {
             continue;
         };
         let mut sharing = sharing(&system);
-        let count = system.numbering().multipliers();
-        let found = projector(&mut sharing, count);
-        let (expected, redundant) = dense(&system);
-        assert_eq!(system.surpluses(), redundant, "{seed}");
-        let error = off(&found, &expected);
+        let (rows, loads) = (rows(&system), system.surpluses());
+        let found = projector(&mut sharing, rows.nrows());
+        let error = off(&found, &rows, loads);
         assert!(error < 1e-12, "{seed}: {error:e}");
         looked_at += 1;
         loops += sharing.parts.len();
@@ -199,7 +199,8 @@ fn loads_that_balance_each_other_are_those_of_a_dense_decomposition() {
             assert!(!part.looks_at_all(), "{seed}");
             part.look_at_all();
         }
-        let error = off(&projector(&mut sharing, count), &expected);
+        let dense = projector(&mut sharing, rows.nrows());
+        let error = off(&dense, &rows, loads).max((&found - dense).amax());
         assert!(error < 1e-12, "{seed}: {error:e} of all together");
     }
     assert!(looked_at > 400 && loops > looked_at, "{looked_at} {loops}");
@@ -240,4 +241,44 @@ fn the_same_place_gives_the_same_bits() {
     let mut fresh = sharing(&system);
     let count = system.numbering().multipliers();
     assert_eq!(projector(&mut used, count), projector(&mut fresh, count));
+}
+
+// Without the parts of the loads, the entries of the matrix are the derivatives of what is
+// added to the residual, which is linear in the multipliers.
+#[test]
+fn the_matrix_is_the_derivative_of_the_residual() {
+    let system = shared(&ring(&mut Numbers::new(3))).unwrap();
+    let mut sharing = sharing(&system);
+    let numbering = system.numbering();
+    let (first, unknowns) = (numbering.first_multiplier(), numbering.unknowns());
+    let mut matrix = Sparse::zero(std::sync::Arc::clone(system.pattern()));
+    let weight = 0.7;
+    let sum = Combination {
+        by_unknowns: 0.2,
+        by_rates: 0.3,
+        by_algebraic: weight,
+        matrix: &mut matrix,
+    };
+    sharing.add_jacobian(&mut [sum]);
+    let size = system.pattern().size();
+    assert_eq!(size, unknowns + 3);
+    for column in 0..numbering.multipliers() {
+        let mut multipliers = vec![0.0; numbering.multipliers()];
+        multipliers[column] = 1.0;
+        sharing.take_surplus(&mut multipliers);
+        let mut residual = Residual {
+            values: vec![0.0; unknowns],
+            sizes: vec![0.0; unknowns],
+        };
+        sharing.add_residual(first, &mut residual);
+        for row in 0..numbering.multipliers() {
+            let through = (unknowns..size).map(|k| {
+                let takes = -matrix.entry(k, first + column) / matrix.entry(k, k);
+                matrix.entry(first + row, k) * takes
+            });
+            let expected = weight * residual.values[first + row];
+            let error = (through.sum::<f64>() - expected).abs();
+            assert!(error < 1e-15 * 1e-3 * 50.0, "{row} {column}: {error:e}");
+        }
+    }
 }

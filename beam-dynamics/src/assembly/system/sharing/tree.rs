@@ -116,7 +116,12 @@ impl Tree {
         }
         out.fill(0.0);
         for (k, mut column) in out.column_iter_mut().enumerate() {
-            for (part, forces) in self.balanced.column(k).iter().zip(self.forces.column_iter()) {
+            for (part, forces) in self
+                .balanced
+                .column(k)
+                .iter()
+                .zip(self.forces.column_iter())
+            {
                 column.axpy(*part, &forces, 1.0);
             }
         }
