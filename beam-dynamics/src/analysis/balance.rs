@@ -277,7 +277,7 @@ impl Scales {
             place: first + of_scalars.scalar,
             scale: of_scalars.scale,
         };
-        let has_scalars = residual.values.len() > first;
+        let has_scalars = !self.equations.is_empty();
         let worst = places.chain(has_scalars.then_some(of_scalars));
         worst
             .max_by(|a, b| a.relative.total_cmp(&b.relative))

@@ -129,7 +129,7 @@ fn resisting(system: &System, tangent: &Tangent, size: f64) -> Vec<Vec<Row>> {
         |row: usize| row < NODE_UNKNOWNS * nodes && row % NODE_UNKNOWNS < Equation::Force.row();
     let mut rows = vec![Vec::new(); nodes];
     for matrix in [&tangent.by_unknowns, &tangent.by_rates] {
-        let mut largest = vec![0.0_f64; system.numbering().unknowns()];
+        let mut largest = vec![0.0_f64; matrix.pattern().size()];
         for (row, _, value) in matrix.triplets() {
             largest[row] = largest[row].max(value.abs());
         }

@@ -109,7 +109,7 @@ impl System {
     fn find_pattern(&mut self) {
         let state = State::at_rest(&self.nodes, &self.numbering);
         let conditions = Conditions::at_rest();
-        let n = self.numbering.unknowns();
+        let n = self.numbering.unknowns() + self.surpluses();
         // The diagonal is always stored: the factorization may shift it.
         let mut entries: Vec<_> = (0..n).map(|i| (i, i)).collect();
         let mut evaluated = Vec::with_capacity(self.elements.len());
@@ -157,7 +157,8 @@ impl System {
         &self.numbering
     }
 
-    /// The pattern of the Jacobian, found once.
+    /// The pattern of the Jacobian, found once: the unknowns, and after them the surpluses
+    /// (see [`Self::surpluses`]).
     pub fn pattern(&self) -> &Arc<Pattern> {
         &self.pattern
     }

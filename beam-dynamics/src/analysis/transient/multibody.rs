@@ -126,6 +126,7 @@ impl<'a> Multibody<'a> {
             algebraic: std::iter::repeat_n(false, NODE_UNKNOWNS * nodes)
                 .chain(std::iter::repeat_n(true, numbering.multipliers()))
                 .chain(system.scalars().iter().map(|scalar| !scalar.has_rate))
+                .chain(std::iter::repeat_n(true, system.surpluses()))
                 .collect(),
             is_simplified,
             scales: Scales::of(system),
@@ -199,7 +200,7 @@ impl Dae for Multibody<'_> {
         }
         let (of_multipliers, of_scalars) = rates[first..].split_at_mut(then.multipliers.len());
         of_multipliers.fill(0.0);
-        of_scalars.copy_from_slice(&then.scalar_rates);
+        of_scalars[..then.scalars.len()].copy_from_slice(&then.scalar_rates);
     }
 
     fn renew(&mut self, corner: &Corner, step: f64) -> Renewal {
@@ -237,7 +238,8 @@ impl Dae for Multibody<'_> {
         }
         move_own(&mut trial.base, latest, own);
         let first = latest.multipliers.len();
-        (trial.base.scalar_rates).copy_from_slice(&own_rates[first..]);
+        let of_scalars = first..first + latest.scalars.len();
+        (trial.base.scalar_rates).copy_from_slice(&own_rates[of_scalars]);
         trial.base.memory.copy_from_slice(&latest.memory);
         trial.state.copy_from(&trial.base);
         for turn in &mut trial.turns {
@@ -278,6 +280,7 @@ impl Dae for Multibody<'_> {
         system.residual_into(&trial.state, &trial.conditions, out, &mut self.work);
         let first = system.numbering().first_multiplier();
         trial.sharing.add_residual(first, out);
+        complete(out, system.pattern().size());
     }
 
     fn jacobian(
@@ -309,8 +312,10 @@ impl Dae for Multibody<'_> {
             &mut self.work,
         );
         if let Some(residual) = residual {
-            let first = self.model.system.numbering().first_multiplier();
+            let system = &self.model.system;
+            let first = system.numbering().first_multiplier();
             trial.sharing.add_residual(first, residual);
+            complete(residual, system.pattern().size());
         }
         trial.sharing.add_jacobian(out);
         let nodes = trial.state.nodes.iter().zip(&self.variations);
@@ -417,4 +422,10 @@ impl Dae for Multibody<'_> {
     fn name(&self, place: usize) -> Name {
         self.model.system.equation(place)
     }
+}
+
+/// Gives a residual the rows of loads that balance each other: they are fulfilled.
+fn complete(residual: &mut Residual, rows: usize) {
+    residual.values.resize(rows, 0.0);
+    residual.sizes.resize(rows, 0.0);
 }

@@ -23,7 +23,8 @@ const BROKEN: f64 = 1e-4;
 const UNLIKE: f64 = 1e-5;
 /// Rates below this are those of differences \[m/s or rad/s\].
 const STILL: f64 = 1e-8;
-/// Constraints of a loop from which on it is told what sharing their loads costs.
+/// Constraints of a net of loops that follow from others from which on it is told what sharing
+/// their loads costs.
 const MANY: usize = 100;
 
 /// The model in which redundant constraints share their loads with those from which they
@@ -94,12 +95,12 @@ impl Shared {
     pub fn remarks(&self) -> impl Iterator<Item = String> {
         let found = self.redundant.iter();
         let found = found.map(|found| format!("{found}: they share its load"));
-        let loops = self.model.system.shared_constraints();
+        let loops = self.model.system.redundant_of_loops();
         let large = loops.filter(|(count, _)| *count > MANY);
         let large = large.map(|(count, joint)| {
             format!(
-                "{count} constraints of one closed loop, that of \"{joint}\", share their loads: \
-                 each step costs as their number cubed; take joints that hold each direction once \
+                "{count} constraints of one net of closed loops, that of \"{joint}\", follow from \
+                 others: each step costs as their number cubed; take joints that hold each direction once \
                  (spherical, cylindrical or in-line in place of revolute) for the cost of open chains"
             )
         });

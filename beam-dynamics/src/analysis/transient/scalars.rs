@@ -116,7 +116,10 @@ fn find(
 fn pattern_of_scalars(system: &System) -> Arc<Pattern> {
     let first = system.numbering().first_scalar();
     let whole = Sparse::zero(Arc::clone(system.pattern()));
-    let block = whole.triplets().filter(|&(i, j, _)| i.min(j) >= first);
+    let own = first..first + system.scalars().len();
+    let block = whole
+        .triplets()
+        .filter(|(i, j, _)| own.contains(i) && own.contains(j));
     let block = block.map(|(i, j, _)| (i - first, j - first)).collect();
     Arc::new(Pattern::new(system.scalars().len(), block))
 }
@@ -130,7 +133,9 @@ fn matrix_of_scalars(
 ) -> Sparse {
     let mut matrix = Sparse::zero(Arc::clone(pattern));
     for (from, wanted) in [(&tangent.by_unknowns, false), (&tangent.by_rates, true)] {
-        let own = from.triplets().filter(|&(i, j, _)| i.min(j) >= first);
+        let scalars = first..first + is_rate.len();
+        let own = from.triplets();
+        let own = own.filter(|(i, j, _)| scalars.contains(i) && scalars.contains(j));
         for (i, j, value) in own.filter(|&(_, j, _)| is_rate[j - first] == wanted) {
             if let Some(place) = pattern.place(i - first, j - first) {
                 matrix.values_mut()[place] += value;

@@ -82,36 +82,32 @@ impl System {
         (!redundant.is_empty()).then(|| self.without(&redundant))
     }
 
-    /// Number of the constraints of each loop that share their loads, and the name of its first
-    /// joint.
-    pub fn shared_constraints(&self) -> impl Iterator<Item = (usize, &str)> {
+    /// Number of the constraints of each loop that follow from others, and the name of its
+    /// first joint.
+    pub fn redundant_of_loops(&self) -> impl Iterator<Item = (usize, &str)> {
         self.loops.iter().filter_map(|of| {
-            let own = of.elements.iter().map(|&index| &self.elements[index]);
-            let count = own.map(|element| element.multipliers()).sum();
             let first = of.elements.first()?;
-            Some((count, self.elements[*first].label()))
+            Some((of.redundant.len(), self.elements[*first].label()))
         })
+    }
+
+    /// Number of loads that balance each other, of all loops: the rows and columns of the
+    /// pattern after those of the unknowns (see [`super::Sharing`]).
+    pub fn surpluses(&self) -> usize {
+        self.loops.iter().map(|of| of.redundant.len()).sum()
     }
 
     /// Places of the matrix in which constraints share their loads.
     pub(super) fn shared_entries(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let first = NODE_UNKNOWNS * self.nodes.len();
+        let of_constraints = NODE_UNKNOWNS * self.nodes.len();
+        let mut next = self.numbering.unknowns();
         self.loops.iter().flat_map(move |of| {
+            let surpluses = next..next + of.redundant.len();
+            next = surpluses.end;
             let own = of.elements.iter();
             let own = own.flat_map(|&element| self.numbering.multipliers_of(element));
-            let own: Vec<_> = own.map(|i| first + i).collect();
-            let columns = own.clone().into_iter();
-            columns.flat_map(move |column| own.clone().into_iter().map(move |row| (row, column)))
+            let own = own.map(move |i| of_constraints + i);
+            own.flat_map(move |i| surpluses.clone().flat_map(move |k| [(i, k), (k, i)]))
         })
-    }
-
-    /// Where the entries of a block of multipliers are stored, column by column.
-    pub(super) fn shared_places(&self, constraints: &[usize]) -> Vec<usize> {
-        let first = NODE_UNKNOWNS * self.nodes.len();
-        let columns = constraints.iter();
-        let entries = columns.flat_map(|j| constraints.iter().map(move |i| (first + i, first + j)));
-        entries
-            .filter_map(|(row, column)| self.pattern.place(row, column))
-            .collect()
     }
 }

@@ -58,6 +58,11 @@ impl ScalarScales {
         }
     }
 
+    /// Whether there are no scalars.
+    pub fn is_empty(&self) -> bool {
+        self.units.is_empty()
+    }
+
     /// The largest of `changes` by its scale: the largest `size` of the scalars of its unit,
     /// given by their numbers, and at least its own. No number where a change is none.
     pub fn largest(&self, changes: &[f64], size: impl Fn(usize) -> f64) -> ScalarChange {
@@ -99,13 +104,14 @@ impl ScalarScales {
         (0..self.count).map(of_unit).fold(0.0, f64::max)
     }
 
+    /// The numbers of the scalars of a unit; what follows the scalars does not count.
     fn of_unit<'a>(
         &'a self,
         unit: usize,
         numbers: &'a [f64],
     ) -> impl Iterator<Item = (usize, f64)> + 'a {
-        let numbers = numbers.iter().copied().enumerate();
-        numbers.filter(move |(scalar, _)| self.units[*scalar] == Some(unit))
+        let numbers = numbers.iter().copied().enumerate().zip(&self.units);
+        numbers.filter_map(move |(number, own)| (*own == Some(unit)).then_some(number))
     }
 
     fn largest_value(&self, unit: usize, values: &[f64]) -> f64 {
@@ -126,7 +132,8 @@ impl System {
         let multipliers = first - self.numbering().multipliers()..first;
         let (pattern, starts) = (self.pattern(), self.pattern().column_starts());
         let rows = &pattern.rows()[starts[multipliers.start]..starts[multipliers.end]];
-        rows.iter().any(|row| *row >= first)
+        let scalars = first..self.numbering().unknowns();
+        rows.iter().any(|row| scalars.contains(row))
     }
 
     /// Scales of the scalar unknowns for which it `counts`.
