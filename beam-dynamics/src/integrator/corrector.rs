@@ -39,12 +39,13 @@ const ROUND_OFF: f64 = 1e-3;
 /// Part of the limits of the iteration that hold for corrections with a kept Jacobian, which
 /// leave more in directions of little inertia than new ones.
 const OF_KEPT: f64 = 1e-2;
-
-/// A residual that falls by less with a kept Jacobian has reached what round-off leaves of it.
-const FLOOR_OF_KEPT: f64 = 0.03;
+/// Limits are not lowered to less than this.
+const SMALLEST: f64 = 1e-13;
 
 /// A residual that falls by less has reached what round-off leaves of it.
 const STAGNATION: f64 = 0.5;
+/// The same with a kept Jacobian.
+const FLOOR_OF_KEPT: f64 = 0.03;
 
 /// A kept Jacobian is computed anew when corrections or residuals shrink by less: a new one
 /// costs as much as two or three corrections.
@@ -54,8 +55,7 @@ const SLOW: f64 = 0.1;
 /// costs.
 const USES: usize = 4;
 
-/// Unknowns and equations of other scales shrink by this times what the measured ones do, or
-/// less.
+/// Unknowns of other scales shrink by this times what the measured ones do, or less.
 const BESIDE: f64 = 100.0;
 
 /// A kept Jacobian is computed anew when the weights of the formula times the step have
@@ -275,8 +275,7 @@ impl Corrector {
     ///
     /// Corrections that shrink by theta leave theta / (1 - theta) of the last one; with a new
     /// Jacobian Newton's method leaves far less, with a kept one it is the limit that is lower.
-    /// Where stiffness is high the residual has a floor of round-off above its limit: then a
-    /// small correction is enough.
+    /// At the floor of round-off of the residual a small correction is enough.
     fn is_settled(&self, limits: &StepLimits) -> bool {
         let Some(last) = self.history[self.first..].last() else {
             return false;
@@ -290,12 +289,12 @@ impl Corrector {
         let fallen = worst / last.worst.relative;
         let is_at_floor = fallen >= STAGNATION && last.correction <= limits.correction;
         let is_kept = (self.kept).is_some_and(|kept| kept.uses > 1 || !kept.is_of_this_step);
-        // Of slow directions of a kept Jacobian the residual falls less, that at its floor hardly.
         let part = match is_kept && fallen < FLOOR_OF_KEPT {
             true => OF_KEPT,
             false => 1.0,
         };
-        let is_small = worst <= part * limits.residual && left <= part * limits.correction;
+        let lowered = |limit: f64| (part * limit).max(limit.min(SMALLEST));
+        let is_small = worst <= lowered(limits.residual) && left <= lowered(limits.correction);
         worst <= ROUND_OFF * limits.residual || is_small || is_at_floor
     }
 
@@ -326,7 +325,7 @@ impl Corrector {
         let has_changed = all().any(|(kept, now)| (kept - now).abs() > CHANGED * most);
         let is_early = limits.jacobians == Jacobians::Full && !kept.is_of_this_step;
         let ratio = self.shrinking().or_else(|| self.fallen());
-        let is_slow = ratio.is_some_and(|ratio| !(ratio <= SLOW));
+        let is_slow = ratio.is_some_and(|ratio| ratio > SLOW || ratio.is_nan());
         is_early || has_changed || is_slow || kept.uses >= USES
     }
 

@@ -505,7 +505,8 @@ fn phases_are_timed_by_the_clock_given() {
     assert_eq!(counters.jacobian_time, counters.jacobians as f64);
     assert_eq!(counters.factorization_time, counters.jacobians as f64);
     assert_eq!(counters.solution_time, counters.iterations as f64);
-    assert!(counters.residual_time >= counters.iterations as f64);
+    // The first residual comes with the Jacobian, and the last one may need no look.
+    assert!(counters.residual_time >= counters.iterations as f64 - 1.0);
 }
 
 /// Lengths of a variable run: they grow from the first, never beyond the bound of
