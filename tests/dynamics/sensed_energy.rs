@@ -110,7 +110,7 @@ fn sensors_have_the_energies_of_the_model() {
     let run = run(SHAKEN);
     assert!(run.outcome.failure.is_none(), "{:?}", run.outcome.failure);
     assert!(
-        run.outcome.effort.jacobians < 150,
+        run.outcome.effort.iterations < 400,
         "{:?}",
         run.outcome.effort
     );

@@ -36,27 +36,15 @@ impl std::fmt::Debug for Meter<'_> {
 /// A residual or correction so far below its limit is nothing but round-off.
 const ROUND_OFF: f64 = 1e-3;
 
-/// Part of the limits of the iteration that hold for corrections with a kept Jacobian, which
-/// leave more in directions of little inertia than new ones.
-const OF_KEPT: f64 = 1e-2;
-/// Limits are not lowered to less than this.
-const SMALLEST: f64 = 1e-13;
-
 /// A residual that falls by less has reached what round-off leaves of it.
 const STAGNATION: f64 = 0.5;
-/// The same with a kept Jacobian.
-const FLOOR_OF_KEPT: f64 = 0.03;
 
-/// A kept Jacobian is computed anew when corrections or residuals shrink by less: a new one
-/// costs as much as two or three corrections.
-const SLOW: f64 = 0.1;
+/// A kept Jacobian is computed anew when the corrections shrink by less.
+const SLOW: f64 = 0.3;
 
 /// A kept Jacobian is computed anew after so many corrections in a step: as many as one
 /// costs.
-const USES: usize = 4;
-
-/// Unknowns of other scales shrink by this times what the measured ones do, or less.
-const BESIDE: f64 = 100.0;
+const USES: usize = 5;
 
 /// A kept Jacobian is computed anew when the weights of the formula times the step have
 /// changed by more: the corrections would shrink by no more than this.
@@ -196,7 +184,7 @@ impl Corrector {
                 continue;
             }
             self.apply(dae, &weights);
-            if size <= ROUND_OFF * limits.correction || self.leaves_round_off(limits) {
+            if size <= ROUND_OFF * limits.correction {
                 return Ok(self.history.len());
             }
         }
@@ -265,17 +253,11 @@ impl Corrector {
         }
     }
 
-    /// What the last correction has left of the residual; `None` before the first.
-    fn fallen(&self) -> Option<f64> {
-        let last = self.history[self.first..].last()?;
-        Some(self.worst.relative / last.worst.relative)
-    }
-
     /// Whether the last correction was the last one that is needed.
     ///
-    /// Corrections that shrink by theta leave theta / (1 - theta) of the last one; with a new
-    /// Jacobian Newton's method leaves far less, with a kept one it is the limit that is lower.
-    /// At the floor of round-off of the residual a small correction is enough.
+    /// Corrections that shrink by theta leave theta / (1 - theta) of the last one; full
+    /// Newton leaves less. Where stiffness is high the residual has a floor of round-off
+    /// above its limit: then a small correction is enough.
     fn is_settled(&self, limits: &StepLimits) -> bool {
         let Some(last) = self.history[self.first..].last() else {
             return false;
@@ -286,34 +268,10 @@ impl Corrector {
             None => last.correction,
         };
         let worst = self.worst.relative;
-        let fallen = worst / last.worst.relative;
-        let is_at_floor = fallen >= STAGNATION && last.correction <= limits.correction;
-        let is_kept = (self.kept).is_some_and(|kept| kept.uses > 1 || !kept.is_of_this_step);
-        let part = match is_kept && fallen < FLOOR_OF_KEPT {
-            true => OF_KEPT,
-            false => 1.0,
-        };
-        let lowered = |limit: f64| (part * limit).max(limit.min(SMALLEST));
-        let is_small = worst <= lowered(limits.residual) && left <= lowered(limits.correction);
-        worst <= ROUND_OFF * limits.residual || is_small || is_at_floor
-    }
-
-    /// Whether nothing but round-off is left after the last correction, which has been applied:
-    /// its residual needs no look.
-    ///
-    /// With r the residual before it, c its size and theta the larger of what the corrections and
-    /// the residuals have shrunk by, `100 theta c` and `100 theta r` are left at most.
-    fn leaves_round_off(&self, limits: &StepLimits) -> bool {
-        let (Some(last), Some(shrinking)) = (self.history.last(), self.shrinking()) else {
-            return false;
-        };
-        let [.., before, _] = &self.history[self.first..] else {
-            return false;
-        };
-        let fallen = last.worst.relative / before.worst.relative;
-        let theta = BESIDE * shrinking.max(fallen);
-        let [correction, residual] = [last.correction, last.worst.relative].map(|of| theta * of);
-        correction <= ROUND_OFF * limits.correction && residual <= ROUND_OFF * limits.residual
+        let is_at_floor = worst >= STAGNATION * last.worst.relative;
+        worst <= ROUND_OFF * limits.residual
+            || worst <= limits.residual && left <= limits.correction
+            || is_at_floor && last.correction <= limits.correction
     }
 
     fn is_due(&self, weights: &[[f64; STAGES]; STAGES], limits: &StepLimits) -> bool {
@@ -323,10 +281,8 @@ impl Corrector {
         let all = || kept.weights.iter().flatten().zip(weights.iter().flatten());
         let most = all().fold(0.0_f64, |most, (kept, _)| most.max(kept.abs()));
         let has_changed = all().any(|(kept, now)| (kept - now).abs() > CHANGED * most);
-        let is_early = limits.jacobians == Jacobians::Full && !kept.is_of_this_step;
-        let ratio = self.shrinking().or_else(|| self.fallen());
-        let is_slow = ratio.is_some_and(|ratio| ratio > SLOW || ratio.is_nan());
-        is_early || has_changed || is_slow || kept.uses >= USES
+        let is_slow = self.shrinking().is_some_and(|theta| theta > SLOW);
+        limits.jacobians == Jacobians::Full || has_changed || is_slow || kept.uses >= USES
     }
 
     /// Residuals and derivatives of all stages in one evaluation.

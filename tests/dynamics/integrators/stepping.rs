@@ -340,8 +340,7 @@ fn cubic_gauss_passes_a_jump() {
     assert!((system.latest.y[1] - exact).abs() < 1e-13);
 }
 
-/// Full Newton takes a Jacobian a step here. Modified Newton ends at the same states, with a
-/// half of them at most.
+/// Modified Newton ends at the same states, with a tenth of the Jacobians at most.
 #[test]
 fn kept_jacobians_change_the_effort_and_not_the_answer() {
     for scheme in [TWO_STEP, CUBIC, RADAU] {
@@ -363,9 +362,9 @@ fn kept_jacobians_change_the_effort_and_not_the_answer() {
                 "{scheme:?} {full} {modified}"
             );
         }
-        assert_eq!(all.jacobians, all.steps);
-        assert!(2 * kept.jacobians < all.jacobians, "{kept:?} {all:?}");
-        assert!(kept.iterations < 3 * all.iterations, "{kept:?} {all:?}");
+        assert_eq!(all.jacobians, all.iterations);
+        assert!(10 * kept.jacobians < all.jacobians, "{kept:?} {all:?}");
+        assert!(kept.iterations < 4 * all.iterations, "{kept:?} {all:?}");
     }
 }
 
@@ -505,8 +504,7 @@ fn phases_are_timed_by_the_clock_given() {
     assert_eq!(counters.jacobian_time, counters.jacobians as f64);
     assert_eq!(counters.factorization_time, counters.jacobians as f64);
     assert_eq!(counters.solution_time, counters.iterations as f64);
-    // The first residual comes with the Jacobian, and the last one may need no look.
-    assert!(counters.residual_time >= counters.iterations as f64 - 1.0);
+    assert!(counters.residual_time >= counters.iterations as f64);
 }
 
 /// Lengths of a variable run: they grow from the first, never beyond the bound of
