@@ -47,7 +47,7 @@ pub use charges::{Charges, CircuitState, ElectrodeState, Flow};
 pub use constraint::{ConstraintRates, ConstraintWords, Level, PlaceJump};
 pub use energy::{Energy, EnergyPart, EnergySlope};
 pub use exchange::Exchange;
-pub use local::{LocalJacobian, LocalResidual, LocalSize};
+pub use local::{LocalJacobian, LocalResidual, LocalRun, LocalSize};
 pub use motion::Motion;
 pub use observation::{
     JointState, Observations, Reaction, ReactionAxes, SectionState, SpringState,

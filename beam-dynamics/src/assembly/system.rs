@@ -3,6 +3,7 @@
 use crate::elements::{Element, Local, LocalJacobian, LocalSize, Observations, Queries};
 use std::sync::Arc;
 
+use kind::{Kind, Kinds};
 pub use layout::Workspace;
 use layout::{Gathered, Layout};
 pub use loops::Loop;
@@ -17,6 +18,7 @@ use crate::model::{Conditions, Node, Numbering, Scalar, State};
 mod constraints;
 mod energy;
 mod growth;
+mod kind;
 mod layout;
 mod loops;
 mod memory;
@@ -40,8 +42,8 @@ pub struct System {
     pattern: Arc<Pattern>,
     /// Places of each element.
     layouts: Vec<Layout>,
-    /// The different sizes of elements.
-    sizes: Vec<LocalSize>,
+    /// The different kinds of elements.
+    kinds: Vec<Kind>,
     /// Loops in which constraints share their loads, and their compliance [m/N].
     loops: Vec<Loop>,
     compliance: f64,
@@ -92,7 +94,7 @@ impl System {
         let mut system = Self {
             pattern: Arc::new(Pattern::new(0, Vec::new())),
             layouts: Vec::new(),
-            sizes: Vec::new(),
+            kinds: Vec::new(),
             loops: Vec::new(),
             compliance: 0.0,
             size: 1.0,
@@ -112,38 +114,28 @@ impl System {
         let n = self.numbering.unknowns() + self.surpluses();
         // The diagonal is always stored: the factorization may shift it.
         let mut entries: Vec<_> = (0..n).map(|i| (i, i)).collect();
-        let mut evaluated = Vec::with_capacity(self.elements.len());
-        let mut lengths = Lengths::default();
+        let mut places = Vec::with_capacity(self.elements.len());
+        let (mut lengths, mut kinds) = (Lengths::default(), Kinds::default());
         for (index, element) in self.elements.iter().enumerate() {
-            let size = LocalSize::of(element.as_ref());
-            let mut jacobian = LocalJacobian::new(size);
+            let mut jacobian = LocalJacobian::new(LocalSize::of(element.as_ref()));
             let mut gathered = Gathered::default();
             let at = self.gather(index, (&state, &conditions), None, &mut gathered);
             element.jacobian(&at, &mut jacobian);
             lengths.add(element.as_ref(), &jacobian);
+            let own = self.numbering.scalars_of(index).iter();
+            let has_rate = own.map(|&i| self.scalars[i].has_rate).collect();
+            let kind = kinds.index(&jacobian, has_rate);
             let rows = Layout::rows(element.as_ref(), index, &self.numbering);
-            let marks = jacobian.touched().iter().enumerate();
-            let marked = marks.filter(|(_, touched)| **touched);
-            let place = |(at, _)| (rows[at % rows.len()], rows[at / rows.len()]);
-            entries.extend(marked.map(place));
-            evaluated.push((rows, jacobian));
+            let own = kinds.all[kind].entries();
+            entries.extend(own.map(|(i, j)| (rows[i], rows[j])));
+            places.push((rows, kind));
         }
         self.size = self.size_with(&lengths);
         entries.extend(self.shared_entries());
         let pattern = Pattern::new(n, entries);
-        for (index, (rows, jacobian)) in evaluated.into_iter().enumerate() {
-            let size = LocalSize::of(self.elements[index].as_ref());
-            let known = self.sizes.iter().position(|other| *other == size);
-            let room = known.unwrap_or(self.sizes.len());
-            if known.is_none() {
-                self.sizes.push(size);
-            }
-            let own = self.numbering.scalars_of(index).iter();
-            let has_rate: Vec<_> = own.map(|&i| self.scalars[i].has_rate).collect();
-            let sizes = (size.nodes, &has_rate[..]);
-            let layout = Layout::new(rows, sizes, room, &jacobian, &pattern);
-            self.layouts.push(layout);
-        }
+        let layout = |(rows, kind)| Layout::new(rows, (kind, &kinds.all[kind]), &pattern);
+        self.layouts = places.into_iter().map(layout).collect();
+        self.kinds = kinds.all;
         self.pattern = Arc::new(pattern);
     }
 
@@ -186,10 +178,11 @@ impl System {
         let mut by_rates = Sparse::zero(Arc::clone(&self.pattern));
         let mut work = self.workspace();
         for (index, layout) in self.layouts.iter().enumerate() {
+            let kind = &self.kinds[layout.kind];
             let local = self.local_jacobian(index, state, conditions, &mut work);
-            layout.add_matrix(local.by_unknowns(), by_unknowns.values_mut());
-            if layout.rates {
-                layout.add_matrix(local.by_rates(), by_rates.values_mut());
+            layout.add_matrix(kind, local.by_unknowns(), by_unknowns.values_mut());
+            if kind.rates {
+                layout.add_matrix(kind, local.by_rates(), by_rates.values_mut());
             }
         }
         Tangent {

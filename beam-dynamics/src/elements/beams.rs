@@ -7,6 +7,7 @@ mod electrodes;
 mod forces;
 mod formulation;
 mod geometry;
+mod gradient;
 mod inertia;
 mod interpolation;
 mod mass;

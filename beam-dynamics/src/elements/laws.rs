@@ -158,14 +158,25 @@ impl<const N: usize> Law<N> {
         now: &Instant<'_>,
     ) -> Response<N> {
         let mut sum = Response::zero();
+        self.add(strain, rate, now, &mut sum);
+        sum
+    }
+
+    /// Adds the force at a strain, a rate of strain and an instant to `sum`.
+    pub fn add(
+        &self,
+        strain: &SVector<f64, N>,
+        rate: &SVector<f64, N>,
+        now: &Instant<'_>,
+        sum: &mut Response<N>,
+    ) {
         for term in &self.terms {
             let (strain, rate) = term.elastic(strain, rate, now);
-            term.kind.add(&strain, &rate, now, &mut sum);
+            term.kind.add(&strain, &rate, now, sum);
             if let Some(Driven { vector, signal }) = &term.prestress {
                 sum.force += vector * signal.value(now);
             }
         }
-        sum
     }
 
     /// Calls `add` with the derivatives of the force by scalars: number of the scalar in the

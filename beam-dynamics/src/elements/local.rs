@@ -8,7 +8,7 @@ use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 mod removal;
 
 /// Numbers of nodes, multipliers and scalars of an element.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct LocalSize {
     /// Nodes.
     pub nodes: usize,
@@ -87,9 +87,15 @@ impl LocalResidual {
 
     /// Adds to a vector equation of a node.
     pub fn add(&mut self, node: usize, equation: Equation, value: &Vector3<f64>) {
+        if self.is_ignored() {
+            return;
+        }
         let row = NODE_UNKNOWNS * node + equation.row();
-        for i in 0..3 {
-            self.add_at(row + i, value[i]);
+        let sums = self.values[row..row + 3].iter_mut();
+        let sizes = self.sizes[row..row + 3].iter_mut();
+        for ((sum, size), value) in sums.zip(sizes).zip(value.as_slice()) {
+            *sum += value;
+            *size += value.abs();
         }
     }
 
@@ -135,6 +141,23 @@ impl LocalResidual {
     }
 }
 
+/// Entries that follow each other in a column of a local Jacobian.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LocalRun {
+    /// First entry, column by column.
+    pub first: u32,
+    /// Number of entries.
+    pub count: u32,
+}
+
+impl LocalRun {
+    /// The entries, column by column.
+    pub fn range(self) -> std::ops::Range<usize> {
+        let first = self.first as usize;
+        first..first + self.count as usize
+    }
+}
+
 /// Jacobian of one element, by the unknowns and by their rates.
 ///
 /// Rows as in [`LocalResidual`]; columns: twelve a node, then the multipliers, then the
@@ -171,12 +194,17 @@ impl LocalJacobian {
         }
     }
 
-    /// Makes it zero again.
-    pub fn clear(&mut self) {
-        // As slices: in one stroke.
-        self.by_unknowns.as_mut_slice().fill(0.0);
+    /// Makes the given entries zero: all that are ever touched.
+    pub fn clear(&mut self, touched: &[LocalRun]) {
+        let clear = |matrix: &mut DMatrix<f64>| {
+            let values = matrix.as_mut_slice();
+            for run in touched {
+                values[run.range()].fill(0.0);
+            }
+        };
+        clear(&mut self.by_unknowns);
         if self.touches_rates {
-            self.by_rates.as_mut_slice().fill(0.0);
+            clear(&mut self.by_rates);
         }
         self.touches_rates = false;
     }
@@ -187,10 +215,10 @@ impl LocalJacobian {
         let first_column = NODE_UNKNOWNS * column.0 + column.1.column();
         let rate = column.1.is_rate();
         let n = self.by_unknowns.nrows();
-        let places = [0, 1, 2].map(|j| first_row + n * (first_column + j));
+        let first = first_row + n * first_column;
         if !self.touched.is_empty() {
-            for at in places {
-                self.touched.as_mut_slice()[at..at + 3].fill(true);
+            for column in self.touched.as_mut_slice()[first..].chunks_mut(n).take(3) {
+                column[..3].fill(true);
             }
         }
         self.touches_rates |= rate;
@@ -198,9 +226,12 @@ impl LocalJacobian {
             true => self.by_rates.as_mut_slice(),
             false => self.by_unknowns.as_mut_slice(),
         };
-        for (at, values) in places.into_iter().zip(block.as_slice().chunks_exact(3)) {
-            let column = sums[at..at + 3].iter_mut();
-            column.zip(values).for_each(|(sum, value)| *sum += value);
+        let sums = &mut sums[first..first + 2 * n + 3];
+        for j in 0..3 {
+            let column = &mut sums[n * j..n * j + 3];
+            for i in 0..3 {
+                column[i] += block[(i, j)];
+            }
         }
     }
 
@@ -323,17 +354,33 @@ impl LocalJacobian {
     }
 
     /// Takes the derivatives by the rotation and angular velocity of a node as those by
-    /// u and u', with `theta = turn du`, `d omega = turn du' + spin du`.
-    pub fn turn(&mut self, node: usize, turn: &Matrix3<f64>, spin: &Matrix3<f64>) {
-        let first = NODE_UNKNOWNS * node + Variable::Rotation.column();
+    /// u and u', with `theta = turn du`, `d omega = turn du' + spin du`; `touched` are the
+    /// entries in the first of these columns, beside which are those of the others.
+    pub fn turn(
+        &mut self,
+        node: usize,
+        touched: &[LocalRun],
+        turn: &Matrix3<f64>,
+        spin: &Matrix3<f64>,
+    ) {
         let n = self.by_unknowns.nrows();
-        let columns = n * first..n * (first + 3);
-        let theta = &mut self.by_unknowns.as_mut_slice()[columns.clone()];
-        map_columns(theta, turn);
+        let first = n * (NODE_UNKNOWNS * node + Variable::Rotation.column());
+        let still = *turn == Matrix3::identity();
+        let theta = self.by_unknowns.as_mut_slice();
+        if !still {
+            map_columns(&mut theta[first..first + 3 * n], touched, first, turn);
+        }
         if self.touches_rates {
-            let omega = &mut self.by_rates.as_mut_slice()[columns];
-            add_mapped(theta, omega, spin);
-            map_columns(omega, turn);
+            let omega = &mut self.by_rates.as_mut_slice()[first..first + 3 * n];
+            add_mapped(
+                &mut theta[first..first + 3 * n],
+                omega,
+                (touched, first),
+                spin,
+            );
+            if !still {
+                map_columns(omega, touched, first, turn);
+            }
         }
     }
 
@@ -363,29 +410,28 @@ impl LocalJacobian {
     }
 }
 
-/// `A <- A M`, A having three columns.
-fn map_columns(a: &mut [f64], m: &Matrix3<f64>) {
-    if *m == Matrix3::identity() {
-        return;
-    }
-    let (first, rest) = a.split_at_mut(a.len() / 3);
-    let (second, third) = rest.split_at_mut(first.len());
-    for ((x, y), z) in first.iter_mut().zip(second).zip(third) {
-        let row = RowVector3::new(*x, *y, *z) * m;
-        (*x, *y, *z) = (row[0], row[1], row[2]);
+/// `A <- A M` in the rows of `touched`, A being three columns from entry `first` on.
+fn map_columns(a: &mut [f64], touched: &[LocalRun], first: usize, m: &Matrix3<f64>) {
+    let n = a.len() / 3;
+    for i in rows(touched, first) {
+        let row = RowVector3::new(a[i], a[n + i], a[2 * n + i]) * m;
+        (a[i], a[n + i], a[2 * n + i]) = (row[0], row[1], row[2]);
     }
 }
 
-/// `B <- B + A M`, both having three columns.
-fn add_mapped(b: &mut [f64], a: &[f64], m: &Matrix3<f64>) {
+/// `B <- B + A M` in the rows of `touched`, both being three columns from entry `first` on.
+fn add_mapped(b: &mut [f64], a: &[f64], (touched, first): (&[LocalRun], usize), m: &Matrix3<f64>) {
     let n = a.len() / 3;
-    for (column, sums) in b.chunks_exact_mut(n).enumerate() {
-        for (k, values) in a.chunks_exact(n).enumerate() {
-            let factor = m[(k, column)];
-            if factor != 0.0 {
-                let terms = sums.iter_mut().zip(values);
-                terms.for_each(|(sum, value)| *sum += value * factor);
-            }
+    for i in rows(touched, first) {
+        let row = RowVector3::new(a[i], a[n + i], a[2 * n + i]) * m;
+        for k in 0..3 {
+            b[n * k + i] += row[k];
         }
     }
+}
+
+/// Rows of entries in a column that begins at entry `first`.
+fn rows(touched: &[LocalRun], first: usize) -> impl Iterator<Item = usize> + '_ {
+    let ranges = touched.iter().map(|run| run.range());
+    ranges.flat_map(move |range| range.start - first..range.end - first)
 }

@@ -39,8 +39,16 @@ const ROUND_OFF: f64 = 1e-3;
 /// A residual that falls by less has reached what round-off leaves of it.
 const STAGNATION: f64 = 0.5;
 
-/// A kept Jacobian is computed anew when the corrections shrink by less.
+/// A Jacobian that is kept over steps is computed anew when the corrections shrink by less.
 const SLOW: f64 = 0.3;
+
+/// So is one that is kept in a step.
+const SLOW_IN_STEP: f64 = 0.1;
+
+/// Part of the limit at which corrections with a kept Jacobian end: they shrink by more in one
+/// direction than in another, and a direction of little inertia, such as the spin of a slender
+/// link, takes a small correction for a large change of its rate.
+const OF_KEPT: f64 = 1e-2;
 
 /// A kept Jacobian is computed anew after so many corrections in a step: as many as one
 /// costs.
@@ -184,7 +192,7 @@ impl Corrector {
                 continue;
             }
             self.apply(dae, &weights);
-            if size <= ROUND_OFF * limits.correction {
+            if self.is_last(size, limits) {
                 return Ok(self.history.len());
             }
         }
@@ -253,24 +261,45 @@ impl Corrector {
         }
     }
 
+    /// What corrections that shrink by theta leave, theta / (1 - theta) of the last one; full
+    /// Newton leaves less.
+    fn left(&self, last: &Iteration) -> f64 {
+        match self.shrinking() {
+            Some(theta) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
+            Some(_) => f64::INFINITY,
+            None => last.correction,
+        }
+    }
+
+    /// Whether the last correction was found with a Jacobian of another iterate of the step.
+    fn is_with_kept(&self, limits: &StepLimits) -> bool {
+        limits.jacobians == Jacobians::Full && self.kept.is_some_and(|kept| kept.uses > 1)
+    }
+
+    /// Whether the last correction is so small that its residual need not be looked at.
+    fn is_last(&self, size: f64, limits: &StepLimits) -> bool {
+        let part = if self.is_with_kept(limits) {
+            OF_KEPT
+        } else {
+            ROUND_OFF
+        };
+        size <= part * limits.correction
+    }
+
     /// Whether the last correction was the last one that is needed.
     ///
-    /// Corrections that shrink by theta leave theta / (1 - theta) of the last one; full
-    /// Newton leaves less. Where stiffness is high the residual has a floor of round-off
-    /// above its limit: then a small correction is enough.
+    /// Where stiffness is high the residual has a floor of round-off above its limit: then a
+    /// small correction is enough.
     fn is_settled(&self, limits: &StepLimits) -> bool {
         let Some(last) = self.history[self.first..].last() else {
             return false;
         };
-        let left = match self.shrinking() {
-            Some(theta) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
-            Some(_) => f64::INFINITY,
-            None => last.correction,
-        };
         let worst = self.worst.relative;
         let is_at_floor = worst >= STAGNATION * last.worst.relative;
         worst <= ROUND_OFF * limits.residual
-            || worst <= limits.residual && left <= limits.correction
+            || !self.is_with_kept(limits)
+                && worst <= limits.residual
+                && self.left(last) <= limits.correction
             || is_at_floor && last.correction <= limits.correction
     }
 
@@ -281,8 +310,12 @@ impl Corrector {
         let all = || kept.weights.iter().flatten().zip(weights.iter().flatten());
         let most = all().fold(0.0_f64, |most, (kept, _)| most.max(kept.abs()));
         let has_changed = all().any(|(kept, now)| (kept - now).abs() > CHANGED * most);
-        let is_slow = self.shrinking().is_some_and(|theta| theta > SLOW);
-        limits.jacobians == Jacobians::Full || has_changed || is_slow || kept.uses >= USES
+        let (slow, is_old) = match limits.jacobians {
+            Jacobians::Full => (SLOW_IN_STEP, !kept.is_of_this_step),
+            Jacobians::Modified => (SLOW, false),
+        };
+        let is_slow = self.shrinking().is_some_and(|theta| theta > slow);
+        is_old || has_changed || is_slow || kept.uses >= USES
     }
 
     /// Residuals and derivatives of all stages in one evaluation.

@@ -6,7 +6,7 @@ pub(super) const MOST_CROWDED: usize = 20_000;
 /// When the Jacobian is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Jacobians {
-    /// In every iteration.
+    /// In every step, and again where the iteration slows down.
     #[default]
     Full,
     /// When the iteration slows down or the step changes; else the last one is kept.

@@ -54,6 +54,7 @@ impl Parametrization {
     }
 
     /// The maps at the parameters `psi`.
+    #[inline]
     pub fn at(self, psi: &Vector3<f64>) -> RotationMap {
         RotationMap {
             psi: *psi,
@@ -88,6 +89,10 @@ struct Scale {
 /// `1/(2k + 2)!`, `1/(2k + 3)!` with alternating signs, and `|B_2k+2|/(2k + 2)!`: terms of the
 /// series of b, c and e. At x = 1 the last ones are below 1e-20 of the first.
 const SERIES: [[f64; 3]; 14] = series();
+/// Below this x so many terms do: the next one of e, the slowest, which falls by 39, is
+/// (x/39)^7, below 1e-22 even where it is differentiated twice.
+const SMALL: f64 = 0.02;
+const TERMS_OF_SMALL: usize = 7;
 
 const fn series() -> [[f64; 3]; 14] {
     const E: [f64; 14] = [
@@ -139,9 +144,13 @@ impl Scale {
 
     /// The closed forms divide differences by x as often as they are differentiated.
     fn by_series(x: f64) -> Self {
+        let terms = match x < SMALL {
+            true => &SERIES[..TERMS_OF_SMALL],
+            false => &SERIES,
+        };
         // value, first and half the second derivative by x of b, c, e
         let mut sums = [[0.0; 3]; 3];
-        for terms in SERIES.iter().rev() {
+        for terms in terms.iter().rev() {
             for (sum, term) in sums.iter_mut().zip(terms) {
                 sum[2] = sum[2] * x + sum[1];
                 sum[1] = sum[1] * x + sum[0];
@@ -180,11 +189,13 @@ impl Scale {
 
 impl RotationMap {
     /// Rotation matrix `R = I + T [psi]x`, 3x3.
+    #[inline]
     pub fn rotation(&self) -> Matrix3<f64> {
         Matrix3::identity() + self.tangent() * skew(&self.psi)
     }
 
     /// T, 3x3.
+    #[inline]
     pub fn tangent(&self) -> Matrix3<f64> {
         let Self { psi, scale } = self;
         let axis = scale.b[0] * skew(psi) + scale.c[0] * psi * psi.transpose();
@@ -192,6 +203,7 @@ impl RotationMap {
     }
 
     /// T^-1, 3x3.
+    #[inline]
     pub fn tangent_inverse(&self) -> Matrix3<f64> {
         let Self { psi, scale } = self;
         let axis = -0.5 * skew(psi) + scale.e[0] * psi * psi.transpose();
@@ -199,16 +211,19 @@ impl RotationMap {
     }
 
     /// Derivative of `T v` by psi, 3x3.
+    #[inline]
     pub fn tangent_derivative(&self, v: &Vector3<f64>) -> Matrix3<f64> {
         self.tangent_derivative_at(1.0, v)
     }
 
     /// Derivative of `T^T v` by psi, 3x3: S for `v = psi'`.
+    #[inline]
     pub fn tangent_transpose_derivative(&self, v: &Vector3<f64>) -> Matrix3<f64> {
         -self.tangent_derivative_at(-1.0, v)
     }
 
     /// `D(T.; v)` at `sign psi`.
+    #[inline]
     fn tangent_derivative_at(&self, sign: f64, v: &Vector3<f64>) -> Matrix3<f64> {
         let Scale { a, b, c, .. } = &self.scale;
         let psi = sign * self.psi;
@@ -220,15 +235,18 @@ impl RotationMap {
     }
 
     /// Derivative of `T^-1 v` by psi, 3x3.
+    #[inline]
     pub fn tangent_inverse_derivative(&self, v: &Vector3<f64>) -> Matrix3<f64> {
         self.inverse_derivative_at(1.0, v)
     }
 
     /// Derivative of `T^-T v` by psi, 3x3.
+    #[inline]
     pub fn tangent_inverse_transpose_derivative(&self, v: &Vector3<f64>) -> Matrix3<f64> {
         -self.inverse_derivative_at(-1.0, v)
     }
 
+    #[inline]
     fn inverse_derivative_at(&self, sign: f64, v: &Vector3<f64>) -> Matrix3<f64> {
         let Scale { e, i, .. } = &self.scale;
         let psi = sign * self.psi;
@@ -240,6 +258,7 @@ impl RotationMap {
     }
 
     /// H, the second derivative of `psi' . T m` by psi, 3x3 symmetric.
+    #[inline]
     pub fn second_derivative(&self, slope: &Vector3<f64>, m: &Vector3<f64>) -> Matrix3<f64> {
         let Self { psi, scale } = self;
         let Scale { a, b, c, .. } = scale;

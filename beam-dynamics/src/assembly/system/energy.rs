@@ -33,8 +33,8 @@ impl System {
         (state, conditions): (&State, &Conditions),
         work: &mut Workspace,
     ) -> f64 {
-        let Workspace { gathered, rooms } = work;
-        let local = &mut rooms[self.layouts[element].room].residual;
+        let Workspace { gathered, buffers } = work;
+        let local = &mut buffers[self.layouts[element].kind].residual;
         local.clear();
         let at = self.placed(element, state, conditions, gathered);
         self.elements[element].residual(&at, local);

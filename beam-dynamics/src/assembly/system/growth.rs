@@ -29,7 +29,7 @@ impl System {
         let mut sum = Sparse::zero(Arc::clone(&self.pattern));
         for (index, element) in self.elements.iter().enumerate() {
             let layout = &self.layouts[index];
-            let places = &layout.places;
+            let places = &layout.rows;
             let size = LocalSize::of(element.as_ref());
             let moved: Vec<_> = (0..size.nodes)
                 .map(|node| {
@@ -49,7 +49,11 @@ impl System {
             let mut local = LocalJacobian::new(size);
             let call = |at: &Local<'_>| element.prestress(at, &along, &mut local);
             self.seen(index, state, conditions, call);
-            layout.add_matrix(local.by_unknowns(), sum.values_mut());
+            layout.add_matrix(
+                &self.kinds[layout.kind],
+                local.by_unknowns(),
+                sum.values_mut(),
+            );
         }
         sum
     }

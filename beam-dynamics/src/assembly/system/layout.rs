@@ -1,43 +1,27 @@
-//! Where the equations and unknowns of an element stand in the system, found once, and
-//! the room in which elements are evaluated.
-
-use std::ops::Range;
+//! Rows and entries of an element in the system, found once, and the buffers in which elements
+//! are evaluated.
 
 use nalgebra::DMatrix;
 
+use super::kind::Kind;
+
 use crate::assembly::Pattern;
-use crate::elements::{Element, LocalJacobian, LocalResidual, LocalSize, Queries};
+use crate::elements::{Element, LocalJacobian, LocalResidual, LocalRun, LocalSize, Queries};
 use crate::model::{NODE_UNKNOWNS, NodeMotion, Numbering};
 
 /// Places of one element in the vectors and matrices of the system.
 #[derive(Debug, Clone)]
 pub(super) struct Layout {
-    /// Place in the system of each local row.
-    pub places: Vec<usize>,
-    /// Which room of the workspace has the size of the element.
-    pub room: usize,
-    /// Whether the element hangs on rates.
-    pub rates: bool,
+    /// Row in the system of each local row.
+    pub rows: Vec<usize>,
+    /// Index of the kind of the element.
+    pub kind: usize,
     /// The first node where the nodes follow each other.
     pub consecutive: Option<usize>,
     /// Number of nodes.
     nodes: usize,
-    /// Entries in the columns of nodes.
-    of_nodes: Vec<Run>,
-    /// Entries in the columns of multipliers, and of scalars without rate.
-    algebraic: Vec<Run>,
-    /// Entries in the columns of scalars with a rate.
-    with_rate: Vec<Run>,
-}
-
-/// Entries that follow each other in a column of the local Jacobian, and in the pattern.
-#[derive(Debug, Clone, Copy)]
-struct Run {
-    /// First entry in the local matrix, column by column.
-    local: u32,
-    /// First entry in the pattern.
-    place: u32,
-    count: u32,
+    /// Place in the pattern of the first entry of each run of the kind.
+    places: Vec<u32>,
 }
 
 impl Layout {
@@ -55,40 +39,26 @@ impl Layout {
             .collect()
     }
 
-    /// The layout of an element of `nodes` nodes on the rows `places`, the last of which are
-    /// of scalars that have a rate or have none; it touched the entries of `jacobian`.
-    pub fn new(
-        places: Vec<usize>,
-        (nodes, has_rate): (usize, &[bool]),
-        room: usize,
-        jacobian: &LocalJacobian,
-        pattern: &Pattern,
-    ) -> Self {
-        let columns_of_nodes = NODE_UNKNOWNS * nodes;
-        let firsts = || places[..columns_of_nodes].iter().step_by(NODE_UNKNOWNS);
-        let follows = |(at, first): (usize, &usize)| *first == places[0] + NODE_UNKNOWNS * at;
-        let consecutive = nodes > 0 && firsts().enumerate().all(follows);
-        let runs = |columns| runs(&places, columns, jacobian.touched(), pattern);
-        let first_scalar = places.len() - has_rate.len();
-        let (mut algebraic, mut with_rate) = (Vec::new(), Vec::new());
-        algebraic.extend(runs(columns_of_nodes..first_scalar));
-        for (column, has_rate) in (first_scalar..).zip(has_rate) {
-            let kind = if *has_rate {
-                &mut with_rate
-            } else {
-                &mut algebraic
-            };
-            kind.extend(runs(column..column + 1));
-        }
+    /// The layout of an element of kind number `index` on `rows`.
+    pub fn new(rows: Vec<usize>, (index, kind): (usize, &Kind), pattern: &Pattern) -> Self {
+        let nodes = kind.size.nodes;
+        let firsts = rows[..NODE_UNKNOWNS * nodes].iter().step_by(NODE_UNKNOWNS);
+        let follows = |(at, first): (usize, &usize)| *first == rows[0] + NODE_UNKNOWNS * at;
+        let consecutive = nodes > 0 && firsts.enumerate().all(follows);
+        let place = |run: &LocalRun| {
+            let (row, column) = (
+                run.first as usize % rows.len(),
+                run.first as usize / rows.len(),
+            );
+            // The pattern has the entries of all elements.
+            pattern.place(rows[row], rows[column]).unwrap_or_default() as u32
+        };
         Self {
-            of_nodes: runs(0..columns_of_nodes),
-            algebraic,
-            with_rate,
-            room,
-            rates: jacobian.touches_rates(),
-            consecutive: consecutive.then(|| places[0] / NODE_UNKNOWNS),
+            kind: index,
+            consecutive: consecutive.then(|| rows[0] / NODE_UNKNOWNS),
             nodes,
-            places,
+            places: kind.runs.iter().map(place).collect(),
+            rows,
         }
     }
 
@@ -99,78 +69,60 @@ impl Layout {
         for (i, values) in values.iter().enumerate() {
             let place = match self.consecutive {
                 Some(first) => NODE_UNKNOWNS * (first + i),
-                None => self.places[NODE_UNKNOWNS * i],
+                None => self.rows[NODE_UNKNOWNS * i],
             };
             add_some::<NODE_UNKNOWNS>(&mut sum[place..], values, |sum, value| sum + value);
         }
         if own.is_empty() {
             return;
         }
-        let places = &self.places[of_nodes.len()..];
-        for (&place, value) in places.iter().zip(own) {
-            sum[place] += value;
+        let rows = &self.rows[of_nodes.len()..];
+        for (&row, value) in rows.iter().zip(own) {
+            sum[row] += value;
         }
     }
 
-    /// Adds a local matrix to the entries of one of the system.
-    pub fn add_matrix(&self, local: &DMatrix<f64>, sum: &mut [f64]) {
-        add_runs(&self.of_nodes, 1.0, local, sum);
-        add_runs(&self.algebraic, 1.0, local, sum);
-        add_runs(&self.with_rate, 1.0, local, sum);
+    /// Adds a local matrix of the element to the entries of one of the system.
+    pub fn add_matrix(&self, kind: &Kind, local: &DMatrix<f64>, sum: &mut [f64]) {
+        add_runs((&kind.runs, &self.places), 1.0, local, sum);
     }
 
     /// Adds `by_unknowns F_y + by_rates F_y'` in the columns of nodes and of scalars
     /// with a rate, and `by_algebraic F_y` in those of all others.
     pub fn add_weighted(
         &self,
+        kind: &Kind,
         local: &LocalJacobian,
         [by_unknowns, by_rates, by_algebraic]: [f64; 3],
         sum: &mut [f64],
     ) {
-        add_runs(&self.of_nodes, by_unknowns, local.by_unknowns(), sum);
-        add_runs(&self.with_rate, by_unknowns, local.by_unknowns(), sum);
-        if self.rates {
-            add_runs(&self.of_nodes, by_rates, local.by_rates(), sum);
-            add_runs(&self.with_rate, by_rates, local.by_rates(), sum);
+        let (differential, algebraic) = kind.runs.split_at(kind.differential);
+        let places = self.places.split_at(kind.differential);
+        let differential = (differential, places.0);
+        add_runs(differential, by_unknowns, local.by_unknowns(), sum);
+        if kind.rates {
+            add_runs(differential, by_rates, local.by_rates(), sum);
         }
-        add_runs(&self.algebraic, by_algebraic, local.by_unknowns(), sum);
+        add_runs(
+            (algebraic, places.1),
+            by_algebraic,
+            local.by_unknowns(),
+            sum,
+        );
     }
-}
-
-fn runs(
-    places: &[usize],
-    columns: Range<usize>,
-    touched: &DMatrix<bool>,
-    pattern: &Pattern,
-) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
-    for j in columns {
-        for i in (0..places.len()).filter(|&i| touched[(i, j)]) {
-            let Some(place) = pattern.place(places[i], places[j]) else {
-                continue;
-            };
-            let (local, place) = ((i + places.len() * j) as u32, place as u32);
-            let next =
-                |run: &&mut Run| local == run.local + run.count && place == run.place + run.count;
-            match runs.last_mut().filter(next) {
-                Some(run) => run.count += 1,
-                None => runs.push(Run {
-                    local,
-                    place,
-                    count: 1,
-                }),
-            }
-        }
-    }
-    runs
 }
 
 /// Most runs are one or two equations of a node long: for these the length is known when
 /// this is compiled.
-fn add_runs(runs: &[Run], weight: f64, local: &DMatrix<f64>, sum: &mut [f64]) {
+fn add_runs(
+    (runs, places): (&[LocalRun], &[u32]),
+    weight: f64,
+    local: &DMatrix<f64>,
+    sum: &mut [f64],
+) {
     let local = local.as_slice();
-    for run in runs {
-        let (from, to, count) = (run.local as usize, run.place as usize, run.count as usize);
+    for (run, &to) in runs.iter().zip(places) {
+        let (from, to, count) = (run.first as usize, to as usize, run.count as usize);
         let (values, sums) = (&local[from..from + count], &mut sum[to..to + count]);
         let weighted = |sum: f64, value: f64| sum + weight * value;
         match count {
@@ -194,11 +146,11 @@ fn add_some<const N: usize>(sums: &mut [f64], values: &[f64], add: impl Fn(f64, 
     }
 }
 
-/// Room for the evaluation of elements: what it holds is written anew at each use.
+/// Buffers for the evaluation of elements, one a kind: each use writes them anew.
 #[derive(Debug, Clone)]
 pub struct Workspace {
     pub(super) gathered: Gathered,
-    pub(super) rooms: Vec<Room>,
+    pub(super) buffers: Vec<Buffer>,
 }
 
 /// Copies of the motions and scalars of an element that do not follow each other in a state.
@@ -211,18 +163,21 @@ pub(super) struct Gathered {
 
 /// Residual and Jacobian of an element.
 #[derive(Debug, Clone)]
-pub(super) struct Room {
+pub(super) struct Buffer {
     pub residual: LocalResidual,
     pub jacobian: LocalJacobian,
 }
 
 impl Workspace {
-    /// Room for elements of the given sizes.
-    pub(super) fn new(sizes: &[LocalSize]) -> Self {
-        let most = |count: fn(&LocalSize) -> usize| sizes.iter().map(count).max().unwrap_or(0);
-        let room = |&size: &LocalSize| Room {
-            residual: LocalResidual::new(size),
-            jacobian: LocalJacobian::unmarked(size),
+    /// Buffers for elements of the given kinds.
+    pub(super) fn new(kinds: &[Kind]) -> Self {
+        let most = |count: fn(&LocalSize) -> usize| {
+            let counts = kinds.iter().map(|kind| count(&kind.size));
+            counts.max().unwrap_or(0)
+        };
+        let buffer = |kind: &Kind| Buffer {
+            residual: LocalResidual::new(kind.size),
+            jacobian: LocalJacobian::unmarked(kind.size),
         };
         let scalars = most(|size| size.scalars);
         Self {
@@ -231,7 +186,7 @@ impl Workspace {
                 scalars: Vec::with_capacity(scalars),
                 rates: Vec::with_capacity(scalars),
             },
-            rooms: sizes.iter().map(room).collect(),
+            buffers: kinds.iter().map(buffer).collect(),
         }
     }
 }

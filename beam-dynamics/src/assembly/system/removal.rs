@@ -64,7 +64,7 @@ impl System {
             loops: loops::find(self, &groups),
             compliance,
             layouts: Vec::new(),
-            sizes: Vec::new(),
+            kinds: Vec::new(),
             ..self.clone()
         };
         system.find_pattern();

@@ -8,9 +8,9 @@ use crate::elements::{Local, LocalJacobian, Queries};
 use crate::model::{Conditions, Scalars, State};
 
 impl System {
-    /// Room for [`Self::residual_into`] and [`Self::combine`].
+    /// Buffers for [`Self::residual_into`] and [`Self::combine`].
     pub fn workspace(&self) -> Workspace {
-        Workspace::new(&self.sizes)
+        Workspace::new(&self.kinds)
     }
 
     /// The residual at a state, written to `out`, which takes the size of the system.
@@ -23,8 +23,8 @@ impl System {
     ) {
         self.clear(out);
         for (index, (element, layout)) in self.elements.iter().zip(&self.layouts).enumerate() {
-            let Workspace { gathered, rooms } = &mut *work;
-            let local = &mut rooms[layout.room].residual;
+            let Workspace { gathered, buffers } = &mut *work;
+            let local = &mut buffers[layout.kind].residual;
             local.clear();
             let at = self.placed(index, state, conditions, gathered);
             element.residual(&at, local);
@@ -63,10 +63,10 @@ impl System {
             self.clear(residual);
         }
         for (index, layout) in self.layouts.iter().enumerate() {
-            let Workspace { gathered, rooms } = &mut *work;
-            let room = &mut rooms[layout.room];
-            let (local, forces) = (&mut room.jacobian, &mut room.residual);
-            local.clear();
+            let Workspace { gathered, buffers } = &mut *work;
+            let (kind, buffer) = (&self.kinds[layout.kind], &mut buffers[layout.kind]);
+            let (local, forces) = (&mut buffer.jacobian, &mut buffer.residual);
+            kind.clear(local);
             let at = self.placed(index, state, conditions, gathered);
             match residual.as_deref_mut() {
                 None => self.elements[index].jacobian(&at, local),
@@ -78,17 +78,16 @@ impl System {
                 }
             }
             for (i, &node) in self.elements[index].nodes().iter().enumerate() {
-                let Variation { turn, spin } = &variations[node];
-                local.turn(i, turn, spin);
+                kind.turn(i, &variations[node], local);
             }
             for sum in out.iter_mut() {
                 let weights = [sum.by_unknowns, sum.by_rates, sum.by_algebraic];
-                layout.add_weighted(local, weights, sum.matrix.values_mut());
+                layout.add_weighted(kind, local, weights, sum.matrix.values_mut());
             }
         }
     }
 
-    /// The Jacobian of an element, in its room.
+    /// The Jacobian of an element, in its buffer.
     pub(super) fn local_jacobian<'a>(
         &self,
         index: usize,
@@ -96,9 +95,10 @@ impl System {
         conditions: &Conditions,
         work: &'a mut Workspace,
     ) -> &'a mut LocalJacobian {
-        let Workspace { gathered, rooms } = work;
-        let local = &mut rooms[self.layouts[index].room].jacobian;
-        local.clear();
+        let Workspace { gathered, buffers } = work;
+        let kind = self.layouts[index].kind;
+        let local = &mut buffers[kind].jacobian;
+        self.kinds[kind].clear(local);
         let at = self.placed(index, state, conditions, gathered);
         self.elements[index].jacobian(&at, local);
         local

@@ -22,7 +22,9 @@ use super::attachment::{BeamGeometry, EVALUATION_POINTS, Formulation};
 use super::electrodes::{BeamElectrode, Electrodes, Voltage};
 use super::forces::{Test, add_column, add_forces, add_tangent};
 use super::geometry::ReferencePoint;
-use super::interpolation::{LARGEST, NodalKinematics, Shape};
+use super::gradient::{self, Place};
+use super::interpolation::{LARGEST, NodalKinematics, PointKinematics, Shape};
+use super::portions;
 use super::strain::{StrainPoint, Variation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
@@ -52,10 +54,9 @@ struct Point {
 }
 
 /// An evaluation point at a state.
-struct At<'a> {
-    strain: StrainPoint<'a>,
+struct At {
+    kinematics: PointKinematics,
     now: Vector6<f64>,
-    test: Test,
     /// Its rate, zero where the law does not resist it.
     rate: Vector6<f64>,
     /// Forces of the law and of the electrodes.
@@ -144,9 +145,7 @@ impl Beam {
     /// the given motion of the three nodes [1/s, 1/(m s)].
     pub fn strain_rates(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
         let nodal = NodalKinematics::new(&self.geometry, nodes);
-        self.points
-            .each_ref()
-            .map(|point| StrainPoint::new(&nodal, &point.shape, point.reference.j0).rate(nodes))
+        [0, 1].map(|place| self.strain_point(place, &nodal).rate(nodes))
     }
 
     /// Internal forces at the two evaluation points at a state, section axes [N, N m].
@@ -157,90 +156,143 @@ impl Beam {
     }
 
     /// An evaluation point at a state.
-    fn at<'a>(
-        &'a self,
+    fn at(
+        &self,
         place: usize,
-        nodal: &'a NodalKinematics,
+        nodal: &NodalKinematics,
         at: &Local<'_>,
         voltages: &[Voltage],
-    ) -> At<'a> {
+    ) -> At {
         let point = &self.points[place];
-        let strain = StrainPoint::new(nodal, &point.shape, point.reference.j0);
+        let kinematics = nodal.at(&point.shape, point.reference.j0);
         let rate = match point.law.is_viscous() {
-            true => strain.rate(at.nodes),
+            true => self.strain_point(place, nodal).rate(at.nodes),
             false => Vector6::zeros(),
         };
-        let now = point.reference.strain(&strain.section.point);
-        let mut response = point.law.at(&now, &rate, &at.instant());
-        response.force += self.electrodes.force(place, voltages);
-        At {
-            now,
+        let mut found = At {
+            now: point.reference.strain(&kinematics),
+            kinematics,
             rate,
-            test: self.geometry.formulation.test(place, &strain),
-            strain,
-            response,
+            response: Response::zero(),
+        };
+        let response = &mut found.response;
+        (point.law).add(&found.now, &found.rate, &at.instant(), response);
+        if !self.electrodes.is_empty() {
+            response.force += self.electrodes.force(place, voltages);
+        }
+        found
+    }
+
+    /// An evaluation point with the variation of its strain.
+    fn strain_point<'a>(&'a self, place: usize, nodal: &'a NodalKinematics) -> StrainPoint<'a> {
+        let point = &self.points[place];
+        StrainPoint::new(nodal, &point.shape, point.reference.j0)
+    }
+
+    /// W of an evaluation point (D-20).
+    fn test(&self, place: usize, strain: &StrainPoint<'_>) -> Test {
+        match self.geometry.formulation {
+            Formulation::Variational => strain.j0() * strain.variation,
+            Formulation::FiniteVolume(_) => portions::test(place, &strain.section),
         }
     }
 
-    /// Adds the variation of the forces by scalars, and that of the charges.
-    fn add_by_scalars(
+    /// Evaluation point number `place` of a variational beam.
+    fn place<'a>(&'a self, place: usize, point: &'a At) -> Place<'a> {
+        Place {
+            shape: &self.points[place].shape,
+            j0: self.points[place].reference.j0,
+            point: &point.kinematics,
+        }
+    }
+
+    /// Adds the forces on the nodes.
+    fn add_forces(&self, nodal: &NodalKinematics, points: &[At; 2], out: &mut LocalResidual) {
+        let force = |place: usize| &points[place].response.force;
+        if self.geometry.formulation == Formulation::Variational {
+            let of = |place: usize| (self.place(place, &points[place]), force(place));
+            gradient::add_forces(nodal, &[of(0), of(1)], out);
+            return;
+        }
+        for place in [0, 1] {
+            let test = self.test(place, &self.strain_point(place, nodal));
+            add_forces(&test, force(place), out);
+        }
+    }
+
+    /// Adds the derivatives of the forces on the nodes, for section forces with the given
+    /// slopes by the strain at both points.
+    fn add_tangent(
         &self,
-        place: usize,
-        (point, at): (&At<'_>, &Local<'_>),
+        (nodal, points): (&NodalKinematics, &[At; 2]),
+        sections: [(&Vector6<f64>, &Matrix6<f64>); 2],
         out: &mut LocalJacobian,
     ) {
+        if self.geometry.formulation == Formulation::Variational {
+            let of = |place: usize| {
+                let (force, slopes) = sections[place];
+                (self.place(place, &points[place]), force, slopes)
+            };
+            gradient::add_tangent(nodal, &[of(0), of(1)], out);
+            return;
+        }
+        for (place, (force, slopes)) in sections.into_iter().enumerate() {
+            let strain = self.strain_point(place, nodal);
+            let test = self.test(place, &strain);
+            add_tangent(&test, &(slopes * strain.variation), false, out);
+            let [force, moment] = [0, 3].map(|row| force.fixed_rows::<3>(row).into_owned());
+            portions::add_geometric(place, &strain.section, &force, &moment, out);
+        }
+    }
+
+    /// Adds the derivatives of viscous forces, of forces by scalars, and of charges at an
+    /// evaluation point.
+    fn add_more(
+        &self,
+        (place, point): (usize, &At),
+        (nodal, at): (&NodalKinematics, &Local<'_>),
+        out: &mut LocalJacobian,
+    ) {
+        let law = &self.points[place].law;
+        if !law.is_viscous() && self.scalars.is_empty() {
+            return;
+        }
+        let strain = self.strain_point(place, nodal);
+        let test = self.test(place, &strain);
+        if law.is_viscous() {
+            let by_rate = &point.response.by_rate;
+            add_tangent(
+                &test,
+                &(by_rate * strain.rate_variation(at.nodes)),
+                false,
+                out,
+            );
+            add_tangent(&test, &(by_rate * strain.variation), true, out);
+        }
         if self.scalars.is_empty() {
             return;
         }
-        let law = &self.points[place].law;
-        law.by_scalars(
-            &point.now,
-            &point.rate,
-            &at.instant(),
-            |scalar, q, of_rate| {
-                add_column(&point.test, q, (scalar, of_rate), out);
-            },
-        );
+        let (now, rate) = (&point.now, &point.rate);
+        law.by_scalars(now, rate, &at.instant(), |scalar, q, of_rate| {
+            add_column(&test, q, (scalar, of_rate), out);
+        });
         self.electrodes.by_scalars(at, |k, scalar, slope| {
             let q = slope * self.electrodes.coupling(k, place);
-            add_column(&point.test, &q, (scalar, false), out);
+            add_column(&test, &q, (scalar, false), out);
         });
-        let variation = (&point.strain.variation, at);
+        let variation = (&strain.variation, at);
         self.electrodes.add_charge_rows(place, variation, out);
     }
 }
 
 impl Beam {
-    /// Adds the derivatives of the forces and charges of an evaluation point.
-    fn add_jacobian(
-        &self,
-        (place, point): (usize, &At<'_>),
-        at: &Local<'_>,
-        out: &mut LocalJacobian,
-    ) {
-        let Response {
-            force,
-            by_strain,
-            by_rate,
-        } = &point.response;
-        let mut by_unknowns: Variation = by_strain * point.strain.variation;
-        if self.points[place].law.is_viscous() {
-            by_unknowns += by_rate * point.strain.rate_variation(at.nodes);
-            let by_rates = by_rate * point.strain.variation;
-            add_tangent(&point.test, &by_rates, true, out);
-        }
-        add_tangent(&point.test, &by_unknowns, false, out);
-        let formulation = self.geometry.formulation;
-        formulation.add_geometric(place, &point.strain, force, out);
-        self.add_by_scalars(place, (point, at), out);
-    }
-
     /// Adds the derivatives of a component of the strain, or of the internal force, at an
     /// evaluation point.
     fn add_reading(
         &self,
         place: usize,
-        (point, at): (&At<'_>, &Local<'_>),
+        (point, variation): (&At, &StrainPoint<'_>),
+        at: &Local<'_>,
         (strain, component): (bool, usize),
         row: &mut ReadingRow<'_>,
     ) {
@@ -255,7 +307,8 @@ impl Beam {
             };
         const PLACES: [Variable; 2] = [Variable::Position, Variable::Rotation];
         const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
-        let variation = &point.strain.variation;
+        let rates = variation;
+        let variation = &variation.variation;
         if strain {
             let alone = RowVector6::from_fn(|_, j| f64::from(u8::from(j == component)));
             add(&alone, variation, PLACES);
@@ -268,7 +321,7 @@ impl Beam {
         let law = &self.points[place].law;
         if law.is_viscous() {
             let slopes = by_rate.row(component).into_owned();
-            add(&slopes, &point.strain.rate_variation(at.nodes), PLACES);
+            add(&slopes, &rates.rate_variation(at.nodes), PLACES);
             add(&slopes, variation, RATES);
         }
         law.by_scalars(
@@ -312,15 +365,25 @@ impl Element for Beam {
     ) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);
-        let points = [0, 1].map(|place| self.at(place, &nodal, at, &voltages));
-        for point in &points {
-            add_forces(&point.test, &point.response.force, out);
+        let points = [
+            self.at(0, &nodal, at, &voltages),
+            self.at(1, &nodal, at, &voltages),
+        ];
+        self.add_forces(&nodal, &points, out);
+        if !self.electrodes.is_empty() {
+            let strains = [points[0].now, points[1].now];
+            self.electrodes.add_charges(&voltages, &strains, out);
         }
-        let strains = points.each_ref().map(|point| point.now);
-        self.electrodes.add_charges(&voltages, &strains, out);
         if let Some(out) = jacobian {
+            let sections = points.each_ref().map(|point| {
+                let Response {
+                    force, by_strain, ..
+                } = &point.response;
+                (force, by_strain)
+            });
+            self.add_tangent((&nodal, &points), sections, out);
             for (place, point) in points.iter().enumerate() {
-                self.add_jacobian((place, point), at, out);
+                self.add_more((place, point), (&nodal, at), out);
             }
         }
     }
@@ -370,15 +433,18 @@ impl Growth for Beam {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);
         let growth = self.electrodes.growth(along);
-        for place in [0, 1] {
-            let point = self.at(place, &nodal, at, &voltages);
-            let strain = point.strain.along(|j| along.nodes[j]);
-            let force = point.response.by_strain * strain + self.electrodes.force(place, &growth);
-            let stiffer = self.points[place].law.growth_of_stiffness(&strain);
-            add_tangent(&point.test, &(stiffer * point.strain.variation), false, out);
-            let formulation = self.geometry.formulation;
-            formulation.add_geometric(place, &point.strain, &force, out);
-        }
+        let points = [
+            self.at(0, &nodal, at, &voltages),
+            self.at(1, &nodal, at, &voltages),
+        ];
+        let grown = [0, 1].map(|place| {
+            let strain = (self.strain_point(place, &nodal)).along(|j| along.nodes[j]);
+            let by_strain = &points[place].response.by_strain;
+            let force = by_strain * strain + self.electrodes.force(place, &growth);
+            (force, self.points[place].law.growth_of_stiffness(&strain))
+        });
+        let sections = grown.each_ref().map(|(force, stiffer)| (force, stiffer));
+        self.add_tangent((&nodal, &points), sections, out);
     }
 }
 
@@ -424,8 +490,8 @@ impl Reports for Beam {
             out.sections.push(SectionState {
                 beam: self.label.clone(),
                 xi,
-                position: point.strain.section.point.p,
-                axes: point.strain.section.point.r,
+                position: point.kinematics.p,
+                axes: point.kinematics.r,
                 strain: point.now,
                 internal_force: point.response.force,
                 change_of_stiffness: law.change_by_prestress(&point.now, &at.instant()),
@@ -452,7 +518,8 @@ impl Reports for Beam {
         let voltages = self.electrodes.voltages(at);
         let found = self.at(point, &nodal, at, &voltages);
         if let Some(row) = row {
-            self.add_reading(point, (&found, at), (strain, component), row);
+            let variation = self.strain_point(point, &nodal);
+            self.add_reading(point, (&found, &variation), at, (strain, component), row);
         }
         Some(match strain {
             true => found.now[component],

@@ -20,43 +20,16 @@
 //!
 //! Tangents are `- W^T dq` and the geometric part, by W at fixed forces.
 
-use nalgebra::{Vector3, Vector6};
+use nalgebra::Vector3;
 
 use super::attachment::Formulation;
-use super::forces::{LineForce, Test};
-use super::strain::{SectionPoint, StrainPoint};
+use super::forces::LineForce;
+use super::strain::SectionPoint;
 use super::{portions, variational};
 use crate::elements::LocalJacobian;
 use crate::model::Equation;
 
 impl Formulation {
-    /// W of the evaluation point number `place`: six strains by displacement and rotation of
-    /// each node.
-    pub(super) fn test(self, place: usize, at: &StrainPoint<'_>) -> Test {
-        match self {
-            Self::Variational => at.j0() * at.variation,
-            Self::FiniteVolume(_) => portions::test(place, &at.section),
-        }
-    }
-
-    /// Adds the geometric tangent of the section force `q` at an evaluation point.
-    pub(super) fn add_geometric(
-        self,
-        place: usize,
-        at: &StrainPoint<'_>,
-        q: &Vector6<f64>,
-        out: &mut LocalJacobian,
-    ) {
-        let [force, moment] = [0, 3].map(|row| q.fixed_rows::<3>(row).into_owned());
-        let section = &at.section;
-        match self {
-            Self::Variational => variational::add_geometric(section, &force, &moment, out),
-            Self::FiniteVolume(_) => {
-                portions::add_geometric(place, section, &force, &moment, out);
-            }
-        }
-    }
-
     /// Adds a force and a moment on the line at a point of portion `portion`: `add` takes
     /// what acts on the nodes.
     pub(super) fn add_on_line(

@@ -40,7 +40,7 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::lagrange;
 use shared_geom::rotation::parameters::{Parametrization, RotationMap};
-use shared_geom::rotation::{skew, vector};
+use shared_geom::rotation::{skew, times_skew, vector};
 
 use super::attachment::BeamGeometry;
 use crate::model::NodeMotion;
@@ -95,12 +95,15 @@ pub(super) struct NodalKinematics {
     pub parametrization: Parametrization,
     /// The rotations of the outer nodes relative to the mid one.
     pub outer: [RotationMap; 2],
+    /// `A_j = T(psi_j)^-1 A^T` of the outer nodes.
+    pub relative: [Matrix3<f64>; 2],
 }
 
 impl NodalKinematics {
     pub fn new(geometry: &BeamGeometry, nodes: &[NodeMotion]) -> Self {
-        let x = std::array::from_fn(|j| nodes[j].position);
-        let f = std::array::from_fn(|j| nodes[j].rotation * geometry.nodes[j].offset);
+        let x = [nodes[0].position, nodes[1].position, nodes[2].position];
+        let offset = |j: usize| nodes[j].rotation * geometry.nodes[j].offset;
+        let f = [offset(0), offset(1), offset(2)];
         let section = |j: usize| nodes[j].rotation * geometry.nodes[j].orientation;
         let a = section(1);
         let parametrization = geometry.formulation.parametrization();
@@ -113,13 +116,18 @@ impl NodalKinematics {
                 false => psi,
             })
         };
+        let outer = [relative(0), relative(2)];
         Self {
             x,
+            p: [x[0] + f[0], x[1] + f[1], x[2] + f[2]],
             f,
-            p: std::array::from_fn(|j| x[j] + f[j]),
             a,
             parametrization,
-            outer: [relative(0), relative(2)],
+            relative: [
+                outer[0].tangent_inverse() * a.transpose(),
+                outer[1].tangent_inverse() * a.transpose(),
+            ],
+            outer,
         }
     }
 
@@ -133,34 +141,25 @@ impl NodalKinematics {
     /// The state at a point with shape functions `shape` and undeformed length
     /// `j0` per unit of xi.
     pub fn at(&self, shape: &Shape, j0: f64) -> PointKinematics {
-        let [first, last] = self.outer.map(|outer| outer.psi);
+        let [first, last] = [&self.outer[0].psi, &self.outer[1].psi];
         let psi = shape.n[0] * first + shape.n[2] * last;
         let map = self.parametrization.at(&psi);
+        let tangent = map.tangent();
         PointKinematics {
             p: shape.sum(&self.p),
             l: shape.slope(&self.p) / j0,
             psi_prime: (shape.d[0] * first + shape.d[2] * last) / j0,
-            r: self.a * map.rotation(),
-            tangent: map.tangent(),
+            r: self.a + self.a * times_skew(&tangent, &psi),
+            tangent,
             map,
         }
-    }
-
-    /// `A_j = T(psi_j)^-1 A^T` of the outer nodes.
-    pub fn relative_variation(&self) -> [Matrix3<f64>; 2] {
-        self.outer
-            .map(|outer| outer.tangent_inverse() * self.a.transpose())
     }
 
     /// Derivatives of the rotation at a point by the rotations of the nodes:
     /// `theta = sum_j T_j theta_j`, with `B = A T(psi)`,
     /// `T_1 = N_1 B A_1`, `T_3 = N_3 B A_3`, `T_2 = I - T_1 - T_3`.
-    pub fn rotation_variation(
-        &self,
-        shape: &Shape,
-        point: &PointKinematics,
-        relative: &[Matrix3<f64>; 2],
-    ) -> [Matrix3<f64>; 3] {
+    pub fn rotation_variation(&self, shape: &Shape, point: &PointKinematics) -> [Matrix3<f64>; 3] {
+        let relative = &self.relative;
         let b = self.a * point.tangent;
         let first = shape.n[0] * b * relative[0];
         let last = shape.n[2] * b * relative[1];

@@ -52,8 +52,6 @@ pub(super) struct SectionPoint<'a> {
     /// Undeformed length per unit of xi [m].
     pub j0: f64,
     pub point: PointKinematics,
-    /// `A_j` of the outer nodes.
-    pub relative: [Matrix3<f64>; 2],
     /// Rotation of the section by that of each node, `T_j`.
     pub theta: [Matrix3<f64>; 3],
 }
@@ -90,14 +88,12 @@ struct Relative {
 impl<'a> SectionPoint<'a> {
     pub fn new(nodal: &'a NodalKinematics, shape: &'a Shape, j0: f64) -> Self {
         let point = nodal.at(shape, j0);
-        let relative = nodal.relative_variation();
         Self {
-            theta: nodal.rotation_variation(shape, &point, &relative),
+            theta: nodal.rotation_variation(shape, &point),
             nodal,
             shape,
             j0,
             point,
-            relative,
         }
     }
 
@@ -167,7 +163,7 @@ impl<'a> StrainPoint<'a> {
     fn rates<'n>(&self, nodes: &'n [NodeMotion]) -> Rates<'n> {
         let section = &self.section;
         let SectionPoint { nodal, shape, .. } = section;
-        let outer = [0, 1].map(|k| section.relative[k] * Self::against_middle(nodes, k));
+        let outer = [0, 1].map(|k| section.nodal.relative[k] * Self::against_middle(nodes, k));
         let psi = shape.n[0] * outer[0] + shape.n[2] * outer[1];
         let psi_prime = section.slope(0) * outer[0] + section.slope(2) * outer[1];
         let w = nodes[1].angular_velocity + nodal.a * section.point.tangent * psi;
@@ -202,11 +198,11 @@ impl<'a> StrainPoint<'a> {
                 _ => continue,
             };
             let against = Self::against_middle(rates.nodes, k);
-            let by = sign * section.relative[k];
+            let by = sign * section.nodal.relative[k];
             let b = section.nodal.a.transpose() * against;
             let mut by_rate = section.nodal.outer[k].tangent_inverse_derivative(&b) * by;
             if m == 1 {
-                by_rate += section.relative[k] * skew(&against);
+                by_rate += section.nodal.relative[k] * skew(&against);
             }
             sum.psi += section.shape.n[j] * by;
             sum.psi_prime += section.slope(j) * by;
@@ -257,7 +253,7 @@ fn variation(section: &SectionPoint<'_>, bent: &Matrix3<f64>) -> Variation {
     let tangent = tangent.transpose();
     let outer = [0, 1].map(|k| {
         let j = 2 * k;
-        (tangent * section.slope(j) + bent * section.shape.n[j]) * section.relative[k]
+        (tangent * section.slope(j) + bent * section.shape.n[j]) * section.nodal.relative[k]
     });
     let kappa = [outer[0], -outer[0] - outer[1], outer[1]];
     let rt = r.transpose();

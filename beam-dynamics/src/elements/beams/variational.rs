@@ -1,20 +1,4 @@
-//! The variational beam: tangent of the gradient of its energy, and work-equivalent loads.
-//!
-//! The gradient of `sum J0 W(eps)` is `g = sum J0 B^T q` (see [`super::formulation`]). With
-//! `F = R F~`, `w = J0` and the moment `c = F x l` that does work on the rotation of the
-//! section, its parts are
-//!
-//! ```text
-//! g_xj = sum w N'_j / J0 F                g_th,j = f_j x g_xj + y_j ,  y_j = w (T_j^T c + k_j^T M~)
-//! ```
-//!
-//! and at fixed section forces, with `d F = -[F]x theta`,
-//!
-//! ```text
-//! d g_xj   = - w N'_j / J0 [F]x T_k theta_k
-//! d g_th,j = [f_j]x d g_xj + [g_xj]x [f_j]x theta_j + d y_j
-//! d c      = [F]x d l + [l]x [F]x theta
-//! ```
+//! The variational beam: work-equivalent loads, and their tangent.
 //!
 //! A moment `sigma` on the rotation of the section and a moment `m` on its curvature give
 //! the nodes, with `a = T^T A^T sigma + S^T m`, `b = T m`, `z_j = N_j a + N'_j b / J0`,
@@ -26,9 +10,6 @@
 //! d y_j = A_j^T E_jk A_k (theta_k - theta_2) + A D(T^-T.; z_j) A_j (theta_j - theta_2)
 //!         + T_j^T [sigma]x theta_2 - [y_j]x theta_2 + T_j^T d sigma
 //! ```
-//!
-//! The whole is symmetric but for `-1/2 [m_j]x` of each node, m_j being the moment of the
-//! element there, which goes out where nodes are in balance.
 //!
 //! A force q and a moment m on the line do the work of `sum N_j d p_j . q + theta . m`:
 //!
@@ -44,7 +25,7 @@ use super::strain::SectionPoint;
 use crate::elements::LocalJacobian;
 use crate::model::Equation;
 use crate::model::Equation::{Force, Moment};
-use crate::model::Variable::{Position, Rotation};
+use crate::model::Variable::Rotation;
 
 /// `d y_j` by the rotation of node k at fixed sigma and m.
 pub(super) fn moment_variation(
@@ -56,10 +37,10 @@ pub(super) fn moment_variation(
         nodal,
         shape,
         point,
-        relative,
         theta,
         ..
     } = at;
+    let relative = &nodal.relative;
     let carried = nodal.a.transpose() * sigma;
     let bent = point.map.tangent_transpose_derivative(&point.psi_prime);
     let a = point.tangent.tr_mul(&carried) + bent.tr_mul(m);
@@ -85,43 +66,6 @@ pub(super) fn moment_variation(
         out[1][k] = -out[0][k] - out[2][k];
     }
     out
-}
-
-/// Adds the tangent at fixed section forces, to forces that are minus the gradient.
-pub(super) fn add_geometric(
-    at: &SectionPoint<'_>,
-    force: &Vector3<f64>,
-    moment: &Vector3<f64>,
-    out: &mut LocalJacobian,
-) {
-    let SectionPoint {
-        nodal,
-        point,
-        theta,
-        j0,
-        ..
-    } = at;
-    let force = *j0 * (point.r * force);
-    let turned = theta.map(|theta| skew_times(&force, &theta));
-    let by_moment = moment_variation(at, &force.cross(&point.l), &(*j0 * moment));
-    for j in 0..3 {
-        for k in 0..3 {
-            // d c at fixed place
-            let slope = skew_skew(&force, &nodal.f[k]) * -at.slope(k);
-            let c = slope + skew_times(&point.l, &turned[k]);
-            let by_force = -at.slope(j) * turned[k];
-            let mut by_turn =
-                skew_times(&nodal.f[j], &by_force) + by_moment[j][k] + theta[j].tr_mul(&c);
-            if j == k {
-                by_turn += at.slope(j) * skew_skew(&force, &nodal.f[j]);
-            }
-            out.add((j, Force), (k, Rotation), &-by_force);
-            // - [F]x T_j, transposed
-            let by_place = -at.slope(k) * turned[j].transpose();
-            out.add((j, Moment), (k, Position), &-by_place);
-            out.add((j, Moment), (k, Rotation), &-by_turn);
-        }
-    }
 }
 
 /// Adds a load on the line.

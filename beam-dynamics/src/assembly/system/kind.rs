@@ -1,0 +1,120 @@
+//! Kinds of elements: those that touch the same entries of their Jacobians.
+
+use std::collections::HashMap;
+
+use crate::assembly::Variation;
+use crate::elements::{LocalJacobian, LocalRun, LocalSize};
+use crate::model::{NODE_UNKNOWNS, Variable};
+
+/// Entries that elements of a kind touch in their Jacobians.
+#[derive(Debug, Clone)]
+pub(super) struct Kind {
+    pub size: LocalSize,
+    /// Whether they depend on rates.
+    pub rates: bool,
+    /// Entries in the columns of nodes and of scalars with a rate, then those in the columns of
+    /// multipliers and of scalars without.
+    pub runs: Vec<LocalRun>,
+    /// Number of the former.
+    pub differential: usize,
+    /// Entries in the first column of the rotation of each node: those in the other two are
+    /// beside them.
+    turned: Vec<Vec<LocalRun>>,
+}
+
+impl Kind {
+    /// The kind of an element that touched the entries of `jacobian`; `has_rate` of each of
+    /// its scalars.
+    fn new(jacobian: &LocalJacobian, has_rate: &[bool]) -> Self {
+        let size = jacobian.size();
+        let rows = size.rows();
+        let first_scalar = rows - size.scalars;
+        let is_differential = |column: usize| match column.checked_sub(first_scalar) {
+            Some(scalar) => has_rate[scalar],
+            None => column < NODE_UNKNOWNS * size.nodes,
+        };
+        let of = |column: usize| runs(jacobian, column);
+        let (with_rate, without): (Vec<_>, Vec<_>) = (0..rows).partition(|&j| is_differential(j));
+        let mut all: Vec<_> = with_rate.into_iter().flat_map(of).collect();
+        let differential = all.len();
+        all.extend(without.into_iter().flat_map(of));
+        let of_rotation = |node: usize| of(NODE_UNKNOWNS * node + Variable::Rotation.column());
+        Self {
+            size,
+            rates: jacobian.touches_rates(),
+            turned: (0..size.nodes).map(of_rotation).collect(),
+            runs: all,
+            differential,
+        }
+    }
+
+    /// Row and column of each entry.
+    pub fn entries(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let rows = self.size.rows();
+        let places = self.runs.iter().flat_map(|run| run.range());
+        places.map(move |place| (place % rows, place / rows))
+    }
+
+    /// Makes a Jacobian of the kind zero.
+    pub fn clear(&self, jacobian: &mut LocalJacobian) {
+        jacobian.clear(&self.runs);
+    }
+
+    /// Takes the derivatives by the rotation of node `i` of an element as those by the unknowns
+    /// of a formula (D-130).
+    pub fn turn(&self, i: usize, by: &Variation, jacobian: &mut LocalJacobian) {
+        jacobian.turn(i, &self.turned[i], &by.turn, &by.spin);
+    }
+}
+
+/// Touched entries of a column: of one node, of the multipliers, or of one scalar, each of which
+/// follow each other in the system too.
+fn runs(jacobian: &LocalJacobian, column: usize) -> Vec<LocalRun> {
+    let size = jacobian.size();
+    let rows = size.rows();
+    let of_nodes = NODE_UNKNOWNS * size.nodes;
+    let group = |row: usize| match row {
+        _ if row < of_nodes => row / NODE_UNKNOWNS,
+        _ if row < of_nodes + size.multipliers => size.nodes,
+        _ => row,
+    };
+    let mut runs: Vec<LocalRun> = Vec::new();
+    let mut last = None;
+    for row in (0..rows).filter(|&row| jacobian.touched()[(row, column)]) {
+        let follows = last.is_some_and(|last| last + 1 == row && group(last) == group(row));
+        match runs.last_mut().filter(|_| follows) {
+            Some(run) => run.count += 1,
+            None => runs.push(LocalRun {
+                first: (row + rows * column) as u32,
+                count: 1,
+            }),
+        }
+        last = Some(row);
+    }
+    runs
+}
+
+/// Kinds met so far.
+#[derive(Debug, Default)]
+pub(super) struct Kinds {
+    pub all: Vec<Kind>,
+    known: HashMap<Mark, usize>,
+}
+
+/// What makes elements of one kind: size, whether scalars have rates, whether derivatives by rates
+/// are touched, entries touched.
+type Mark = (LocalSize, Vec<bool>, bool, Vec<bool>);
+
+impl Kinds {
+    /// Index of the kind of an element that touched the entries of `jacobian`.
+    pub fn index(&mut self, jacobian: &LocalJacobian, has_rate: Vec<bool>) -> usize {
+        let touched = jacobian.touched().as_slice().to_vec();
+        let mark = (jacobian.size(), has_rate, jacobian.touches_rates(), touched);
+        if let Some(&index) = self.known.get(&mark) {
+            return index;
+        }
+        self.all.push(Kind::new(jacobian, &mark.1));
+        self.known.insert(mark, self.all.len() - 1);
+        self.all.len() - 1
+    }
+}

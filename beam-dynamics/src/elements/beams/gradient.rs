@@ -1,0 +1,316 @@
+//! Gradient of the energy of a variational beam, and its tangent.
+//!
+//! Strains of a beam hang on what its outer nodes do against its middle one alone: with
+//! `r_j = p_j - p_2`, `t_j = theta_j - theta_2` and the parameters psi_j (see
+//! [`super::interpolation`]), at fixed `theta_2`,
+//!
+//! ```text
+//! d l = N'_j / J0 d r_j       d psi = N_j A_j t_j      d psi' = N'_j / J0 A_j t_j     (j = 1, 3)
+//! ```
+//!
+//! With the section force `q = [F~; M~]`, the weight `w = J0`, `F = w R F~`, `M = w M~`,
+//! `B = A T` and `c = F x l`, the gradient at a point by l, psi and psi' is
+//!
+//! ```text
+//! F                       B^T c + S^T M                    T M                   (D-282)
+//! ```
+//!
+//! and its tangent, C being `w d q / d eps` in blocks of nu and kappa and `Q = R^T [l]x B`,
+//!
+//! ```text
+//!        by l                          by psi                                   by psi'
+//! l      R C11 R^T                     R (C11 Q + C12 S) - [F]x B               R C12 T^T
+//! psi    (Q^T C11 + S^T C21) R^T       Q^T (C11 Q + C12 S) + S^T (C21 Q + C22 S)   (Q^T C12 + S^T C22) T^T
+//!          + B^T [F]x                    + D(T^T.; A^T c) + B^T [l]x [F]x B + H      + D(T.; M)^T
+//! psi'   T C21 R^T                     T (C21 Q + C22 S) + D(T.; M)             T C22 T^T
+//! ```
+//!
+//! The sums over the points by N_j and `N'_j / J0` are the gradient g_rj and g_psi,j, and its
+//! tangent, by the r_j and psi_j of the element. The forces on the beam points at the outer
+//! nodes are minus
+//!
+//! ```text
+//! f_j = g_rj                  m_j = A_j^T g_psi,j
+//! f_2 = - f_1 - f_3           m_2 = - m_1 - m_3 - r_j x f_j                          (D-283)
+//! d f_j = theta_2 x f_j + d g_rj ,     d r_j = u_j = d p_j - d p_2
+//! d m_j = theta_2 x m_j + A_j^T d g_psi,j + A D(T_j^-T.; g_psi,j) A_j t_j
+//!
+//! ```
+//!
+//! where g sees `u_j + [r_j]x theta_2`; an offset f from the node adds `f x f_j` to its moment. The whole is symmetric where C
+//! is, but for `-1/2 [m_j]x` of each node, m_j being the moment of the element there, which
+//! goes out where nodes are in balance.
+
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
+
+use super::interpolation::{NodalKinematics, PointKinematics, Shape};
+use crate::elements::{LocalJacobian, LocalResidual};
+use crate::model::Equation::{Force, Moment};
+use crate::model::Variable::{Position, Rotation};
+
+/// The outer nodes.
+const OUTER: [usize; 2] = [0, 2];
+
+/// An evaluation point.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    pub shape: &'a Shape,
+    /// Undeformed length per unit of xi [m].
+    pub j0: f64,
+    pub point: &'a PointKinematics,
+}
+
+impl Place<'_> {
+    /// N and `N' / J0` of the outer nodes.
+    fn weights(&self) -> [[f64; 2]; 2] {
+        let Shape { n, d } = self.shape;
+        [[n[0], d[0] / self.j0], [n[2], d[2] / self.j0]]
+    }
+
+    /// S of the section.
+    fn bent(&self) -> Matrix3<f64> {
+        let PointKinematics { map, psi_prime, .. } = self.point;
+        map.tangent_transpose_derivative(psi_prime)
+    }
+}
+
+/// The gradient by positions and rotations of the outer nodes.
+struct Gradient {
+    /// f of the outer nodes [N].
+    forces: [Vector3<f64>; 2],
+    /// g_psi by the forces of the sections, and by their moments [N m].
+    by_psi: [[Vector3<f64>; 2]; 2],
+}
+
+impl Gradient {
+    fn new(nodal: &NodalKinematics, points: &[(Place<'_>, &Vector6<f64>); 2]) -> Self {
+        let zero = [Vector3::zeros(); 2];
+        let mut sum = Self {
+            forces: zero,
+            by_psi: [zero; 2],
+        };
+        for (place, q) in points {
+            let [force, moment] = section_forces(place, q);
+            let PointKinematics { tangent, l, .. } = place.point;
+            let bending = tangent.tr_mul(&nodal.a.tr_mul(&force.cross(l)));
+            let bent = place.bent().tr_mul(&moment);
+            let along = tangent * moment;
+            for (k, [n, slope]) in place.weights().into_iter().enumerate() {
+                sum.forces[k] += slope * force;
+                sum.by_psi[k][0] += n * bending;
+                sum.by_psi[k][1] += n * bent + slope * along;
+            }
+        }
+        sum
+    }
+}
+
+/// `F = w R F~` and `M = w M~`.
+fn section_forces(place: &Place<'_>, q: &Vector6<f64>) -> [Vector3<f64>; 2] {
+    let force = place.j0 * q.fixed_rows::<3>(0);
+    [place.point.r * force, place.j0 * q.fixed_rows::<3>(3)]
+}
+
+/// Positions of the outer beam points against the middle one.
+fn arms(nodal: &NodalKinematics) -> [Vector3<f64>; 2] {
+    [nodal.p[0] - nodal.p[1], nodal.p[2] - nodal.p[1]]
+}
+
+/// Adds the forces on the nodes of the section forces q at both points.
+pub(super) fn add_forces(
+    nodal: &NodalKinematics,
+    points: &[(Place<'_>, &Vector6<f64>); 2],
+    out: &mut LocalResidual,
+) {
+    let Gradient { forces, by_psi } = Gradient::new(nodal, points);
+    let (relative, arms) = (&nodal.relative, arms(nodal));
+    let mut middle = [Vector3::zeros(); 2];
+    for (k, j) in OUTER.into_iter().enumerate() {
+        out.add(j, Force, &-forces[k]);
+        out.add(1, Force, &forces[k]);
+        for (sum, by) in middle.iter_mut().zip(&by_psi[k]) {
+            let moment = relative[k].tr_mul(by);
+            out.add(j, Moment, &-moment);
+            *sum += moment;
+        }
+        middle[0] += arms[k].cross(&forces[k]);
+    }
+    for moment in middle {
+        out.add(1, Moment, &moment);
+    }
+    let nodes = [forces[0], -forces[0] - forces[1], forces[1]];
+    for (j, force) in nodes.into_iter().enumerate() {
+        if nodal.f[j] != Vector3::zeros() {
+            out.add(j, Moment, &-nodal.f[j].cross(&force));
+        }
+    }
+}
+
+/// Second derivatives by r and psi of the outer nodes.
+#[derive(Default)]
+struct Hessian {
+    /// By r and r, r and psi, psi and r, psi and psi; by the first node, by the second.
+    rr: [[Matrix3<f64>; 2]; 2],
+    rp: [[Matrix3<f64>; 2]; 2],
+    pr: [[Matrix3<f64>; 2]; 2],
+    pp: [[Matrix3<f64>; 2]; 2],
+}
+
+impl Hessian {
+    /// Adds those of a point of section force `q` and slopes `c` of it.
+    fn add(&mut self, a: &Matrix3<f64>, place: &Place<'_>, q: &Vector6<f64>, c: &Matrix6<f64>) {
+        let PointKinematics {
+            r,
+            l,
+            tangent,
+            map,
+            psi_prime,
+            ..
+        } = place.point;
+        let block = |i, j| place.j0 * c.fixed_view::<3, 3>(i, j);
+        let [c11, c12, c21, c22] = [block(0, 0), block(0, 3), block(3, 0), block(3, 3)];
+        let [force, moment] = section_forces(place, q);
+        let (rt, tt) = (r.transpose(), tangent.transpose());
+        let (b, bent) = (a * tangent, place.bent());
+        let (qt, st) = ((rt * skew_times(l, &b)).transpose(), bent.transpose());
+        let q = qt.transpose();
+
+        let turned = skew_times(&force, &b);
+        let twisted = map.tangent_derivative(&moment);
+        let by_l = [c11 * rt, c21 * rt];
+        let by_psi = [c11 * q + c12 * bent, c21 * q + c22 * bent];
+        let by_slope = [c12 * tt, c22 * tt];
+
+        let ll = r * by_l[0];
+        let lp = r * by_psi[0] - turned;
+        let ls = r * by_slope[0];
+        let pl = qt * by_l[0] + st * by_l[1] - turned.transpose();
+        let pp = qt * by_psi[0]
+            + st * by_psi[1]
+            + map.tangent_transpose_derivative(&a.tr_mul(&force.cross(l)))
+            + b.tr_mul(&skew_times(l, &turned))
+            + map.second_derivative(psi_prime, &moment);
+        let ps = qt * by_slope[0] + st * by_slope[1] + twisted.transpose();
+        let sl = tangent * by_l[1];
+        let sp = tangent * by_psi[1] + twisted;
+        let ss = tangent * by_slope[1];
+
+        let weights = place.weights();
+        for (j, [n, s]) in weights.into_iter().enumerate() {
+            // Rows first: what is common to both columns is found once.
+            let by = [n * pl + s * sl, n * pp + s * sp, n * ps + s * ss];
+            for (k, [m, t]) in weights.into_iter().enumerate() {
+                self.rr[j][k] += (s * t) * ll;
+                self.rp[j][k] += (s * m) * lp + (s * t) * ls;
+                self.pr[j][k] += t * by[0];
+                self.pp[j][k] += m * by[1] + t * by[2];
+            }
+        }
+    }
+}
+
+/// Rows f and m of the outer nodes and of the middle one, by u_1, u_3, t_1, t_3 and theta_2.
+struct Rows {
+    forces: [[Matrix3<f64>; 5]; 3],
+    moments: [[Matrix3<f64>; 5]; 3],
+}
+
+/// Adds the derivatives of the forces on the nodes, for section forces q with the slopes C
+/// at both points.
+pub(super) fn add_tangent(
+    nodal: &NodalKinematics,
+    points: &[(Place<'_>, &Vector6<f64>, &Matrix6<f64>); 2],
+    out: &mut LocalJacobian,
+) {
+    let [first, last] = points;
+    let gradient = Gradient::new(nodal, &[(first.0, first.1), (last.0, last.1)]);
+    let mut hessian = Hessian::default();
+    for (place, q, c) in points {
+        hessian.add(&nodal.a, place, q, c);
+    }
+    let zero = [[Matrix3::zeros(); 5]; 3];
+    let mut rows = Rows {
+        forces: zero,
+        moments: zero,
+    };
+    let [first, last] = gradient.forces;
+    let forces = [first, -first - last, last];
+    rows.set_outer(nodal, &gradient, &hessian);
+    rows.set_middle(&forces, &arms(nodal));
+    for j in 0..3 {
+        let offset = &nodal.f[j];
+        let is_offset = *offset != Vector3::zeros();
+        for k in 0..3 {
+            let (place, turn) = by_node(&rows.forces[j], k, nodal);
+            let (mut of_place, mut of_turn) = by_node(&rows.moments[j], k, nodal);
+            if is_offset {
+                of_place += skew_times(offset, &place);
+                of_turn += skew_times(offset, &turn);
+                if j == k {
+                    of_turn += skew_skew(&forces[j], offset);
+                }
+            }
+            out.add((j, Force), (k, Position), &-place);
+            out.add((j, Force), (k, Rotation), &-turn);
+            out.add((j, Moment), (k, Position), &-of_place);
+            out.add((j, Moment), (k, Rotation), &-of_turn);
+        }
+    }
+}
+
+impl Rows {
+    /// Those of the outer nodes.
+    fn set_outer(&mut self, nodal: &NodalKinematics, gradient: &Gradient, hessian: &Hessian) {
+        let (relative, arms) = (&nodal.relative, arms(nodal));
+        for (j, node) in OUTER.into_iter().enumerate() {
+            let (force, moment) = (&mut self.forces[node], &mut self.moments[node]);
+            let by_psi = gradient.by_psi[j][0] + gradient.by_psi[j][1];
+            for k in 0..2 {
+                force[k] = hessian.rr[j][k];
+                force[2 + k] = hessian.rp[j][k] * relative[k];
+                moment[k] = relative[j].tr_mul(&hessian.pr[j][k]);
+                moment[2 + k] = relative[j].tr_mul(&(hessian.pp[j][k] * relative[k]));
+            }
+            let carried = nodal.outer[j].tangent_inverse_transpose_derivative(&by_psi);
+            moment[2 + j] += nodal.a * (carried * relative[j]);
+            force[4] = around(force, &arms) - skew(&gradient.forces[j]);
+            moment[4] = around(moment, &arms) - skew(&relative[j].tr_mul(&by_psi));
+        }
+    }
+
+    /// Those of the middle node (D-283).
+    fn set_middle(&mut self, forces: &[Vector3<f64>; 3], arms: &[Vector3<f64>; 2]) {
+        for k in 0..5 {
+            let [first, _, last] = &self.forces;
+            let lever = skew_times(&arms[0], &first[k]) + skew_times(&arms[1], &last[k]);
+            self.moments[1][k] = -self.moments[0][k] - self.moments[2][k] - lever;
+            self.forces[1][k] = -self.forces[0][k] - self.forces[2][k];
+        }
+        self.moments[1][0] += skew(&forces[0]);
+        self.moments[1][1] += skew(&forces[2]);
+    }
+}
+
+/// A row by theta_2, with which the arms turn.
+fn around(row: &[Matrix3<f64>; 5], arms: &[Vector3<f64>; 2]) -> Matrix3<f64> {
+    times_skew(&row[0], &arms[0]) + times_skew(&row[1], &arms[1])
+}
+
+/// A row by position and rotation of node k.
+fn by_node(
+    [u1, u3, t1, t3, middle]: &[Matrix3<f64>; 5],
+    k: usize,
+    nodal: &NodalKinematics,
+) -> (Matrix3<f64>, Matrix3<f64>) {
+    let (place, mut turn) = match k {
+        0 => (*u1, *t1),
+        1 => (-u1 - u3, middle - t1 - t3),
+        _ => (*u3, *t3),
+    };
+    let offset = &nodal.f[k];
+    if *offset != Vector3::zeros() {
+        turn -= times_skew(&place, offset);
+    }
+    (place, turn)
+}
