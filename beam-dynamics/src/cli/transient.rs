@@ -7,16 +7,19 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use shared_geom::error::Explain;
 
+use super::arguments::Results;
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
-use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
+use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, WRONG_INPUT, read_with_places};
 use crate::analysis::transient::{
     TransientFailure, TransientOutcome, difference, driven_places, transient,
 };
 use crate::case::TransientQuestion;
 use crate::input::{Input, is_blade_file, short_number};
 use crate::integrator::{Scheme, Stepping};
-use crate::output::{RunFileProblem, RunFiles, effort_text, not_drawn_text, read_snapshot};
+use crate::output::{
+    ResultPlace, RunFileProblem, RunFiles, effort_text, not_drawn_text, read_snapshot,
+};
 use crate::result::{Moment, Recorder, Snapshot};
 
 /// The table that asks for a run in time.
@@ -56,21 +59,22 @@ impl Explain for RestartProblem {
 
 /// `transient FILE...`
 pub(super) fn transient_of_files(
-    files: &[PathBuf],
-    out: Option<&Path>,
+    paths: &[PathBuf],
+    results: &Results,
     restart: Option<&Path>,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    if restart.is_some() && files.len() > 1 {
-        let files = files.len();
+    if restart.is_some() && paths.len() > 1 {
+        let files = paths.len();
         terminal.tell(&RestartProblem::ManyFiles { files });
         return WRONG_INPUT;
     }
-    let Some((inputs, places)) = read_with_places(files, out, &BladeOptions::default(), terminal)
+    let Some((inputs, places)) =
+        read_with_places(paths, results, &BladeOptions::default(), terminal)
     else {
         return WRONG_INPUT;
     };
-    for (path, input) in files.iter().zip(&inputs) {
+    for (path, input) in paths.iter().zip(&inputs) {
         if input.transient.is_none() {
             tell_not_asked(path, terminal);
         }
@@ -156,7 +160,7 @@ fn other_model(snapshot: &Snapshot, input: &Input) -> Option<String> {
 fn run(
     (input, question): (&Input, &TransientQuestion),
     resumed: Option<&Snapshot>,
-    (folder, name): &ResultPlace,
+    place @ ResultPlace { name, .. }: &ResultPlace,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     // Before anything is written: it is the input that is wrong.
@@ -168,7 +172,7 @@ fn run(
         ));
         return WRONG_INPUT;
     }
-    let files = match RunFiles::new(&input.model, &input.output, (folder, name), resumed) {
+    let files = match RunFiles::new(&input.model, &input.output, place, resumed) {
         Ok(files) => files.until(question.to),
         Err(problem) => {
             terminal.tell(&problem);

@@ -7,6 +7,7 @@ mod blades;
 mod curvature;
 mod electrodes;
 mod exchange;
+mod figures;
 mod keys;
 
 use std::fs;
