@@ -18,8 +18,10 @@ mod arguments;
 mod blade_options;
 mod convert;
 mod describe;
+mod files;
 mod places;
 mod plot;
+mod progress;
 mod statics;
 mod terminal;
 mod transient;
@@ -136,18 +138,15 @@ fn read(
     terminal: &mut Terminal<'_>,
 ) -> Option<Vec<Input>> {
     let question = options.question();
-    let read: Vec<_> = files
-        .iter()
-        .map(|file| {
-            let input = match input::is_blade_file(file) {
-                true => input::read_blade(file, &question),
-                false => input::read(file),
-            };
-            input
-                .map_err(|problems| terminal.tell_text(&problems.to_string()))
-                .ok()
-        })
-        .collect();
+    let read = files::each(files, terminal, |file, terminal| {
+        let input = match input::is_blade_file(file) {
+            true => input::read_blade(file, &question),
+            false => input::read(file),
+        };
+        input
+            .map_err(|problems| terminal.tell_text(&problems.to_string()))
+            .ok()
+    });
     read.into_iter().collect()
 }
 
@@ -229,15 +228,10 @@ fn modes_of_files(
     if questions.len() < inputs.len() {
         return WRONG_INPUT;
     }
-    let codes = questions.into_iter().zip(&places).enumerate().map(
-        |(number, ((input, question), place))| {
-            if number > 0 {
-                terminal.show("\n\n");
-            }
-            modes_of(input, &question, place, terminal)
-        },
-    );
-    codes.max().unwrap_or(DONE)
+    let jobs: Vec<_> = questions.into_iter().zip(&places).collect();
+    files::worst_of(&jobs, terminal, |((input, question), place), terminal| {
+        modes_of(input, question, place, terminal)
+    })
 }
 
 /// Analyzes one model, writes its results, and prints them.

@@ -135,6 +135,9 @@ Examples:
   beam-dynamics transient blade.dynamics.toml
   beam-dynamics plot results/blade.transient.csv --columns tip_z
 
+Several files side by side, on two threads and without figures:
+  RAYON_NUM_THREADS=2 beam-dynamics transient stiff.dynamics.toml soft.dynamics.toml --no-figures
+
 A run that was stopped goes on where its restart file was written:
   beam-dynamics transient blade.dynamics.toml --restart results/blade.restart.json";
 
@@ -224,7 +227,7 @@ pub(super) struct Results {
 pub(super) enum Command {
     #[command(about = first_line(MODES), long_about = MODES, after_help = MODES_EXAMPLE)]
     Modes {
-        /// Dynamics files, NAME.dynamics.toml, or blade files
+        /// Dynamics files, NAME.dynamics.toml, or blade files; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
         #[command(flatten)]
@@ -237,7 +240,7 @@ pub(super) enum Command {
     },
     #[command(about = first_line(STATIC), long_about = STATIC, after_help = STATIC_EXAMPLE)]
     Static {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
         #[command(flatten)]
@@ -245,7 +248,7 @@ pub(super) enum Command {
     },
     #[command(about = first_line(BUCKLING), long_about = BUCKLING, after_help = BUCKLING_EXAMPLE)]
     Buckling {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
         #[command(flatten)]
@@ -253,7 +256,7 @@ pub(super) enum Command {
     },
     #[command(about = first_line(TRANSIENT), long_about = TRANSIENT, after_help = TRANSIENT_EXAMPLE)]
     Transient {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
         #[command(flatten)]

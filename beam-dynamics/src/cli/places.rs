@@ -24,8 +24,8 @@ impl Explain for SameResults {
     }
 }
 
-/// Places of the results of all files, each of its own, whatever way their folder is
-/// written.
+/// Places of the results of all files, each of its own: two files that run at the same time
+/// must not write over each other, whatever way their folder is written.
 ///
 /// # Errors
 /// [`SameResults`]: the first two files of one place.

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use super::arguments::Results;
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
-use super::{BladeAlone, DONE, NotAsked, WRONG_INPUT, add_remarks, finish, read_with_places};
+use super::{BladeAlone, NotAsked, WRONG_INPUT, add_remarks, files, finish, read_with_places};
 use crate::analysis::buckling::buckling;
 use crate::analysis::statics::statics;
 use crate::case::{BucklingQuestion, StaticQuestion};
@@ -54,7 +54,7 @@ pub(super) fn buckling_of_files(
 }
 
 /// Answers the question of every file; the worst exit code.
-fn each<Q>(
+fn each<Q: Sync>(
     paths: &[PathBuf],
     results: &Results,
     terminal: &mut Terminal<'_>,
@@ -81,16 +81,13 @@ fn each<Q>(
     if !complete {
         return WRONG_INPUT;
     }
-    let mut code = DONE;
-    for (number, (input, place)) in inputs.iter().zip(&places).enumerate() {
-        if number > 0 {
-            terminal.show("\n\n");
-        }
-        if let Some(question) = question(input) {
-            code = code.max(answer(input, question, place, terminal));
-        }
-    }
-    code
+    let asked = inputs.iter().zip(&places);
+    let jobs: Vec<_> = asked
+        .filter_map(|(input, place)| Some((input, question(input)?, place)))
+        .collect();
+    files::worst_of(&jobs, terminal, |(input, question, place), terminal| {
+        answer(input, question, place, terminal)
+    })
 }
 
 fn static_of(

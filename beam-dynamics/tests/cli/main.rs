@@ -24,6 +24,7 @@ mod loads;
 mod messages;
 mod netcdf;
 mod prestress;
+mod several;
 mod transient;
 
 /// A blade of a strip whose properties are in a file.
