@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Parser;
 use shared_geom::error::Explain;
@@ -12,19 +12,23 @@ use shared_geom::files::OutputProblem;
 use crate::analysis::modes::modes;
 use crate::case::ModesQuestion;
 use crate::input::{self, Input};
-use crate::output::{self, Written};
+use crate::output::{self, ResultPlace, Written};
 
 mod arguments;
 mod blade_options;
 mod convert;
 mod describe;
+mod files;
+mod places;
 mod plot;
+mod progress;
 mod statics;
 mod terminal;
 mod transient;
 
-use arguments::{Arguments, Command};
+use arguments::{Arguments, Command, Results};
 use blade_options::BladeOptions;
+use places::places;
 use terminal::Terminal;
 
 /// The work is done.
@@ -33,21 +37,6 @@ const DONE: u8 = 0;
 const NOT_REACHED: u8 = 1;
 /// The input or the command line is wrong.
 const WRONG_INPUT: u8 = 2;
-
-/// Two files whose results would go to the same place.
-#[derive(Debug, thiserror::Error)]
-#[error("results of \"{first}\" and \"{second}\" would both be \"{target}\"")]
-struct SameResults {
-    first: String,
-    second: String,
-    target: String,
-}
-
-impl Explain for SameResults {
-    fn help(&self) -> Option<String> {
-        Some("give the files different names, or run them one by one".to_owned())
-    }
-}
 
 /// A file that does not ask what the command answers.
 #[derive(Debug, thiserror::Error)]
@@ -116,21 +105,19 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
     match arguments.command {
         Command::Modes {
             files,
-            out,
+            results,
             vtu,
             blade,
-        } => modes_of_files(&files, out.as_deref(), (&blade, vtu), terminal),
-        Command::Static { files, out } => {
-            statics::static_of_files(&files, out.as_deref(), terminal)
-        }
-        Command::Buckling { files, out } => {
-            statics::buckling_of_files(&files, out.as_deref(), terminal)
+        } => modes_of_files(&files, &results, (&blade, vtu), terminal),
+        Command::Static { files, results } => statics::static_of_files(&files, &results, terminal),
+        Command::Buckling { files, results } => {
+            statics::buckling_of_files(&files, &results, terminal)
         }
         Command::Transient {
             files,
-            out,
+            results,
             restart,
-        } => transient::transient_of_files(&files, out.as_deref(), restart.as_deref(), terminal),
+        } => transient::transient_of_files(&files, &results, restart.as_deref(), terminal),
         Command::Plot { results, options } => plot::plot_files(&results, &options, terminal),
         Command::Check { files } => check_files(&files, terminal),
         Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
@@ -151,18 +138,15 @@ fn read(
     terminal: &mut Terminal<'_>,
 ) -> Option<Vec<Input>> {
     let question = options.question();
-    let read: Vec<_> = files
-        .iter()
-        .map(|file| {
-            let input = match input::is_blade_file(file) {
-                true => input::read_blade(file, &question),
-                false => input::read(file),
-            };
-            input
-                .map_err(|problems| terminal.tell_text(&problems.to_string()))
-                .ok()
-        })
-        .collect();
+    let read = files::each(files, terminal, |file, terminal| {
+        let input = match input::is_blade_file(file) {
+            true => input::read_blade(file, &question),
+            false => input::read(file),
+        };
+        input
+            .map_err(|problems| terminal.tell_text(&problems.to_string()))
+            .ok()
+    });
     read.into_iter().collect()
 }
 
@@ -196,39 +180,21 @@ impl Explain for NotABlade {
     }
 }
 
-/// Folder and name of the results of a file.
-type ResultPlace = (PathBuf, String);
-
 /// Places of the results, each of its own, and the inputs; tells what is wrong.
 fn read_with_places(
     files: &[PathBuf],
-    out: Option<&Path>,
+    results: &Results,
     options: &BladeOptions,
     terminal: &mut Terminal<'_>,
 ) -> Option<(Vec<Input>, Vec<ResultPlace>)> {
-    let places: Vec<_> = files.iter().map(|file| place(file, out)).collect();
-    for (i, target) in places.iter().enumerate() {
-        if let Some(first) = places[..i].iter().position(|other| other == target) {
-            let [first, second] = [first, i].map(|k| files[k].display().to_string());
-            let target = target
-                .0
-                .join(format!("{}.*", target.1))
-                .display()
-                .to_string();
-            terminal.tell(&SameResults {
-                first,
-                second,
-                target,
-            });
-            return None;
-        }
-    }
+    let places = places(files, results).map_err(|problem| terminal.tell(&problem));
+    let places = places.ok()?;
     Some((read(files, options, terminal)?, places))
 }
 
 fn modes_of_files(
     files: &[PathBuf],
-    out: Option<&Path>,
+    results: &Results,
     (options, animate): (&BladeOptions, bool),
     terminal: &mut Terminal<'_>,
 ) -> u8 {
@@ -238,7 +204,7 @@ fn modes_of_files(
         terminal.tell(&NotABlade { file, option });
         return WRONG_INPUT;
     }
-    let Some((inputs, places)) = read_with_places(files, out, options, terminal) else {
+    let Some((inputs, places)) = read_with_places(files, results, options, terminal) else {
         return WRONG_INPUT;
     };
     let mut questions = Vec::with_capacity(inputs.len());
@@ -262,31 +228,17 @@ fn modes_of_files(
     if questions.len() < inputs.len() {
         return WRONG_INPUT;
     }
-    let codes = questions.into_iter().zip(&places).enumerate().map(
-        |(number, ((input, question), place))| {
-            if number > 0 {
-                terminal.show("\n\n");
-            }
-            modes_of(input, &question, place, terminal)
-        },
-    );
-    codes.max().unwrap_or(DONE)
-}
-
-/// Folder and name of the results of a file.
-fn place(file: &Path, out: Option<&Path>) -> (PathBuf, String) {
-    let beside = || file.parent().unwrap_or(Path::new("")).join("results");
-    (
-        out.map_or_else(beside, Path::to_owned),
-        input::name_of(file),
-    )
+    let jobs: Vec<_> = questions.into_iter().zip(&places).collect();
+    files::worst_of(&jobs, terminal, |((input, question), place), terminal| {
+        modes_of(input, question, place, terminal)
+    })
 }
 
 /// Analyzes one model, writes its results, and prints them.
 fn modes_of(
     input: &Input,
     question: &ModesQuestion,
-    (folder, name): &(PathBuf, String),
+    place: &ResultPlace,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let outcome = modes(&input.model, question);
@@ -296,14 +248,15 @@ fn modes_of(
         .as_ref()
         .map(|failure| failure as &dyn Display);
     add_remarks(&mut table.remarks, input, failure);
-    let written = output::write(&table, &input.measured, folder, name).and_then(|mut written| {
-        let shapes = output::write_shapes(&input.model, &table, question.animate, folder, name)?;
+    let written = output::write(&table, &input.measured, place).and_then(|mut written| {
+        let shapes = output::write_shapes(&input.model, &table, question.animate, place)?;
         written.files.extend(shapes.files);
         Ok(written)
     });
     terminal.show(&output::result_text(&table, &input.measured));
     let failure = outcome.failure.map(|failure| {
         let (reached, asked) = (table.speeds.len(), question.speeds.len());
+        let name = &place.name;
         format!(
             "error: {name}: {failure}\n  help: {reached} of {asked} rotor speeds were reached, \
              and their results written"

@@ -1,7 +1,7 @@
 //! Files to read; result folders and files, with errors that a user can act on.
 
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::error::{Explain, nearest_name};
 use crate::figure::{self, Drawing, FigureProblem};
@@ -150,6 +150,17 @@ pub fn nearest_file(written: &str, known: &[String]) -> String {
     }
 }
 
+/// The same path for all ways to write `folder`: absolute, with links followed as far as it
+/// exists.
+pub fn true_path(folder: &Path) -> PathBuf {
+    let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
+    let found = absolute.ancestors().find_map(|above| {
+        let true_above = above.canonicalize().ok()?;
+        Some(true_above.join(absolute.strip_prefix(above).ok()?))
+    });
+    found.unwrap_or(absolute)
+}
+
 /// The reason of an error without its number.
 fn words(error: &io::Error) -> String {
     match error.kind() {
@@ -196,6 +207,24 @@ mod tests {
             shown.ends_with("written: its folder does not exist"),
             "{shown}"
         );
+    }
+
+    #[test]
+    fn links_to_one_folder_are_seen_through() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir(at("a")).unwrap();
+        std::fs::create_dir(at("a/deep")).unwrap();
+        assert_eq!(
+            true_path(&at("a/none/here")),
+            true_path(&at("a/./none/here"))
+        );
+        assert_eq!(true_path(&at("a/deep/..")), true_path(&at("a")));
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink(at("a"), at("b")).unwrap();
+            assert_eq!(true_path(&at("b/results")), true_path(&at("a/results")));
+        }
     }
 
     #[cfg(unix)]

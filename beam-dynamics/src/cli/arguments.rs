@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand};
+use clap::{Args, Parser, Subcommand};
 
 use super::blade_options::BladeOptions;
 use super::plot::PlotOptions;
@@ -135,6 +135,9 @@ Examples:
   beam-dynamics transient blade.dynamics.toml
   beam-dynamics plot results/blade.transient.csv --columns tip_z
 
+Several files side by side, on two threads and without figures:
+  RAYON_NUM_THREADS=2 beam-dynamics transient stiff.dynamics.toml soft.dynamics.toml --no-figures
+
 A run that was stopped goes on where its restart file was written:
   beam-dynamics transient blade.dynamics.toml --restart results/blade.restart.json";
 
@@ -209,16 +212,26 @@ pub(super) struct Arguments {
     pub command: Command,
 }
 
+/// Where results go, and which are made.
+#[derive(Debug, Args)]
+pub(super) struct Results {
+    /// Folder for the results; the folder "results" beside each FILE if not given
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Draw no figures; those of an earlier run go
+    #[arg(long)]
+    pub no_figures: bool,
+}
+
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     #[command(about = first_line(MODES), long_about = MODES, after_help = MODES_EXAMPLE)]
     Modes {
-        /// Dynamics files, NAME.dynamics.toml, or blade files
+        /// Dynamics files, NAME.dynamics.toml, or blade files; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
-        /// Folder for the results; the folder "results" beside each FILE if not given
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
+        #[command(flatten)]
+        results: Results,
         /// Write animated shapes of the modes for ParaView, as "shapes = true" of [modes] does
         #[arg(long)]
         vtu: bool,
@@ -227,30 +240,27 @@ pub(super) enum Command {
     },
     #[command(about = first_line(STATIC), long_about = STATIC, after_help = STATIC_EXAMPLE)]
     Static {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
-        /// Folder for the results; the folder "results" beside each FILE if not given
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
+        #[command(flatten)]
+        results: Results,
     },
     #[command(about = first_line(BUCKLING), long_about = BUCKLING, after_help = BUCKLING_EXAMPLE)]
     Buckling {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
-        /// Folder for the results; the folder "results" beside each FILE if not given
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
+        #[command(flatten)]
+        results: Results,
     },
     #[command(about = first_line(TRANSIENT), long_about = TRANSIENT, after_help = TRANSIENT_EXAMPLE)]
     Transient {
-        /// Dynamics files, NAME.dynamics.toml
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
-        /// Folder for the results; the folder "results" beside each FILE if not given
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
+        #[command(flatten)]
+        results: Results,
         /// Go on from this state, NAME.restart.json of an earlier part of the same run
         #[arg(long, value_name = "SNAPSHOT")]
         restart: Option<PathBuf>,

@@ -6,25 +6,20 @@ use shared_geom::exchange::{self, Options};
 
 use crate::output::blade_text;
 
-use super::{DONE, Terminal, WRONG_INPUT};
+use super::{DONE, Terminal, WRONG_INPUT, files};
 
 /// The name of our own frame.
 const OURS: &str = "helicoid";
 
-/// Describes the files one after the other; those that cannot be read are told.
+/// Describes all files, whatever is wrong with one; those that cannot be read are told.
 pub(super) fn describe_files(
-    files: &[PathBuf],
+    paths: &[PathBuf],
     length: Option<f64>,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let codes = files.iter().enumerate().map(|(number, file)| {
-        if number > 0 {
-            terminal.show("\n\n");
-        }
+    files::worst_of(paths, terminal, |file, terminal| {
         describe(file, length, terminal)
-    });
-    // All files are described, whatever is wrong with one.
-    codes.collect::<Vec<_>>().into_iter().max().unwrap_or(DONE)
+    })
 }
 
 fn describe(file: &Path, length: Option<f64>, terminal: &mut Terminal<'_>) -> u8 {

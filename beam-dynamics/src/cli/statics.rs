@@ -1,23 +1,22 @@
 //! `static` and `buckling`: analyzes each file, writes its results and prints them.
 
 use std::fmt::Display;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
+use super::arguments::Results;
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
-use super::{
-    BladeAlone, DONE, NotAsked, ResultPlace, WRONG_INPUT, add_remarks, finish, read_with_places,
-};
+use super::{BladeAlone, NotAsked, WRONG_INPUT, add_remarks, files, finish, read_with_places};
 use crate::analysis::buckling::buckling;
 use crate::analysis::statics::statics;
 use crate::case::{BucklingQuestion, StaticQuestion};
 use crate::input::{Input, is_blade_file, short_number};
-use crate::output;
+use crate::output::{self, ResultPlace};
 
 /// `static FILE...`
 pub(super) fn static_of_files(
     files: &[PathBuf],
-    out: Option<&Path>,
+    results: &Results,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let asked = NotAsked {
@@ -27,7 +26,7 @@ pub(super) fn static_of_files(
     };
     each(
         files,
-        out,
+        results,
         terminal,
         (|input| input.statics.as_ref(), asked),
         static_of,
@@ -37,7 +36,7 @@ pub(super) fn static_of_files(
 /// `buckling FILE...`
 pub(super) fn buckling_of_files(
     files: &[PathBuf],
-    out: Option<&Path>,
+    results: &Results,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let asked = NotAsked {
@@ -47,7 +46,7 @@ pub(super) fn buckling_of_files(
     };
     each(
         files,
-        out,
+        results,
         terminal,
         (|input| input.buckling.as_ref(), asked),
         buckling_of,
@@ -55,19 +54,20 @@ pub(super) fn buckling_of_files(
 }
 
 /// Answers the question of every file; the worst exit code.
-fn each<Q>(
-    files: &[PathBuf],
-    out: Option<&Path>,
+fn each<Q: Sync>(
+    paths: &[PathBuf],
+    results: &Results,
     terminal: &mut Terminal<'_>,
     (question, asked): (impl Fn(&Input) -> Option<&Q>, NotAsked),
     answer: fn(&Input, &Q, &ResultPlace, &mut Terminal<'_>) -> u8,
 ) -> u8 {
-    let Some((inputs, places)) = read_with_places(files, out, &BladeOptions::default(), terminal)
+    let Some((inputs, places)) =
+        read_with_places(paths, results, &BladeOptions::default(), terminal)
     else {
         return WRONG_INPUT;
     };
     let mut complete = true;
-    for (path, input) in files.iter().zip(&inputs) {
+    for (path, input) in paths.iter().zip(&inputs) {
         if question(input).is_some() {
             continue;
         }
@@ -81,22 +81,19 @@ fn each<Q>(
     if !complete {
         return WRONG_INPUT;
     }
-    let mut code = DONE;
-    for (number, (input, results)) in inputs.iter().zip(&places).enumerate() {
-        if number > 0 {
-            terminal.show("\n\n");
-        }
-        if let Some(question) = question(input) {
-            code = code.max(answer(input, question, results, terminal));
-        }
-    }
-    code
+    let asked = inputs.iter().zip(&places);
+    let jobs: Vec<_> = asked
+        .filter_map(|(input, place)| Some((input, question(input)?, place)))
+        .collect();
+    files::worst_of(&jobs, terminal, |(input, question, place), terminal| {
+        answer(input, question, place, terminal)
+    })
 }
 
 fn static_of(
     input: &Input,
     question: &StaticQuestion,
-    (folder, name): &ResultPlace,
+    place: &ResultPlace,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let outcome = statics(&input.model, question);
@@ -106,7 +103,7 @@ fn static_of(
         .as_ref()
         .map(|failure| failure as &dyn Display);
     add_remarks(&mut result.remarks, input, failure);
-    let written = output::write_static(&result, folder, name);
+    let written = output::write_static(&result, place);
     let text = format!(
         "{}\n{}",
         output::static_text(&result),
@@ -129,7 +126,8 @@ fn static_of(
             },
         );
         format!(
-            "error: {name}: {failure}\n  help: {}; {last}",
+            "error: {}: {failure}\n  help: {}; {last}",
+            place.name,
             failure.remedy()
         )
     });
@@ -139,7 +137,7 @@ fn static_of(
 fn buckling_of(
     input: &Input,
     question: &BucklingQuestion,
-    (folder, name): &ResultPlace,
+    place: &ResultPlace,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let outcome = buckling(&input.model, question);
@@ -149,7 +147,7 @@ fn buckling_of(
         .as_ref()
         .map(|failure| failure as &dyn Display);
     add_remarks(&mut result.remarks, input, failure);
-    let written = output::write_buckling(&result, folder, name);
+    let written = output::write_buckling(&result, place);
     let text = format!(
         "{}\n{}",
         output::buckling_text(&result),
@@ -157,7 +155,7 @@ fn buckling_of(
     );
     terminal.show(&text);
     let failure = outcome.failure.map(|failure| {
-        let remedy = failure.remedy();
+        let (name, remedy) = (&place.name, failure.remedy());
         format!("error: {name}: {failure}\n  help: {remedy}")
     });
     finish(failure, written, terminal)

@@ -1,45 +1,93 @@
 //! The two streams of the program.
 
 use std::io::{ErrorKind, Result, Write};
+use std::sync::atomic::AtomicU64;
 
 use shared_geom::error::Explain;
+
+/// What is written to the terminal, in pieces that stay together.
+pub(super) enum Message {
+    /// Text for the output stream, as it stands.
+    Shown(String),
+    /// All that was shown is to be seen now.
+    Flush,
+    /// A line for the error stream.
+    Told(String),
+}
 
 /// Output and error stream. A stream that no one reads any more (a closed pipe) takes
 /// everything in silence; the work goes on.
 pub(super) struct Terminal<'a> {
-    out: &'a mut dyn Write,
-    err: &'a mut dyn Write,
-    /// Whether something was lost for another reason.
+    place: Place<'a>,
+    /// Whether something was lost for another reason than a closed pipe.
     failed: bool,
+}
+
+/// Where messages go.
+enum Place<'a> {
+    Streams {
+        out: &'a mut dyn Write,
+        err: &'a mut dyn Write,
+    },
+    /// To the thread that has the streams; and how far the work is.
+    Other {
+        send: Box<dyn Fn(Message) + 'a>,
+        part: &'a AtomicU64,
+    },
 }
 
 impl<'a> Terminal<'a> {
     pub fn new(out: &'a mut dyn Write, err: &'a mut dyn Write) -> Self {
         Self {
-            out,
-            err,
+            place: Place::Streams { out, err },
             failed: false,
+        }
+    }
+
+    /// One that sends its messages to the thread that has the streams. `part` is how far
+    /// the work is, of `PARTS`.
+    pub fn sending(send: Box<dyn Fn(Message) + 'a>, part: &'a AtomicU64) -> Self {
+        Self {
+            place: Place::Other { send, part },
+            failed: false,
+        }
+    }
+
+    /// Where to note how far the work is, if it goes on beside other work.
+    pub fn part(&self) -> Option<&'a AtomicU64> {
+        match &self.place {
+            Place::Streams { .. } => None,
+            Place::Other { part, .. } => Some(part),
         }
     }
 
     /// Writes `text` as it stands.
     pub fn show(&mut self, text: &str) {
-        let result = self.out.write_all(text.as_bytes());
-        self.note(&result);
+        self.take(Message::Shown(text.to_owned()));
     }
 
     /// Shows what was written so far, before a long work.
     pub fn flush(&mut self) {
-        let result = self.out.flush();
-        self.note(&result);
+        self.take(Message::Flush);
     }
 
     /// Writes a line to the error stream, below all that was shown before.
     pub fn tell_text(&mut self, text: &str) {
-        let shown = self.out.flush();
-        self.note(&shown);
-        let told = writeln!(self.err, "{text}");
-        self.note(&told);
+        self.take(Message::Told(text.to_owned()));
+    }
+
+    /// Writes a message, or sends it on.
+    pub fn take(&mut self, message: Message) {
+        let (out, err) = match &mut self.place {
+            Place::Streams { out, err } => (out, err),
+            Place::Other { send, .. } => return send(message),
+        };
+        let results = match message {
+            Message::Shown(text) => [out.write_all(text.as_bytes()), Ok(())],
+            Message::Flush => [out.flush(), Ok(())],
+            Message::Told(text) => [out.flush(), writeln!(err, "{text}")],
+        };
+        results.iter().for_each(|result| self.note(result));
     }
 
     /// Tells a problem, with its remedy.
@@ -52,8 +100,10 @@ impl<'a> Terminal<'a> {
 
     /// Whether both streams took everything, or closed.
     pub fn finish(mut self) -> bool {
-        let result = self.out.flush().and_then(|()| self.err.flush());
-        self.note(&result);
+        if let Place::Streams { out, err } = &mut self.place {
+            let result = out.flush().and_then(|()| err.flush());
+            self.note(&result);
+        }
         !self.failed
     }
 
@@ -63,8 +113,10 @@ impl<'a> Terminal<'a> {
             && !self.failed
         {
             self.failed = true;
-            // If this fails too, there is no one left to tell.
-            let _ = writeln!(self.err, "error: the output cannot be written: {error}");
+            if let Place::Streams { err, .. } = &mut self.place {
+                // If this fails too, there is no one left to tell.
+                let _ = writeln!(err, "error: the output cannot be written: {error}");
+            }
         }
     }
 }

@@ -1,30 +1,30 @@
 //! `transient`: runs each model in time, writes while it runs, and tells what it took.
 
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use shared_geom::error::Explain;
 
+use super::arguments::Results;
 use super::blade_options::BladeOptions;
+use super::progress::Progress;
 use super::terminal::Terminal;
-use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, ResultPlace, WRONG_INPUT, read_with_places};
+use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, WRONG_INPUT, files, read_with_places};
 use crate::analysis::transient::{
     TransientFailure, TransientOutcome, difference, driven_places, transient,
 };
 use crate::case::TransientQuestion;
 use crate::input::{Input, is_blade_file, short_number};
 use crate::integrator::{Scheme, Stepping};
-use crate::output::{RunFileProblem, RunFiles, effort_text, not_drawn_text, read_snapshot};
+use crate::output::{
+    ResultPlace, RunFileProblem, RunFiles, effort_text, not_drawn_text, read_snapshot,
+};
 use crate::result::{Moment, Recorder, Snapshot};
 
 /// The table that asks for a run in time.
 const TABLE: &str = "transient";
 /// Changes at the start that are told one by one.
 const MOST_CHANGES: usize = 60;
-/// Parts of the progress bar.
-const PARTS: u64 = 10_000;
 
 /// A restart file that does not fit.
 #[derive(Debug, thiserror::Error)]
@@ -56,21 +56,22 @@ impl Explain for RestartProblem {
 
 /// `transient FILE...`
 pub(super) fn transient_of_files(
-    files: &[PathBuf],
-    out: Option<&Path>,
+    paths: &[PathBuf],
+    results: &Results,
     restart: Option<&Path>,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    if restart.is_some() && files.len() > 1 {
-        let files = files.len();
+    if restart.is_some() && paths.len() > 1 {
+        let files = paths.len();
         terminal.tell(&RestartProblem::ManyFiles { files });
         return WRONG_INPUT;
     }
-    let Some((inputs, places)) = read_with_places(files, out, &BladeOptions::default(), terminal)
+    let Some((inputs, places)) =
+        read_with_places(paths, results, &BladeOptions::default(), terminal)
     else {
         return WRONG_INPUT;
     };
-    for (path, input) in files.iter().zip(&inputs) {
+    for (path, input) in paths.iter().zip(&inputs) {
         if input.transient.is_none() {
             tell_not_asked(path, terminal);
         }
@@ -83,19 +84,14 @@ pub(super) fn transient_of_files(
     if asked.len() < inputs.len() {
         return WRONG_INPUT;
     }
-    let mut code = DONE;
-    for (number, (input, question, place)) in asked.into_iter().enumerate() {
-        if number > 0 {
-            terminal.show("\n\n");
-        }
+    files::worst_of(&asked, terminal, |(input, question, place), terminal| {
         let resumed = match restart.map(|path| resumed(path, input, question, terminal)) {
             Some(None) => return WRONG_INPUT,
             Some(Some(snapshot)) => Some(snapshot),
             None => None,
         };
-        code = code.max(run((input, question), resumed.as_ref(), place, terminal));
-    }
-    code
+        run((input, question), resumed.as_ref(), place, terminal)
+    })
 }
 
 fn tell_not_asked(path: &Path, terminal: &mut Terminal<'_>) {
@@ -156,7 +152,7 @@ fn other_model(snapshot: &Snapshot, input: &Input) -> Option<String> {
 fn run(
     (input, question): (&Input, &TransientQuestion),
     resumed: Option<&Snapshot>,
-    (folder, name): &ResultPlace,
+    place @ ResultPlace { name, .. }: &ResultPlace,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     // Before anything is written: it is the input that is wrong.
@@ -168,7 +164,7 @@ fn run(
         ));
         return WRONG_INPUT;
     }
-    let files = match RunFiles::new(&input.model, &input.output, (folder, name), resumed) {
+    let files = match RunFiles::new(&input.model, &input.output, place, resumed) {
         Ok(files) => files.until(question.to),
         Err(problem) => {
             terminal.tell(&problem);
@@ -183,18 +179,18 @@ fn run(
     terminal.flush();
     let mut watched = Watched {
         files,
-        bar: progress(),
+        progress: Progress::new(terminal.part()),
         from: question.from,
         to: question.to,
     };
     if let Some(snapshot) = resumed {
         watched.show(snapshot.progress.time);
-        watched.bar.reset_eta();
+        watched.progress.begin();
     }
     let start = Instant::now();
     let clock = || start.elapsed().as_secs_f64();
     let outcome = transient(&input.model, question, resumed, &mut watched, &clock);
-    watched.bar.finish_and_clear();
+    watched.progress.finish();
     let text = outcome_text(input, question, &outcome);
     terminal.show(&text);
     let mut code = DONE;
@@ -321,20 +317,15 @@ fn outcome_text(input: &Input, question: &TransientQuestion, outcome: &Transient
 /// Files of a run with its progress on the terminal.
 struct Watched<'a> {
     files: RunFiles<'a>,
-    bar: ProgressBar,
+    progress: Progress<'a>,
     from: f64,
     to: f64,
 }
 
 impl Watched<'_> {
     fn show(&self, time: f64) {
-        if self.bar.is_hidden() {
-            return;
-        }
         let part = (time - self.from) / (self.to - self.from);
-        // A part of a run is between zero and one.
-        self.bar.set_position((part * PARTS as f64) as u64);
-        self.bar.set_message(short_number(time, 6));
+        self.progress.show(part, time);
     }
 }
 
@@ -354,18 +345,5 @@ impl Recorder for Watched<'_> {
 
     fn stopped(&mut self, moment: &Moment<'_>, snapshot: &Snapshot) -> bool {
         self.files.stopped(moment, snapshot)
-    }
-}
-
-/// A bar with the time left, on a terminal alone.
-fn progress() -> ProgressBar {
-    let target = match std::io::stderr().is_terminal() {
-        true => ProgressDrawTarget::stderr(),
-        false => ProgressDrawTarget::hidden(),
-    };
-    let bar = ProgressBar::with_draw_target(Some(PARTS), target);
-    match ProgressStyle::with_template("{bar:40} {percent:>3} %  at {msg} s  {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
     }
 }

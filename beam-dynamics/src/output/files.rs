@@ -1,33 +1,18 @@
 //! The files of one result.
 
-use std::path::{Path, PathBuf};
+use shared_geom::files::{OutputProblem, make_folder};
 
-use shared_geom::files::{OutputProblem, make_folder, write_text};
-
+use super::folder::{ResultPlace, Results, Written};
 use super::{
     FanPlot, comparison_csv, comparison_text, convention, frequency_csv, frequency_text, mode_csv,
 };
 use crate::result::{FrequencyTable, Measured};
 
-/// Endings of all files that a result can have.
-const ENDINGS: [&str; 6] = [TABLE, MODES, TEXT, COMPARISON, PNG, SVG];
 const TABLE: &str = "frequencies.csv";
 const MODES: &str = "modes.csv";
 const TEXT: &str = "frequencies.txt";
 const COMPARISON: &str = "comparison.csv";
-const PNG: &str = "fan.png";
-const SVG: &str = "fan.svg";
-
-/// Files written, in order, and what was left out.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Written {
-    /// The files.
-    pub files: Vec<PathBuf>,
-    /// Why there is no fan plot, if there is none.
-    pub no_plot: Option<&'static str>,
-    /// Columns that the figure of a run leaves out.
-    pub not_drawn: Vec<String>,
-}
+const FAN: [&str; 2] = ["fan.png", "fan.svg"];
 
 /// The text of a result: the frequency table, the comparison with the measurements if
 /// there are any, and what it all means.
@@ -44,49 +29,32 @@ pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
 }
 
 /// Writes `NAME.frequencies.csv`, `NAME.modes.csv`, `NAME.frequencies.txt`, with measurements
-/// `NAME.comparison.csv`, and for two speeds or more `NAME.fan.png` and `NAME.fan.svg`
-/// into `folder`, which is made when it does not exist. Those that an earlier run left
-/// there and this one does not have are removed.
+/// `NAME.comparison.csv`, and for two speeds or more, where figures are drawn, `NAME.fan.png`
+/// and `NAME.fan.svg` to `place`. Those that an earlier run left there and this one does not
+/// have are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
 pub fn write(
     table: &FrequencyTable,
     measured: &Measured,
-    folder: &Path,
-    name: &str,
+    place: &ResultPlace,
 ) -> Result<Written, OutputProblem> {
-    make_folder(folder)?;
-    let path = |ending: &str| folder.join(format!("{name}.{ending}"));
-    for ending in ENDINGS {
-        // One that does not exist is no problem.
-        let _ = std::fs::remove_file(path(ending));
-    }
+    make_folder(&place.folder)?;
+    let mut results = Results::new(place);
+    results.remove([TABLE, MODES, TEXT, COMPARISON].into_iter().chain(FAN));
 
-    let mut written = Written::default();
-    let mut texts = vec![
-        (TABLE, frequency_csv(table)),
-        (MODES, mode_csv(table)),
-        (TEXT, result_text(table, measured)),
-    ];
+    results.text(TABLE, &frequency_csv(table))?;
+    results.text(MODES, &mode_csv(table))?;
+    results.text(TEXT, &result_text(table, measured))?;
     if !measured.points.is_empty() {
-        texts.push((COMPARISON, comparison_csv(&measured.compare(table))));
+        results.text(COMPARISON, &comparison_csv(&measured.compare(table)))?;
     }
-    for (ending, text) in texts {
-        let path = path(ending);
-        write_text(&path, &text)?;
-        written.files.push(path);
+    let is_drawn = results.figures(FAN, || FanPlot::new(table, measured), FanPlot::save)?;
+    if results.draws() && !is_drawn {
+        results.written.no_plot = Some(no_plot(table));
     }
-    match FanPlot::new(table, measured) {
-        Some(plot) => {
-            for ending in [PNG, SVG] {
-                plot.save(&path(ending))?;
-                written.files.push(path(ending));
-            }
-        }
-        None => written.no_plot = Some(no_plot(table)),
-    }
-    Ok(written)
+    Ok(results.written)
 }
 
 fn no_plot(table: &FrequencyTable) -> &'static str {
@@ -100,6 +68,8 @@ fn no_plot(table: &FrequencyTable) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::PathBuf;
+
     use crate::output::samples;
 
     fn names(written: &Written) -> Vec<String> {
@@ -111,7 +81,8 @@ mod tests {
     fn all_files_are_written_into_a_new_folder() {
         let folder = tempfile::tempdir().unwrap();
         let results = folder.path().join("a/results");
-        let written = write(&samples::small(), &samples::measured(), &results, "x").unwrap();
+        let place = ResultPlace::new(&results, "x");
+        let written = write(&samples::small(), &samples::measured(), &place).unwrap();
         let expected = [
             "x.frequencies.csv",
             "x.modes.csv",
@@ -133,9 +104,10 @@ mod tests {
     fn a_second_run_leaves_nothing_of_the_first() {
         let folder = tempfile::tempdir().unwrap();
         let mut table = samples::small();
-        write(&table, &samples::measured(), folder.path(), "x").unwrap();
+        let place = ResultPlace::new(folder.path(), "x");
+        write(&table, &samples::measured(), &place).unwrap();
         table.speeds.truncate(1);
-        let written = write(&table, &Measured::default(), folder.path(), "x").unwrap();
+        let written = write(&table, &Measured::default(), &place).unwrap();
         assert_eq!(
             names(&written),
             ["x.frequencies.csv", "x.modes.csv", "x.frequencies.txt"]

@@ -6,33 +6,74 @@ use std::path::{Path, PathBuf};
 use shared_geom::files::{OutputProblem, make_folder, write_text};
 use shared_geom::vtk::FieldFile;
 
-use super::Written;
-
 /// Endings of what a folder of field files holds; nothing else is removed from it.
 const FIELD_ENDINGS: [&str; 2] = ["vtu", "pvd"];
+
+/// Where the results of a file go, and which kinds of them are made.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ResultPlace {
+    /// Folder, which is made when it does not exist.
+    pub folder: PathBuf,
+    /// What the names of all files begin with, before a dot.
+    pub name: String,
+    /// Whether figures are drawn. Where they are not, those of an earlier run go.
+    pub figures: bool,
+}
+
+impl ResultPlace {
+    /// Results called `name` in `folder`, with figures.
+    pub fn new(folder: impl Into<PathBuf>, name: impl Into<String>) -> Self {
+        Self {
+            folder: folder.into(),
+            name: name.into(),
+            figures: true,
+        }
+    }
+
+    /// The same, with figures drawn or left out.
+    pub fn with_figures(self, figures: bool) -> Self {
+        Self { figures, ..self }
+    }
+}
+
+/// Files written, in order, and what was left out.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Written {
+    /// The files.
+    pub files: Vec<PathBuf>,
+    /// Why there is no fan plot, if there is none but one would be drawn.
+    pub no_plot: Option<&'static str>,
+    /// Columns that the figure of a run leaves out.
+    pub not_drawn: Vec<String>,
+}
 
 /// Files `NAME.*` in a folder.
 #[derive(Debug)]
 pub(super) struct Results<'a> {
-    folder: &'a Path,
-    name: &'a str,
+    place: &'a ResultPlace,
     /// What was written so far; of many field files their folder.
     pub written: Written,
 }
 
 impl<'a> Results<'a> {
-    /// Files of `name` in `folder`, which exists.
-    pub fn new(folder: &'a Path, name: &'a str) -> Self {
+    /// Files at `place`, whose folder exists.
+    pub fn new(place: &'a ResultPlace) -> Self {
         Self {
-            folder,
-            name,
+            place,
             written: Written::default(),
         }
     }
 
+    /// Whether figures are drawn.
+    pub fn draws(&self) -> bool {
+        self.place.figures
+    }
+
     /// Path of the file `NAME.ENDING`.
     pub fn path(&self, ending: &str) -> PathBuf {
-        self.folder.join(format!("{}.{ending}", self.name))
+        self.place
+            .folder
+            .join(format!("{}.{ending}", self.place.name))
     }
 
     /// Removes files of an earlier run.
@@ -43,11 +84,14 @@ impl<'a> Results<'a> {
         }
     }
 
-    /// Removes the files of an earlier run whose endings begin and end like this.
-    pub fn remove_between(&self, first: &str, last: &str) {
-        let first = format!("{}.{first}", self.name);
-        remove_files(self.folder, |name| {
-            name.starts_with(&first) && name.ends_with(last)
+    /// Removes the files of an earlier run whose endings begin and end like this, with a
+    /// number between.
+    pub fn remove_numbered(&self, first: &str, last: &str) {
+        let first = format!("{}.{first}", self.place.name);
+        remove_files(&self.place.folder, |name| {
+            let number = name.strip_prefix(&first);
+            let number = number.and_then(|rest| rest.strip_suffix(last));
+            number.is_some_and(|number| number.parse::<f64>().is_ok())
         });
     }
 
@@ -72,18 +116,23 @@ impl<'a> Results<'a> {
         Ok(())
     }
 
-    /// Writes one figure in two formats.
-    pub fn figures(
+    /// Saves one figure in two formats, if there is one. It is made only where figures are
+    /// drawn. Gives whether it is drawn.
+    pub fn figures<F>(
         &mut self,
         endings: [&str; 2],
-        save: impl Fn(&Path) -> Result<(), OutputProblem>,
-    ) -> Result<(), OutputProblem> {
+        figure: impl FnOnce() -> Option<F>,
+        save: impl Fn(&F, &Path) -> Result<(), OutputProblem>,
+    ) -> Result<bool, OutputProblem> {
+        let Some(figure) = self.draws().then(figure).flatten() else {
+            return Ok(false);
+        };
         for ending in endings {
             let path = self.path(ending);
-            save(&path)?;
+            save(&figure, &path)?;
             self.written.files.push(path);
         }
-        Ok(())
+        Ok(true)
     }
 
     /// Writes a grid into the folder `NAME.FIELDS`; gives its path from the folder of
@@ -97,7 +146,7 @@ impl<'a> Results<'a> {
         let folder = self.path(fields);
         make_folder(&folder)?;
         grid.write(&folder.join(file))?;
-        Ok(format!("{}.{fields}/{file}", self.name))
+        Ok(format!("{}.{fields}/{file}", self.place.name))
     }
 
     /// Writes a series into the folder `NAME.FIELDS`, beside its grids.
@@ -130,12 +179,14 @@ mod tests {
     #[test]
     fn only_own_files_are_removed() {
         let folder = tempfile::tempdir().unwrap();
-        let results = Results::new(folder.path(), "x");
+        let place = ResultPlace::new(folder.path(), "x");
+        let results = Results::new(&place);
         let fields = folder.path().join("x.static");
         std::fs::create_dir(&fields).unwrap();
         for file in [
             "x.a_1.png",
-            "x.a_2.png",
+            "x.a_2.5.png",
+            "x.a_1.a_3.png",
             "x.b.png",
             "y.a_1.png",
             "x.static/1.vtu",
@@ -143,10 +194,29 @@ mod tests {
             write_text(&folder.path().join(file), "").unwrap();
         }
         write_text(&fields.join("notes.txt"), "").unwrap();
-        results.remove_between("a_", ".png");
+        results.remove_numbered("a_", ".png");
         results.remove_fields("static");
         let exists = |file: &str| folder.path().join(file).exists();
-        assert!(!exists("x.a_1.png") && !exists("x.a_2.png") && !exists("x.static/1.vtu"));
+        assert!(!exists("x.a_1.png") && !exists("x.a_2.5.png") && !exists("x.static/1.vtu"));
+        // Of a file called "x.a_1".
+        assert!(exists("x.a_1.a_3.png"));
         assert!(exists("x.b.png") && exists("y.a_1.png") && exists("x.static/notes.txt"));
+    }
+
+    #[test]
+    fn figures_are_not_even_made_where_they_are_left_out() {
+        let folder = tempfile::tempdir().unwrap();
+        let save = |_: &(), path: &Path| write_text(path, "");
+        let place = ResultPlace::new(folder.path(), "x");
+        let mut results = Results::new(&place);
+        assert_eq!(results.figures(["a", "b"], || None, save), Ok(false));
+        assert_eq!(results.figures(["a", "b"], || Some(()), save), Ok(true));
+        assert_eq!(results.written.files, ["a", "b"].map(|e| results.path(e)));
+        let bare = place.clone().with_figures(false);
+        let mut results = Results::new(&bare);
+        let made = || panic!("a figure is made");
+        assert_eq!(results.figures(["c", "d"], made, save), Ok(false));
+        assert!(results.written.files.is_empty());
+        assert_eq!(folder.path().read_dir().unwrap().count(), 2);
     }
 }

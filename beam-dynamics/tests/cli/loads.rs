@@ -3,7 +3,7 @@
 use super::{BLADE, Folder};
 
 /// Half of a flat arch of two bars on pins; its limit load is 24.8 N.
-const ARCH: &str = "\
+pub const ARCH: &str = "\
 units = \"SI\"
 [properties.bar]
 ea = 1e4
@@ -44,7 +44,7 @@ force = [0, 0, -40]
 ";
 
 /// A straight strip along x.
-const STRIP: &str = "\
+pub const STRIP: &str = "\
 units = \"SI\"
 [properties.strip]
 ea = 3e6

@@ -7,6 +7,7 @@ mod blades;
 mod curvature;
 mod electrodes;
 mod exchange;
+mod figures;
 mod keys;
 
 use std::fs;
@@ -23,6 +24,7 @@ mod loads;
 mod messages;
 mod netcdf;
 mod prestress;
+mod several;
 mod transient;
 
 /// A blade of a strip whose properties are in a file.

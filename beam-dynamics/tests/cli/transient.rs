@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use super::Folder;
 
 /// A beam of two elements that falls from its straight place.
-const BEAM: &str = "\
+pub const BEAM: &str = "\
 units = \"SI\"
 [properties.strip]
 ea = 7e4
@@ -60,7 +60,7 @@ name = \"energy\"
 quantity = \"energy\"
 ";
 
-fn beam(to: f64) -> String {
+pub fn beam(to: f64) -> String {
     format!("{BEAM}[transient]\nto = {to}\nstep = \"2 ms\"\n{OUTPUT}")
 }
 

@@ -1,14 +1,12 @@
 //! The files of critical loads.
 
-use std::path::Path;
-
 use shared_geom::files::{OutputProblem, make_folder};
 use shared_geom::vtk::Series;
 
 use super::fields::{base, shape_grid};
 use super::{BUCKLING_CONVENTION, BucklingPlot, buckling_csv, buckling_text};
 use crate::output::Written;
-use crate::output::folder::Results;
+use crate::output::folder::{ResultPlace, Results};
 use crate::output::structure::Structure;
 use crate::result::BucklingResult;
 
@@ -19,29 +17,26 @@ const SERIES: &str = "buckling.pvd";
 /// Folder of the field files.
 const FIELDS: &str = "buckling";
 
-/// Writes `NAME.buckling.txt`, `NAME.buckling.csv`, the plot `NAME.buckling` as PNG and
-/// SVG, and the field files `NAME.buckling.pvd` with a grid a critical load in the
-/// folder `NAME.buckling`, all into `folder`, which is made when it does not exist.
-/// Those that an earlier run left there and this one does not have are removed.
+/// Writes `NAME.buckling.txt`, `NAME.buckling.csv`, where figures are drawn the plot
+/// `NAME.buckling` as PNG and SVG, and the field files `NAME.buckling.pvd` with a grid a
+/// critical load in the folder `NAME.buckling`, all to `place`. Those that an earlier run
+/// left there and this one does not have are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
 pub fn write_buckling(
     result: &BucklingResult,
-    folder: &Path,
-    name: &str,
+    place: &ResultPlace,
 ) -> Result<Written, OutputProblem> {
-    make_folder(folder)?;
-    let mut results = Results::new(folder, name);
+    make_folder(&place.folder)?;
+    let mut results = Results::new(place);
     results.remove([TEXT, TABLE, SERIES].into_iter().chain(PLOT));
     results.remove_fields(FIELDS);
 
     let text = format!("{}\n{BUCKLING_CONVENTION}", buckling_text(result));
     results.text(TEXT, &text)?;
     results.text(TABLE, &buckling_csv(result))?;
-    if let Some(plot) = BucklingPlot::new(result) {
-        results.figures(PLOT, |path| plot.save(path))?;
-    }
+    results.figures(PLOT, || BucklingPlot::new(result), BucklingPlot::save)?;
     if result.modes.is_empty() {
         return Ok(results.written);
     }
@@ -66,6 +61,7 @@ mod tests {
     fn all_files_are_written_and_stale_ones_removed() {
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
+        let place = ResultPlace::new(folder, "x");
         let mut result = column();
         let expected = [
             "x.buckling.txt",
@@ -74,10 +70,7 @@ mod tests {
             "x.buckling.svg",
             "x.buckling.pvd",
         ];
-        assert_eq!(
-            names(&write_buckling(&result, folder, "x").unwrap()),
-            expected
-        );
+        assert_eq!(names(&write_buckling(&result, &place).unwrap()), expected);
         let series = std::fs::read_to_string(folder.join(expected[4])).unwrap();
         let third = "timestep=\"3\" group=\"\" part=\"0\" file=\"x.buckling/mode_003.vtu\"";
         assert!(series.contains(third), "{series}");
@@ -85,7 +78,7 @@ mod tests {
 
         result.modes.clear();
         assert_eq!(
-            names(&write_buckling(&result, folder, "x").unwrap()),
+            names(&write_buckling(&result, &place).unwrap()),
             expected[..2]
         );
         assert_eq!(folder.read_dir().unwrap().count(), 2);

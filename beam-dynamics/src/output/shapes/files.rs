@@ -1,7 +1,5 @@
 //! The files of shapes of modes.
 
-use std::path::Path;
-
 use shared_geom::files::{OutputProblem, make_folder};
 use shared_geom::vtk::Series;
 
@@ -10,7 +8,7 @@ use super::{ShapePlot, shaped, structure};
 use crate::case::Model;
 use crate::input::short_number;
 use crate::output::Written;
-use crate::output::folder::Results;
+use crate::output::folder::{ResultPlace, Results};
 use crate::output::text::RPM;
 use crate::result::FrequencyTable;
 
@@ -21,10 +19,10 @@ const PLOT: &str = "shapes_at_";
 const ENDINGS: [&str; 2] = ["_rpm.png", "_rpm.svg"];
 
 /// Writes plots of the shapes of the lowest modes, `NAME.shapes_at_RPM_rpm` as PNG and
-/// SVG, for each speed at which `table` has shapes, and with `animate` the folder
-/// `NAME.modes` with a series `MODE_at_RPM_rpm.pvd` of field files for each mode, all
-/// into `folder`, which is made when it does not exist. Those that an earlier run left
-/// there and this one does not have are removed.
+/// SVG, for each speed at which `table` has shapes, where figures are drawn, and with
+/// `animate` the folder `NAME.modes` with a series `MODE_at_RPM_rpm.pvd` of field files for
+/// each mode, all to `place`. Those that an earlier run left there and this one does not
+/// have are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
@@ -32,13 +30,12 @@ pub fn write_shapes(
     model: &Model,
     table: &FrequencyTable,
     animate: bool,
-    folder: &Path,
-    name: &str,
+    place: &ResultPlace,
 ) -> Result<Written, OutputProblem> {
-    make_folder(folder)?;
-    let mut results = Results::new(folder, name);
+    make_folder(&place.folder)?;
+    let mut results = Results::new(place);
     for ending in ENDINGS {
-        results.remove_between(PLOT, ending);
+        results.remove_numbered(PLOT, ending);
     }
     results.remove_fields(FIELDS);
     let structure = structure(model);
@@ -46,10 +43,9 @@ pub fn write_shapes(
     let undeformed: Vec<_> = nodes.map(|node| node.rotation).collect();
     for (speed, report) in table.equilibria.iter().enumerate() {
         let at = format!("{}_rpm", short_number(table.speeds[speed] * RPM, 6));
-        if let Some(plot) = ShapePlot::new(model, table, speed) {
-            let endings = ["png", "svg"].map(|ending| format!("shapes_at_{at}.{ending}"));
-            results.figures([&endings[0], &endings[1]], |path| plot.save(path))?;
-        }
+        let endings = ["png", "svg"].map(|ending| format!("shapes_at_{at}.{ending}"));
+        let plot = || ShapePlot::new(model, table, speed);
+        results.figures([&endings[0], &endings[1]], plot, ShapePlot::save)?;
         if !animate {
             continue;
         }
@@ -86,8 +82,9 @@ mod tests {
         let (model, mut table) = shaped();
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
+        let place = ResultPlace::new(folder, "x");
         let write = |table: &FrequencyTable, animate| {
-            names(&write_shapes(&model, table, animate, folder, "x").unwrap())
+            names(&write_shapes(&model, table, animate, &place).unwrap())
         };
         let plots = ["x.shapes_at_0_rpm.png", "x.shapes_at_0_rpm.svg"];
         assert_eq!(write(&table, true), [plots[0], plots[1], "x.modes"]);

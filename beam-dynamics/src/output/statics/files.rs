@@ -1,7 +1,5 @@
 //! The files of a load path.
 
-use std::path::Path;
-
 use shared_geom::files::{OutputProblem, make_folder};
 use shared_geom::vtk::Series;
 
@@ -11,7 +9,7 @@ use super::{
     force_csv, reaction_csv, static_text,
 };
 use crate::output::Written;
-use crate::output::folder::Results;
+use crate::output::folder::{ResultPlace, Results};
 use crate::output::structure::Structure;
 use crate::result::StaticResult;
 
@@ -28,21 +26,17 @@ const SERIES: &str = "static.pvd";
 const FIELDS: &str = "static";
 
 /// Writes `NAME.static.txt`, `NAME.displacements.csv`, `NAME.forces.csv`,
-/// `NAME.reactions.csv`, with electrodes `NAME.electrodes.csv`, the plots `NAME.deformed`, `NAME.forces` and, of three
-/// equilibria or more, `NAME.path`, each as PNG and SVG, and the field files
-/// `NAME.static.pvd` with a grid a step in the folder `NAME.static`, all into `folder`,
-/// which is made when it does not exist. Those that an earlier run left there and this
-/// one does not have are removed.
+/// `NAME.reactions.csv`, with electrodes `NAME.electrodes.csv`, where figures are drawn the
+/// plots `NAME.deformed`, `NAME.forces` and, of three equilibria or more, `NAME.path`, each
+/// as PNG and SVG, and the field files `NAME.static.pvd` with a grid a step in the folder
+/// `NAME.static`, all to `place`. Those that an earlier run left there and this one does not
+/// have are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
-pub fn write_static(
-    result: &StaticResult,
-    folder: &Path,
-    name: &str,
-) -> Result<Written, OutputProblem> {
-    make_folder(folder)?;
-    let mut results = Results::new(folder, name);
+pub fn write_static(result: &StaticResult, place: &ResultPlace) -> Result<Written, OutputProblem> {
+    make_folder(&place.folder)?;
+    let mut results = Results::new(place);
     results.remove([TEXT, DISPLACEMENTS, FORCES, REACTIONS, ELECTRODES, SERIES]);
     results.remove([DEFORMED, ALONG, PATH].into_iter().flatten());
     results.remove_fields(FIELDS);
@@ -55,15 +49,9 @@ pub fn write_static(
     if result.steps.iter().any(|step| !step.electrodes.is_empty()) {
         results.text(ELECTRODES, &electrode_csv(result))?;
     }
-    if let Some(plot) = DeformedPlot::new(result) {
-        results.figures(DEFORMED, |path| plot.save(path))?;
-    }
-    if let Some(plot) = ForcePlot::new(result) {
-        results.figures(ALONG, |path| plot.save(path))?;
-    }
-    if let Some(plot) = PathPlot::new(result) {
-        results.figures(PATH, |path| plot.save(path))?;
-    }
+    results.figures(DEFORMED, || DeformedPlot::new(result), DeformedPlot::save)?;
+    results.figures(ALONG, || ForcePlot::new(result), ForcePlot::save)?;
+    results.figures(PATH, || PathPlot::new(result), PathPlot::save)?;
     if !result.steps.is_empty() {
         write_fields(result, &mut results)?;
     }
@@ -98,7 +86,8 @@ mod tests {
     fn all_files_are_written_and_stale_ones_removed() {
         let folder = tempfile::tempdir().unwrap();
         let results = folder.path().join("results");
-        let written = write_static(&samples::bent(&[0.0, 0.5, 1.0]), &results, "x").unwrap();
+        let place = ResultPlace::new(&results, "x");
+        let written = write_static(&samples::bent(&[0.0, 0.5, 1.0]), &place).unwrap();
         let expected = [
             "x.static.txt",
             "x.displacements.csv",
@@ -123,13 +112,13 @@ mod tests {
         );
 
         // A path past a limit point, shorter than the one before.
-        write_static(&samples::bent(&[0.5, 0.4]), &results, "x").unwrap();
+        write_static(&samples::bent(&[0.5, 0.4]), &place).unwrap();
         assert!(!results.join("x.path.png").exists());
         assert_eq!(results.join("x.static").read_dir().unwrap().count(), 2);
         let series = std::fs::read_to_string(results.join("x.static.pvd")).unwrap();
         assert!(series.contains("timestep=\"1\""), "{series}");
 
-        let written = write_static(&samples::bent(&[]), &results, "x").unwrap();
+        let written = write_static(&samples::bent(&[]), &place).unwrap();
         assert_eq!(names(&written), expected[..4]);
         assert_eq!(results.read_dir().unwrap().count(), 4);
     }

@@ -11,7 +11,7 @@ use super::restart::write_snapshot;
 use super::{Heading, RowWriter, RunFileProblem, TimePlot, TimeTable};
 use crate::case::{Every, Model, OutputQuestion};
 use crate::output::Written;
-use crate::output::folder::Results;
+use crate::output::folder::{ResultPlace, Results};
 use crate::result::{ColumnValues, Moment, Recorder, Snapshot};
 
 const CSV: &str = "transient.csv";
@@ -24,7 +24,7 @@ const MOST_NUMBERS: usize = 20_000_000;
 
 /// Writes `NAME.transient.csv` and `NAME.transient.nc` (a row each `every`), field files
 /// in `NAME.transient` with their series `NAME.transient.pvd`, `NAME.restart.json`, and at
-/// the end `NAME.transient.txt` and a figure of all columns.
+/// the end `NAME.transient.txt` and, where figures are drawn, one of all columns.
 #[derive(Debug)]
 pub struct RunFiles<'a> {
     values: ColumnValues<'a>,
@@ -47,20 +47,19 @@ pub struct RunFiles<'a> {
 }
 
 impl<'a> RunFiles<'a> {
-    /// The files of `model` called `name` in `folder`, which is made when it does not
-    /// exist. Files of an earlier run are removed; a run that goes on from `resumed` keeps
-    /// them up to its time.
+    /// The files of `model` at `place`. Files of an earlier run are removed; a run that goes
+    /// on from `resumed` keeps them up to its time.
     ///
     /// # Errors
     /// [`RunFileProblem`]: the folder or a file cannot be made, or has other columns.
     pub fn new(
         model: &'a Model,
         question: &'a OutputQuestion,
-        (folder, name): (&'a Path, &'a str),
+        place: &'a ResultPlace,
         resumed: Option<&Snapshot>,
     ) -> Result<Self, RunFileProblem> {
-        make_folder(folder)?;
-        let results = Results::new(folder, name);
+        make_folder(&place.folder)?;
+        let results = Results::new(place);
         let mut files = Self {
             values: ColumnValues::new(model, question),
             tables: Vec::new(),
@@ -150,14 +149,13 @@ impl<'a> RunFiles<'a> {
         let paths = self.tables.iter().map(|table| table.path().to_owned());
         let paths: Vec<_> = paths.collect();
         self.results.written.files.extend(paths.iter().cloned());
-        let mut plot = paths.last().and_then(|path| default_plot(title, path));
+        let drawn = paths.last().filter(|_| self.results.draws());
+        let mut plot = drawn.and_then(|path| default_plot(title, path));
         let not_drawn = plot.as_mut().map(TimePlot::shorten).unwrap_or_default();
         self.results
             .text(TEXT, &(text.to_owned() + &not_drawn_text(&not_drawn)))?;
         self.results.written.not_drawn = not_drawn;
-        if let Some(plot) = plot {
-            self.results.figures(PLOT, |path| plot.save(path))?;
-        }
+        self.results.figures(PLOT, || plot, TimePlot::save)?;
         if self.grids.is_some() && self.results.path(SERIES).exists() {
             let series = self.results.path(SERIES);
             self.results.written.files.push(series);

@@ -12,6 +12,7 @@ use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::{Axes, NodeQuantity, NodeVector, Part};
 use crate::integrator::Counters;
 use crate::model::{Conditions, State};
+use crate::output::ResultPlace;
 use crate::output::samples::{names, nodes_at};
 use crate::result::{Moment, Recorder, Snapshot};
 
@@ -117,7 +118,8 @@ fn snapshot(step: usize) -> Snapshot {
 /// Runs to the end at once.
 fn complete(folder: &Path, question: &OutputQuestion, steps: usize) -> Vec<String> {
     let model = model();
-    let mut files = RunFiles::new(&model, question, (folder, "x"), None).unwrap();
+    let place = ResultPlace::new(folder, "x");
+    let mut files = RunFiles::new(&model, question, &place, None).unwrap();
     assert!(run(&model, &mut files, 0..=steps));
     names(&files.finish("a body", "text\n").unwrap())
 }
@@ -230,8 +232,8 @@ fn a_killed_run_keeps_its_rows_and_goes_on_without_doubling_them() {
     );
 
     let model = model();
-    let place = (parts.path(), "x");
-    let mut files = RunFiles::new(&model, &question, place, None).unwrap();
+    let place = ResultPlace::new(parts.path(), "x");
+    let mut files = RunFiles::new(&model, &question, &place, None).unwrap();
     assert!(run(&model, &mut files, 0..=27));
     drop(files);
     let csv = parts.path().join("x.transient.csv");
@@ -244,7 +246,7 @@ fn a_killed_run_keeps_its_rows_and_goes_on_without_doubling_them() {
 
     let kept = read_snapshot(&parts.path().join("x.restart.json")).unwrap();
     assert_eq!(kept, snapshot(20));
-    let mut files = RunFiles::new(&model, &question, place, Some(&kept)).unwrap();
+    let mut files = RunFiles::new(&model, &question, &place, Some(&kept)).unwrap();
     // Whether or not the step at which it goes on is told again.
     assert!(run(&model, &mut files, 20..=40));
     files.finish("a body", "text\n").unwrap();
@@ -272,8 +274,8 @@ fn a_run_does_not_go_on_in_a_table_of_others() {
     other.columns[0].name = "b_x".to_owned();
     for (csv, netcdf, file) in [(true, false, "csv"), (false, true, "nc")] {
         (other.csv, other.netcdf) = (csv, netcdf);
-        let place = (folder.path(), "x");
-        let problem = RunFiles::new(&model, &other, place, Some(&snapshot(10))).unwrap_err();
+        let place = ResultPlace::new(folder.path(), "x");
+        let problem = RunFiles::new(&model, &other, &place, Some(&snapshot(10))).unwrap_err();
         let told = problem.to_string();
         assert!(
             told.contains(&format!("x.transient.{file}\" has other columns")),

@@ -1,9 +1,10 @@
 //! Sections that would write the same result files: told before anything runs.
 
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use shared_geom::error::Explain;
+use shared_geom::files::true_path;
 
 use super::Job;
 
@@ -53,19 +54,10 @@ fn properties_of(job: &Job) -> String {
     file.display().to_string()
 }
 
-/// The same for all ways to write a folder: links followed as far as it exists.
-fn true_path(folder: &Path) -> PathBuf {
-    let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
-    let found = absolute.ancestors().find_map(|above| {
-        let true_above = above.canonicalize().ok()?;
-        Some(true_above.join(absolute.strip_prefix(above).ok()?))
-    });
-    found.unwrap_or(absolute)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::Path;
 
     fn jobs(files: &[&str], out: Option<&str>) -> Vec<Job> {
         let job = |file: &&str| Job::new(Path::new(file), out.map(Path::new));
@@ -84,23 +76,5 @@ mod tests {
         );
         assert_eq!(overlaps(&jobs(&files, Some("out"))).len(), 2);
         assert_eq!(overlaps(&jobs(&files[..2], None)), []);
-    }
-
-    #[test]
-    fn links_to_one_folder_are_seen_through() {
-        let folder = tempfile::tempdir().unwrap();
-        let at = |name: &str| folder.path().join(name);
-        std::fs::create_dir(at("a")).unwrap();
-        std::fs::create_dir(at("a/deep")).unwrap();
-        assert_eq!(
-            true_path(&at("a/none/here")),
-            true_path(&at("a/./none/here"))
-        );
-        assert_eq!(true_path(&at("a/deep/..")), true_path(&at("a")));
-        #[cfg(unix)]
-        {
-            std::os::unix::fs::symlink(at("a"), at("b")).unwrap();
-            assert_eq!(true_path(&at("b/results")), true_path(&at("a/results")));
-        }
     }
 }

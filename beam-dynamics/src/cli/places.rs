@@ -1,0 +1,83 @@
+//! Where the results of each file go.
+
+use std::path::{Path, PathBuf};
+
+use shared_geom::error::Explain;
+use shared_geom::files::true_path;
+
+use super::arguments::Results;
+use crate::input;
+use crate::output::ResultPlace;
+
+/// Two files whose results would go to the same place.
+#[derive(Debug, PartialEq, Eq, thiserror::Error)]
+#[error("results of \"{first}\" and \"{second}\" would both be \"{target}\"")]
+pub(super) struct SameResults {
+    first: String,
+    second: String,
+    target: String,
+}
+
+impl Explain for SameResults {
+    fn help(&self) -> Option<String> {
+        Some("give the files different names, or run them one by one".to_owned())
+    }
+}
+
+/// Places of the results of all files, each of its own: two files that run at the same time
+/// must not write over each other, whatever way their folder is written.
+///
+/// # Errors
+/// [`SameResults`]: the first two files of one place.
+pub(super) fn places(
+    files: &[PathBuf],
+    results: &Results,
+) -> Result<Vec<ResultPlace>, SameResults> {
+    let places: Vec<_> = files.iter().map(|file| place(file, results)).collect();
+    let keys = places
+        .iter()
+        .map(|place| (true_path(&place.folder), place.name.as_str()));
+    let keys: Vec<_> = keys.collect();
+    for (second, key) in keys.iter().enumerate() {
+        if let Some(first) = keys[..second].iter().position(|other| other == key) {
+            let ResultPlace { folder, name, .. } = &places[second];
+            return Err(SameResults {
+                first: files[first].display().to_string(),
+                second: files[second].display().to_string(),
+                target: folder.join(format!("{name}.*")).display().to_string(),
+            });
+        }
+    }
+    Ok(places)
+}
+
+fn place(file: &Path, results: &Results) -> ResultPlace {
+    let beside = || file.parent().unwrap_or(Path::new("")).join("results");
+    let folder = results.out.clone().unwrap_or_else(beside);
+    ResultPlace::new(folder, input::name_of(file)).with_figures(!results.no_figures)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_folder_in_two_ways_is_one_place() {
+        let same = |files: [&str; 2], out: Option<&str>| {
+            let results = Results {
+                out: out.map(PathBuf::from),
+                no_figures: false,
+            };
+            let told = places(&files.map(PathBuf::from), &results);
+            told.err().map(|problem| problem.to_string())
+        };
+        let expected = "results of \"x.dynamics.toml\" and \"./x.dynamics.toml\" would both be \
+                        \"./results/x.*\"";
+        let files = ["x.dynamics.toml", "./x.dynamics.toml"];
+        assert_eq!(same(files, None).as_deref(), Some(expected));
+        let files = ["a/x.dynamics.toml", "b/x.dynamics.toml"];
+        assert_eq!(same(files, None), None);
+        assert!(same(files, Some("c")).is_some());
+        assert_eq!(same(["a/x.toml", "a/y.toml"], Some("c")), None);
+    }
+}
