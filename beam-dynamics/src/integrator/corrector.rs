@@ -50,6 +50,10 @@ const SLOW_IN_STEP: f64 = 0.1;
 /// link, takes a small correction for a large change of its rate.
 const OF_KEPT: f64 = 1e-2;
 
+/// Corrections with a kept Jacobian do not fall below this [-]: where they should, it is not
+/// kept.
+const FLOOR: f64 = 1e-13;
+
 /// A kept Jacobian is computed anew after so many corrections in a step: as many as one
 /// costs.
 const USES: usize = 5;
@@ -311,7 +315,10 @@ impl Corrector {
         let most = all().fold(0.0_f64, |most, (kept, _)| most.max(kept.abs()));
         let has_changed = all().any(|(kept, now)| (kept - now).abs() > CHANGED * most);
         let (slow, is_old) = match limits.jacobians {
-            Jacobians::Full => (SLOW_IN_STEP, !kept.is_of_this_step),
+            Jacobians::Full => {
+                let is_kept = kept.is_of_this_step && OF_KEPT * limits.correction >= FLOOR;
+                (SLOW_IN_STEP, !is_kept)
+            }
             Jacobians::Modified => (SLOW, false),
         };
         let is_slow = self.shrinking().is_some_and(|theta| theta > slow);

@@ -6,7 +6,8 @@ pub(super) const MOST_CROWDED: usize = 20_000;
 /// When the Jacobian is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Jacobians {
-    /// In every step, and again where the iteration slows down.
+    /// In every step, and again where the iteration slows down; in every iteration where the
+    /// limits are near round-off.
     #[default]
     Full,
     /// When the iteration slows down or the step changes; else the last one is kept.

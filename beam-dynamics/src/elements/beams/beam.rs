@@ -16,23 +16,21 @@
 //!
 //! References: [Masarati], the three-node beam (5.2-5.4).
 
-use nalgebra::{DMatrix, Matrix6, RowVector6, Vector3, Vector6};
+use nalgebra::{DMatrix, Matrix6, Vector3, Vector6};
 
 use super::attachment::{BeamGeometry, EVALUATION_POINTS, Formulation};
-use super::electrodes::{BeamElectrode, Electrodes, Voltage};
-use super::forces::{Test, add_column, add_forces, add_tangent};
+use super::electrodes::{BeamElectrode, Electrodes};
 use super::geometry::ReferencePoint;
-use super::gradient::{self, Place};
-use super::interpolation::{LARGEST, NodalKinematics, PointKinematics, Shape};
-use super::portions;
-use super::strain::{StrainPoint, Variation};
+use super::interpolation::{LARGEST, NodalKinematics, Shape};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
     Along, Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local,
     LocalJacobian, LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, SectionState,
     Signal, Structure, has,
 };
-use crate::model::{Node, NodeMotion, Scalar, Variable};
+use crate::model::{Node, NodeMotion, Scalar};
+
+mod evaluation;
 
 /// A geometrically exact beam through three nodes.
 #[derive(Debug, Clone)]
@@ -51,16 +49,6 @@ struct Point {
     shape: Shape,
     reference: ReferencePoint,
     law: Law<6>,
-}
-
-/// An evaluation point at a state.
-struct At {
-    kinematics: PointKinematics,
-    now: Vector6<f64>,
-    /// Its rate, zero where the law does not resist it.
-    rate: Vector6<f64>,
-    /// Forces of the law and of the electrodes.
-    response: Response<6>,
 }
 
 impl Beam {
@@ -153,189 +141,6 @@ impl Beam {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);
         [0, 1].map(|place| self.at(place, &nodal, at, &voltages).response.force)
-    }
-
-    /// An evaluation point at a state.
-    fn at(
-        &self,
-        place: usize,
-        nodal: &NodalKinematics,
-        at: &Local<'_>,
-        voltages: &[Voltage],
-    ) -> At {
-        let point = &self.points[place];
-        let kinematics = nodal.at(&point.shape, point.reference.j0);
-        let rate = match point.law.is_viscous() {
-            true => self.strain_point(place, nodal).rate(at.nodes),
-            false => Vector6::zeros(),
-        };
-        let mut found = At {
-            now: point.reference.strain(&kinematics),
-            kinematics,
-            rate,
-            response: Response::zero(),
-        };
-        let response = &mut found.response;
-        (point.law).add(&found.now, &found.rate, &at.instant(), response);
-        if !self.electrodes.is_empty() {
-            response.force += self.electrodes.force(place, voltages);
-        }
-        found
-    }
-
-    /// An evaluation point with the variation of its strain.
-    fn strain_point<'a>(&'a self, place: usize, nodal: &'a NodalKinematics) -> StrainPoint<'a> {
-        let point = &self.points[place];
-        StrainPoint::new(nodal, &point.shape, point.reference.j0)
-    }
-
-    /// W of an evaluation point (D-20).
-    fn test(&self, place: usize, strain: &StrainPoint<'_>) -> Test {
-        match self.geometry.formulation {
-            Formulation::Variational => strain.j0() * strain.variation,
-            Formulation::FiniteVolume(_) => portions::test(place, &strain.section),
-        }
-    }
-
-    /// Evaluation point number `place` of a variational beam.
-    fn place<'a>(&'a self, place: usize, point: &'a At) -> Place<'a> {
-        Place {
-            shape: &self.points[place].shape,
-            j0: self.points[place].reference.j0,
-            point: &point.kinematics,
-        }
-    }
-
-    /// Adds the forces on the nodes.
-    fn add_forces(&self, nodal: &NodalKinematics, points: &[At; 2], out: &mut LocalResidual) {
-        let force = |place: usize| &points[place].response.force;
-        if self.geometry.formulation == Formulation::Variational {
-            let of = |place: usize| (self.place(place, &points[place]), force(place));
-            gradient::add_forces(nodal, &[of(0), of(1)], out);
-            return;
-        }
-        for place in [0, 1] {
-            let test = self.test(place, &self.strain_point(place, nodal));
-            add_forces(&test, force(place), out);
-        }
-    }
-
-    /// Adds the derivatives of the forces on the nodes, for section forces with the given
-    /// slopes by the strain at both points.
-    fn add_tangent(
-        &self,
-        (nodal, points): (&NodalKinematics, &[At; 2]),
-        sections: [(&Vector6<f64>, &Matrix6<f64>); 2],
-        out: &mut LocalJacobian,
-    ) {
-        if self.geometry.formulation == Formulation::Variational {
-            let of = |place: usize| {
-                let (force, slopes) = sections[place];
-                (self.place(place, &points[place]), force, slopes)
-            };
-            gradient::add_tangent(nodal, &[of(0), of(1)], out);
-            return;
-        }
-        for (place, (force, slopes)) in sections.into_iter().enumerate() {
-            let strain = self.strain_point(place, nodal);
-            let test = self.test(place, &strain);
-            add_tangent(&test, &(slopes * strain.variation), false, out);
-            let [force, moment] = [0, 3].map(|row| force.fixed_rows::<3>(row).into_owned());
-            portions::add_geometric(place, &strain.section, &force, &moment, out);
-        }
-    }
-
-    /// Adds the derivatives of viscous forces, of forces by scalars, and of charges at an
-    /// evaluation point.
-    fn add_more(
-        &self,
-        (place, point): (usize, &At),
-        (nodal, at): (&NodalKinematics, &Local<'_>),
-        out: &mut LocalJacobian,
-    ) {
-        let law = &self.points[place].law;
-        if !law.is_viscous() && self.scalars.is_empty() {
-            return;
-        }
-        let strain = self.strain_point(place, nodal);
-        let test = self.test(place, &strain);
-        if law.is_viscous() {
-            let by_rate = &point.response.by_rate;
-            add_tangent(
-                &test,
-                &(by_rate * strain.rate_variation(at.nodes)),
-                false,
-                out,
-            );
-            add_tangent(&test, &(by_rate * strain.variation), true, out);
-        }
-        if self.scalars.is_empty() {
-            return;
-        }
-        let (now, rate) = (&point.now, &point.rate);
-        law.by_scalars(now, rate, &at.instant(), |scalar, q, of_rate| {
-            add_column(&test, q, (scalar, of_rate), out);
-        });
-        self.electrodes.by_scalars(at, |k, scalar, slope| {
-            let q = slope * self.electrodes.coupling(k, place);
-            add_column(&test, &q, (scalar, false), out);
-        });
-        let variation = (&strain.variation, at);
-        self.electrodes.add_charge_rows(place, variation, out);
-    }
-}
-
-impl Beam {
-    /// Adds the derivatives of a component of the strain, or of the internal force, at an
-    /// evaluation point.
-    fn add_reading(
-        &self,
-        place: usize,
-        (point, variation): (&At, &StrainPoint<'_>),
-        at: &Local<'_>,
-        (strain, component): (bool, usize),
-        row: &mut ReadingRow<'_>,
-    ) {
-        let mut add =
-            |slopes: &RowVector6<f64>, variation: &Variation, variables: [Variable; 2]| {
-                let product = slopes * variation;
-                for (node, k) in (0..3).flat_map(|node| [(node, 0), (node, 1)]) {
-                    let first = 6 * node + 3 * k;
-                    let slope = Vector3::from_fn(|i, _| product[first + i]);
-                    row.by_node(node, variables[k], &slope);
-                }
-            };
-        const PLACES: [Variable; 2] = [Variable::Position, Variable::Rotation];
-        const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
-        let rates = variation;
-        let variation = &variation.variation;
-        if strain {
-            let alone = RowVector6::from_fn(|_, j| f64::from(u8::from(j == component)));
-            add(&alone, variation, PLACES);
-            return;
-        }
-        let Response {
-            by_strain, by_rate, ..
-        } = &point.response;
-        add(&by_strain.row(component).into_owned(), variation, PLACES);
-        let law = &self.points[place].law;
-        if law.is_viscous() {
-            let slopes = by_rate.row(component).into_owned();
-            add(&slopes, &rates.rate_variation(at.nodes), PLACES);
-            add(&slopes, variation, RATES);
-        }
-        law.by_scalars(
-            &point.now,
-            &point.rate,
-            &at.instant(),
-            |scalar, q, of_rate| {
-                row.by_scalar((scalar, of_rate), q[component]);
-            },
-        );
-        self.electrodes.by_scalars(at, |k, scalar, slope| {
-            let coupling = self.electrodes.coupling(k, place)[component];
-            row.by_scalar((scalar, false), slope * coupling);
-        });
     }
 }
 

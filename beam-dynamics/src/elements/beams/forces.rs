@@ -7,6 +7,9 @@ use crate::elements::{LocalJacobian, LocalResidual};
 use crate::model::Equation::{Force, Moment};
 use crate::model::Variable;
 
+/// Displacements and rotations of the nodes.
+const NUMBERS: usize = 18;
+
 /// Six equations of each node, by a matrix of columns.
 pub(super) type Test = SMatrix<f64, 6, 18>;
 
@@ -34,21 +37,45 @@ pub(super) fn add_forces(test: &Test, q: &Vector6<f64>, out: &mut LocalResidual)
     }
 }
 
-/// Adds `- W^T by`, the variation of the forces on the nodes with that of the section force
-/// by displacements and rotations, or by their rates.
-pub(super) fn add_tangent(test: &Test, by: &Variation, rates: bool, out: &mut LocalJacobian) {
+/// Adds `- sum W^T by` over points, the variation of the forces on the nodes with that of the
+/// section forces by displacements and rotations, or by their rates.
+pub(super) fn add_tangent(points: &[(Test, Variation)], rates: bool, out: &mut LocalJacobian) {
+    let mut columns = [[0.0; NUMBERS]; NUMBERS];
+    for (test, by) in points {
+        add_product(test, by, &mut columns);
+    }
     let variables = match rates {
         true => [Variable::Velocity, Variable::AngularVelocity],
         false => [Variable::Position, Variable::Rotation],
     };
-    let product = test.tr_mul(by);
-    for (node, row) in (0..3)
-        .flat_map(|node| [(node, Force), (node, Moment)])
-        .enumerate()
-    {
-        for (other, variable) in (0..3).flat_map(|k| variables.map(|v| (k, v))).enumerate() {
-            let block: Matrix3<f64> = -product.fixed_view::<3, 3>(3 * node, 3 * other);
-            out.add(row, variable, &block);
+    for i in 0..6 {
+        let row = (i / 2, [Force, Moment][i % 2]);
+        for j in 0..6 {
+            let block = Matrix3::from_fn(|m, n| -columns[3 * j + n][3 * i + m]);
+            out.add(row, (j / 2, variables[j % 2]), &block);
+        }
+    }
+}
+
+/// Adds `W^T by`, column by column.
+fn add_product(test: &Test, by: &Variation, columns: &mut [[f64; NUMBERS]; NUMBERS]) {
+    // Rows of W as wholes: each product takes one of them to a column.
+    let mut rows = [[0.0; NUMBERS]; 6];
+    for (j, column) in test.column_iter().enumerate() {
+        for (row, value) in rows.iter_mut().zip(column.iter()) {
+            row[j] = *value;
+        }
+    }
+    for (sums, factors) in columns.iter_mut().zip(by.column_iter()) {
+        // By itself first: equal terms of opposite sign at the two points leave zero.
+        let mut column = [0.0; NUMBERS];
+        for (row, factor) in rows.iter().zip(factors.iter()) {
+            for (sum, value) in column.iter_mut().zip(row) {
+                *sum += factor * value;
+            }
+        }
+        for (sum, value) in sums.iter_mut().zip(column) {
+            *sum += value;
         }
     }
 }

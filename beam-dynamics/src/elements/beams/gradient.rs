@@ -1,6 +1,6 @@
-//! Gradient of the energy of a variational beam, and its tangent.
+//! Gradient of the energy of a variational beam, and its tangent at fixed section forces.
 //!
-//! Strains of a beam hang on what its outer nodes do against its middle one alone: with
+//! Strains of a beam depend on the motion of its outer nodes against its middle one alone: with
 //! `r_j = p_j - p_2`, `t_j = theta_j - theta_2` and the parameters psi_j (see
 //! [`super::interpolation`]), at fixed `theta_2`,
 //!
@@ -15,14 +15,13 @@
 //! F                       B^T c + S^T M                    T M                   (D-282)
 //! ```
 //!
-//! and its tangent, C being `w d q / d eps` in blocks of nu and kappa and `Q = R^T [l]x B`,
+//! and its tangent at fixed section forces
 //!
 //! ```text
-//!        by l                          by psi                                   by psi'
-//! l      R C11 R^T                     R (C11 Q + C12 S) - [F]x B               R C12 T^T
-//! psi    (Q^T C11 + S^T C21) R^T       Q^T (C11 Q + C12 S) + S^T (C21 Q + C22 S)   (Q^T C12 + S^T C22) T^T
-//!          + B^T [F]x                    + D(T^T.; A^T c) + B^T [l]x [F]x B + H      + D(T.; M)^T
-//! psi'   T C21 R^T                     T (C21 Q + C22 S) + D(T.; M)             T C22 T^T
+//!        by l        by psi                                          by psi'
+//! l      0           -[F]x B                                         0
+//! psi    B^T [F]x    D(T^T.; A^T c) + B^T [l]x [F]x B + H            D(T.; M)^T
+//! psi'   0           D(T.; M)                                        0
 //! ```
 //!
 //! The sums over the points by N_j and `N'_j / J0` are the gradient g_rj and g_psi,j, and its
@@ -34,14 +33,14 @@
 //! f_2 = - f_1 - f_3           m_2 = - m_1 - m_3 - r_j x f_j                          (D-283)
 //! d f_j = theta_2 x f_j + d g_rj ,     d r_j = u_j = d p_j - d p_2
 //! d m_j = theta_2 x m_j + A_j^T d g_psi,j + A D(T_j^-T.; g_psi,j) A_j t_j
-//!
 //! ```
 //!
-//! where g sees `u_j + [r_j]x theta_2`; an offset f from the node adds `f x f_j` to its moment. The whole is symmetric where C
-//! is, but for `-1/2 [m_j]x` of each node, m_j being the moment of the element there, which
-//! goes out where nodes are in balance.
+//! where g sees `u_j + [r_j]x theta_2`; an offset f from the node adds `f x f_j` to its moment.
+//! The other part of the tangent, `W^T dq`, is that of all beams (see [`super::forces`]). The
+//! whole is symmetric where the slopes of the law are, but for `-1/2 [m_j]x` of each node, m_j
+//! being the moment of the element there, which goes out where nodes are in balance.
 
-use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix3, Vector3, Vector6};
 use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
 
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
@@ -147,64 +146,39 @@ pub(super) fn add_forces(
     }
 }
 
-/// Second derivatives by r and psi of the outer nodes.
+/// Second derivatives by r and psi of the outer nodes, at fixed section forces; there are none
+/// by r and r.
 #[derive(Default)]
 struct Hessian {
-    /// By r and r, r and psi, psi and r, psi and psi; by the first node, by the second.
-    rr: [[Matrix3<f64>; 2]; 2],
+    /// By r of the first node and psi of the second.
     rp: [[Matrix3<f64>; 2]; 2],
-    pr: [[Matrix3<f64>; 2]; 2],
+    /// By psi and psi.
     pp: [[Matrix3<f64>; 2]; 2],
 }
 
 impl Hessian {
-    /// Adds those of a point of section force `q` and slopes `c` of it.
-    fn add(&mut self, a: &Matrix3<f64>, place: &Place<'_>, q: &Vector6<f64>, c: &Matrix6<f64>) {
+    /// Adds those of a point of section force `q`; `a` are the axes of the middle node.
+    fn add(&mut self, a: &Matrix3<f64>, place: &Place<'_>, q: &Vector6<f64>) {
         let PointKinematics {
-            r,
             l,
             tangent,
             map,
             psi_prime,
             ..
         } = place.point;
-        let block = |i, j| place.j0 * c.fixed_view::<3, 3>(i, j);
-        let [c11, c12, c21, c22] = [block(0, 0), block(0, 3), block(3, 0), block(3, 3)];
         let [force, moment] = section_forces(place, q);
-        let (rt, tt) = (r.transpose(), tangent.transpose());
-        let (b, bent) = (a * tangent, place.bent());
-        let (qt, st) = ((rt * skew_times(l, &b)).transpose(), bent.transpose());
-        let q = qt.transpose();
-
+        let b = a * tangent;
         let turned = skew_times(&force, &b);
         let twisted = map.tangent_derivative(&moment);
-        let by_l = [c11 * rt, c21 * rt];
-        let by_psi = [c11 * q + c12 * bent, c21 * q + c22 * bent];
-        let by_slope = [c12 * tt, c22 * tt];
-
-        let ll = r * by_l[0];
-        let lp = r * by_psi[0] - turned;
-        let ls = r * by_slope[0];
-        let pl = qt * by_l[0] + st * by_l[1] - turned.transpose();
-        let pp = qt * by_psi[0]
-            + st * by_psi[1]
-            + map.tangent_transpose_derivative(&a.tr_mul(&force.cross(l)))
+        let pp = map.tangent_transpose_derivative(&a.tr_mul(&force.cross(l)))
             + b.tr_mul(&skew_times(l, &turned))
             + map.second_derivative(psi_prime, &moment);
-        let ps = qt * by_slope[0] + st * by_slope[1] + twisted.transpose();
-        let sl = tangent * by_l[1];
-        let sp = tangent * by_psi[1] + twisted;
-        let ss = tangent * by_slope[1];
-
         let weights = place.weights();
         for (j, [n, s]) in weights.into_iter().enumerate() {
-            // Rows first: what is common to both columns is found once.
-            let by = [n * pl + s * sl, n * pp + s * sp, n * ps + s * ss];
+            let by = n * pp + s * twisted;
             for (k, [m, t]) in weights.into_iter().enumerate() {
-                self.rr[j][k] += (s * t) * ll;
-                self.rp[j][k] += (s * m) * lp + (s * t) * ls;
-                self.pr[j][k] += t * by[0];
-                self.pp[j][k] += m * by[1] + t * by[2];
+                self.rp[j][k] -= (s * m) * turned;
+                self.pp[j][k] += m * by + (n * t) * twisted.transpose();
             }
         }
     }
@@ -216,18 +190,16 @@ struct Rows {
     moments: [[Matrix3<f64>; 5]; 3],
 }
 
-/// Adds the derivatives of the forces on the nodes, for section forces q with the slopes C
-/// at both points.
-pub(super) fn add_tangent(
+/// Adds the derivatives of the forces on the nodes at fixed section forces q of both points.
+pub(super) fn add_geometric(
     nodal: &NodalKinematics,
-    points: &[(Place<'_>, &Vector6<f64>, &Matrix6<f64>); 2],
+    points: &[(Place<'_>, &Vector6<f64>); 2],
     out: &mut LocalJacobian,
 ) {
-    let [first, last] = points;
-    let gradient = Gradient::new(nodal, &[(first.0, first.1), (last.0, last.1)]);
+    let gradient = Gradient::new(nodal, points);
     let mut hessian = Hessian::default();
-    for (place, q, c) in points {
-        hessian.add(&nodal.a, place, q, c);
+    for (place, q) in points {
+        hessian.add(&nodal.a, place, q);
     }
     let zero = [[Matrix3::zeros(); 5]; 3];
     let mut rows = Rows {
@@ -242,16 +214,14 @@ pub(super) fn add_tangent(
         let offset = &nodal.f[j];
         let is_offset = *offset != Vector3::zeros();
         for k in 0..3 {
-            let (place, turn) = by_node(&rows.forces[j], k, nodal);
-            let (mut of_place, mut of_turn) = by_node(&rows.moments[j], k, nodal);
+            let (_, turn) = by_node(&rows.forces[j], k, nodal);
+            let (of_place, mut of_turn) = by_node(&rows.moments[j], k, nodal);
             if is_offset {
-                of_place += skew_times(offset, &place);
                 of_turn += skew_times(offset, &turn);
                 if j == k {
                     of_turn += skew_skew(&forces[j], offset);
                 }
             }
-            out.add((j, Force), (k, Position), &-place);
             out.add((j, Force), (k, Rotation), &-turn);
             out.add((j, Moment), (k, Position), &-of_place);
             out.add((j, Moment), (k, Rotation), &-of_turn);
@@ -267,15 +237,15 @@ impl Rows {
             let (force, moment) = (&mut self.forces[node], &mut self.moments[node]);
             let by_psi = gradient.by_psi[j][0] + gradient.by_psi[j][1];
             for k in 0..2 {
-                force[k] = hessian.rr[j][k];
                 force[2 + k] = hessian.rp[j][k] * relative[k];
-                moment[k] = relative[j].tr_mul(&hessian.pr[j][k]);
+                moment[k] = relative[j].tr_mul(&hessian.rp[k][j].transpose());
                 moment[2 + k] = relative[j].tr_mul(&(hessian.pp[j][k] * relative[k]));
             }
             let carried = nodal.outer[j].tangent_inverse_transpose_derivative(&by_psi);
             moment[2 + j] += nodal.a * (carried * relative[j]);
-            force[4] = around(force, &arms) - skew(&gradient.forces[j]);
-            moment[4] = around(moment, &arms) - skew(&relative[j].tr_mul(&by_psi));
+            force[4] = -skew(&gradient.forces[j]);
+            let around = times_skew(&moment[0], &arms[0]) + times_skew(&moment[1], &arms[1]);
+            moment[4] = around - skew(&relative[j].tr_mul(&by_psi));
         }
     }
 
@@ -290,11 +260,6 @@ impl Rows {
         self.moments[1][0] += skew(&forces[0]);
         self.moments[1][1] += skew(&forces[2]);
     }
-}
-
-/// A row by theta_2, with which the arms turn.
-fn around(row: &[Matrix3<f64>; 5], arms: &[Vector3<f64>; 2]) -> Matrix3<f64> {
-    times_skew(&row[0], &arms[0]) + times_skew(&row[1], &arms[1])
 }
 
 /// A row by position and rotation of node k.
