@@ -4,6 +4,9 @@
 //!
 //! `cargo bench -p beam-dynamics --bench blade`
 
+#[path = "common/shortest.rs"]
+mod shortest;
+
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -17,14 +20,17 @@ use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::model::{Conditions, Node};
 use beam_dynamics::modes::EigenProblem;
 use beam_dynamics::solver::LinearSolver;
-use cpu_time::ThreadTime;
 use nalgebra::{Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
+
+use shortest::shortest;
 
 /// Rotor speed, in units of the blade [rad/s].
 const SPEED: f64 = 6.0;
 const MODES: usize = 20;
 const SIZES: [usize; 4] = [25, 50, 100, 200];
+/// How long each stage is repeated.
+const SPAN: Duration = Duration::from_secs(1);
 
 /// A blade of unit length that tapers to half its stiffness and untwists by 20 degrees.
 fn model(elements: usize) -> Model {
@@ -52,19 +58,6 @@ fn model(elements: usize) -> Model {
     Model::new("blade", System::new(nodes, parts))
 }
 
-/// The shortest processor time of the runs within a second, three at least: on a
-/// machine that does other things as well it is the steadiest figure.
-fn shortest<T>(mut work: impl FnMut() -> T) -> Duration {
-    let (begin, mut best, mut runs) = (Instant::now(), Duration::MAX, 0);
-    while runs < 3 || begin.elapsed() < Duration::from_secs(1) {
-        let start = ThreadTime::now();
-        black_box(work());
-        best = best.min(start.elapsed());
-        runs += 1;
-    }
-    best
-}
-
 /// Times of the stages at one speed.
 struct Times {
     equilibrium: Duration,
@@ -84,12 +77,12 @@ impl Times {
         let tangent = system.tangent(&steady.state, &turning);
         let massless = MasslessMotions::new(system, &tangent);
         Some(Self {
-            equilibrium: shortest(|| {
+            equilibrium: shortest(SPAN, || {
                 equilibrium(model, &solver, (&at_rest, &rest), &turning).is_ok()
             }),
-            assembly: shortest(|| system.tangent(&steady.state, &turning)),
-            factorization: shortest(|| solver.factorize(tangent.by_unknowns.clone())),
-            eigenvalues: shortest(|| {
+            assembly: shortest(SPAN, || system.tangent(&steady.state, &turning)),
+            factorization: shortest(SPAN, || solver.factorize(tangent.by_unknowns.clone())),
+            eigenvalues: shortest(SPAN, || {
                 EigenProblem::new(&solver, &tangent, &massless, 4)
                     .map(|problem| problem.lowest(MODES))
             }),

@@ -7,14 +7,20 @@
 //!
 //! `cargo bench -p beam-dynamics --bench time`, with another number of rounds behind `--`
 
-mod models;
+#[path = "../common/cantilever.rs"]
+mod cantilever;
+#[path = "../common/line.rs"]
+mod line;
+mod rotor;
 
 use beam_dynamics::analysis::transient::transient;
 use beam_dynamics::case::{Model, TransientQuestion};
 use beam_dynamics::result::{Effort, Moment, Recorder};
 use cpu_time::ThreadTime;
 
-use models::Inertia;
+use cantilever::cantilever;
+use line::Inertia;
+use rotor::rotor;
 
 /// Rounds in which each model has its turn, unless it is said.
 const ROUNDS: usize = 7;
@@ -97,17 +103,16 @@ fn candidates(inertia: Inertia) -> Vec<Candidate> {
         Inertia::Consistent => "consistent",
     };
     let question = TransientQuestion::new(0.1, 1e-3);
-    let cantilever = |beams: usize| {
+    let swinging = |beams: usize| {
         let name = format!("cantilever, {word}");
-        Candidate::new(&name, beams, models::cantilever(beams, inertia), question)
+        Candidate::new(&name, beams, cantilever(beams, inertia), question)
     };
-    let mut all: Vec<_> = BEAMS.into_iter().map(cantilever).collect();
-    let revolution = std::f64::consts::TAU / models::SPEED;
+    let mut all: Vec<_> = BEAMS.into_iter().map(swinging).collect();
+    let revolution = std::f64::consts::TAU / rotor::SPEED;
     let question = TransientQuestion::new(revolution, revolution / 256.0);
-    let beams = 4 * models::BEAMS_OF_A_BLADE;
+    let beams = 4 * rotor::BEAMS_OF_A_BLADE;
     let name = format!("rotor, {word}");
-    let rotor = Candidate::new(&name, beams, models::rotor(inertia), question);
-    all.push(rotor);
+    all.push(Candidate::new(&name, beams, rotor(inertia), question));
     all
 }
 
