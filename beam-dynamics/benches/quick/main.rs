@@ -1,0 +1,67 @@
+//! The quick bench: ratios of elements, factorization, steps and start-up, each with a
+//! limit; the exit code is 1 when a ratio is beyond it.
+//!
+//! All times are processor times, the shortest of several runs, and each is divided by one
+//! that is measured in turns with it: by that of faer on the same matrix, by that of
+//! another size of the same model, or by the [`yardstick`]. Limits of times are about
+//! twice what a quiet machine gives: other work on the machine changes ratios by some tenths,
+//! while pivots that are not kept, a second Jacobian a step or a search through all of the
+//! model cost more than that. An exponent that is 0.2 larger is a time that is two to three
+//! times larger at the largest size; a start-up whose time grows with the square would be at
+//! 100 in place of 10.
+//!
+//! `cargo bench -p beam-dynamics --bench quick`
+
+#[path = "../common/cantilever.rs"]
+mod cantilever;
+mod chain;
+mod elements;
+#[path = "../common/factors.rs"]
+mod factors;
+#[path = "../common/line.rs"]
+mod line;
+mod operations;
+mod rows;
+mod runs;
+mod table;
+mod yardstick;
+
+use std::process::ExitCode;
+use std::time::Instant;
+
+use rows::Group;
+use yardstick::Yardstick;
+
+fn main() -> ExitCode {
+    let begin = Instant::now();
+    let mut yardstick = Yardstick::new();
+    let groups: [(&str, Group); 5] = [
+        ("element", rows::element),
+        ("LU", rows::factorization),
+        ("step of beams", rows::swinging),
+        ("step of bodies", rows::mechanisms),
+        ("start-up", rows::starting),
+    ];
+    let (mut rows, mut failed) = (Vec::new(), Vec::new());
+    for (name, group) in groups {
+        match group(&mut yardstick) {
+            Some(of) => rows.extend(of),
+            None => failed.push(format!("{name}: a run failed")),
+        }
+    }
+    table::print(&rows);
+    println!(
+        "yardstick: {:.2} us, {:.1} Gflop/s; the whole bench took {:.0} s",
+        1e6 * yardstick.time(),
+        1e-9 * yardstick.rate(),
+        begin.elapsed().as_secs_f64(),
+    );
+    failed.extend(table::breaches(&rows));
+    for breach in &failed {
+        eprintln!("{breach}");
+    }
+    match failed.is_empty() {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::FAILURE,
+    }
+}

@@ -1,0 +1,306 @@
+//! What is measured: groups of rows of the table.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use beam_dynamics::case::{Model, TransientQuestion};
+use beam_dynamics::integrator::{Scheme, Stepping};
+use faer::sparse::linalg::SupernodalThreshold;
+use nalgebra::Vector3;
+
+use crate::cantilever::cantilever;
+use crate::chain;
+use crate::elements::Elements;
+use crate::factors::Comparison;
+use crate::line::Inertia;
+use crate::operations;
+use crate::runs::{Run, run};
+use crate::table::Row;
+use crate::yardstick::Yardstick;
+
+/// Rows that belong together; `None` when a run failed.
+pub type Group = fn(&mut Yardstick) -> Option<Vec<Row>>;
+
+/// Step of the cantilevers [s].
+const STEP: f64 = 1e-3;
+/// Weights of unknowns and rates in a step of that length.
+const WEIGHTS: [f64; 2] = [0.5 * STEP, 1.0];
+/// How long each is repeated at least, three times in any case.
+const SPAN: Duration = Duration::from_secs(1);
+/// A microsecond [s].
+const US: f64 = 1e-6;
+/// A millisecond [s].
+const MS: f64 = 1e-3;
+
+/// A cantilever, and its run of some steps, with the last state.
+fn swung(beams: usize, inertia: Inertia, steps: usize) -> Option<(Model, Run)> {
+    let model = cantilever(beams, inertia);
+    let question = TransientQuestion::new(STEP * steps as f64, STEP);
+    let run = run(&model, &question, steps)?;
+    Some((model, run))
+}
+
+/// Residual and Jacobian of one beam with its share of bodies, in a bent and moving
+/// cantilever of twenty.
+pub fn element(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
+    const BEAMS: usize = 20;
+    let mut rows = Vec::new();
+    for (word, inertia, limit) in [
+        ("lumped", Inertia::Lumped, 1.3),
+        ("consistent", Inertia::Consistent, 3.7),
+    ] {
+        let (model, run) = swung(BEAMS, inertia, 100)?;
+        let elements = Elements::new(&model, run.states.last()?);
+        let time = yardstick.beside(SPAN, || Some(elements.evaluate(WEIGHTS, 20).1))?;
+        let time = time / BEAMS as f64;
+        rows.push(Row {
+            name: format!("element, {word} inertia"),
+            ratio: time / yardstick.time(),
+            limit,
+            meaning: "residual and Jacobian / yardstick",
+            time: format!("{:.2} us a beam", time / US),
+            accuracy: format!("{:.0e} from central differences", elements.error()),
+        });
+    }
+    Some(rows)
+}
+
+/// Our factorization beside faer's, of the matrices of swinging cantilevers.
+pub fn factorization(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
+    let (mut rows, mut of_a_beam, mut operations) = (Vec::new(), Vec::new(), 0.0);
+    for (beams, limits) in [(20, [0.5, 0.9]), (400, [0.45, 0.9]), (2000, [0.5, 1.5])] {
+        let (model, run) = swung(beams, Inertia::Lumped, 3)?;
+        let (matrix, _) = Elements::new(&model, run.states.last()?).evaluate(WEIGHTS, 1);
+        if beams == 20 {
+            operations = operations::of(&matrix) / beams as f64;
+        }
+        let kinds = [
+            ("blocks", SupernodalThreshold::FORCE_SUPERNODAL),
+            ("columns", SupernodalThreshold::FORCE_SIMPLICIAL),
+        ];
+        let found = kinds.map(|(word, kind)| {
+            Comparison::of(&matrix, 1e-6, kind, SPAN).map(|found| (word, found))
+        });
+        // The faster kind of the library is the peer.
+        let found = found.into_iter().flatten();
+        let (word, found) = found.min_by_key(|(_, found)| found.peer.factorization)?;
+        let seconds = [&found.own, &found.peer]
+            .map(|times| [times.factorization, times.solution].map(|time| time.as_secs_f64()));
+        of_a_beam.push(seconds[0][0] / beams as f64);
+        for (at, what) in ["LU", "solution"].into_iter().enumerate() {
+            let [own, peer] = [seconds[0][at], seconds[1][at]];
+            rows.push(Row {
+                name: format!("{what}, {beams} beams"),
+                ratio: own / peer,
+                limit: limits[at],
+                meaning: "kept pivots / faer, analysis kept",
+                time: format!("{:.3} ms, faer {:.3} ({word})", own / MS, peer / MS),
+                accuracy: format!(
+                    "residual {:.0e}, faer {:.0e}",
+                    found.own.error, found.peer.error
+                ),
+            });
+        }
+    }
+    rows.push(growth(
+        "LU",
+        [20.0, 2000.0],
+        [of_a_beam[0], of_a_beam[2]],
+        1.4,
+    ));
+    let rate = operations / of_a_beam[0];
+    rows.push(Row {
+        name: "LU, time of an operation".into(),
+        ratio: yardstick.rate() / rate,
+        limit: 5.3,
+        meaning: "20 beams / yardstick",
+        time: format!(
+            "{:.1} kflop a beam, {:.2} Gflop/s",
+            1e-3 * operations,
+            1e-9 * rate
+        ),
+        accuracy: "fewest operations counted".into(),
+    });
+    Some(rows)
+}
+
+/// By which power of the size the whole time grows.
+fn growth(of: &str, sizes: [f64; 2], parts: [f64; 2], limit: f64) -> Row {
+    let exponent = 1.0 + (parts[1] / parts[0]).ln() / (sizes[1] / sizes[0]).ln();
+    Row {
+        name: format!("{of}, growth"),
+        ratio: exponent,
+        limit,
+        meaning: "exponent of the time by the size",
+        time: format!("{} to {}", sizes[0], sizes[1]),
+        accuracy: "-".into(),
+    }
+}
+
+/// Steps of swinging cantilevers.
+pub fn swinging(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
+    // At 1 s: the stored end, from which meshes and steps of ours that are finer end 2e-4
+    // away. At 0.2 s: the limit of fine meshes at this step, to 2e-6.
+    let cases = [
+        (20, 1000, Vector3::new(0.767_28, 0.540_19, 0.167_97), 2e-4),
+        (
+            400,
+            200,
+            Vector3::new(0.839_367, 0.412_995, -0.266_567),
+            2e-6,
+        ),
+    ];
+    let (mut rows, mut of_steps) = (Vec::new(), Vec::new());
+    for (beams, steps, expected, known) in cases {
+        let (mut tip, mut iterations) = (Vector3::zeros(), 0);
+        let time = yardstick.beside(SPAN, || {
+            let (_, run) = swung(beams, Inertia::Lumped, steps)?;
+            tip = run.states.last()?.1.nodes.last()?.position;
+            iterations = run.effort.iterations;
+            Some(run.steps)
+        })?;
+        let off = (tip - expected).norm();
+        // Both: iterations may become dearer while steps do not, and the other way round.
+        for (word, meaning, count, limit) in [
+            (
+                "iteration",
+                "beam and iteration / yardstick",
+                iterations,
+                1.0,
+            ),
+            ("step", "beam and step / yardstick", steps, 4.0),
+        ] {
+            let time = time / (beams * count) as f64;
+            rows.push(Row {
+                name: format!("{word}, cantilever of {beams} beams"),
+                ratio: time / yardstick.time(),
+                limit,
+                meaning,
+                time: format!("{:.2} us, {count} in the run", time / US),
+                accuracy: format!("tip {off:.1e} m off, known to {known:.0e}"),
+            });
+        }
+        of_steps.push(time / (beams * steps) as f64);
+    }
+    rows.push(growth(
+        "step",
+        [20.0, 400.0],
+        [of_steps[0], of_steps[1]],
+        1.25,
+    ));
+    Some(rows)
+}
+
+/// A file beside this package.
+fn beside(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
+}
+
+/// Largest distance of the links from their paths in the table of the case [m].
+fn distance_from_table(run: &Run) -> Option<f64> {
+    let table = fs::read_to_string(beside("tests/reference/dynamics/bipendulum.csv")).ok()?;
+    let mut largest = 0.0_f64;
+    for line in table.lines().filter(|line| !line.starts_with(['t', '#'])) {
+        let numbers: Vec<f64> = line.split(',').flat_map(str::parse).collect();
+        let state = run
+            .states
+            .iter()
+            .find(|(time, _)| (time - numbers[0]).abs() < 1e-9);
+        let Some((_, state)) = state else { continue };
+        for (node, first) in state.nodes.iter().zip([1, 4]) {
+            let place = Vector3::from_column_slice(&numbers[first..first + 3]);
+            largest = largest.max((node.position - place).norm());
+        }
+    }
+    Some(largest)
+}
+
+/// Steps of rigid bodies.
+pub fn mechanisms(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
+    let meaning = "body and step / yardstick";
+    let path = beside("cases/dynamics/bipendulum/bipendulum.dynamics.toml");
+    let (input, _) = chain::read(&path)?;
+    let mut question = input.transient?;
+    question.scheme = Scheme::TwoStep { radius: 0.6 };
+    question.stepping = Stepping::Constant { step: 5e-4 };
+    let mut error = None;
+    let time = yardstick.beside(SPAN, || {
+        let run = run(&input.model, &question, 50)?;
+        error = distance_from_table(&run);
+        Some(run.steps / run.effort.steps as f64)
+    })? / 2.0;
+    let links = Row {
+        name: "step, two links".into(),
+        ratio: time / yardstick.time(),
+        limit: 1.5,
+        meaning,
+        time: format!("{:.2} us a body and step", time / US),
+        accuracy: format!("{:.1e} m off in 5 s", error?),
+    };
+    let folder = tempfile::tempdir().ok()?;
+    let (model, _) = chain_of(folder.path(), 10)?;
+    let question = TransientQuestion::new(0.5, 5e-4);
+    let fine = run(&model, &TransientQuestion::new(0.5, 5e-5), 10_000)?;
+    let mut apart = f64::INFINITY;
+    let time = yardstick.beside(SPAN, || {
+        let run = run(&model, &question, 1000)?;
+        let ends = [&run, &fine].map(|run| run.states.last().map(|(_, state)| state));
+        let pairs = ends[0]?.nodes.iter().zip(&ends[1]?.nodes);
+        let distances = pairs.map(|(a, b)| (a.position - b.position).norm());
+        apart = distances.fold(0.0, f64::max);
+        Some(run.steps / run.effort.steps as f64)
+    })? / 10.0;
+    let chain = Row {
+        name: "step, chain of 10 bodies".into(),
+        ratio: time / yardstick.time(),
+        limit: 1.5,
+        meaning,
+        time: format!("{:.2} us a body and step", time / US),
+        accuracy: format!("{apart:.1e} m from a tenth of the step"),
+    };
+    Some(vec![links, chain])
+}
+
+/// The model of a chain, and the processor time of reading its file [s].
+fn chain_of(folder: &Path, bodies: usize) -> Option<(Model, f64)> {
+    let path = folder.join(format!("chain_{bodies}.dynamics.toml"));
+    fs::write(&path, chain::text(bodies)).ok()?;
+    let (input, time) = chain::read(&path)?;
+    Some((input.model, time))
+}
+
+/// Reading of chains of bodies, and the start of their runs.
+pub fn starting(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
+    const BODIES: [usize; 2] = [100, 1000];
+    let folder = tempfile::tempdir().ok()?;
+    let mut times = [[0.0; 2]; 2];
+    let mut gap = 0.0;
+    for (bodies, times) in BODIES.into_iter().zip(&mut times) {
+        let (model, _) = chain_of(folder.path(), bodies)?;
+        let reading = || Some(chain_of(folder.path(), bodies)?.1);
+        times[0] = yardstick.beside(SPAN, reading)?;
+        let question = TransientQuestion::new(STEP, STEP);
+        times[1] = yardstick.beside(SPAN, || {
+            let run = run(&model, &question, 1)?;
+            gap = chain::gap(&run.states.last()?.1);
+            Some(run.start)
+        })?;
+    }
+    let row = |at: usize, what: &str, accuracy: String| Row {
+        name: format!("start-up, {what} a chain"),
+        ratio: times[1][at] / times[0][at],
+        limit: 15.0,
+        meaning: "1000 bodies / 100 bodies",
+        time: format!("{:.1} ms, {:.1} ms", times[0][at] / MS, times[1][at] / MS),
+        accuracy,
+    };
+    Some(vec![
+        row(0, "reading", "-".into()),
+        row(
+            1,
+            "starting",
+            format!("joints {gap:.0e} m open after a step"),
+        ),
+    ])
+}

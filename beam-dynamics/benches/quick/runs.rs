@@ -1,0 +1,60 @@
+//! Runs in time, by processor time.
+
+use beam_dynamics::analysis::transient::transient;
+use beam_dynamics::case::{Model, TransientQuestion};
+use beam_dynamics::model::State;
+use beam_dynamics::result::{Effort, Moment, Recorder};
+use cpu_time::ThreadTime;
+
+/// What a run leaves: its last state, and when its first step began.
+#[derive(Default)]
+struct Last {
+    began: Option<ThreadTime>,
+    /// Every so many steps a state is kept.
+    every: usize,
+    states: Vec<(f64, State)>,
+}
+
+impl Recorder for Last {
+    fn record(&mut self, moment: &Moment<'_>) -> bool {
+        if moment.step == 0 {
+            self.began = Some(ThreadTime::now());
+        }
+        if moment.step.is_multiple_of(self.every) {
+            self.states.push((moment.time, moment.state.clone()));
+        }
+        true
+    }
+}
+
+/// A run in time that reached its end.
+pub struct Run {
+    pub effort: Effort,
+    /// Processor time of the start and of the steps [s].
+    pub start: f64,
+    pub steps: f64,
+    /// States that were kept, with their times [s].
+    pub states: Vec<(f64, State)>,
+}
+
+/// Runs a model, and keeps a state every so many steps; `None` when the run fails.
+pub fn run(model: &Model, question: &TransientQuestion, every: usize) -> Option<Run> {
+    let mut last = Last {
+        every,
+        ..Last::default()
+    };
+    let begin = ThreadTime::now();
+    let outcome = transient(model, question, None, &mut last, &|| 0.0);
+    let all = begin.elapsed().as_secs_f64();
+    if let Some(failure) = &outcome.failure {
+        println!("{}: {failure}", model.name);
+        return None;
+    }
+    let steps = last.began?.elapsed().as_secs_f64();
+    Some(Run {
+        effort: outcome.effort,
+        start: all - steps,
+        steps,
+        states: last.states,
+    })
+}

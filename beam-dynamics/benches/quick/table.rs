@@ -1,0 +1,46 @@
+//! The table of ratios, and what is beyond its limit.
+
+/// A ratio within this run, and how large it may be.
+pub struct Row {
+    pub name: String,
+    /// The ratio, and the largest that passes [-].
+    pub ratio: f64,
+    pub limit: f64,
+    /// What the ratio is, in words.
+    pub meaning: &'static str,
+    /// Time on this machine, in words.
+    pub time: String,
+    /// How exact the result is to which the time belongs, in words.
+    pub accuracy: String,
+}
+
+impl Row {
+    fn is_within(&self) -> bool {
+        self.ratio <= self.limit
+    }
+}
+
+pub fn print(rows: &[Row]) {
+    println!(
+        "{:<34} {:>6} {:>5}  {:<33} {:<33} accuracy",
+        "case", "ratio", "limit", "of", "processor time"
+    );
+    for row in rows {
+        println!(
+            "{:<34} {:>6.3} {:>5}  {:<33} {:<33} {}",
+            row.name, row.ratio, row.limit, row.meaning, row.time, row.accuracy
+        );
+    }
+}
+
+/// Rows beyond their limits, in words.
+pub fn breaches(rows: &[Row]) -> Vec<String> {
+    let beyond = rows.iter().filter(|row| !row.is_within());
+    let words = |row: &Row| {
+        format!(
+            "{}: {:.3} is beyond its limit of {}",
+            row.name, row.ratio, row.limit
+        )
+    };
+    beyond.map(words).collect()
+}
