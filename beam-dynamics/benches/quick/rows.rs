@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use beam_dynamics::assembly::Sparse;
 use beam_dynamics::case::{Model, TransientQuestion};
 use beam_dynamics::integrator::{Scheme, Stepping};
 use faer::sparse::linalg::SupernodalThreshold;
@@ -12,7 +13,7 @@ use nalgebra::Vector3;
 use crate::cantilever::cantilever;
 use crate::chain;
 use crate::elements::Elements;
-use crate::factors::Comparison;
+use crate::factors::{Comparison, Times};
 use crate::line::Inertia;
 use crate::operations;
 use crate::runs::{Run, run};
@@ -69,39 +70,15 @@ pub fn element(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
 /// Our factorization beside faer's, of the matrices of swinging cantilevers.
 pub fn factorization(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     let (mut rows, mut of_a_beam, mut operations) = (Vec::new(), Vec::new(), 0.0);
-    for (beams, limits) in [(20, [0.5, 0.9]), (400, [0.45, 0.9]), (2000, [0.5, 1.5])] {
+    for (beams, limits) in [(20, [0.5, 1.5]), (400, [0.45, 1.6]), (2000, [0.5, 4.0])] {
         let (model, run) = swung(beams, Inertia::Lumped, 3)?;
         let (matrix, _) = Elements::new(&model, run.states.last()?).evaluate(WEIGHTS, 1);
         if beams == 20 {
             operations = operations::of(&matrix) / beams as f64;
         }
-        let kinds = [
-            ("blocks", SupernodalThreshold::FORCE_SUPERNODAL),
-            ("columns", SupernodalThreshold::FORCE_SIMPLICIAL),
-        ];
-        let found = kinds.map(|(word, kind)| {
-            Comparison::of(&matrix, 1e-6, kind, SPAN).map(|found| (word, found))
-        });
-        // The faster kind of the library is the peer.
-        let found = found.into_iter().flatten();
-        let (word, found) = found.min_by_key(|(_, found)| found.peer.factorization)?;
-        let seconds = [&found.own, &found.peer]
-            .map(|times| [times.factorization, times.solution].map(|time| time.as_secs_f64()));
-        of_a_beam.push(seconds[0][0] / beams as f64);
-        for (at, what) in ["LU", "solution"].into_iter().enumerate() {
-            let [own, peer] = [seconds[0][at], seconds[1][at]];
-            rows.push(Row {
-                name: format!("{what}, {beams} beams"),
-                ratio: own / peer,
-                limit: limits[at],
-                meaning: "kept pivots / faer, analysis kept",
-                time: format!("{:.3} ms, faer {:.3} ({word})", own / MS, peer / MS),
-                accuracy: format!(
-                    "residual {:.0e}, faer {:.0e}",
-                    found.own.error, found.peer.error
-                ),
-            });
-        }
+        let of_this = beside_faer(beams, limits, &matrix)?;
+        of_a_beam.push(of_this.1 / beams as f64);
+        rows.extend(of_this.0);
     }
     rows.push(growth(
         "LU",
@@ -123,6 +100,41 @@ pub fn factorization(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
         accuracy: "fewest operations counted".into(),
     });
     Some(rows)
+}
+
+/// Rows of one matrix, and our time of its factorization \[s\]. The library has two kinds,
+/// and of each figure the faster one counts: columns one by one solve faster, dense blocks
+/// factorize faster or alike.
+fn beside_faer(beams: usize, limits: [f64; 2], matrix: &Sparse) -> Option<(Vec<Row>, f64)> {
+    let found = [
+        ("blocks", SupernodalThreshold::FORCE_SUPERNODAL),
+        ("columns", SupernodalThreshold::FORCE_SIMPLICIAL),
+    ]
+    .map(|(word, kind)| Some((word, Comparison::of(matrix, 1e-6, kind, SPAN)?)));
+    let found: Vec<_> = found.into_iter().flatten().collect();
+    let (mut rows, mut own_times) = (Vec::new(), Vec::new());
+    let of: [(&str, fn(&Times) -> Duration); 2] = [
+        ("LU", |times| times.factorization),
+        ("solution", |times| times.solution),
+    ];
+    for ((what, time), limit) in of.into_iter().zip(limits) {
+        let (word, best) = found.iter().min_by_key(|(_, one)| time(&one.peer))?;
+        let own = found.iter().map(|(_, one)| time(&one.own)).min()?;
+        let [own, peer] = [own, time(&best.peer)].map(|time| time.as_secs_f64());
+        own_times.push(own);
+        rows.push(Row {
+            name: format!("{what}, {beams} beams"),
+            ratio: own / peer,
+            limit,
+            meaning: "kept pivots / faer, analysis kept",
+            time: format!("{:.3} ms, faer {:.3} ({word})", own / MS, peer / MS),
+            accuracy: format!(
+                "residual {:.0e}, faer {:.0e}",
+                best.own.error, best.peer.error
+            ),
+        });
+    }
+    Some((rows, own_times[0]))
 }
 
 /// By which power of the size the whole time grows.
