@@ -20,6 +20,9 @@ use crate::runs::{Run, run};
 use crate::table::Row;
 use crate::yardstick::Yardstick;
 
+/// A figure of a factorization: its name, and the time of it.
+type Figure = (&'static str, fn(&Times) -> Duration);
+
 /// Rows that belong together; `None` when a run failed.
 pub type Group = fn(&mut Yardstick) -> Option<Vec<Row>>;
 
@@ -113,7 +116,7 @@ fn beside_faer(beams: usize, limits: [f64; 2], matrix: &Sparse) -> Option<(Vec<R
     .map(|(word, kind)| Some((word, Comparison::of(matrix, 1e-6, kind, SPAN)?)));
     let found: Vec<_> = found.into_iter().flatten().collect();
     let (mut rows, mut own_times) = (Vec::new(), Vec::new());
-    let of: [(&str, fn(&Times) -> Duration); 2] = [
+    let of: [Figure; 2] = [
         ("LU", |times| times.factorization),
         ("solution", |times| times.solution),
     ];
