@@ -4,7 +4,7 @@
 //! the test motion of each formulation makes there, the forces on the nodes are
 //!
 //! ```text
-//! force_j = - sum_points W_j^T q                                             (D-20)
+//! force_j = - sum_points W_j^T q                                             (D-23)
 //! ```
 //!
 //! | formulation | W | bodies | loads |

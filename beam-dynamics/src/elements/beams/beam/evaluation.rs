@@ -64,7 +64,7 @@ impl Beam {
         StrainPoint::new(nodal, &point.shape, point.reference.j0)
     }
 
-    /// W of an evaluation point (D-20).
+    /// W of an evaluation point (D-23).
     fn test(&self, place: usize, strain: &StrainPoint<'_>) -> Test {
         match self.geometry.formulation {
             Formulation::Variational => strain.j0() * strain.variation,
