@@ -72,7 +72,7 @@ impl Times {
         let rest = system.rest();
         let at_rest = Conditions::at_rest();
         let turning = model.conditions(SPEED, 1.0, 0.0);
-        let solver = LinearSolver::new(system.pattern())?;
+        let solver = LinearSolver::new(system.pattern());
         let steady = equilibrium(model, &solver, (&at_rest, &rest), &turning).ok()?;
         let tangent = system.tangent(&steady.state, &turning);
         let massless = MasslessMotions::new(system, &tangent);

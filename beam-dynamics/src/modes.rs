@@ -14,7 +14,7 @@ mod tracking;
 
 pub use eigen::{EigenProblem, Eigenpair};
 pub use factors::Factors;
-pub use motion::ModeMotion;
+pub use motion::{MassMatrix, ModeMotion};
 pub use multiblade::Rotor;
 pub use separation::{align, separate};
 pub use tracking::{assurances, closeness, follow};

@@ -1,10 +1,14 @@
 //! Solution of systems of equations; knows nothing of nodes and elements.
 
+mod general;
 mod linear;
 mod lu;
 mod newton;
+mod scales;
 mod step;
 
 pub use linear::{ComplexFactorization, Factorization, LinearSolver};
-pub use newton::{Equations, Iteration, Newton, NewtonReport, NewtonStatus, Worst, solve};
+pub use newton::{
+    Equations, Iteration, Jacobian, Newton, NewtonReport, NewtonStatus, Worst, solve,
+};
 pub use step::{LinearCounts, StepSolver};

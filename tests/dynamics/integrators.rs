@@ -38,7 +38,7 @@ fn tight() -> StepLimits {
 }
 
 fn integrator<E: Equations>(system: &System<E>, scheme: Scheme, step: f64) -> Integrator {
-    Integrator::new(system, scheme, Stepping::Constant { step }, tight(), 0.0).unwrap()
+    Integrator::new(system, scheme, Stepping::Constant { step }, tight(), 0.0)
 }
 
 /// Integrates from time zero by constant steps; the unknowns at `until`.

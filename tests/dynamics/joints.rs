@@ -131,7 +131,7 @@ fn rigid_blades_on_flap_lag_and_pitch_hinges() {
 /// The steady state at a speed, and what joints exert in it.
 fn steady(system: System, speed: f64) -> (Model, State, Vec<Reaction>) {
     let model = Model::new("joints", system);
-    let solver = LinearSolver::new(model.system.pattern()).unwrap();
+    let solver = LinearSolver::new(model.system.pattern());
     let [rest, turning] = [0.0, speed].map(|speed| model.conditions(speed, 1.0, 0.0));
     let from = (&rest, &model.system.rest());
     let found = equilibrium(&model, &solver, from, &turning).unwrap();

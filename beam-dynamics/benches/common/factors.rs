@@ -118,7 +118,7 @@ impl Comparison {
         let pattern = Arc::clone(original.pattern());
         let mut peer = Peer::new(&pattern, blocks)?;
         let mut made = Self {
-            solver: StepSolver::new(&pattern)?,
+            solver: StepSolver::new(&pattern),
             choice: Duration::MAX,
             own: Times::NONE,
             peer: Times::NONE,

@@ -1,11 +1,13 @@
 //! The balance of a model under given conditions, as Newton's method sees it.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
 use crate::assembly::{Residual, ScalarScales, System};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
-use crate::solver::{Equations, Factorization, LinearSolver, Worst};
+use crate::solver::{Equations, Factorization, Jacobian, LinearSolver, Worst};
 
 /// A sum this small beside its terms is round-off. Slender beams of many elements come
 /// down to 1e-10 or so.
@@ -23,6 +25,8 @@ pub(super) struct Balance<'a> {
     pub conditions: Conditions,
     pub state: State,
     scales: Scales,
+    /// Factors of the last correction.
+    factors: Option<Arc<Factorization>>,
 }
 
 impl<'a> Balance<'a> {
@@ -38,6 +42,7 @@ impl<'a> Balance<'a> {
             conditions,
             state,
             scales: Scales::of(system),
+            factors: None,
         }
     }
 
@@ -47,6 +52,7 @@ impl<'a> Balance<'a> {
             conditions,
             state,
             scales: self.scales.clone(),
+            factors: None,
             ..*self
         }
     }
@@ -58,8 +64,8 @@ impl<'a> Balance<'a> {
 
     /// The factorized derivative by the unknowns; `None` when it is singular.
     pub fn factorize(&self) -> Option<Factorization> {
-        let tangent = self.system.tangent(&self.state, &self.conditions);
-        self.solver.factorize(tangent.by_unknowns)
+        let tangent = self.system.by_unknowns(&self.state, &self.conditions);
+        self.solver.factorize(tangent)
     }
 
     /// How the state goes with the factor of the proportional loads,
@@ -74,10 +80,10 @@ impl<'a> Balance<'a> {
     /// Whether nothing resists the motion `rate` that the loads drive: its image under the
     /// tangent, which is the load, is round-off of the terms of which it is the sum.
     pub fn is_free(&self, rate: &[f64]) -> bool {
-        let tangent = self.system.tangent(&self.state, &self.conditions);
+        let tangent = self.system.by_unknowns(&self.state, &self.conditions);
         let load = self.system.by_factor(&self.state, &self.conditions);
         let (mut terms, mut largest) = (vec![0.0; rate.len()], vec![0.0_f64; rate.len()]);
-        for (row, column, value) in tangent.by_unknowns.triplets() {
+        for (row, column, value) in tangent.triplets() {
             terms[row] += (value * rate[column]).abs();
             largest[row] = largest[row].max(value.abs());
         }
@@ -93,9 +99,9 @@ impl<'a> Balance<'a> {
 
     /// Whether a residual is round-off of the stiffness times the size of the model.
     pub fn is_round_off(&self, residual: &[f64]) -> bool {
-        let tangent = self.system.tangent(&self.state, &self.conditions);
+        let tangent = self.system.by_unknowns(&self.state, &self.conditions);
         let mut largest = vec![0.0_f64; residual.len()];
-        for (row, _, value) in tangent.by_unknowns.triplets() {
+        for (row, _, value) in tangent.triplets() {
             largest[row] = largest[row].max(value.abs());
         }
         let scaled = residual.iter().zip(&largest);
@@ -145,10 +151,12 @@ impl Equations for Balance<'_> {
         (residual.values, worst)
     }
 
-    fn correction(&mut self, residual: &[f64]) -> Option<Vec<f64>> {
-        let factorization = self.factorize()?;
+    fn correction(&mut self, residual: &[f64], jacobian: Jacobian) -> Option<Vec<f64>> {
+        if jacobian == Jacobian::Own || self.factors.is_none() {
+            self.factors = Some(Arc::new(self.factorize()?));
+        }
         let mut correction: Vec<_> = residual.iter().map(|value| -value).collect();
-        factorization.solve(&mut correction)?;
+        self.factors.as_ref()?.solve(&mut correction)?;
         Some(correction)
     }
 

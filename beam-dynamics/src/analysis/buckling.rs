@@ -127,7 +127,7 @@ fn run(
     result: &mut BucklingResult,
 ) -> Result<(), BucklingFailure> {
     let system = &model.system;
-    let solver = LinearSolver::new(system.pattern()).ok_or(BucklingFailure::Singular)?;
+    let solver = LinearSolver::new(system.pattern());
     let conditions = model.conditions(question.speed, 1.0, 0.0);
     let point = base(model, &solver, &conditions)?;
     let state = point.state.clone();
@@ -146,7 +146,7 @@ fn run(
         return Err(BucklingFailure::NoPrestress);
     }
     let pencil = Tangent {
-        by_unknowns: system.tangent(&balance.state, &conditions).by_unknowns,
+        by_unknowns: system.by_unknowns(&balance.state, &conditions),
         by_rates: growth,
     };
     let all = MasslessMotions::none(system.nodes().len());
@@ -225,8 +225,9 @@ fn beyond(
     (state, tangent): (&State, &Sparse),
 ) -> Option<String> {
     let rest = model.system.rest();
-    let undeformed = model.system.tangent(&rest, &Conditions::at_rest());
-    let part = critical_part(solver, (&rest, undeformed.by_unknowns), (state, tangent))?;
+    let undeformed = || model.system.by_unknowns(&rest, &Conditions::at_rest());
+    let deformed = || tangent.clone();
+    let part = critical_part(solver, (&rest, undeformed), (state, deformed))?;
     let cause = match conditions.frame.angular_velocity.norm() > 0.0 {
         true => "rotation and constant loads",
         false => "the constant loads",

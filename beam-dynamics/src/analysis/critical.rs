@@ -24,22 +24,26 @@ const TURN: f64 = 0.02;
 /// Eigenvalues looked at, those nearest to zero, and copies of each.
 const COUNT: usize = 4;
 
-/// The first mu between two states with their tangents; `None` where there is none, where
+/// The first mu between two states with their tangents, which are asked for where the states
+/// can be compared; `None` where there is none, where
 /// the first is singular itself, and where they cannot be compared.
 pub(super) fn critical_part(
     solver: &LinearSolver,
-    from: (&State, Sparse),
-    to: (&State, &Sparse),
+    from: (&State, impl FnOnce() -> Sparse),
+    to: (&State, impl FnOnce() -> Sparse),
 ) -> Option<f64> {
+    if turn(from.0, to.0) > TURN {
+        return None;
+    }
     let nodes = from.0.nodes.len();
-    let change = to.1.plus(-1.0, &from.1);
+    let by_unknowns = (from.1)();
+    let change = (to.1)().plus(-1.0, &by_unknowns);
     let own = |(i, j, value): (usize, usize, f64)| value == 0.0 || i.max(j) < NODE_UNKNOWNS * nodes;
-    let is_comparable = turn(from.0, to.0) <= TURN && change.triplets().all(own);
-    if !is_comparable || change.values().iter().all(|value| *value == 0.0) {
+    if !change.triplets().all(own) || change.values().iter().all(|value| *value == 0.0) {
         return None;
     }
     let pencil = Tangent {
-        by_unknowns: from.1,
+        by_unknowns,
         by_rates: change,
     };
     let all = MasslessMotions::none(nodes);

@@ -1,13 +1,14 @@
 //! Modes over rotor speed: equilibrium, linearization, eigenvalues, names.
 
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IntoParallelRefIterator, ParallelExtend, ParallelIterator};
 use shared_geom::rotation::vector;
 
 use crate::assembly::{MasslessMotions, System};
 use crate::case::{Model, ModesQuestion};
 use crate::model::State;
 use crate::modes::{
-    EigenProblem, Eigenpair, ModeMotion, Rotor, align, assurances, closeness, follow, separate,
+    EigenProblem, Eigenpair, MassMatrix, ModeMotion, Rotor, align, assurances, closeness, follow,
+    separate,
 };
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
@@ -140,12 +141,14 @@ fn run(
     table: &mut FrequencyTable,
 ) -> Result<(), Failure> {
     let solver = LinearSolver::new(case.model.system.pattern());
-    let solver = solver.ok_or(Failure::Singular { speed: 0.0 })?;
     let (equilibria, failure) = equilibria(case, &solver);
-    let found: Vec<_> = equilibria
-        .par_iter()
-        .map(|(speed, steady)| at_equilibrium(case, &solver, *speed, steady))
-        .collect();
+    // The first chooses pivots that the others share.
+    let (first, others) = equilibria.split_at(1.min(equilibria.len()));
+    let at = |solver: &LinearSolver, (speed, steady): &(f64, Equilibrium)| {
+        at_equilibrium(case, solver, *speed, steady)
+    };
+    let mut found: Vec<_> = first.iter().map(|at_first| at(&solver, at_first)).collect();
+    found.par_extend(others.par_iter().map(|other| at(&solver.clone(), other)));
     let mut last: Option<Modes> = None;
     for ((speed, steady), found) in equilibria.iter().zip(found) {
         let mut now = found?;
@@ -292,10 +295,16 @@ fn at_equilibrium(
     let massless = MasslessMotions::new(system, &tangent);
     let problem = EigenProblem::new(solver, &tangent, &massless, copies(case.model));
     let problem = problem.ok_or(Failure::Singular { speed })?;
-    let (pairs, real) = problem.lowest(case.question.count + SPARE);
+    // At one speed nothing is followed, but copies are separated together.
+    let spare = match case.question.speeds.len() {
+        0 | 1 => copies(case.model) - 1,
+        _ => SPARE,
+    };
+    let (pairs, real) = problem.lowest(case.question.count + spare);
+    let mass = MassMatrix::new(&tangent.by_rates, system.nodes().len());
     let mut motions: Vec<_> = pairs
         .iter()
-        .map(|pair| ModeMotion::new(pair, &tangent.by_rates))
+        .map(|pair| ModeMotion::new(pair, &mass))
         .collect();
     let frequencies: Vec<_> = pairs.iter().map(|pair| pair.angular_frequency).collect();
     let residual = pairs.iter().map(|pair| pair.residual);

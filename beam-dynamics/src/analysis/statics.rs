@@ -24,9 +24,6 @@ pub enum StaticFailure {
     /// The path ends.
     #[error(transparent)]
     Path(#[from] PathEnd),
-    /// The equations cannot be solved for structural reasons.
-    #[error("the equations of the model have no solution: some unknown is in none of them")]
-    Structure,
 }
 
 impl StaticFailure {
@@ -45,7 +42,7 @@ impl StaticFailure {
             Self::Path(PathEnd::Stuck { .. }) => {
                 "look at the last equilibrium; smaller \"steps\" or arc_length = true may help"
             }
-            Self::Base(_) | Self::Structure | Self::Path(PathEnd::Free { .. }) => {
+            Self::Base(_) | Self::Path(PathEnd::Free { .. }) => {
                 "hold what is free, or take away the load that nothing can carry"
             }
         }
@@ -106,7 +103,7 @@ fn run(
     question: &StaticQuestion,
     result: &mut StaticResult,
 ) -> Result<(), StaticFailure> {
-    let solver = LinearSolver::new(model.system.pattern()).ok_or(StaticFailure::Structure)?;
+    let solver = LinearSolver::new(model.system.pattern());
     let conditions = model.conditions(question.speed, 1.0, 0.0);
     let base = base(model, &solver, &conditions)?;
     result
@@ -172,8 +169,7 @@ fn branching(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
     let balance = &walker.balance;
     let tangent = |point: &Point| {
         let conditions = walker.conditions(point.factor);
-        let tangent = balance.system.tangent(&point.state, &conditions);
-        tangent.by_unknowns
+        balance.system.by_unknowns(&point.state, &conditions)
     };
     let start = Point {
         factor: 0.0,
@@ -186,15 +182,10 @@ fn branching(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
         (Some(a), Some(b)) => (all[i].factor - a.factor) * (b.factor - all[i].factor) < 0.0,
         _ => false,
     };
-    let mut before = tangent(&start);
     for (i, pair) in all.windows(2).enumerate() {
-        let now = tangent(pair[1]);
         let is_limit = turns(i) || turns(i + 1);
-        let part = critical_part(
-            balance.solver,
-            (&pair[0].state, before),
-            (&pair[1].state, &now),
-        );
+        let [from, to] = [pair[0], pair[1]].map(|point| (&point.state, || tangent(point)));
+        let part = critical_part(balance.solver, from, to);
         if let Some(part) = part.filter(|_| !is_limit) {
             let [from, to] = [pair[0], pair[1]].map(|point| point.factor);
             return Some(format!(
@@ -203,7 +194,6 @@ fn branching(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
                 from + part * (to - from)
             ));
         }
-        before = now;
     }
     None
 }

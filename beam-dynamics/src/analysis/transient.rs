@@ -207,8 +207,7 @@ fn run<'a>(
         ..
     } = *question;
     let energy = EnergyWatch::new(model, question, &dae, &model.conditions_at(from));
-    let integrator =
-        Integrator::new(&dae, scheme, stepping, newton, from).ok_or(TransientFailure::Memory)?;
+    let integrator = Integrator::new(&dae, scheme, stepping, newton, from);
     Ok(Run {
         model,
         question,

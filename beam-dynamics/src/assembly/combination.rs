@@ -17,6 +17,33 @@ pub struct Combination<'a> {
     pub matrix: &'a mut Sparse,
 }
 
+impl<'a> Combination<'a> {
+    /// The derivatives by the unknowns.
+    pub fn by_unknowns(matrix: &'a mut Sparse) -> Self {
+        Self {
+            by_unknowns: 1.0,
+            by_rates: 0.0,
+            by_algebraic: 1.0,
+            matrix,
+        }
+    }
+
+    /// The derivatives by the rates of the unknowns.
+    pub fn by_rates(matrix: &'a mut Sparse) -> Self {
+        Self {
+            by_unknowns: 0.0,
+            by_rates: 1.0,
+            by_algebraic: 0.0,
+            matrix,
+        }
+    }
+
+    /// The three weights.
+    pub(super) fn weights(&self) -> [f64; 3] {
+        [self.by_unknowns, self.by_rates, self.by_algebraic]
+    }
+}
+
 /// How the unknowns of a formula turn a node: with u the Gibbs-Rodrigues parameters of
 /// its correction and u' their rate,
 ///

@@ -1,5 +1,6 @@
 //! A sparsity pattern that is found once, and the matrices that share it.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Pattern of a square sparse matrix in compressed columns.
@@ -44,6 +45,11 @@ impl Pattern {
         &self.column_starts
     }
 
+    /// Places of the entries of a column.
+    pub fn column(&self, column: usize) -> Range<usize> {
+        self.column_starts[column]..self.column_starts[column + 1]
+    }
+
     /// Row of each entry, ascending in each column.
     pub fn rows(&self) -> &[usize] {
         &self.rows
@@ -51,7 +57,7 @@ impl Pattern {
 
     /// Place of (row, column) among the entries, where it is stored.
     pub fn place(&self, row: usize, column: usize) -> Option<usize> {
-        let range = self.column_starts[column]..self.column_starts[column + 1];
+        let range = self.column(column);
         let found = self.rows[range.clone()].binary_search(&row).ok()?;
         Some(range.start + found)
     }
@@ -96,8 +102,7 @@ impl Sparse {
     pub fn multiply_add(&self, x: &[f64], y: &mut [f64]) {
         let pattern = &self.pattern;
         for (column, &factor) in x.iter().enumerate() {
-            let range = pattern.column_starts[column]..pattern.column_starts[column + 1];
-            for place in range {
+            for place in pattern.column(column) {
                 y[pattern.rows[place]] += self.values[place] * factor;
             }
         }
@@ -117,7 +122,7 @@ impl Sparse {
     pub fn triplets(&self) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
         let pattern = &self.pattern;
         (0..pattern.size).flat_map(move |column| {
-            let range = pattern.column_starts[column]..pattern.column_starts[column + 1];
+            let range = pattern.column(column);
             range.map(move |place| (pattern.rows[place], column, self.values[place]))
         })
     }

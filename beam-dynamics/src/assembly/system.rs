@@ -7,11 +7,12 @@ use kind::{Kind, Kinds};
 pub use layout::Workspace;
 use layout::{Gathered, Layout};
 pub use loops::Loop;
+use parts::Task;
 pub use scalars::ScalarScales;
 pub use sharing::{Contradiction, Sharing, Slack};
 use size::Lengths;
 
-use super::{Pattern, Sparse};
+use super::{Combination, Pattern, Sparse};
 use crate::elements::bodies::NodeBalance;
 use crate::model::{Conditions, Node, Numbering, Scalar, State};
 
@@ -23,6 +24,7 @@ mod layout;
 mod loops;
 mod memory;
 mod names;
+mod parts;
 mod rates;
 mod removal;
 mod scalars;
@@ -174,21 +176,33 @@ impl System {
 
     /// The Jacobian at a state, by the spatial variations of the unknowns.
     pub fn tangent(&self, state: &State, conditions: &Conditions) -> Tangent {
-        let mut by_unknowns = Sparse::zero(Arc::clone(&self.pattern));
-        let mut by_rates = Sparse::zero(Arc::clone(&self.pattern));
-        let mut work = self.workspace();
-        for (index, layout) in self.layouts.iter().enumerate() {
-            let kind = &self.kinds[layout.kind];
-            let local = self.local_jacobian(index, state, conditions, &mut work);
-            layout.add_matrix(kind, local.by_unknowns(), by_unknowns.values_mut());
-            if kind.rates {
-                layout.add_matrix(kind, local.by_rates(), by_rates.values_mut());
-            }
-        }
+        let [mut by_unknowns, mut by_rates] =
+            [(); 2].map(|()| Sparse::zero(Arc::clone(&self.pattern)));
+        let mut out = [
+            Combination::by_unknowns(&mut by_unknowns),
+            Combination::by_rates(&mut by_rates),
+        ];
+        self.sum_tangent(state, conditions, &mut out);
         Tangent {
             by_unknowns,
             by_rates,
         }
+    }
+
+    /// The part of [`Self::tangent`] that is by unknowns, `F_y`.
+    pub fn by_unknowns(&self, state: &State, conditions: &Conditions) -> Sparse {
+        let mut by_unknowns = Sparse::zero(Arc::clone(&self.pattern));
+        let mut out = [Combination::by_unknowns(&mut by_unknowns)];
+        self.sum_tangent(state, conditions, &mut out);
+        by_unknowns
+    }
+
+    fn sum_tangent(&self, state: &State, conditions: &Conditions, out: &mut [Combination<'_>]) {
+        let task = Task {
+            at: (state, conditions),
+            derivatives: Some(&[]),
+        };
+        self.sum_all(&task, out, None, &mut self.workspace());
     }
 
     /// What the elements tell of a state.

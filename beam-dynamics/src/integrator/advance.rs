@@ -112,22 +112,21 @@ fn is_jump([before, now, after]: [&[f64]; 3]) -> bool {
 
 impl Integrator {
     /// An integrator of `dae`, whose latest accepted state is that at time `from` \[s\],
-    /// rates included; states before it do not count. `None` when the pattern is
-    /// structurally singular.
+    /// rates included; states before it do not count.
     pub fn new(
         dae: &dyn Dae,
         scheme: Scheme,
         stepping: Stepping,
         limits: StepLimits,
         from: f64,
-    ) -> Option<Self> {
+    ) -> Self {
         let n = dae.pattern().size();
         let zero = || vec![0.0; n];
         let mut speeds = Speeds::default();
         if matches!(stepping, Stepping::Variable(_)) {
             speeds.restart(dae, from);
         }
-        Some(Self {
+        Self {
             scheme,
             stepping,
             limits,
@@ -141,13 +140,13 @@ impl Integrator {
                 lengths: Lengths::new(&stepping, from),
                 speeds,
             },
-            corrector: Corrector::new(dae, scheme.formula(1.0).stages, &limits)?,
+            corrector: Corrector::new(dae, scheme.formula(1.0).stages, &limits),
             past: Past::new(n),
             predicted: zero(),
             rates: std::array::from_fn(|_| zero()),
             end: zero(),
             difference: zero(),
-        })
+        }
     }
 
     /// Makes one accepted step, towards `until` \[s\] and not beyond, tried shorter where

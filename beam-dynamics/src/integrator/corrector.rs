@@ -105,8 +105,8 @@ pub(super) struct Corrector {
 }
 
 impl Corrector {
-    /// For formulas of `stages` stages; `None` when the pattern is structurally singular.
-    pub fn new(dae: &dyn Dae, stages: usize, limits: &StepLimits) -> Option<Self> {
+    /// For formulas of `stages` stages.
+    pub fn new(dae: &dyn Dae, stages: usize, limits: &StepLimits) -> Self {
         let pattern = dae.pattern();
         let n = pattern.size();
         let matrix = StageMatrix::new(pattern, stages, dae.algebraic());
@@ -115,10 +115,10 @@ impl Corrector {
             values: zero(),
             sizes: zero(),
         };
-        Some(Self {
+        Self {
             stages,
             algebraic: dae.algebraic().to_vec(),
-            solver: StepSolver::new(matrix.pattern())?,
+            solver: StepSolver::new(matrix.pattern()),
             matrix,
             kept: None,
             residuals: (0..stages).map(|_| residual()).collect(),
@@ -130,7 +130,7 @@ impl Corrector {
             history: Vec::with_capacity(limits.iterations.min(MOST_ROOM)),
             first: 0,
             worst: Worst::default(),
-        })
+        }
     }
 
     /// Drops the Jacobian and all that is kept of it.

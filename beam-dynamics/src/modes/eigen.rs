@@ -29,6 +29,12 @@ const PARALLEL: f64 = 0.9;
 const BESIDE: f64 = 1e-10;
 /// The shift of the inversion, in parts of the lowest frequency.
 const SHIFT: f64 = 0.3;
+/// Parts of the shift below which a value may be a zero that round-off has split: those of
+/// motions without stiffness are double, and come apart by the root of the round-off.
+const SPLIT: f64 = 0.1;
+/// Parts of itself in which a value is seen again from a shift beside it, where a split zero
+/// has moved toward zero with the shift.
+const STAYS: std::ops::Range<f64> = 0.7..1.5;
 /// Frequencies below this part of the highest frequency of a node on its own are zero:
 /// stiffness is known to 1e-16 of its largest, frequencies to the root of that.
 const ZERO: f64 = 3e-8;
@@ -41,6 +47,9 @@ const MOST: usize = 8;
 /// Inverse iterations; the first already leaves other modes smaller by 1e-10 over
 /// their distance.
 const ITERATIONS: usize = 3;
+/// Part of a vector by which inverse iteration may change it for the last time: the rest
+/// shrinks by 1e-10 over the distance of the other modes.
+const PARALLEL_BY: f64 = 1e-8;
 /// Part of itself by which inverse iteration may change a value that it confirms.
 pub(super) const CONFIRMED: f64 = 1e-3;
 
@@ -96,7 +105,16 @@ impl<'a> EigenProblem<'a> {
         let coarse = Self::shifted(solver, tangent, massless, copies, BELOW * highest)?;
         let shift = coarse.inverse.shift();
         let zero = ZERO * highest;
-        let lowest = lowest_oscillation(&coarse.inverse.coarse(), 3.0 * zero).unwrap_or(highest);
+        let values = coarse.inverse.coarse();
+        let above = |size: f64| lowest_oscillation(&values, size).unwrap_or(highest);
+        let mut lowest = above(3.0 * zero);
+        if lowest < SPLIT * shift {
+            let nearer = Self::shifted(solver, tangent, massless, copies, SHIFT * lowest);
+            let stays = |s: &c64| STAYS.contains(&(s.norm() / lowest));
+            if !nearer.is_some_and(|nearer| nearer.inverse.coarse().iter().any(stays)) {
+                lowest = above(SPLIT * shift);
+            }
+        }
         let mut problem = if (SHIFT / 10.0 * lowest..10.0 * SHIFT * lowest).contains(&shift) {
             coarse
         } else {
@@ -150,12 +168,12 @@ impl<'a> EigenProblem<'a> {
         (pairs, self.confirmed(real))
     }
 
-    /// Real values without those of growth that no vector confirms.
+    /// Real values without those that no vector confirms.
     fn confirmed(&self, mut real: Vec<f64>) -> Vec<f64> {
         real.retain(|&value| {
             let found = || self.vectors(&[c64::new(value, 0.0)]).into_iter().next();
-            let is_same = |pair: Eigenpair| (pair.growth - value).abs() <= CONFIRMED * value;
-            value <= 0.0 || found().is_some_and(is_same)
+            let is_same = |pair: Eigenpair| (pair.growth - value).abs() <= CONFIRMED * value.abs();
+            value == 0.0 || found().is_some_and(is_same)
         });
         real
     }
@@ -341,11 +359,24 @@ impl<'a> EigenProblem<'a> {
                 product(&before[i], &vectors[j], self.size)
             });
             factors = projected.eigenvalues().unwrap_or_default();
+            let is_found =
+                count == 1 && self.is_parallel(&vectors[0], &before[0], projected[(0, 0)]);
             orthonormalize(&mut vectors, self.size);
+            if is_found {
+                break;
+            }
         }
         let sound = |factor: &c64| factor.is_finite() && factor.norm() > 0.0;
         factors.retain(sound);
         Some((vectors, factors))
+    }
+
+    /// Whether `x` is `factor` times the unit vector `before`, so nearly that the next product
+    /// would not change it.
+    fn is_parallel(&self, x: &[c64], before: &[c64], factor: c64) -> bool {
+        let off: Vec<_> = x.iter().zip(before).map(|(x, b)| x - factor * b).collect();
+        let size = |x: &[c64]| product(x, x, self.size).re;
+        size(&off) <= PARALLEL_BY.powi(2) * size(x)
     }
 
     /// `F_y' x`.

@@ -211,22 +211,15 @@ impl Inverse {
     /// `|T v - v / (s - sigma)|` relative to `|v / (s - sigma)|`, v in all unknowns of the
     /// system: about 1e-12 for a well-conditioned model.
     pub fn residual(&self, s: c64, vector: &[c64]) -> f64 {
-        let scaled = |part: fn(&c64) -> f64| -> Vec<f64> {
-            let own = self.places.iter().map(|&place| part(&vector[place]));
-            own.zip(&self.scale).map(|(v, scale)| v / scale).collect()
-        };
-        let (mut real, mut imaginary) = (scaled(|v| v.re), scaled(|v| v.im));
-        let expected: Vec<_> = real
-            .iter()
-            .zip(&imaginary)
-            .map(|(re, im)| c64::new(*re, *im) / (s - self.shift))
-            .collect();
-        self.multiply_one(&mut real);
-        self.multiply_one(&mut imaginary);
-        let found = real
-            .iter()
-            .zip(&imaginary)
-            .map(|(re, im)| c64::new(*re, *im));
+        let scaled = |i: usize| vector[self.places[i]] / self.scale[i];
+        let numbers = 0..self.scale.len();
+        let expected: Vec<_> = numbers.map(|i| scaled(i) / (s - self.shift)).collect();
+        let mut parts = Mat::from_fn(self.scale.len(), 2, |i, part| match part {
+            0 => scaled(i).re,
+            _ => scaled(i).im,
+        });
+        self.multiply(&mut parts);
+        let found = (0..self.scale.len()).map(|i| c64::new(parts[(i, 0)], parts[(i, 1)]));
         let error: f64 = found.zip(&expected).map(|(a, b)| (a - b).norm_sqr()).sum();
         let size: f64 = expected.iter().map(|value| value.norm_sqr()).sum();
         (error / size).sqrt()

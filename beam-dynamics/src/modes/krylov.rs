@@ -18,10 +18,10 @@ use faer::{Mat, MatRef, c64};
 
 use super::dense::eigenvalues;
 
-/// Change of the wanted eigenvalues while the space grows by a quarter at which they
+/// Change of the wanted eigenvalues while the space grows by an eighth at which they
 /// count as found, relative: near enough for inverse iteration, which gives the last
 /// digits.
-const FOUND: f64 = 1e-9;
+const FOUND: f64 = 1e-10;
 /// Vectors of the space at most, in parts of the wanted number of eigenvalues.
 const MOST: usize = 8;
 /// A column that keeps less than this part of its size beside the space is inside it.
@@ -63,7 +63,7 @@ pub(super) fn largest(
     let most = (MOST * wanted).min(n);
     let mut space = Space::new(operator, block.min(n), most);
     let mut before: Vec<c64> = Vec::new();
-    let mut check = wanted + wanted / 2 + 2 * block;
+    let mut check = 2 * wanted + block;
     loop {
         space.grow(operator);
         let is_whole = space.dimension + space.block > most;
@@ -78,7 +78,7 @@ pub(super) fn largest(
             return values;
         }
         before = values;
-        check = space.dimension + space.dimension / 4;
+        check = space.dimension + space.dimension / 8;
     }
 }
 

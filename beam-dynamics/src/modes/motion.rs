@@ -8,7 +8,7 @@
 use nalgebra::{Complex, Vector3};
 
 use super::Eigenpair;
-use crate::assembly::Sparse;
+use crate::assembly::{Entry, Sparse};
 use crate::model::{Equation, NODE_UNKNOWNS, NamingAxes, Variable};
 use crate::result::{ModeKind, ModeShape, Shares};
 
@@ -29,14 +29,14 @@ const SIX: usize = 6;
 
 impl ModeMotion {
     /// The motion of an eigenpair, scaled to unit energy `Re(q^H M q) = 1` and with the
-    /// largest entry real; `by_rates` is `F_y'`.
-    pub fn new(pair: &Eigenpair, by_rates: &Sparse) -> Self {
+    /// largest entry real.
+    pub fn new(pair: &Eigenpair, mass: &MassMatrix) -> Self {
         let nodes = pair.real.len() / NODE_UNKNOWNS;
         let place = |k: usize| NODE_UNKNOWNS * (k / SIX) + k % SIX;
         let motion: Vec<_> = (0..SIX * nodes)
             .map(|k| Complex::new(pair.real[place(k)], pair.imaginary[place(k)]))
             .collect();
-        let momentum = momenta(&motion, by_rates);
+        let momentum = mass.times(&motion);
         Self { motion, momentum }.scaled()
     }
 
@@ -151,21 +151,37 @@ impl ModeMotion {
     }
 }
 
-/// `M q` from the rows of momentum and angular momentum of `F_y'`.
-fn momenta(motion: &[Complex<f64>], by_rates: &Sparse) -> Vec<Complex<f64>> {
-    let mut momentum = vec![Complex::new(0.0, 0.0); motion.len()];
-    let nodes = motion.len() / SIX;
-    let force = Equation::Force.row();
-    let momenta = Variable::Momentum.column();
-    for (row, column, value) in by_rates.triplets() {
-        let (i, j) = (row % NODE_UNKNOWNS, column % NODE_UNKNOWNS);
-        let of_nodes = row.max(column) < NODE_UNKNOWNS * nodes;
-        if of_nodes && i < force && j < momenta {
-            let from = SIX * (column / NODE_UNKNOWNS) + j;
-            momentum[SIX * (row / NODE_UNKNOWNS) + i] -= value * motion[from];
+/// The mass matrix, six rows and columns a node.
+#[derive(Debug, Clone)]
+pub struct MassMatrix {
+    entries: Vec<Entry>,
+}
+
+impl MassMatrix {
+    /// That of the first `nodes` nodes of a system with these derivatives by rates, `F_y'`.
+    pub fn new(by_rates: &Sparse, nodes: usize) -> Self {
+        let force = Equation::Force.row();
+        let momentum = Variable::Momentum.column();
+        let entry = |(row, column, value): Entry| {
+            let (i, j) = (row % NODE_UNKNOWNS, column % NODE_UNKNOWNS);
+            let of_nodes = row.max(column) < NODE_UNKNOWNS * nodes;
+            let place = |line: usize, own: usize| SIX * (line / NODE_UNKNOWNS) + own;
+            (of_nodes && i < force && j < momentum && value != 0.0)
+                .then(|| (place(row, i), place(column, j), -value))
+        };
+        Self {
+            entries: by_rates.triplets().filter_map(entry).collect(),
         }
     }
-    momentum
+
+    /// `M q`.
+    fn times(&self, motion: &[Complex<f64>]) -> Vec<Complex<f64>> {
+        let mut momentum = vec![Complex::new(0.0, 0.0); motion.len()];
+        for &(row, column, value) in &self.entries {
+            momentum[row] += value * motion[column];
+        }
+        momentum
+    }
 }
 
 #[cfg(test)]

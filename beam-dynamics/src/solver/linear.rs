@@ -1,105 +1,82 @@
-//! Sparse unsymmetric factorization on a fixed pattern.
+//! Linear systems on one pattern: each matrix gives factors of its own, to be solved with as
+//! often as one likes.
 //!
-//! The rows and then the columns are scaled to a largest entry of one, so that
-//! forces of 1e7 N and angles of 1e-3 rad meet on equal terms in the pivoting.
-//! The factorization reports no error on singular matrices; solutions are therefore
-//! checked for finite values and refined once.
+//! Pivots and the pattern of the factors are kept from matrix to matrix while they serve; a
+//! matrix that no pivots serve is factorized by [`super::general`]. Solutions of real systems
+//! are refined once.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use faer::prelude::Solve;
-use faer::reborrow::ReborrowMut;
-use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{ColMut, Mat, MatMut, c64};
+use faer::{Mat, c64};
 
+use super::general::{GeneralLu, GeneralSolver};
+use super::lu::{LANES, Lu, Number, Plan, Row};
 use crate::assembly::{Pattern, Sparse};
 
-/// Analyses of a pattern, to be shared by all matrices on it.
+/// Plans that are kept.
+const KEPT: usize = 4;
+
+/// Factorizes matrices on one pattern. A clone keeps pivots of its own from there on.
 #[derive(Debug)]
 pub struct LinearSolver {
-    symbolic: SymbolicLu<usize>,
     pattern: Arc<Pattern>,
+    /// Those that were made, the latest first.
+    plans: Mutex<Vec<Arc<Plan>>>,
+    general: GeneralSolver,
 }
 
 /// A factorized matrix.
 #[derive(Debug)]
 pub struct Factorization {
-    lu: Lu<usize, f64>,
+    factors: Factors<f64>,
     matrix: Sparse,
-    row_scale: Vec<f64>,
-    column_scale: Vec<f64>,
-}
-
-impl LinearSolver {
-    /// Orders the unknowns of a pattern; `None` when it is structurally singular.
-    pub fn new(pattern: &Arc<Pattern>) -> Option<Self> {
-        let symbolic = SymbolicLu::try_new(symbolic(pattern)).ok()?;
-        Some(Self {
-            symbolic,
-            pattern: Arc::clone(pattern),
-        })
-    }
-
-    /// Factorizes `matrix`; `None` when it is singular or not finite.
-    pub fn factorize(&self, matrix: Sparse) -> Option<Factorization> {
-        debug_assert!(Arc::ptr_eq(&self.pattern, matrix.pattern()));
-        if matrix.values().iter().any(|value| !value.is_finite()) {
-            return None;
-        }
-        let magnitudes: Vec<_> = matrix.values().iter().map(|value| value.abs()).collect();
-        let (row_scale, column_scale) = scales(&self.pattern, &magnitudes)?;
-        let scaled: Vec<_> = matrix
-            .triplets()
-            .map(|(i, j, value)| row_scale[i] * value * column_scale[j])
-            .collect();
-        let view = SparseColMatRef::new(symbolic(&self.pattern), &scaled[..]);
-        let lu = Lu::try_new_with_symbolic(self.symbolic.clone(), view).ok()?;
-        Some(Factorization {
-            lu,
-            matrix,
-            row_scale,
-            column_scale,
-        })
-    }
-}
-
-fn symbolic(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, usize> {
-    let n = pattern.size();
-    SymbolicSparseColMatRef::new_checked(n, n, pattern.column_starts(), None, pattern.rows())
-}
-
-/// Scales of rows and columns from the magnitudes of the entries; `None` when a row
-/// or column is zero.
-pub(super) fn scales(pattern: &Pattern, magnitudes: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
-    let n = pattern.size();
-    let mut rows = vec![0.0_f64; n];
-    for (&i, magnitude) in pattern.rows().iter().zip(magnitudes) {
-        rows[i] = rows[i].max(*magnitude);
-    }
-    let mut columns = vec![0.0_f64; n];
-    for (j, column) in columns.iter_mut().enumerate() {
-        for place in pattern.column_starts()[j]..pattern.column_starts()[j + 1] {
-            let row = rows[pattern.rows()[place]].max(f64::MIN_POSITIVE);
-            *column = column.max(magnitudes[place] / row);
-        }
-    }
-    let inverse = |sizes: Vec<f64>| -> Option<Vec<f64>> {
-        let invert = |size: f64| (size > 0.0 && size.is_finite()).then(|| 1.0 / size);
-        sizes.into_iter().map(invert).collect()
-    };
-    Some((inverse(rows)?, inverse(columns)?))
 }
 
 /// A factorized complex matrix `A + s B` on the pattern of A and B.
 #[derive(Debug)]
 pub struct ComplexFactorization {
-    lu: Lu<usize, c64>,
-    row_scale: Vec<f64>,
-    column_scale: Vec<f64>,
+    factors: Factors<c64>,
+}
+
+#[derive(Debug)]
+enum Factors<T: Number> {
+    Kept(Lu<T>),
+    General(GeneralLu<T>),
+}
+
+impl Clone for LinearSolver {
+    fn clone(&self) -> Self {
+        Self {
+            pattern: Arc::clone(&self.pattern),
+            plans: Mutex::new(self.plans().clone()),
+            general: self.general.clone(),
+        }
+    }
 }
 
 impl LinearSolver {
+    /// For matrices on a pattern.
+    pub fn new(pattern: &Arc<Pattern>) -> Self {
+        Self {
+            pattern: Arc::clone(pattern),
+            plans: Mutex::default(),
+            general: GeneralSolver::new(pattern),
+        }
+    }
+
+    fn plans(&self) -> MutexGuard<'_, Vec<Arc<Plan>>> {
+        self.plans.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Factorizes `matrix`; `None` when it is singular or not finite.
+    pub fn factorize(&self, matrix: Sparse) -> Option<Factorization> {
+        debug_assert!(Arc::ptr_eq(&self.pattern, matrix.pattern()));
+        Some(Factorization {
+            factors: self.factors(matrix.values())?,
+            matrix,
+        })
+    }
+
     /// Factorizes `a + s b`; `None` when it is singular to working precision.
     pub fn factorize_complex(
         &self,
@@ -108,34 +85,40 @@ impl LinearSolver {
         b: &Sparse,
     ) -> Option<ComplexFactorization> {
         let values = a.values().iter().zip(b.values());
-        let mut values: Vec<c64> = values.map(|(a, b)| s * *b + *a).collect();
-        let magnitudes: Vec<_> = values.iter().map(|value| value.norm()).collect();
-        let (row_scale, column_scale) = scales(&self.pattern, &magnitudes)?;
-        for j in 0..self.pattern.size() {
-            for place in self.pattern.column_starts()[j]..self.pattern.column_starts()[j + 1] {
-                values[place] *= row_scale[self.pattern.rows()[place]] * column_scale[j];
-            }
+        let values: Vec<c64> = values.map(|(a, b)| s * *b + *a).collect();
+        let factors = self.factors(&values)?;
+        Some(ComplexFactorization { factors })
+    }
+
+    /// Factors by a plan that is kept, or by one that is made for this matrix and kept from
+    /// now on.
+    fn factors<T: Number>(&self, values: &[T]) -> Option<Factors<T>> {
+        let kept = self.plans().clone();
+        let by_plan = |plan| Lu::by_plan(plan, values).filter(Lu::is_trusted);
+        if let Some(lu) = kept.iter().find_map(by_plan) {
+            return Some(Factors::Kept(lu));
         }
-        let view = SparseColMatRef::new(symbolic(&self.pattern), &values[..]);
-        let lu = Lu::try_new_with_symbolic(self.symbolic.clone(), view).ok()?;
-        Some(ComplexFactorization {
-            lu,
-            row_scale,
-            column_scale,
-        })
+        if values.iter().any(|value| !value.size().is_finite()) {
+            return None;
+        }
+        match Lu::choose(&self.pattern, values).filter(Lu::is_trusted) {
+            Some(lu) => {
+                let mut plans = self.plans();
+                plans.insert(0, Arc::clone(lu.plan()));
+                plans.truncate(KEPT);
+                Some(Factors::Kept(lu))
+            }
+            None => self.general.factorize(values).map(Factors::General),
+        }
     }
 }
 
 impl ComplexFactorization {
     /// Solves `A x = b`, `b` being replaced by x; `None` when x is not finite.
     pub fn solve(&self, b: &mut [c64]) -> Option<()> {
-        for (value, scale) in b.iter_mut().zip(&self.row_scale) {
-            *value *= scale;
-        }
-        self.lu
-            .solve_in_place(ColMut::from_slice_mut(b).as_mat_mut());
-        for (value, scale) in b.iter_mut().zip(&self.column_scale) {
-            *value *= scale;
+        match &self.factors {
+            Factors::Kept(lu) => lu.solve(b, &mut vec![c64::ZERO; b.len()]),
+            Factors::General(lu) => lu.solve(b),
         }
         b.iter().all(|value| value.is_finite()).then_some(())
     }
@@ -144,43 +127,69 @@ impl ComplexFactorization {
 impl Factorization {
     /// Number of unknowns.
     pub fn size(&self) -> usize {
-        self.row_scale.len()
+        self.matrix.pattern().size()
+    }
+
+    /// Solves `A x = b`, `b` being replaced by x, with the factors as they are; `None` when
+    /// the solution is not finite.
+    pub fn respond(&self, b: &mut [f64]) -> Option<()> {
+        self.solve_once(b);
+        b.iter().all(|value| value.is_finite()).then_some(())
     }
 
     /// Solves `A x = b`, `b` being replaced by x, with one step of refinement;
     /// `None` when the solution is not finite.
     pub fn solve(&self, b: &mut [f64]) -> Option<()> {
-        let mut columns = Mat::from_fn(b.len(), 1, |i, _| b[i]);
-        self.solve_columns(&mut columns)?;
-        b.iter_mut()
-            .enumerate()
-            .for_each(|(i, value)| *value = columns[(i, 0)]);
-        Some(())
+        let mut x = b.to_vec();
+        self.solve_once(&mut x);
+        self.subtract_product(b, &x);
+        self.solve_once(b);
+        b.iter_mut().zip(&x).for_each(|(b, x)| *b += x);
+        b.iter().all(|value| value.is_finite()).then_some(())
     }
 
-    /// Solves `A X = B` as [`Self::solve`] does, column by column.
+    /// Solves `A X = B` as [`Self::solve`] does, some columns at a time.
     pub fn solve_columns(&self, b: &mut Mat<f64>) -> Option<()> {
-        let mut x = b.clone();
-        self.solve_once(x.as_mut());
-        for (row, column, value) in self.matrix.triplets() {
-            for j in 0..b.ncols() {
-                b[(row, j)] -= value * x[(column, j)];
+        let Factors::Kept(lu) = &self.factors else {
+            let mut columns = 0..b.ncols();
+            return columns.try_for_each(|j| self.solve(b.col_as_slice_mut(j)));
+        };
+        let none = <[f64; LANES] as Row<f64>>::NONE;
+        let [mut right, mut x, mut buffer] = [(); 3].map(|()| vec![none; b.nrows()]);
+        for first in (0..b.ncols()).step_by(LANES) {
+            let columns = first..b.ncols().min(first + LANES);
+            right.fill(none);
+            for (lane, j) in columns.clone().enumerate() {
+                let rows = right.iter_mut().zip(b.col_as_slice(j));
+                rows.for_each(|(row, value)| row[lane] = *value);
+            }
+            x.copy_from_slice(&right);
+            lu.solve(&mut x, &mut buffer);
+            self.subtract_product(&mut right, &x);
+            lu.solve(&mut right, &mut buffer);
+            for (lane, j) in columns.enumerate() {
+                let rows = right.iter().zip(&x).zip(b.col_as_slice_mut(j));
+                rows.for_each(|((rest, x), value)| *value = x[lane] + rest[lane]);
             }
         }
-        self.solve_once(b.as_mut());
-        *b += &x;
         b.is_all_finite().then_some(())
     }
 
-    fn solve_once(&self, mut b: MatMut<'_, f64>) {
-        for j in 0..b.ncols() {
-            let scaled = b.rb_mut().col_mut(j).iter_mut().zip(&self.row_scale);
-            scaled.for_each(|(value, scale)| *value *= scale);
+    /// `b <- b - A x`.
+    fn subtract_product<R: Row<f64>>(&self, b: &mut [R], x: &[R]) {
+        let (pattern, values) = (self.matrix.pattern(), self.matrix.values());
+        for (j, x) in x.iter().enumerate() {
+            for place in pattern.column(j) {
+                let row = &mut b[pattern.rows()[place]];
+                *row = row.minus(x.times(values[place]));
+            }
         }
-        self.lu.solve_in_place(b.rb_mut());
-        for j in 0..b.ncols() {
-            let scaled = b.rb_mut().col_mut(j).iter_mut().zip(&self.column_scale);
-            scaled.for_each(|(value, scale)| *value *= scale);
+    }
+
+    fn solve_once(&self, b: &mut [f64]) {
+        match &self.factors {
+            Factors::Kept(lu) => lu.solve(b, &mut vec![0.0; b.len()]),
+            Factors::General(lu) => lu.solve(b),
         }
     }
 }
@@ -194,7 +203,7 @@ mod tests {
         let pattern = Arc::new(Pattern::new(n, places));
         let mut matrix = Sparse::zero(Arc::clone(&pattern));
         matrix.values_mut().copy_from_slice(values);
-        (LinearSolver::new(&pattern).unwrap(), matrix)
+        (LinearSolver::new(&pattern), matrix)
     }
 
     #[test]

@@ -9,6 +9,7 @@
 //! References: [DavisPalamadai2010], which also keeps pivots and pattern.
 
 mod lines;
+mod number;
 mod numbers;
 mod order;
 mod pivots;
@@ -17,12 +18,14 @@ mod structure;
 
 use std::sync::Arc;
 
+pub(super) use number::{Number, Row};
 use numbers::{Numbers, Scaled};
 use pivots::Pivots;
+pub(super) use structure::LANES;
 use structure::Structure;
 
-use super::linear::scales;
-use crate::assembly::{Pattern, Sparse};
+use super::scales::{scaled, scales};
+use crate::assembly::Pattern;
 
 /// Growth of the factors up to which they are taken without a look at the residual of
 /// the solution: six of sixteen digits are lost at most.
@@ -33,50 +36,39 @@ const LARGEST_GROWTH: f64 = 1e10;
 /// the matrix has become singular, or needs others.
 const SHRUNK: f64 = 0.1;
 
-/// Factors of a matrix, on pivots that were chosen for an earlier one.
+/// All that is chosen and found once, for one matrix, and kept for others.
 #[derive(Debug)]
-pub(super) struct KeptLu {
+pub(super) struct Plan {
     pivots: Pivots,
     row_scale: Vec<f64>,
     column_scale: Vec<f64>,
     /// The same scales in the order of elimination.
     ordered_scales: [Vec<f64>; 2],
     structure: Structure,
-    numbers: Numbers,
-    /// Unknowns in the order of elimination.
-    ordered: Vec<f64>,
-    growth: f64,
     /// Relative size below which a pivot is none.
     least_pivot: f64,
+}
+
+/// Factors of a matrix.
+#[derive(Debug)]
+pub(super) struct Lu<T: Number> {
+    plan: Arc<Plan>,
+    numbers: Numbers<T>,
+    growth: f64,
     /// Least pivot, relative to the matrix.
     least: f64,
 }
 
-impl KeptLu {
-    /// Chooses pivots for `matrix`, and factorizes it; `None` when it is singular.
-    pub fn new(matrix: &Sparse) -> Option<Self> {
-        let pattern: &Arc<Pattern> = matrix.pattern();
-        let magnitudes: Vec<_> = matrix.values().iter().map(|value| value.abs()).collect();
-        let (row_scale, column_scale) = scales(pattern, &magnitudes)?;
-        let places = matrix.triplets();
-        let scales: Vec<_> = places
-            .map(|(i, j, _)| row_scale[i] * column_scale[j])
-            .collect();
-        let scaled: Vec<_> = matrix
-            .values()
-            .iter()
-            .zip(&scales)
-            .map(|(a, s)| a * s)
-            .collect();
+impl Plan {
+    /// Chooses pivots for the matrix of the given values; `None` when it is singular.
+    fn new<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Self> {
+        let scales = scales(pattern, values)?;
+        let scaled = scaled(pattern, values, &scales);
         let pivots = order::postordered(pattern, &pivots::choose(pattern, &scaled)?);
-        let structure = Structure::new(pattern, &pivots);
         let taken = |scale: &[f64], of: &[usize]| of.iter().map(|&line| scale[line]).collect();
-        let mut lu = Self {
-            numbers: Numbers::new(&structure),
-            ordered: vec![0.0; pattern.size()],
-            growth: f64::INFINITY,
-            least_pivot: 0.0,
-            least: 0.0,
+        let (row_scale, column_scale) = scales;
+        Some(Self {
+            structure: Structure::new(pattern, &pivots),
             ordered_scales: [
                 taken(&row_scale, &pivots.rows),
                 taken(&column_scale, &pivots.columns),
@@ -84,31 +76,53 @@ impl KeptLu {
             pivots,
             row_scale,
             column_scale,
-            structure,
-        };
-        let least = lu.compute(matrix)?;
-        lu.least_pivot = (least * SHRUNK).min(f64::EPSILON);
-        lu.least = least;
-        Some(lu)
+            least_pivot: 0.0,
+        })
     }
 
-    /// Factorizes another matrix on the same pattern; `None` when other pivots are needed.
-    pub fn factorize(&mut self, matrix: &Sparse) -> Option<()> {
-        let least = self.compute(matrix)?;
-        self.least = least;
-        (least >= self.least_pivot).then_some(())
+    /// Scale of each equation.
+    pub fn row_scales(&self) -> &[f64] {
+        &self.row_scale
+    }
+}
+
+impl<T: Number> Lu<T> {
+    /// Chooses pivots for the matrix of the given values, and factorizes it; `None` when it
+    /// is singular.
+    pub fn choose(pattern: &Pattern, values: &[T]) -> Option<Self> {
+        let mut plan = Plan::new(pattern, values)?;
+        let mut numbers = Numbers::new(&plan.structure);
+        let (growth, least) = compute(&plan, &mut numbers, values)?;
+        plan.least_pivot = (least * SHRUNK).min(f64::EPSILON);
+        Some(Self {
+            plan: Arc::new(plan),
+            numbers,
+            growth,
+            least,
+        })
     }
 
-    /// Computes the factors; the least pivot, relative to the matrix.
-    fn compute(&mut self, matrix: &Sparse) -> Option<f64> {
-        let matrix = Scaled {
-            values: matrix.values(),
-            row_scales: &self.ordered_scales[0],
-            column_scales: &self.ordered_scales[1],
-        };
-        let growth = self.numbers.factorize(&self.structure, matrix)?;
-        self.growth = growth.factor();
-        (self.growth < LARGEST_GROWTH).then(|| growth.least())
+    /// Factorizes by a plan that was made for another matrix; `None` when it does not serve.
+    pub fn by_plan(plan: &Arc<Plan>, values: &[T]) -> Option<Self> {
+        let mut numbers = Numbers::new(&plan.structure);
+        let (growth, least) = compute(plan, &mut numbers, values)?;
+        (least >= plan.least_pivot).then(|| Self {
+            plan: Arc::clone(plan),
+            numbers,
+            growth,
+            least,
+        })
+    }
+
+    /// Factorizes another matrix by the same plan; `None` when other pivots are needed.
+    pub fn factorize(&mut self, values: &[T]) -> Option<()> {
+        (self.growth, self.least) = compute(&self.plan, &mut self.numbers, values)?;
+        (self.least >= self.plan.least_pivot).then_some(())
+    }
+
+    /// By which the matrix was factorized.
+    pub fn plan(&self) -> &Arc<Plan> {
+        &self.plan
     }
 
     /// Least pivot, relative to the matrix.
@@ -121,23 +135,38 @@ impl KeptLu {
         self.growth < TRUSTED_GROWTH
     }
 
-    /// Replaces b by x.
-    pub fn solve(&mut self, b: &mut [f64]) {
-        let ordered = self.ordered.iter_mut().zip(&self.pivots.rows);
-        ordered.for_each(|(value, &row)| *value = b[row] * self.row_scale[row]);
-        solution::solve(&self.structure, &self.numbers, &mut self.ordered);
-        for (value, &column) in self.ordered.iter().zip(&self.pivots.columns) {
-            b[column] = value * self.column_scale[column];
+    /// Replaces b by x; `ordered` is a buffer of the same length.
+    pub fn solve<R: Row<T>>(&self, b: &mut [R], ordered: &mut [R]) {
+        let Plan {
+            pivots,
+            row_scale,
+            column_scale,
+            structure,
+            ..
+        } = &*self.plan;
+        for (value, &row) in ordered.iter_mut().zip(&pivots.rows) {
+            *value = b[row].scaled(row_scale[row]);
         }
-    }
-
-    /// Scale of each equation.
-    pub fn row_scales(&self) -> &[f64] {
-        &self.row_scale
+        solution::solve(structure, &self.numbers, ordered);
+        for (value, &column) in ordered.iter().zip(&pivots.columns) {
+            b[column] = value.scaled(column_scale[column]);
+        }
     }
 
     /// Numbers that are stored for the factors.
     pub fn stored(&self) -> usize {
-        self.structure.panel_values + self.structure.segment_values * structure::LANES
+        let structure = &self.plan.structure;
+        structure.panel_values + structure.segment_values * LANES
     }
+}
+
+/// Computes the factors: how they grow, and the least pivot, relative to the matrix.
+fn compute<T: Number>(plan: &Plan, numbers: &mut Numbers<T>, values: &[T]) -> Option<(f64, f64)> {
+    let matrix = Scaled {
+        values,
+        row_scales: &plan.ordered_scales[0],
+        column_scales: &plan.ordered_scales[1],
+    };
+    let growth = numbers.factorize(&plan.structure, matrix)?;
+    (growth.factor() < LARGEST_GROWTH).then(|| (growth.factor(), growth.least()))
 }

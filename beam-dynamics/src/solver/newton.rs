@@ -6,14 +6,24 @@ pub trait Equations {
     /// terms of its kind with the place of that entry.
     fn residual(&mut self) -> (Vec<f64>, Worst);
 
-    /// The correction `-J^-1 residual`; `None` when the Jacobian is singular.
-    fn correction(&mut self, residual: &[f64]) -> Option<Vec<f64>>;
+    /// The correction `-J^-1 residual` with the Jacobian at the present state, or with that
+    /// of the last correction; `None` when the Jacobian is singular.
+    fn correction(&mut self, residual: &[f64], jacobian: Jacobian) -> Option<Vec<f64>>;
 
     /// Size of a correction relative to the size of the system [-].
     fn size(&self, correction: &[f64]) -> f64;
 
     /// Applies a correction.
     fn correct(&mut self, correction: &[f64]);
+}
+
+/// Which Jacobian a correction takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Jacobian {
+    /// That of the present state.
+    Own,
+    /// That of the last correction.
+    Kept,
 }
 
 /// The worst equation.
@@ -84,17 +94,41 @@ pub struct NewtonReport {
 /// A correction of this size, in parts of the system or radians, leads elsewhere.
 const BEYOND_REASON: f64 = 10.0;
 
+/// Size of a correction after which the next one keeps the Jacobian: it changes in about
+/// this proportion, so that the next correction but one is as small as with its own.
+const NEAR: f64 = 1e-3;
+/// Part of the limit below which the last correction must be, where the Jacobian is kept.
+const OF_KEPT: f64 = 1e-3;
+/// A kept Jacobian makes corrections smaller by this factor at least, or is replaced.
+const SHRINKS: f64 = 0.1;
+
 /// Solves `equations` from their present state.
+///
+/// Once corrections are small, the Jacobian is kept: the error that the last one leaves is
+/// its size times that of the one at which the Jacobian was taken.
 pub fn solve(equations: &mut impl Equations, limits: &Newton) -> NewtonReport {
     let mut history = Vec::new();
     let (mut residual, mut worst) = equations.residual();
     let mut status = NewtonStatus::NotConverged;
+    let mut last = f64::INFINITY;
     while history.len() < limits.iterations {
-        let Some(correction) = equations.correction(&residual) else {
+        let kept = (last <= NEAR).then(|| equations.correction(&residual, Jacobian::Kept));
+        let shrinks = |correction: &Vec<f64>| equations.size(correction) <= SHRINKS * last;
+        let kept = kept.flatten().filter(shrinks);
+        let is_kept = kept.is_some();
+        let own = || equations.correction(&residual, Jacobian::Own);
+        let Some(correction) = kept.or_else(own) else {
             status = NewtonStatus::Singular;
             break;
         };
         let size = equations.size(&correction);
+        // How fast corrections by a kept Jacobian shrink is not known: those of slender beams
+        // do not tell what is left in the directions in which they are stiff.
+        let limit = match is_kept {
+            true => OF_KEPT * limits.correction,
+            false => limits.correction,
+        };
+        last = size;
         history.push(Iteration {
             worst,
             correction: size,
@@ -104,7 +138,7 @@ pub fn solve(equations: &mut impl Equations, limits: &Newton) -> NewtonReport {
         }
         equations.correct(&correction);
         (residual, worst) = equations.residual();
-        if size <= limits.correction {
+        if size <= limit {
             status = NewtonStatus::Converged;
             break;
         }
@@ -124,6 +158,13 @@ mod tests {
     struct Root {
         a: f64,
         x: f64,
+        slope: f64,
+    }
+
+    impl Root {
+        fn from(x: f64, a: f64) -> Self {
+            Self { a, x, slope: 0.0 }
+        }
     }
 
     impl Equations for Root {
@@ -138,9 +179,11 @@ mod tests {
             (vec![residual], worst)
         }
 
-        fn correction(&mut self, residual: &[f64]) -> Option<Vec<f64>> {
-            let slope = 2.0 * self.x;
-            (slope != 0.0).then(|| vec![-residual[0] / slope])
+        fn correction(&mut self, residual: &[f64], jacobian: Jacobian) -> Option<Vec<f64>> {
+            if jacobian == Jacobian::Own {
+                self.slope = 2.0 * self.x;
+            }
+            (self.slope != 0.0).then(|| vec![-residual[0] / self.slope])
         }
 
         fn size(&self, correction: &[f64]) -> f64 {
@@ -154,22 +197,23 @@ mod tests {
 
     #[test]
     fn a_root_is_found_quadratically() {
-        let mut root = Root { a: 2.0, x: 1.0 };
+        let mut root = Root::from(1.0, 2.0);
         let report = solve(&mut root, &Newton::default());
         assert_eq!(report.status, NewtonStatus::Converged);
         assert!((root.x - 2.0_f64.sqrt()).abs() < 1e-15);
-        // Corrections of x^2 = 2 from 1: .5, .083, 2.5e-3, 2.1e-6, 1.6e-12.
-        assert_eq!(report.history.len(), 5);
+        // Corrections of x^2 = 2 from 1: .5, .083, 2.5e-3, 2.1e-6, 1.6e-12 with the slope kept,
+        // and one that is none.
+        assert_eq!(report.history.len(), 6);
     }
 
     #[test]
     fn no_root_and_no_slope_are_told_apart() {
-        let mut none = Root { a: -1.0, x: 0.7 };
+        let mut none = Root::from(0.7, -1.0);
         assert_eq!(
             solve(&mut none, &Newton::default()).status,
             NewtonStatus::NotConverged
         );
-        let mut flat = Root { a: 1.0, x: 0.0 };
+        let mut flat = Root::from(0.0, 1.0);
         assert_eq!(
             solve(&mut flat, &Newton::default()).status,
             NewtonStatus::Singular

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::lu::KeptLu;
-use super::{Factorization, LinearSolver};
+use super::general::{GeneralLu, GeneralSolver};
+use super::lu::Lu;
 use crate::assembly::{Pattern, Sparse};
 
 /// Part of the usual least pivot below which a matrix may be nearly singular.
@@ -34,7 +34,7 @@ pub struct LinearCounts {
 ///
 /// Pivots are kept from matrix to matrix while the factors do not grow and solutions
 /// fulfill their equations. Where that fails new ones are chosen, and where these fail
-/// too, the factorization of [`LinearSolver`] takes over. Nothing is allocated while
+/// too, the factorization of [`super::general`] takes over. Nothing is allocated while
 /// pivots are kept.
 ///
 /// References: [Arioli1989], the error of a solution.
@@ -49,34 +49,58 @@ pub struct StepSolver {
     /// Largest of the least pivots of all choices since nothing was kept, each relative to
     /// its matrix.
     usual_least: f64,
+    /// Unknowns in the order of elimination.
+    ordered: Vec<f64>,
     counts: LinearCounts,
-    fallback: LinearSolver,
+    fallback: GeneralSolver,
 }
 
 #[derive(Debug)]
 enum Factors {
     None,
     /// On pivots of an earlier matrix.
-    Kept(Box<KeptLu>),
+    Kept(Box<Lu<f64>>),
     /// On pivots of this matrix.
-    Chosen(Box<KeptLu>),
-    Fallback(Box<Factorization>),
+    Chosen(Box<Lu<f64>>),
+    Fallback(Box<GeneralLu<f64>>),
+}
+
+impl Factors {
+    /// Replaces b by x; `None` without factors.
+    fn solve(&self, b: &mut [f64], ordered: &mut [f64]) -> Option<()> {
+        match self {
+            Self::None => return None,
+            Self::Kept(lu) | Self::Chosen(lu) => lu.solve(b, ordered),
+            Self::Fallback(lu) => lu.solve(b),
+        }
+        Some(())
+    }
+
+    /// Scale of each equation.
+    fn row_scales(&self) -> &[f64] {
+        match self {
+            Self::None => &[],
+            Self::Kept(lu) | Self::Chosen(lu) => lu.plan().row_scales(),
+            Self::Fallback(lu) => lu.row_scales(),
+        }
+    }
 }
 
 impl StepSolver {
-    /// Prepares for matrices on a pattern; `None` when it is structurally singular.
-    pub fn new(pattern: &Arc<Pattern>) -> Option<Self> {
+    /// Prepares for matrices on a pattern.
+    pub fn new(pattern: &Arc<Pattern>) -> Self {
         let zeros = vec![0.0; pattern.size()];
-        Some(Self {
+        Self {
             matrix: Sparse::zero(Arc::clone(pattern)),
             factors: Factors::None,
             right_side: zeros.clone(),
             residual: zeros.clone(),
+            ordered: zeros.clone(),
             sizes: zeros,
             usual_least: 0.0,
             counts: LinearCounts::default(),
-            fallback: LinearSolver::new(pattern)?,
-        })
+            fallback: GeneralSolver::new(pattern),
+        }
     }
 
     /// How often what was done so far.
@@ -108,7 +132,7 @@ impl StepSolver {
     fn factorize_own(&mut self) -> Option<()> {
         let last = std::mem::replace(&mut self.factors, Factors::None);
         if let Factors::Kept(mut lu) | Factors::Chosen(mut lu) = last
-            && lu.factorize(&self.matrix).is_some()
+            && lu.factorize(self.matrix.values()).is_some()
         {
             self.counts.refactorizations += 1;
             self.factors = Factors::Kept(lu);
@@ -167,17 +191,12 @@ impl StepSolver {
     /// Solves `A x = b` with the factors at hand as they are, `b` being replaced by x;
     /// `None` when there are none.
     pub fn respond(&mut self, b: &mut [f64]) -> Option<()> {
-        match &mut self.factors {
-            Factors::None => return None,
-            Factors::Fallback(factors) => factors.solve(b)?,
-            Factors::Kept(lu) | Factors::Chosen(lu) => lu.solve(b),
-        }
-        Some(())
+        self.factors.solve(b, &mut self.ordered)
     }
 
     fn choose_pivots(&mut self) -> Option<()> {
         self.counts.pivotings += 1;
-        match KeptLu::new(&self.matrix) {
+        match Lu::choose(self.matrix.pattern(), self.matrix.values()) {
             Some(lu) => {
                 self.usual_least = self.usual_least.max(lu.least());
                 self.factors = Factors::Chosen(Box::new(lu));
@@ -191,40 +210,40 @@ impl StepSolver {
     fn fall_back(&mut self) -> Option<()> {
         self.counts.fallbacks += 1;
         self.factors = Factors::None;
-        let factors = self.fallback.factorize(self.matrix.clone())?;
+        let factors = self.fallback.factorize(self.matrix.values())?;
         let mut b = vec![0.0; self.right_side.len()];
         self.matrix.multiply_add(&vec![1.0; b.len()], &mut b);
-        factors.solve(&mut b)?;
+        factors.solve(&mut b);
+        if b.iter().any(|value| !value.is_finite()) {
+            return None;
+        }
         self.factors = Factors::Fallback(Box::new(factors));
         Some(())
     }
 
     /// Solves with the factors at hand; whether x fulfills the equations.
     fn attempt(&mut self, b: &mut [f64]) -> Option<bool> {
-        let lu = match &mut self.factors {
-            Factors::None => return None,
-            Factors::Fallback(factors) => return factors.solve(b).map(|()| true),
-            Factors::Kept(lu) | Factors::Chosen(lu) => lu,
-        };
-        lu.solve(b);
+        self.factors.solve(b, &mut self.ordered)?;
         let finite = |x: &[f64]| x.iter().all(|value| value.is_finite());
-        if lu.is_trusted() {
-            return Some(finite(b));
-        }
+        let is_general = match &self.factors {
+            Factors::Kept(lu) | Factors::Chosen(lu) if lu.is_trusted() => {
+                return Some(finite(b));
+            }
+            factors => matches!(factors, Factors::Fallback(_)),
+        };
         let mut error = self.error(b);
-        if error > REFINED_ABOVE {
+        if error > REFINED_ABOVE || is_general {
             self.refine(b);
             error = self.error(b);
         }
-        Some(finite(b) && error < WRONG_ABOVE)
+        Some(finite(b) && (error < WRONG_ABOVE || is_general))
     }
 
     /// Corrects x by the solution for its residual.
     fn refine(&mut self, x: &mut [f64]) {
         self.counts.refinements += 1;
-        if let Factors::Kept(lu) | Factors::Chosen(lu) = &mut self.factors {
-            lu.solve(&mut self.residual);
-        }
+        // There are factors: they gave x.
+        let _ = self.factors.solve(&mut self.residual, &mut self.ordered);
         let corrections = x.iter_mut().zip(&self.residual);
         corrections.for_each(|(x, correction)| *x += correction);
     }
@@ -240,13 +259,11 @@ impl StepSolver {
             self.residual[row] -= term;
             self.sizes[row] += term.abs();
         }
-        let (Factors::Kept(lu) | Factors::Chosen(lu)) = &self.factors else {
-            return 0.0;
-        };
-        let scaled = self.sizes.iter().zip(lu.row_scales());
+        let scales = self.factors.row_scales();
+        let scaled = self.sizes.iter().zip(scales);
         let largest = scaled.fold(0.0_f64, |a, (size, scale)| a.max(scale * size));
         let floor = (SMALL * largest).max(f64::MIN_POSITIVE);
-        let rows = self.residual.iter().zip(&self.sizes).zip(lu.row_scales());
+        let rows = self.residual.iter().zip(&self.sizes).zip(scales);
         rows.fold(0.0, |worst: f64, ((r, size), scale)| {
             worst.max(scale * r.abs() / (scale * size).max(floor))
         })

@@ -30,8 +30,7 @@ pub(super) fn dummy_rates(
     let step = PART * first;
     let mut dae = Multibody::new(model, [state.clone(), state.clone()], false);
     let (scheme, stepping) = (Scheme::Bdf2, Stepping::Constant { step });
-    let mut integrator = Integrator::new(&dae, scheme, stepping, question.newton, question.from)
-        .ok_or(TransientFailure::Memory)?;
+    let mut integrator = Integrator::new(&dae, scheme, stepping, question.newton, question.from);
     let end = question.from + STEPS as f64 * step;
     // More steps than that where one had to be cut.
     while integrator.time() < end {

@@ -28,9 +28,6 @@ const UNDETERMINED: &str = "look for unknowns that no equation determines, as an
 /// Why a run in time ended before its last instant.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum TransientFailure {
-    /// The equations cannot be ordered for their solution.
-    #[error("there is not enough memory for the equations of the model")]
-    Memory,
     /// A node can move, although nothing says how.
     #[error(transparent)]
     Massless(#[from] MasslessNode),
@@ -203,7 +200,6 @@ impl TransientFailure {
             Self::Redundant(found) => {
                 return found.first().and_then(Explain::help).unwrap_or_default();
             }
-            Self::Memory => "take fewer elements",
             Self::Equilibrium(_) => {
                 "hold what is free, or take away the load that nothing can carry"
             }

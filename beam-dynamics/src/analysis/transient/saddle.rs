@@ -62,7 +62,7 @@ impl Saddle {
         let exact = matrix(size, self.entries.iter().copied());
         let entries = self.entries.iter().copied().chain(soft);
         let softened = matrix(size, entries);
-        let solver = LinearSolver::new(softened.pattern())?;
+        let solver = LinearSolver::new(softened.pattern());
         let factors = solver.factorize(softened)?;
         let mut x = vec![0.0; size];
         for _ in 0..=REFINEMENTS {

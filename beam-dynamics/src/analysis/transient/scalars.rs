@@ -84,7 +84,7 @@ fn find(
     });
     let is_rate: Vec<bool> = is_rate.collect();
     let pattern = pattern_of_scalars(system);
-    let solver = LinearSolver::new(&pattern)?;
+    let solver = LinearSolver::new(&pattern);
     let scales = system.scalar_scales(|_| true);
     let of_rates = scales.finer(0.0);
     let mut before = f64::INFINITY;

@@ -201,7 +201,7 @@ fn given(
         ..model.clone()
     });
     let model = held.as_ref().unwrap_or(model);
-    let solver = LinearSolver::new(model.system.pattern()).ok_or(TransientFailure::Memory)?;
+    let solver = LinearSolver::new(model.system.pattern());
     let from = (&Conditions::at_rest(), &rest);
     let mut state = equilibrium(model, &solver, from, &turning)?.state;
     let growth = growth(model, &solver, (&state, &turning));

@@ -1,7 +1,7 @@
 //! Energy and power of single elements, without allocation.
 
 use super::System;
-use super::layout::Workspace;
+use super::layout::{Buffers, Workspace};
 use crate::elements::{Energy, Queries};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
 
@@ -18,7 +18,7 @@ impl System {
         (state, conditions): (&State, &Conditions),
         work: &mut Workspace,
     ) -> Energy {
-        let at = self.placed(element, state, conditions, &mut work.gathered);
+        let at = self.placed(element, state, conditions, &mut work.buffers.gathered);
         self.elements[element].energy(&at)
     }
 
@@ -33,8 +33,8 @@ impl System {
         (state, conditions): (&State, &Conditions),
         work: &mut Workspace,
     ) -> f64 {
-        let Workspace { gathered, buffers } = work;
-        let local = &mut buffers[self.layouts[element].kind].residual;
+        let Buffers { gathered, of_kinds } = &mut work.buffers;
+        let local = &mut of_kinds[self.layouts[element].kind].residual;
         local.clear();
         let at = self.placed(element, state, conditions, gathered);
         self.elements[element].residual(&at, local);

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::System;
+use super::layout::Within;
 use crate::assembly::Sparse;
 use crate::elements::{Along, Local, LocalJacobian, LocalResidual, LocalSize, Queries};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
@@ -17,7 +18,7 @@ impl System {
             let mut local = LocalResidual::new(LocalSize::of(element.as_ref()));
             let call = |at: &Local<'_>| element.by_factor(at, &mut local);
             self.seen(index, state, conditions, call);
-            self.layouts[index].add_vector(local.values(), &mut sum);
+            self.layouts[index].add_vector(local.values(), Within::ALL, &mut sum);
         }
         sum
     }
@@ -49,11 +50,9 @@ impl System {
             let mut local = LocalJacobian::new(size);
             let call = |at: &Local<'_>| element.prestress(at, &along, &mut local);
             self.seen(index, state, conditions, call);
-            layout.add_matrix(
-                &self.kinds[layout.kind],
-                local.by_unknowns(),
-                sum.values_mut(),
-            );
+            let kind = &self.kinds[layout.kind];
+            let to = (Within::ALL, sum.values_mut());
+            layout.add_weighted(kind, &local, [1.0, 0.0, 1.0], to);
         }
         sum
     }

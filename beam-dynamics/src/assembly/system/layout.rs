@@ -1,6 +1,8 @@
 //! Rows and entries of an element in the system, found once, and the buffers in which elements
 //! are evaluated.
 
+use std::ops::Range;
+
 use nalgebra::DMatrix;
 
 use super::kind::Kind;
@@ -62,8 +64,17 @@ impl Layout {
         }
     }
 
-    /// Adds a local vector to that of the system.
-    pub fn add_vector(&self, local: &[f64], sum: &mut [f64]) {
+    /// Adds a local vector to that of the system, as far as `sum` has its rows.
+    pub fn add_vector(&self, local: &[f64], within: Within, sum: &mut [f64]) {
+        if !within.is_whole {
+            for (&row, value) in self.rows.iter().zip(local) {
+                let at = row.wrapping_sub(within.first);
+                if let Some(sum) = sum.get_mut(at) {
+                    *sum += value;
+                }
+            }
+            return;
+        }
         let (of_nodes, own) = local.split_at(NODE_UNKNOWNS * self.nodes);
         let (values, _) = of_nodes.as_chunks::<NODE_UNKNOWNS>();
         for (i, values) in values.iter().enumerate() {
@@ -71,58 +82,76 @@ impl Layout {
                 Some(first) => NODE_UNKNOWNS * (first + i),
                 None => self.rows[NODE_UNKNOWNS * i],
             };
-            add_some::<NODE_UNKNOWNS>(&mut sum[place..], values, |sum, value| sum + value);
+            let sums = &mut sum[place - within.first..];
+            add_some::<NODE_UNKNOWNS>(sums, values, |sum, value| sum + value);
         }
         if own.is_empty() {
             return;
         }
         let rows = &self.rows[of_nodes.len()..];
         for (&row, value) in rows.iter().zip(own) {
-            sum[row] += value;
+            sum[row - within.first] += value;
         }
     }
 
-    /// Adds a local matrix of the element to the entries of one of the system.
-    pub fn add_matrix(&self, kind: &Kind, local: &DMatrix<f64>, sum: &mut [f64]) {
-        add_runs((&kind.runs, &self.places), 1.0, local, sum);
-    }
-
     /// Adds `by_unknowns F_y + by_rates F_y'` in the columns of nodes and of scalars
-    /// with a rate, and `by_algebraic F_y` in those of all others.
+    /// with a rate, and `by_algebraic F_y` in those of all others, as far as `sum` has the
+    /// entries.
     pub fn add_weighted(
         &self,
         kind: &Kind,
         local: &LocalJacobian,
         [by_unknowns, by_rates, by_algebraic]: [f64; 3],
-        sum: &mut [f64],
+        (within, sum): (Within, &mut [f64]),
     ) {
         let (differential, algebraic) = kind.runs.split_at(kind.differential);
         let places = self.places.split_at(kind.differential);
         let differential = (differential, places.0);
-        add_runs(differential, by_unknowns, local.by_unknowns(), sum);
+        let mut add = |runs, weight: f64, local: &DMatrix<f64>| match within.is_whole {
+            _ if weight == 0.0 => {}
+            true => add_runs::<true>(runs, weight, local, (within.first, sum)),
+            false => add_runs::<false>(runs, weight, local, (within.first, sum)),
+        };
+        add(differential, by_unknowns, local.by_unknowns());
         if kind.rates {
-            add_runs(differential, by_rates, local.by_rates(), sum);
+            add(differential, by_rates, local.by_rates());
         }
-        add_runs(
-            (algebraic, places.1),
-            by_algebraic,
-            local.by_unknowns(),
-            sum,
-        );
+        add((algebraic, places.1), by_algebraic, local.by_unknowns());
     }
 }
 
+/// Place in a vector of the first number that is given of it, and whether all that an element
+/// adds is among those that are given.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Within {
+    pub first: usize,
+    pub is_whole: bool,
+}
+
+impl Within {
+    /// All is given.
+    pub const ALL: Self = Self {
+        first: 0,
+        is_whole: true,
+    };
+}
+
 /// Most runs are one or two equations of a node long: for these the length is known when
-/// this is compiled.
-fn add_runs(
+/// this is compiled. Of the sum the numbers from `first` on are given; all, or some of those
+/// that are added to. A run is of one column, of which all or none are given.
+fn add_runs<const WHOLE: bool>(
     (runs, places): (&[LocalRun], &[u32]),
     weight: f64,
     local: &DMatrix<f64>,
-    sum: &mut [f64],
+    (first, sum): (usize, &mut [f64]),
 ) {
     let local = local.as_slice();
     for (run, &to) in runs.iter().zip(places) {
-        let (from, to, count) = (run.first as usize, to as usize, run.count as usize);
+        let (from, count) = (run.first as usize, run.count as usize);
+        let to = (to as usize).wrapping_sub(first);
+        if !WHOLE && to >= sum.len() {
+            continue;
+        }
         let (values, sums) = (&local[from..from + count], &mut sum[to..to + count]);
         let weighted = |sum: f64, value: f64| sum + weight * value;
         match count {
@@ -146,11 +175,31 @@ fn add_some<const N: usize>(sums: &mut [f64], values: &[f64], add: impl Fn(f64, 
     }
 }
 
-/// Buffers for the evaluation of elements, one a kind: each use writes them anew.
+/// Buffers for the evaluation of elements: each use writes them anew.
 #[derive(Debug, Clone)]
 pub struct Workspace {
-    pub(super) gathered: Gathered,
-    pub(super) buffers: Vec<Buffer>,
+    /// Those of the parts that are summed side by side.
+    pub(super) parts: Vec<Part>,
+    /// Those for single elements.
+    pub(super) buffers: Buffers,
+}
+
+/// Buffers for the elements that add to a range of unknowns.
+#[derive(Debug, Clone)]
+pub(super) struct Part {
+    pub unknowns: Range<usize>,
+    /// Numbers of these elements, and whether all that they add to is in the range; `None`
+    /// where they are all elements.
+    pub elements: Option<Vec<(u32, bool)>>,
+    pub buffers: Buffers,
+}
+
+/// Buffers for one element at a time.
+#[derive(Debug, Clone)]
+pub(super) struct Buffers {
+    pub gathered: Gathered,
+    /// One for each kind.
+    pub of_kinds: Vec<Buffer>,
 }
 
 /// Copies of the motions and scalars of an element that do not follow each other in a state.
@@ -168,9 +217,9 @@ pub(super) struct Buffer {
     pub jacobian: LocalJacobian,
 }
 
-impl Workspace {
-    /// Buffers for elements of the given kinds.
-    pub(super) fn new(kinds: &[Kind]) -> Self {
+impl Buffers {
+    /// For elements of the given kinds.
+    pub fn new(kinds: &[Kind]) -> Self {
         let most = |count: fn(&LocalSize) -> usize| {
             let counts = kinds.iter().map(|kind| count(&kind.size));
             counts.max().unwrap_or(0)
@@ -186,7 +235,7 @@ impl Workspace {
                 scalars: Vec::with_capacity(scalars),
                 rates: Vec::with_capacity(scalars),
             },
-            buffers: kinds.iter().map(buffer).collect(),
+            of_kinds: kinds.iter().map(buffer).collect(),
         }
     }
 }

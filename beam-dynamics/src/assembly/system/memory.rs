@@ -29,7 +29,7 @@ impl System {
         conditions.loading.time = time;
         let mut memory = std::mem::take(&mut state.memory);
         for (index, range) in self.numbering.remembering() {
-            let at = self.placed(*index, state, &conditions, &mut work.gathered);
+            let at = self.placed(*index, state, &conditions, &mut work.buffers.gathered);
             if let Some(element) = self.elements[*index].memory() {
                 element.accept(&at, &mut memory[range.clone()]);
             }

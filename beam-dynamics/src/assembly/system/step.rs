@@ -1,16 +1,18 @@
 //! Residual and Jacobian of a system as time integration asks for them, without
 //! allocation.
 
-use super::layout::{Gathered, Workspace};
+use super::layout::{Buffers, Gathered, Part, Within, Workspace};
+use super::parts::{Sums, Task};
 use super::{Residual, System};
 use crate::assembly::{Combination, Variation};
 use crate::elements::{Local, LocalJacobian, Queries};
 use crate::model::{Conditions, Scalars, State};
 
 impl System {
-    /// Buffers for [`Self::residual_into`] and [`Self::combine`].
+    /// Buffers for [`Self::residual_into`] and [`Self::combine`], which large systems sum on
+    /// all threads of rayon.
     pub fn workspace(&self) -> Workspace {
-        Workspace::new(&self.kinds)
+        Workspace::of(self, rayon::current_num_threads())
     }
 
     /// The residual at a state, written to `out`, which takes the size of the system.
@@ -22,15 +24,11 @@ impl System {
         work: &mut Workspace,
     ) {
         self.clear(out);
-        for (index, (element, layout)) in self.elements.iter().zip(&self.layouts).enumerate() {
-            let Workspace { gathered, buffers } = &mut *work;
-            let local = &mut buffers[layout.kind].residual;
-            local.clear();
-            let at = self.placed(index, state, conditions, gathered);
-            element.residual(&at, local);
-            layout.add_vector(local.values(), &mut out.values);
-            layout.add_vector(local.sizes(), &mut out.sizes);
-        }
+        let task = Task {
+            at: (state, conditions),
+            derivatives: None,
+        };
+        self.sum(&task, &mut [], Some(out), work);
     }
 
     fn clear(&self, out: &mut Residual) {
@@ -55,35 +53,82 @@ impl System {
         (out, residual): (&mut [Combination<'_>], Option<&mut Residual>),
         work: &mut Workspace,
     ) {
+        let task = Task {
+            at: (state, conditions),
+            derivatives: Some(variations),
+        };
+        self.sum_all(&task, out, residual, work);
+    }
+
+    /// Clears the sums, and adds all elements.
+    pub(super) fn sum_all(
+        &self,
+        task: &Task<'_>,
+        out: &mut [Combination<'_>],
+        mut residual: Option<&mut Residual>,
+        work: &mut Workspace,
+    ) {
         for sum in out.iter_mut() {
             sum.matrix.values_mut().fill(0.0);
         }
-        let mut residual = residual;
         if let Some(residual) = residual.as_deref_mut() {
             self.clear(residual);
         }
-        for (index, layout) in self.layouts.iter().enumerate() {
-            let Workspace { gathered, buffers } = &mut *work;
-            let (kind, buffer) = (&self.kinds[layout.kind], &mut buffers[layout.kind]);
+        self.sum(task, out, residual, work);
+    }
+
+    /// Adds the elements of a part to its sums.
+    pub(super) fn sum_part<S: Sums + ?Sized>(
+        &self,
+        task: &Task<'_>,
+        part: &mut Part,
+        sums: &mut S,
+        mut residual: Option<[&mut [f64]; 2]>,
+    ) {
+        let Part {
+            unknowns,
+            elements,
+            buffers,
+        } = part;
+        let all = (0..self.elements.len()).map(|index| (index, true));
+        let some = elements.as_deref().unwrap_or_default().iter();
+        let some = some.map(|&(index, is_whole)| (index as usize, is_whole));
+        let count = if elements.is_none() { usize::MAX } else { 0 };
+        for (index, is_whole) in all.take(count).chain(some) {
+            let Buffers { gathered, of_kinds } = &mut *buffers;
+            let layout = &self.layouts[index];
+            let (kind, buffer) = (&self.kinds[layout.kind], &mut of_kinds[layout.kind]);
             let (local, forces) = (&mut buffer.jacobian, &mut buffer.residual);
-            kind.clear(local);
-            let at = self.placed(index, state, conditions, gathered);
-            match residual.as_deref_mut() {
-                None => self.elements[index].jacobian(&at, local),
-                Some(sums) => {
-                    forces.clear();
-                    self.elements[index].evaluate(&at, forces, Some(local));
-                    layout.add_vector(forces.values(), &mut sums.values);
-                    layout.add_vector(forces.sizes(), &mut sums.sizes);
+            let at = self.placed(index, task.at.0, task.at.1, gathered);
+            let element = &self.elements[index];
+            if let Some([values, sizes]) = &mut residual {
+                forces.clear();
+                match task.derivatives {
+                    None => element.residual(&at, forces),
+                    Some(_) => {
+                        kind.clear(local);
+                        element.evaluate(&at, forces, Some(local));
+                    }
+                }
+                let within = Within {
+                    first: unknowns.start,
+                    is_whole,
+                };
+                layout.add_vector(forces.values(), within, values);
+                layout.add_vector(forces.sizes(), within, sizes);
+            } else {
+                kind.clear(local);
+                element.jacobian(&at, local);
+            }
+            let Some(variations) = task.derivatives else {
+                continue;
+            };
+            if !variations.is_empty() {
+                for (i, &node) in element.nodes().iter().enumerate() {
+                    kind.turn(i, &variations[node], local);
                 }
             }
-            for (i, &node) in self.elements[index].nodes().iter().enumerate() {
-                kind.turn(i, &variations[node], local);
-            }
-            for sum in out.iter_mut() {
-                let weights = [sum.by_unknowns, sum.by_rates, sum.by_algebraic];
-                layout.add_weighted(kind, local, weights, sum.matrix.values_mut());
-            }
+            sums.add(layout, (kind, local), is_whole);
         }
     }
 
@@ -95,9 +140,9 @@ impl System {
         conditions: &Conditions,
         work: &'a mut Workspace,
     ) -> &'a mut LocalJacobian {
-        let Workspace { gathered, buffers } = work;
+        let Buffers { gathered, of_kinds } = &mut work.buffers;
         let kind = self.layouts[index].kind;
-        let local = &mut buffers[kind].jacobian;
+        let local = &mut of_kinds[kind].jacobian;
         self.kinds[kind].clear(local);
         let at = self.placed(index, state, conditions, gathered);
         self.elements[index].jacobian(&at, local);

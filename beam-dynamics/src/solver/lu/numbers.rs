@@ -13,25 +13,26 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
+use super::number::{Fused, Number, Plain, Product};
 use super::structure::{LANES, Panel, Strip, Structure};
 
 /// Rows that are computed at once.
 const ROWS: usize = 4;
 
-/// The numbers of one row in a strip.
-pub(super) type Lanes = [f64; LANES];
+/// A size for each column of a strip.
+type Sizes = [f64; LANES];
 
 /// Numbers of the factors, and what tells how large they grow.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Numbers {
+#[derive(Debug, Clone)]
+pub(super) struct Numbers<T: Number> {
     /// Values of the panels, row by row.
-    pub lower: Vec<f64>,
+    pub lower: Vec<T>,
     /// Values of the segments.
-    pub upper: Vec<Lanes>,
+    pub upper: Vec<T::Lanes>,
     /// `1/u_dd` [-].
-    pub inverse_pivots: Vec<f64>,
+    pub inverse_pivots: Vec<T>,
     /// x, zero between strips.
-    columns: Vec<Lanes>,
+    columns: Vec<T::Lanes>,
     growth: Growth,
 }
 
@@ -64,26 +65,26 @@ impl Growth {
 /// A matrix that is to be factorized: values in the order of its pattern, scales in the
 /// order of elimination.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Scaled<'a> {
-    pub values: &'a [f64],
+pub(super) struct Scaled<'a, T> {
+    pub values: &'a [T],
     pub row_scales: &'a [f64],
     pub column_scales: &'a [f64],
 }
 
-impl Numbers {
+impl<T: Number> Numbers<T> {
     pub fn new(structure: &Structure) -> Self {
         let n = structure.panels.last().map_or(0, |panel| panel.columns.1);
         Self {
-            lower: vec![0.0; structure.panel_values],
-            upper: vec![[0.0; LANES]; structure.segment_values],
-            inverse_pivots: vec![0.0; n],
-            columns: vec![[0.0; LANES]; n],
+            lower: vec![T::ZERO; structure.panel_values],
+            upper: vec![T::NONE; structure.segment_values],
+            inverse_pivots: vec![T::ZERO; n],
+            columns: vec![T::NONE; n],
             growth: Growth::default(),
         }
     }
 
     /// Computes the factors; `None` when a pivot is zero, or a number not finite.
-    pub fn factorize(&mut self, structure: &Structure, matrix: Scaled<'_>) -> Option<Growth> {
+    pub fn factorize(&mut self, structure: &Structure, matrix: Scaled<'_, T>) -> Option<Growth> {
         self.growth = Growth {
             least_pivot: f64::INFINITY,
             ..Growth::default()
@@ -94,20 +95,20 @@ impl Numbers {
             matrix,
         });
         if !regular {
-            self.columns.fill([0.0; LANES]);
+            self.columns.fill(T::NONE);
         }
         regular.then_some(self.growth)
     }
 }
 
 /// All strips in turn, compiled for each width of registers.
-struct Elimination<'a> {
-    numbers: &'a mut Numbers,
+struct Elimination<'a, T: Number> {
+    numbers: &'a mut Numbers<T>,
     structure: &'a Structure,
-    matrix: Scaled<'a>,
+    matrix: Scaled<'a, T>,
 }
 
-impl WithSimd for Elimination<'_> {
+impl<T: Number> WithSimd for Elimination<'_, T> {
     type Output = bool;
 
     #[inline(always)]
@@ -120,53 +121,19 @@ impl WithSimd for Elimination<'_> {
     }
 }
 
-/// A product that is taken from a sum.
-trait Product {
-    /// `c - a b`.
-    fn take(c: f64, a: f64, b: f64) -> f64;
-}
-
-/// With one rounding.
-struct Fused;
-
-/// With two roundings.
-struct Plain;
-
-impl Product for Fused {
-    #[inline(always)]
-    fn take(c: f64, a: f64, b: f64) -> f64 {
-        (-a).mul_add(b, c)
-    }
-}
-
-impl Product for Plain {
-    #[inline(always)]
-    fn take(c: f64, a: f64, b: f64) -> f64 {
-        c - a * b
-    }
-}
-
-/// `sum - factor row`.
-#[inline(always)]
-fn take<P: Product>(sum: &mut Lanes, factor: f64, row: &Lanes) {
-    for lane in 0..LANES {
-        sum[lane] = P::take(sum[lane], factor, row[lane]);
-    }
-}
-
 /// `x_r <- x_r - sum_j l_rj u_j` for some rows at once, which share the loads of u.
 #[inline(always)]
-fn below_segment<P: Product, const N: usize>(
-    columns: &mut [Lanes],
+fn below_segment<T: Number, P: Product, const N: usize>(
+    columns: &mut [T::Lanes],
     rows: [usize; N],
-    lower: [&[f64]; N],
-    upper: &[Lanes],
+    lower: [&[T]; N],
+    upper: &[T::Lanes],
 ) {
     let lower = lower.map(|row| &row[..upper.len()]);
     let mut sums = rows.map(|row| columns[row]);
     for (j, u) in upper.iter().enumerate() {
         for (sum, row) in sums.iter_mut().zip(&lower) {
-            take::<P>(sum, row[j], u);
+            T::take::<P>(sum, row[j], u);
         }
     }
     for (row, sum) in rows.into_iter().zip(sums) {
@@ -175,9 +142,9 @@ fn below_segment<P: Product, const N: usize>(
 }
 
 #[inline(always)]
-fn enlarge(largest: &mut Lanes, row: &Lanes) {
+fn enlarge(largest: &mut Sizes, sizes: &Sizes) {
     for lane in 0..LANES {
-        largest[lane] = greater(largest[lane], row[lane].abs());
+        largest[lane] = greater(largest[lane], sizes[lane]);
     }
 }
 
@@ -187,11 +154,11 @@ fn greater(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
-fn largest(of: &Lanes) -> f64 {
+fn largest(of: &Sizes) -> f64 {
     of.iter().fold(0.0, |a, b| a.max(*b))
 }
 
-impl Elimination<'_> {
+impl<T: Number> Elimination<'_, T> {
     #[inline(always)]
     fn run<P: Product>(self) -> bool {
         let mut sizes = [[0.0; LANES]; 2];
@@ -214,15 +181,15 @@ impl Elimination<'_> {
     }
 }
 
-impl Numbers {
+impl<T: Number> Numbers<T> {
     /// The columns of the matrix; `sums` are zero as long as all its numbers are finite.
     #[inline(always)]
     fn load(
         &mut self,
         structure: &Structure,
         strip: &Strip,
-        matrix: Scaled<'_>,
-        [sizes, sums]: &mut [Lanes; 2],
+        matrix: Scaled<'_, T>,
+        [sizes, sums]: &mut [Sizes; 2],
     ) {
         let (first, end) = strip.columns;
         let scales = &matrix.column_scales[first..end];
@@ -235,27 +202,27 @@ impl Numbers {
             let (rows, last_rows) = rows.as_chunks::<LANES>();
             for (values, rows) in values.iter().zip(rows) {
                 let rows = rows.map(|row| row as usize);
-                let scaled: Lanes =
-                    std::array::from_fn(|i| values[i] * scale * matrix.row_scales[rows[i]]);
-                enlarge(sizes, &scaled);
+                let scaled: [T; LANES] =
+                    std::array::from_fn(|i| values[i] * *scale * matrix.row_scales[rows[i]]);
+                enlarge(sizes, &scaled.map(T::size));
                 for i in 0..LANES {
-                    sums[i] += 0.0 * values[i];
-                    self.columns[rows[i]][lane] = scaled[i];
+                    sums[i] += 0.0 * values[i].size();
+                    T::set_lane(&mut self.columns[rows[i]], lane, scaled[i]);
                 }
             }
             for (value, row) in last_values.iter().zip(last_rows) {
                 let row = *row as usize;
-                let scaled = value * scale * matrix.row_scales[row];
-                sizes[0] = greater(sizes[0], scaled.abs());
-                sums[0] += 0.0 * value;
-                self.columns[row][lane] = scaled;
+                let scaled = *value * *scale * matrix.row_scales[row];
+                sizes[0] = greater(sizes[0], scaled.size());
+                sums[0] += 0.0 * value.size();
+                T::set_lane(&mut self.columns[row], lane, scaled);
             }
         }
     }
 
     /// Rows of U above the strip, and what they take from the rows below.
     #[inline(always)]
-    fn above<P: Product>(&mut self, structure: &Structure, strip: &Strip, size: &mut Lanes) {
+    fn above<P: Product>(&mut self, structure: &Structure, strip: &Strip, size: &mut Sizes) {
         for segment in &strip.segments {
             let panel = &structure.panels[segment.panel];
             let (first, end) = panel.columns;
@@ -265,12 +232,12 @@ impl Numbers {
             let upper = &mut self.upper[segment.values..segment.values + to - from];
             let own = &mut self.columns[segment.rows.0..segment.rows.1];
             for (p, x) in own.iter_mut().enumerate() {
-                let mut sum = std::mem::replace(x, [0.0; LANES]);
+                let mut sum = std::mem::replace(x, T::NONE);
                 let at = (from + p) * width + from;
                 for (l, u) in lower[at..at + p].iter().zip(upper.iter()) {
-                    take::<P>(&mut sum, *l, u);
+                    T::take::<P>(&mut sum, *l, u);
                 }
-                enlarge(size, &sum);
+                enlarge(size, &T::sizes(&sum));
                 upper[p] = sum;
             }
             let below = &lower[to * width..];
@@ -282,11 +249,11 @@ impl Numbers {
                 let rows = std::array::from_fn(|i| rows[i] as usize);
                 let first: [_; ROWS] =
                     std::array::from_fn(|i| &values[i * width + from..i * width + to]);
-                below_segment::<P, ROWS>(&mut self.columns, rows, first, upper);
+                below_segment::<T, P, ROWS>(&mut self.columns, rows, first, upper);
             }
             for (row, values) in rest.iter().zip(of_rest.chunks_exact(width)) {
                 let row = [*row as usize];
-                below_segment::<P, 1>(&mut self.columns, row, [&values[from..to]], upper);
+                below_segment::<T, P, 1>(&mut self.columns, row, [&values[from..to]], upper);
             }
         }
     }
@@ -298,14 +265,14 @@ impl Numbers {
         &mut self,
         panel: &Panel,
         strip: &Strip,
-        [upper_size, lower_size]: &mut [Lanes; 2],
+        [upper_size, lower_size]: &mut [Sizes; 2],
     ) -> bool {
         let (first, end) = panel.columns;
         let width = end - first;
         let (from, count) = (strip.columns.0 - first, strip.columns.1 - strip.columns.0);
         let lower = &mut self.lower[panel.values..panel.values + panel.rows.len() * width];
         // Rows of U right of the diagonal, and inverse pivots; zero where there are none.
-        let (mut upper, mut inverse) = ([[0.0; LANES]; LANES], [0.0; LANES]);
+        let (mut upper, mut inverse) = ([T::NONE; LANES], [T::ZERO; LANES]);
         let (of_diagonal, below) = lower[from * width..].split_at_mut(count * width);
         let (rows, rows_below) = panel.rows[from..].split_at(count);
         for (d, (row, values)) in rows
@@ -313,49 +280,60 @@ impl Numbers {
             .zip(of_diagonal.chunks_exact_mut(width))
             .enumerate()
         {
-            let mut x = std::mem::replace(&mut self.columns[*row as usize], [0.0; LANES]);
+            let mut x = std::mem::replace(&mut self.columns[*row as usize], T::NONE);
             for j in 0..d {
-                divide::<P>(&mut x, j, &inverse, &upper, lower_size);
+                divide::<T, P>(&mut x, j, &inverse, &upper, lower_size);
             }
-            values[from..from + count].copy_from_slice(&x[..count]);
-            if x[d] == 0.0 || !x[d].is_finite() {
+            store::<T>(&mut values[from..from + count], &x);
+            let pivot = T::lane(&x, d);
+            let size = pivot.size();
+            if size == 0.0 || !size.is_finite() {
                 return false;
             }
-            self.growth.least_pivot = self.growth.least_pivot.min(x[d].abs());
-            inverse[d] = 1.0 / x[d];
+            self.growth.least_pivot = self.growth.least_pivot.min(size);
+            inverse[d] = T::ONE / pivot;
             self.inverse_pivots[strip.columns.0 + d] = inverse[d];
-            for lane in d..count {
-                upper_size[d] = greater(upper_size[d], x[lane].abs());
-                upper[d][lane] = x[lane];
+            upper_size[d] = greater(upper_size[d], size);
+            for lane in d + 1..count {
+                let value = T::lane(&x, lane);
+                upper_size[d] = greater(upper_size[d], value.size());
+                T::set_lane(&mut upper[d], lane, value);
             }
-            upper[d][d] = 0.0;
         }
         for (row, values) in rows_below.iter().zip(below.chunks_exact_mut(width)) {
-            let mut x = std::mem::replace(&mut self.columns[*row as usize], [0.0; LANES]);
+            let mut x = std::mem::replace(&mut self.columns[*row as usize], T::NONE);
             // Where the strip has fewer columns, all that belongs to the others is zero.
             for j in 0..LANES {
-                divide::<P>(&mut x, j, &inverse, &upper, lower_size);
+                divide::<T, P>(&mut x, j, &inverse, &upper, lower_size);
             }
             match count == LANES {
-                true => values[from..from + LANES].copy_from_slice(&x),
-                false => values[from..from + count].copy_from_slice(&x[..count]),
+                true => store::<T>(&mut values[from..from + LANES], &x),
+                false => store::<T>(&mut values[from..from + count], &x),
             }
         }
         true
     }
 }
 
+/// Stores the numbers of a row in the columns of a strip.
+#[inline(always)]
+fn store<T: Number>(values: &mut [T], x: &T::Lanes) {
+    for (lane, value) in values.iter_mut().enumerate() {
+        *value = T::lane(x, lane);
+    }
+}
+
 /// `l_j = x_j / u_jj`, and what it takes from the columns after j.
 #[inline(always)]
-fn divide<P: Product>(
-    x: &mut Lanes,
+fn divide<T: Number, P: Product>(
+    x: &mut T::Lanes,
     j: usize,
-    inverse: &Lanes,
-    upper: &[Lanes; LANES],
-    size: &mut Lanes,
+    inverse: &[T; LANES],
+    upper: &[T::Lanes; LANES],
+    size: &mut Sizes,
 ) {
-    x[j] *= inverse[j];
-    size[j] = greater(size[j], x[j].abs());
-    let factor = x[j];
-    take::<P>(x, factor, &upper[j]);
+    let factor = T::lane(x, j) * inverse[j];
+    T::set_lane(x, j, factor);
+    size[j] = greater(size[j], factor.size());
+    T::take::<P>(x, factor, &upper[j]);
 }

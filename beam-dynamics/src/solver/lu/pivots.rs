@@ -11,6 +11,7 @@
 //! References: [Markowitz1957].
 
 use super::lines::Lines;
+use super::number::Number;
 use crate::assembly::Pattern;
 
 /// u: a pivot is at least this part of the largest entry of its column [-].
@@ -29,7 +30,7 @@ pub(super) struct Pivots {
 }
 
 /// Chooses pivots for a scaled matrix; `None` when it is singular.
-pub(super) fn choose(pattern: &Pattern, scaled: &[f64]) -> Option<Pivots> {
+pub(super) fn choose<T: Number>(pattern: &Pattern, scaled: &[T]) -> Option<Pivots> {
     let mut active = Active::new(pattern, scaled);
     let mut pivots = Pivots::default();
     for _ in 0..pattern.size() {
@@ -42,9 +43,9 @@ pub(super) fn choose(pattern: &Pattern, scaled: &[f64]) -> Option<Pivots> {
 }
 
 /// What is left of a matrix during elimination.
-struct Active {
+struct Active<T> {
     /// Entries of each column: row and value.
-    columns: Vec<Vec<(usize, f64)>>,
+    columns: Vec<Vec<(usize, T)>>,
     /// Columns of the entries of each row.
     rows: Vec<Vec<usize>>,
     by_columns: Lines,
@@ -70,8 +71,8 @@ impl Candidate {
     }
 }
 
-impl Active {
-    fn new(pattern: &Pattern, scaled: &[f64]) -> Self {
+impl<T: Number> Active<T> {
+    fn new(pattern: &Pattern, scaled: &[T]) -> Self {
         let n = pattern.size();
         let mut rows = vec![Vec::new(); n];
         let mut columns = Vec::with_capacity(n);
@@ -112,7 +113,7 @@ impl Active {
 
     fn largest(&self, column: usize) -> f64 {
         let entries = self.columns[column].iter();
-        entries.fold(0.0, |largest, entry| entry.1.abs().max(largest))
+        entries.fold(0.0, |largest, entry| entry.1.size().max(largest))
     }
 
     fn best_of_column(&self, column: usize) -> Option<Candidate> {
@@ -129,12 +130,12 @@ impl Active {
     }
 
     /// An entry as a pivot; `None` where it is too small.
-    fn rated(&self, row: usize, column: usize, value: f64, largest: f64) -> Option<Candidate> {
-        let fits = largest > ZERO && value.abs() >= THRESHOLD * largest;
+    fn rated(&self, row: usize, column: usize, value: T, largest: f64) -> Option<Candidate> {
+        let fits = largest > ZERO && value.size() >= THRESHOLD * largest;
         fits.then(|| Candidate {
             place: (row, column),
             cost: (self.rows[row].len() - 1) * (self.columns[column].len() - 1),
-            size: value.abs() / largest,
+            size: value.size() / largest,
         })
     }
 
@@ -145,7 +146,7 @@ impl Active {
         self.by_columns.remove(column);
         self.by_rows.remove(row);
         let pivot = pivot_column.iter().find(|entry| entry.0 == row);
-        let pivot = pivot.map_or(1.0, |entry| entry.1);
+        let pivot = pivot.map_or(T::ONE, |entry| entry.1);
         let others = pivot_column.iter().filter(|entry| entry.0 != row);
         let factors: Vec<_> = others.map(|&(i, value)| (i, value / pivot)).collect();
         for (slot, &(i, _)) in factors.iter().enumerate() {
@@ -163,7 +164,7 @@ impl Active {
     }
 
     /// `a_ij -= l_i a_pj` in column j, p being the row of the pivot.
-    fn update(&mut self, row: usize, j: usize, factors: &[(usize, f64)], met: &mut [usize]) {
+    fn update(&mut self, row: usize, j: usize, factors: &[(usize, T)], met: &mut [usize]) {
         let target = &mut self.columns[j];
         let Some(at) = target.iter().position(|entry| entry.0 == row) else {
             return;
@@ -171,7 +172,7 @@ impl Active {
         let (_, in_pivot_row) = target.swap_remove(at);
         for (i, value) in target.iter_mut() {
             if let Some(slot) = self.slots[*i].checked_sub(1) {
-                *value -= factors[slot].1 * in_pivot_row;
+                *value = *value - factors[slot].1 * in_pivot_row;
                 met[slot] = j;
             }
         }

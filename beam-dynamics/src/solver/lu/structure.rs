@@ -16,7 +16,7 @@ use super::pivots::Pivots;
 use crate::assembly::Pattern;
 
 /// Columns that are computed side by side.
-pub(super) const LANES: usize = 4;
+pub(in crate::solver) const LANES: usize = 4;
 /// Most columns of a panel.
 const WIDEST: usize = 16;
 /// Zeros of a panel, relative to its entries [-].

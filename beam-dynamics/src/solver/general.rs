@@ -1,0 +1,79 @@
+//! The factorization that chooses pivots anew for every matrix, for those that no kept
+//! pivots serve.
+
+use std::sync::{Arc, OnceLock};
+
+use faer::ColMut;
+use faer::prelude::Solve;
+use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+
+use super::lu::Number;
+use super::scales::{Scales, scaled, scales};
+use crate::assembly::Pattern;
+
+/// Analysis of a pattern, made when it is first needed.
+#[derive(Debug, Clone)]
+pub(super) struct GeneralSolver {
+    pattern: Arc<Pattern>,
+    symbolic: OnceLock<Option<SymbolicLu<usize>>>,
+}
+
+/// Factors of a matrix.
+#[derive(Debug)]
+pub(super) struct GeneralLu<T> {
+    lu: Lu<usize, T>,
+    scales: Scales,
+}
+
+impl GeneralSolver {
+    pub fn new(pattern: &Arc<Pattern>) -> Self {
+        Self {
+            pattern: Arc::clone(pattern),
+            symbolic: OnceLock::new(),
+        }
+    }
+
+    /// Factorizes the matrix of the given values; `None` when it is singular or not finite.
+    pub fn factorize<T: Number>(&self, values: &[T]) -> Option<GeneralLu<T>> {
+        let pattern = &self.pattern;
+        let n = pattern.size();
+        let places = SymbolicSparseColMatRef::new_checked(
+            n,
+            n,
+            pattern.column_starts(),
+            None,
+            pattern.rows(),
+        );
+        let symbolic = self
+            .symbolic
+            .get_or_init(|| SymbolicLu::try_new(places).ok());
+        if values.iter().any(|value| !value.size().is_finite()) {
+            return None;
+        }
+        let scales = scales(pattern, values)?;
+        let scaled = scaled(pattern, values, &scales);
+        let view = SparseColMatRef::new(places, &scaled[..]);
+        let lu = Lu::try_new_with_symbolic(symbolic.clone()?, view).ok()?;
+        Some(GeneralLu { lu, scales })
+    }
+}
+
+impl<T: Number> GeneralLu<T> {
+    /// Scale of each equation.
+    pub fn row_scales(&self) -> &[f64] {
+        &self.scales.0
+    }
+
+    /// Replaces b by x.
+    pub fn solve(&self, b: &mut [T]) {
+        let scale = |b: &mut [T], scales: &[f64]| {
+            let scaled = b.iter_mut().zip(scales);
+            scaled.for_each(|(value, scale)| *value = *value * *scale);
+        };
+        scale(b, &self.scales.0);
+        self.lu
+            .solve_in_place(ColMut::from_slice_mut(b).as_mat_mut());
+        scale(b, &self.scales.1);
+    }
+}

@@ -1,0 +1,42 @@
+//! Scales of the rows and columns of a matrix: rows and then columns are brought to a
+//! largest entry of one, so that forces of 1e7 N and angles of 1e-3 rad meet on equal terms
+//! where pivots are chosen.
+
+use super::lu::Number;
+use crate::assembly::Pattern;
+
+/// Scales of rows, and of columns.
+pub(super) type Scales = (Vec<f64>, Vec<f64>);
+
+/// Scales for the matrix of the given values; `None` when a row or column is zero.
+pub(super) fn scales<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Scales> {
+    let n = pattern.size();
+    let mut rows = vec![0.0_f64; n];
+    for (&i, value) in pattern.rows().iter().zip(values) {
+        rows[i] = rows[i].max(value.size());
+    }
+    let mut columns = vec![0.0_f64; n];
+    for (j, column) in columns.iter_mut().enumerate() {
+        for place in pattern.column(j) {
+            let row = rows[pattern.rows()[place]].max(f64::MIN_POSITIVE);
+            *column = column.max(values[place].size() / row);
+        }
+    }
+    let inverse = |sizes: Vec<f64>| -> Option<Vec<f64>> {
+        let invert = |size: f64| (size > 0.0 && size.is_finite()).then(|| 1.0 / size);
+        sizes.into_iter().map(invert).collect()
+    };
+    Some((inverse(rows)?, inverse(columns)?))
+}
+
+/// The values times the scales of their row and column.
+pub(super) fn scaled<T: Number>(pattern: &Pattern, values: &[T], scales: &Scales) -> Vec<T> {
+    let (rows, columns) = scales;
+    let mut scaled = values.to_vec();
+    for (j, scale) in columns.iter().enumerate() {
+        for place in pattern.column(j) {
+            scaled[place] = scaled[place] * (rows[pattern.rows()[place]] * scale);
+        }
+    }
+    scaled
+}
