@@ -17,10 +17,11 @@ use crate::model::{Conditions, NODE_UNKNOWNS, State};
 const LARGE: usize = 800 * NODE_UNKNOWNS;
 
 impl Workspace {
-    /// Buffers for a system on `threads` threads.
-    pub(super) fn of(system: &System, threads: usize) -> Self {
+    /// Buffers for a system, in as many parts as rayon has threads where it is large.
+    pub(super) fn of(system: &System) -> Self {
+        // Threads are started where they are asked for.
         let count = match system.numbering.unknowns() >= LARGE {
-            true => threads.max(1),
+            true => rayon::current_num_threads(),
             false => 1,
         };
         Self::in_parts(system, count)

@@ -12,7 +12,7 @@ impl System {
     /// Buffers for [`Self::residual_into`] and [`Self::combine`], which large systems sum on
     /// all threads of rayon.
     pub fn workspace(&self) -> Workspace {
-        Workspace::of(self, rayon::current_num_threads())
+        Workspace::of(self)
     }
 
     /// The residual at a state, written to `out`, which takes the size of the system.
