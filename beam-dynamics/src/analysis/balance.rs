@@ -156,7 +156,7 @@ impl Equations for Balance<'_> {
             self.factors = Some(Arc::new(self.factorize()?));
         }
         let mut correction: Vec<_> = residual.iter().map(|value| -value).collect();
-        self.factors.as_ref()?.solve(&mut correction)?;
+        self.factors.as_ref()?.respond(&mut correction)?;
         Some(correction)
     }
 

@@ -98,7 +98,7 @@ const BEYOND_REASON: f64 = 10.0;
 /// this proportion, so that the next correction but one is as small as with its own.
 const NEAR: f64 = 1e-3;
 /// Part of the limit below which the last correction must be, where the Jacobian is kept.
-const OF_KEPT: f64 = 1e-3;
+const OF_KEPT: f64 = 1e-2;
 /// A kept Jacobian makes corrections smaller by this factor at least, or is replaced.
 const SHRINKS: f64 = 0.1;
 
