@@ -146,8 +146,16 @@ fn save_png(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(),
     let area = SheetBackend(Rc::clone(&sheet)).into_drawing_area();
     let medium = Medium::Bitmap(Rc::clone(&sheet));
     drawing.draw(&Canvas::new(area, OVERSAMPLING, medium))?;
-    let pixels = sheet.borrow().averaged();
-    write_png(path, size, &pixels).map_err(|error| unwritable(path, error))
+    PIXELS.with_borrow_mut(|pixels| {
+        sheet.borrow().average(pixels);
+        write_png(path, size, pixels).map_err(|error| unwritable(path, error))
+    })
+}
+
+thread_local! {
+    /// Pixels of the last figure of this thread: the next one takes the same memory, which
+    /// the system would have to clear.
+    static PIXELS: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Writes rows of red, green, blue.

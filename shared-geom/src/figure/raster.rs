@@ -19,37 +19,44 @@ const FEW: usize = 8;
 /// Calls `draw` with the spans of pixels (x from the left, y down; the center of pixel
 /// (0, 0) is at (1/2, 1/2)) inside a polygon by the even-odd rule, within `width` by
 /// `height`, row by row.
-pub(super) fn each_span(corners: &[[f64; 2]], width: u32, height: u32, mut draw: impl FnMut(Span)) {
+pub(super) fn each_span(corners: &[[f64; 2]], width: u32, height: u32, draw: impl FnMut(Span)) {
     if corners.len() < 3 || !corners.as_flattened().iter().all(|value| value.is_finite()) {
         return;
     }
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for corner in corners {
-        (low, high) = (low.min(corner[1]), high.max(corner[1]));
-    }
-    let (first, last) = (first_center(low, height), first_center(high, height));
     // of few corners on the stack: most polygons are pieces of cells
-    let (mut few, mut many) = ([0.0; FEW], Vec::new());
-    let crossings = match corners.len() {
-        ..=FEW => &mut few[..],
-        count => {
-            many.resize(count, 0.0);
-            &mut many[..]
+    let size = (width, height);
+    match corners.len() {
+        ..=FEW => {
+            let buffers = (&mut [Side::default(); FEW][..], &mut [0.0; FEW][..]);
+            each_row(corners, buffers, size, draw);
         }
-    };
-    for row in first..last {
+        n => {
+            let buffers = (&mut vec![Side::default(); n][..], &mut vec![0.0; n][..]);
+            each_row(corners, buffers, size, draw);
+        }
+    }
+}
+
+fn each_row(
+    corners: &[[f64; 2]],
+    (sides, crossings): (&mut [Side], &mut [f64]),
+    (width, height): (u32, u32),
+    mut draw: impl FnMut(Span),
+) {
+    let sides = &mut sides[..corners.len()];
+    let mut a = corners[corners.len() - 1];
+    let (mut low, mut high) = (a[1], a[1]);
+    for (side, &b) in sides.iter_mut().zip(corners) {
+        *side = Side::new(a, b);
+        (low, high) = (low.min(b[1]), high.max(b[1]));
+        a = b;
+    }
+    for row in first_center(low, height)..first_center(high, height) {
         let y = f64::from(row) + 0.5;
         let mut count = 0;
-        let mut a = corners[corners.len() - 1];
-        for &b in corners {
-            if (a[1] <= y) != (b[1] <= y) {
-                // Of both directions of a side the same end comes first, so that
-                // neighbors find the same crossing to the last digit.
-                let (a, b) = if a[1] < b[1] { (a, b) } else { (b, a) };
-                crossings[count] = a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-                count += 1;
-            }
-            a = b;
+        for side in sides.iter().filter(|side| side.low <= y && y < side.high) {
+            crossings[count] = side.x + (y - side.low) * side.slope;
+            count += 1;
         }
         let found = &mut crossings[..count];
         match found {
@@ -61,6 +68,31 @@ pub(super) fn each_span(corners: &[[f64; 2]], width: u32, height: u32, mut draw:
             if start < end {
                 draw(Span { row, start, end });
             }
+        }
+    }
+}
+
+/// A side of a polygon, from its upper end.
+#[derive(Debug, Clone, Copy, Default)]
+struct Side {
+    low: f64,
+    high: f64,
+    /// Place of the upper end.
+    x: f64,
+    /// Change of place with y.
+    slope: f64,
+}
+
+impl Side {
+    /// Of both directions of a side the same end comes first, so that neighbors find the
+    /// same crossing to the last digit.
+    fn new(a: [f64; 2], b: [f64; 2]) -> Self {
+        let (a, b) = if a[1] < b[1] { (a, b) } else { (b, a) };
+        Self {
+            low: a[1],
+            high: b[1],
+            x: a[0],
+            slope: (b[0] - a[0]) / (b[1] - a[1]),
         }
     }
 }

@@ -121,11 +121,12 @@ impl Sheet {
     }
 
     /// The figure: the mean color of each square of [`OVERSAMPLING`] pixels, in rows of
-    /// red, green, blue.
-    pub fn averaged(&self) -> Vec<u8> {
+    /// red, green, blue, written to `mean`.
+    pub fn average(&self, mean: &mut Vec<u8>) {
         let (width, height) = (self.size.0 / OVERSAMPLING, self.size.1 / OVERSAMPLING);
         let (width, height) = (width as usize, height as usize);
-        let mut mean = vec![u8::MAX; CHANNELS * width * height];
+        mean.clear();
+        mean.resize(CHANNELS * width * height, u8::MAX);
         for (number, square) in self.squares.iter().enumerate() {
             let Some(square) = square else { continue };
             let left = MEANS * (number % self.columns);
@@ -137,6 +138,13 @@ impl Sheet {
                 average(&mut mean[pixels], [&square[fine], &square[fine + 1]]);
             }
         }
+    }
+
+    /// The figure in memory of its own.
+    #[cfg(test)]
+    pub fn averaged(&self) -> Vec<u8> {
+        let mut mean = Vec::new();
+        self.average(&mut mean);
         mean
     }
 }
