@@ -4,6 +4,7 @@
 mod dense;
 mod eigen;
 mod factors;
+mod frequencies;
 mod inverse;
 mod krylov;
 mod motion;

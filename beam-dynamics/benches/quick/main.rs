@@ -1,4 +1,4 @@
-//! The quick bench: ratios of elements, factorization, steps and start-up, each with a
+//! The quick bench: ratios of elements, factorization, steps, statics, modes and start-up, each with a
 //! limit; the exit code is 1 when a ratio is beyond it.
 //!
 //! All times are processor times, the shortest of several runs, and each is divided by one
@@ -16,10 +16,13 @@
 mod cantilever;
 mod chain;
 mod elements;
+mod equilibria;
 #[path = "../common/factors.rs"]
 mod factors;
 #[path = "../common/line.rs"]
 mod line;
+#[path = "../common/one_thread.rs"]
+mod one_thread;
 mod operations;
 mod rows;
 mod runs;
@@ -35,11 +38,13 @@ use yardstick::Yardstick;
 fn main() -> ExitCode {
     let begin = Instant::now();
     let mut yardstick = Yardstick::new();
-    let groups: [(&str, Group); 5] = [
+    one_thread::on_one_thread();
+    let groups: [(&str, Group); 6] = [
         ("element", rows::element),
         ("LU", rows::factorization),
         ("step of beams", rows::swinging),
         ("step of bodies", rows::mechanisms),
+        ("statics and modes", equilibria::equilibria),
         ("start-up", rows::starting),
     ];
     let (mut rows, mut failed) = (Vec::new(), Vec::new());

@@ -31,11 +31,11 @@ const STEP: f64 = 1e-3;
 /// Weights of unknowns and rates in a step of that length.
 const WEIGHTS: [f64; 2] = [0.5 * STEP, 1.0];
 /// How long each is repeated at least, three times in any case.
-const SPAN: Duration = Duration::from_secs(1);
+pub const SPAN: Duration = Duration::from_secs(1);
 /// A microsecond [s].
-const US: f64 = 1e-6;
+pub const US: f64 = 1e-6;
 /// A millisecond [s].
-const MS: f64 = 1e-3;
+pub const MS: f64 = 1e-3;
 
 /// A cantilever, and its run of some steps, with the last state.
 fn swung(beams: usize, inertia: Inertia, steps: usize) -> Option<(Model, Run)> {

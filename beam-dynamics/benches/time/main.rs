@@ -11,6 +11,8 @@
 mod cantilever;
 #[path = "../common/line.rs"]
 mod line;
+#[path = "../common/one_thread.rs"]
+mod one_thread;
 mod rotor;
 
 use beam_dynamics::analysis::transient::transient;
@@ -124,6 +126,7 @@ fn exponent(of: &[Candidate]) -> f64 {
 }
 
 fn main() {
+    one_thread::on_one_thread();
     let rounds = std::env::args().find_map(|word| word.parse().ok());
     let mut all = [Inertia::Lumped, Inertia::Consistent].map(candidates);
     for _ in 0..rounds.unwrap_or(ROUNDS) {

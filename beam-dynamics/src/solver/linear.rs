@@ -41,7 +41,7 @@ pub struct ComplexFactorization {
 #[derive(Debug)]
 enum Factors<T: Number> {
     Kept(Lu<T>),
-    General(GeneralLu<T>),
+    General(Box<GeneralLu<T>>),
 }
 
 impl Clone for LinearSolver {
@@ -108,7 +108,10 @@ impl LinearSolver {
                 plans.truncate(KEPT);
                 Some(Factors::Kept(lu))
             }
-            None => self.general.factorize(values).map(Factors::General),
+            None => {
+                let general = self.general.factorize(values)?;
+                Some(Factors::General(Box::new(general)))
+            }
         }
     }
 }

@@ -18,10 +18,9 @@ mod structure;
 
 use std::sync::Arc;
 
-pub(super) use number::{Number, Row};
+pub(super) use number::{LANES, Number, Row};
 use numbers::{Numbers, Scaled};
 use pivots::Pivots;
-pub(super) use structure::LANES;
 use structure::Structure;
 
 use super::scales::{scaled, scales};

@@ -2,11 +2,12 @@
 //! strip.
 
 use std::fmt::Debug;
-use std::ops::{Div, Mul, Neg, Sub};
+use std::ops::{Div, Mul, Sub, SubAssign};
 
 use faer::c64;
 
-use super::structure::LANES;
+/// Columns that are computed side by side.
+pub(in crate::solver) const LANES: usize = 4;
 
 /// A product that is taken from a sum.
 pub(in crate::solver) trait Product {
@@ -45,7 +46,7 @@ pub(in crate::solver) trait Number:
     + Mul<Output = Self>
     + Sub<Output = Self>
     + Div<Output = Self>
-    + Neg<Output = Self>
+    + SubAssign
     + faer::traits::ComplexField
 {
     /// Numbers of one row in the columns of a strip.

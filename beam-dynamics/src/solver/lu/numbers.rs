@@ -13,8 +13,8 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::number::{Fused, Number, Plain, Product};
-use super::structure::{LANES, Panel, Strip, Structure};
+use super::number::{Fused, LANES, Number, Plain, Product};
+use super::structure::{Panel, Strip, Structure};
 
 /// Rows that are computed at once.
 const ROWS: usize = 4;

@@ -172,7 +172,7 @@ impl<T: Number> Active<T> {
         let (_, in_pivot_row) = target.swap_remove(at);
         for (i, value) in target.iter_mut() {
             if let Some(slot) = self.slots[*i].checked_sub(1) {
-                *value = *value - factors[slot].1 * in_pivot_row;
+                *value -= factors[slot].1 * in_pivot_row;
                 met[slot] = j;
             }
         }

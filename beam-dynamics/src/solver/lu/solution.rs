@@ -2,9 +2,9 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::number::{Number, Row};
+use super::number::{LANES, Number, Row};
 use super::numbers::Numbers;
-use super::structure::{LANES, Panel, Strip, Structure};
+use super::structure::{Panel, Strip, Structure};
 
 /// Replaces b by x.
 pub(super) fn solve<T: Number, R: Row<T>>(

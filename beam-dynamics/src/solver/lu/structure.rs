@@ -11,12 +11,11 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use super::number::LANES;
 use super::order::inverse;
 use super::pivots::Pivots;
 use crate::assembly::Pattern;
 
-/// Columns that are computed side by side.
-pub(in crate::solver) const LANES: usize = 4;
 /// Most columns of a panel.
 const WIDEST: usize = 16;
 /// Zeros of a panel, relative to its entries [-].
