@@ -2,7 +2,7 @@
 //! often as one likes.
 //!
 //! Pivots and the pattern of the factors are kept from matrix to matrix while they serve; a
-//! matrix that no pivots serve is factorized by [`super::general`]. Solutions of real systems
+//! matrix that no pivots serve is factorized by `general`. Solutions of real systems
 //! are refined once.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

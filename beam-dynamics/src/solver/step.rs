@@ -34,8 +34,8 @@ pub struct LinearCounts {
 ///
 /// Pivots are kept from matrix to matrix while the factors do not grow and solutions
 /// fulfill their equations. Where that fails new ones are chosen, and where these fail
-/// too, the factorization of [`super::general`] takes over. Nothing is allocated while
-/// pivots are kept.
+/// too, a factorization that chooses them anew for every matrix takes over. Nothing is
+/// allocated while pivots are kept.
 ///
 /// References: [Arioli1989], the error of a solution.
 #[derive(Debug)]
