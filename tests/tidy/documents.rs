@@ -234,8 +234,12 @@ pub fn equations_without_source(tree: &Tree) -> Vec<String> {
     breaches
 }
 
-/// The number that a displayed equation carries: at the end of its line, behind two spaces.
+/// The number of a displayed equation: in LaTeX `\tag{D-7}`, in text at the end of its line,
+/// after two spaces.
 fn ending_number(line: &str) -> Option<&str> {
+    if let Some((_, rest)) = line.split_once("\\tag{") {
+        return rest.split_once('}').map(|(number, _)| number);
+    }
     let (_, number) = line.trim_end().rsplit_once("  (")?;
     equation_number(number).filter(|found| number.len() == found.len() + 1)
 }
@@ -363,7 +367,7 @@ mod tests {
 
     #[test]
     fn equations_are_numbered_once_and_cited_by_their_number() {
-        let book = "```text\na = b    (S-1)\nc = d    (S-1)\n```\n";
+        let book = "```text\na = b    (S-1)\n```\n```math\nc = d \\tag{S-1}\n```\n";
         let tree = Tree::of(&[("docs/src/a.md", book), ("a/src/b.rs", "// (S-1), (D-2)\n")]);
         assert_eq!(equations(&tree).len(), 2);
     }

@@ -7,6 +7,8 @@
 
 mod circles;
 mod documents;
+#[path = "../../docs/math/render.rs"]
+mod formulas;
 mod habits;
 mod imports;
 mod lengths;
@@ -105,4 +107,16 @@ fn links_lead_somewhere() {
 #[test]
 fn the_book_lists_every_page() {
     expect_none("pages", documents::pages(&Tree::read()));
+}
+
+#[test]
+fn formulas_of_the_book_are_latex_that_renders() {
+    let tree = Tree::read();
+    let pages = tree.files.iter().filter(|page| page.is_markdown());
+    let wrong = pages.flat_map(|page| {
+        let problems = formulas::rendered(&page.text).err().unwrap_or_default();
+        let breach = |(line, text): (usize, String)| page.breach(line - 1, &text);
+        problems.into_iter().map(breach).collect::<Vec<_>>()
+    });
+    expect_none("formulas", wrong.collect());
 }

@@ -269,11 +269,8 @@ impl Integrator {
     ) -> Result<usize, Reason> {
         let began = clock();
         self.predict(dae, formula, plan);
-        self.progress.counters.prediction_time += clock() - began;
-        let mut meter = Meter {
-            counters: &mut self.progress.counters,
-            clock,
-        };
+        let mut meter = Meter::new(&mut self.progress.counters, clock, began);
+        meter.end_phase(|counters| &mut counters.prediction_time);
         self.corrector
             .converge(dae, formula, plan.length, &self.limits, &mut meter)
     }
@@ -381,6 +378,11 @@ impl Integrator {
             local_error,
             history: self.corrector.history().to_vec(),
         }
+    }
+
+    /// Whether the equations of the latest step may be nearly singular.
+    pub fn is_doubtful(&self) -> bool {
+        self.corrector.is_doubtful()
     }
 
     /// What the unknowns of the last stage of the latest step move by where its residual is
