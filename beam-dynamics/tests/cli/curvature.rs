@@ -89,7 +89,7 @@ fn a_piece_with_that_twist_is_taken_and_a_near_one_told() {
     let told = "blade \"b\", piece 1, properties \"strip\": the section was solved for a beam with \
                 curvature [20, 0, 0] deg/m, and the line has curvature [19, 0, 0] deg/m; couplings \
                 Kij/sqrt(Kii Kjj) differ by 0.00102 at most, those of the section by curvature \
-                are up to 0.0204, and it is used as it is";
+                are up to 0.0204; the matrices are used as given";
     assert!(run.out.contains(told), "{}", run.out);
 }
 

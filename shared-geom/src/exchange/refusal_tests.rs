@@ -71,8 +71,8 @@ fn all_problems_of_a_beamdyn_blade_file_are_told_at_once() {
         "sample_blade.dat:15: stiffness of station 1, row 1: expected 6 numbers, found 7",
         "sample_blade.dat:16: stiffness of station 1, row 2: expected a finite number, found \"x\"",
         "sample_blade.dat:16: stiffness of station 1, row 2: expected a finite number, found \"nan\"",
-        "sample_blade.dat:44: place eta of station 3 is 0.01, expected at least that of the \
-         station before, 0.13",
+        "sample_blade.dat:44: position eta of station 3 is 0.01, expected at least the value of \
+         the previous station, 0.13",
         "help: put the stations in order from the root to the tip",
     ] {
         assert_says(&messages, expected);

@@ -66,7 +66,7 @@ fn six_damping_times_come_back_where_they_fit() {
     // One time for all: the mean 3.5e-3, from which 1e-3 and 6e-3 are 2.5e-3 away.
     let lost = write(&blade, Format::Dymore, "a").unwrap().lost;
     assert!(
-        lost[0].contains("3.500e-3 s: up to 2.50e-3 s apart"),
+        lost[0].contains("3.500e-3 s: they differ from it by up to 2.50e-3 s"),
         "{lost:?}"
     );
 }
