@@ -16,7 +16,7 @@ pub fn recognize(text: &str) -> bool {
         .any(|line| begins(line, MASS) || begins(line, STIFFNESS))
 }
 
-/// Whether a line is the title, whatever the case, and not one that goes on.
+/// Whether a line is exactly the title, in upper or lower case.
 fn begins(line: &str, title: &str) -> bool {
     let line = line.trim();
     let head = line.get(..title.len());
@@ -28,7 +28,7 @@ fn begins(line: &str, title: &str) -> bool {
 /// Stiffness and mass of the section of an output, shown as `file` in messages.
 ///
 /// # Errors
-/// Everything that is wrong with the text.
+/// All errors of the text.
 pub fn section(text: &str, file: &str) -> Result<(Matrix6<f64>, Matrix6<f64>), Diagnostics> {
     let mut problems = Problems::new(file);
     let lines = lines(text);
