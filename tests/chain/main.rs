@@ -1,4 +1,4 @@
-//! Program 1 feeds program 2: from a mesh to frequencies beside measurements.
+//! Program 1 feeds program 2: from a mesh to frequencies compared with measurements.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
