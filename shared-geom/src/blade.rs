@@ -45,7 +45,7 @@ pub struct Blade {
     pub stations: Vec<Station>,
     /// Properties between stations.
     pub interpolation: Interpolation,
-    /// Internal damping; `None` for none.
+    /// Internal damping; `None` without damping.
     pub damping: Option<BladeDamping>,
     /// Origin of the numbers.
     pub provenance: Provenance,

@@ -66,7 +66,7 @@ impl Frame {
         )
     }
 
-    /// The parent as seen from this frame: `compose` with it gives the identity.
+    /// The parent relative to this frame: `compose` with it gives the identity.
     pub fn inverse(&self) -> Frame {
         Frame::new(
             -self.vector_from_parent(&self.origin),

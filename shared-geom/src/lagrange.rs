@@ -1,8 +1,8 @@
 //! Shape functions of lines, triangles and quadrilaterals on reference cells.
 //!
-//! Node orders are Gmsh's. A function of the nodal values `v_i` is `v(r, s) = sum n_i
-//! v_i`; `dr` and `ds` hold the derivatives of the shape functions with respect to the
-//! reference coordinates.
+//! Node orders are Gmsh's. A function of the nodal values `v_i` is
+//! `v(r, s) = sum n_i v_i`; `dr` and `ds` hold the derivatives of the shape functions
+//! with respect to the reference coordinates.
 //!
 //! ```text
 //! triangle3 / triangle6             quadrilateral4 / 8 / 9

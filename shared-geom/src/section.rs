@@ -114,8 +114,8 @@ pub struct Piezo {
     pub capacitance: DMatrix<f64>,
 }
 
-/// Effect of a state of imposed strain on the section: `theta = K (psi - free_strain) = K
-/// psi + restrained_force`.
+/// Effect of a state of imposed strain on the section:
+/// `theta = K (psi - free_strain) = K psi + restrained_force`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImposedState {
     /// Name, different from the other states'.

@@ -4,7 +4,7 @@
 //! re-exports the name. Two rules apply:
 //!
 //! 1. Without the imports that files take from modules above them, there is no circle.
-//! 2. A circle with such imports has only one module and files below it.
+//! 2. A circle with these imports has only one module and files below it.
 
 use std::collections::{BTreeMap, BTreeSet};
 

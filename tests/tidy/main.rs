@@ -1,8 +1,8 @@
 //! Rules of the tree that a machine can check.
 //!
-//! Each test reads the tree, collects all breaches of one rule as `file:line: what was
-//! found and what was expected`, and fails with the whole list. The rules are in
-//! `CONTRIBUTING.md`; the order of the stages is [`imports::CRATES`].
+//! Each test reads the tree, collects all breaches of one rule as
+//! `file:line: what was found and what was expected`, and fails with the whole list. The
+//! rules are in `CONTRIBUTING.md`; the order of the stages is [`imports::CRATES`].
 
 mod circles;
 mod documents;

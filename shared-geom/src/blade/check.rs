@@ -7,7 +7,7 @@ use crate::section::{self, PropertyProblem};
 /// rounds.
 const BEYOND: f64 = 1e-6;
 
-/// Smallest eigenvalue of a stiffness scaled to a unit diagonal that counts as positive:
+/// Smallest eigenvalue of a stiffness scaled to a unit diagonal treated as positive:
 /// a few roundings of a sum of six.
 const POSITIVE: f64 = 1e-14;
 /// Bisections of the distance between two stations: six digits for a message.

@@ -52,8 +52,8 @@ impl Blade {
         (self.about_line(&stiffness), self.about_line(&mass))
     }
 
-    /// Damping about the line at arc length `s` [m], at a jump on `side` [N s, N m s, N
-    /// m^2 s]. `None` for a blade without damping.
+    /// Damping about the line at arc length `s` [m], at a jump on `side`
+    /// [N s, N m s, N m^2 s]. `None` for a blade without damping.
     pub fn damping_at(&self, s: f64, side: Side) -> Option<Matrix6<f64>> {
         let damping = self.damping.as_ref()?;
         let of_station = |station| self.station_damping(damping, station);

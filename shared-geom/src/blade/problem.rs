@@ -90,7 +90,7 @@ pub enum BladeProblem {
         /// The problem.
         problem: PropertyProblem,
     },
-    /// A station with a stiffness that is not positive definite, and how far it reaches.
+    /// A station with a stiffness that is not positive definite, and its range.
     #[error(
         "stiffness is not positive definite from {from} m to {to} m, about station {station} at {place} m: there its smallest scaled eigenvalue is {value:.3e}"
     )]
@@ -99,7 +99,7 @@ pub enum BladeProblem {
         station: usize,
         /// Its arc length [m].
         place: f64,
-        /// Its begin, between this station and the previous one [m].
+        /// Its beginning, between this station and the previous one [m].
         from: f64,
         /// Its end, between this station and the next [m].
         to: f64,
@@ -164,7 +164,7 @@ impl Explain for BladeProblem {
                     .to_owned(),
             ),
             Self::IndefiniteStation { .. } | Self::Indefinite { .. } => Some(
-                "check the signs of the couplings, and that frame and order are those of the \
+                "check the signs of the couplings, and that frame and order agree with the \
                  matrices"
                     .to_owned(),
             ),

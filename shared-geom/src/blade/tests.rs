@@ -63,7 +63,7 @@ fn blade() -> Blade {
 const PLACES: [f64; 6] = [0.0, 1.7, 3.0, 4.4, 9.9, 10.1];
 
 // Trapezoids: 3 (8 + 6)/2 + 4 (4 + 2)/2 + 3 (2 + 1)/2, and 1 kg/m from 10 m to the end.
-// Constant: 3 x 8 + 4 x 4 + 3 x 2 (the jump left out), and the last to the end.
+// Constant: 3 x 8 + 4 x 4 + 3 x 2 (the jump omitted), and the last to the end.
 #[test]
 fn mass_is_the_exact_integral() {
     let mut blade = blade();
@@ -166,7 +166,7 @@ fn damping_is_as_its_kind_says() {
     assert_eq!((twisting.row(0).amax(), twisting.row(5).amax()), (0.0, 0.0));
 }
 
-// Every bit comes back, of all kinds of lines and damping.
+// Every bit is recovered, for all kinds of lines and damping.
 #[test]
 fn a_file_keeps_every_digit() {
     let mut blades = vec![blade()];

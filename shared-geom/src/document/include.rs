@@ -133,7 +133,7 @@ impl Reader {
         }
     }
 
-    /// Joins the entries of an included file to those of the file that includes it.
+    /// Joins the entries of an included file to the entries of the including file.
     fn join(&mut self, entries: &mut Vec<Entry>, own: Vec<Entry>, at_top: bool) {
         for entry in own {
             if at_top && entry.key == "units" {

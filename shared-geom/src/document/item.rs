@@ -49,7 +49,7 @@ impl<'a> Item<'a> {
         self.document.note(self.value.line, problem);
     }
 
-    /// Notes that it is not what was expected.
+    /// Notes that the value differs from the expected one.
     pub fn wrong<T>(&self, expected: &str) -> Option<T> {
         self.note(&DocumentProblem::WrongValue {
             key: self.key.clone(),

@@ -26,8 +26,8 @@ struct Open<'a> {
 }
 
 impl Document {
-    /// Reads the table `[parameters]`, if it exists: numbers, quantities such as `"0.5
-    /// in"`, which are converted to the declared unit, and expressions of other
+    /// Reads the table `[parameters]`, if it exists: numbers, quantities such as
+    /// `"0.5 in"`, which are converted to the declared unit, and expressions of other
     /// parameters, in any order.
     pub fn declare_parameters(&self, root: &Table<'_>) {
         if !root.has("parameters") {

@@ -53,7 +53,7 @@ pub enum DocumentProblem {
         table: String,
         /// The keys that the table may have.
         known: Vec<String>,
-        /// Correct location of such a key, as written there: `[[output.column]]`.
+        /// Correct location of the key, as written there: `[[output.column]]`.
         elsewhere: Option<&'static str>,
     },
     /// A required key is absent.

@@ -12,7 +12,7 @@ use crate::expression::written;
 use crate::files::names_beside;
 use crate::units::Dimension;
 
-/// Numbers of expressions below it can be counts: they are whole beyond doubt.
+/// Largest number of an expression that can be a count: below it whole numbers are exact.
 const COUNTS: f64 = 9e15;
 
 /// A table of a [`Document`]. Each reading method notes its own problems.
@@ -57,7 +57,7 @@ impl<'a> Table<'a> {
         self.line
     }
 
-    /// The line of `key`, or of the table when it has no such key.
+    /// The line of `key`, or of the table if it does not have the key.
     pub fn line_of(&self, key: &str) -> usize {
         self.entry(key).map_or(self.line, |entry| entry.line)
     }
@@ -67,7 +67,7 @@ impl<'a> Table<'a> {
         self.document.note(self.line_of(key), problem);
     }
 
-    /// Notes that the value of `key` is not what was expected.
+    /// Notes that the value of `key` differs from the expected one.
     pub fn wrong(&self, key: &str, expected: &str) {
         if let Some(entry) = self.entry(key) {
             let _: Option<()> = self.wrong_value(key, &entry.value, expected);

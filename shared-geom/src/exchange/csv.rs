@@ -49,7 +49,7 @@ use tables::Tables;
 /// The first line of a file.
 const MARK: &str = "helicoid blade table";
 
-/// Whether `text` is such a table.
+/// Whether `text` is a table of Helicoid.
 pub fn recognize(text: &str) -> bool {
     let mut words = text.lines().map(str::trim).filter(|line| !line.is_empty());
     let head = words.next().unwrap_or_default();
@@ -165,7 +165,7 @@ fn interpolation_name(interpolation: Interpolation) -> &'static str {
     }
 }
 
-/// The statement at the begin of all exports, for tables.
+/// The statement at the beginning of all exports, for tables.
 fn statement(blade: &Blade) -> String {
     let convention = super::frame::Convention::Helicoid;
     Header::new(blade, convention, "reference line").lines("# ")

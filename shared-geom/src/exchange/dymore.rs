@@ -37,7 +37,7 @@ const NEARLY: std::ops::RangeInclusive<usize> = 24..=34;
 /// Mark of the companion file.
 const LINE_FILE: &str = "line:";
 
-/// Whether `text` is such a table: lines of about 29 numbers.
+/// Whether `text` is a DYMORE table: lines of about 29 numbers.
 pub fn recognize(text: &str) -> bool {
     let mut data = text.lines().map(str::trim);
     let first = data.find(|line| !line.is_empty() && !line.starts_with('#'));

@@ -37,7 +37,7 @@ mod st;
 mod write;
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#[allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 mod htc_tests;
 #[cfg(test)]
 mod tests;

@@ -16,12 +16,12 @@ use super::{Options, Reading, Writing};
 /// A slope that is off the normal by less is round-off.
 const NORMAL: f64 = 1e-6;
 
-/// Whether `text` is such a file.
+/// Whether `text` is one of these files.
 pub fn recognize(text: &str) -> bool {
     text.contains("\"helicoid blade\"") || is_section(text)
 }
 
-/// Whether a file has the ending of such a file.
+/// Whether a file has the ending of one of these files.
 pub(super) fn is_named(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let endings = [".blade.json", ".properties.json", ".toml"];
@@ -60,8 +60,8 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
     uniform(&section, length, &shown)
 }
 
-/// Point of the section at which a line of the same beam is normal to it: (a, b) of `g1 =
-/// l + k x t` vanish, (y, z) = (-l3, l2)/k1.
+/// Point of the section at which a line of the same beam is normal to it: (a, b) of
+/// `g1 = l + k x t` vanish, (y, z) = (-l3, l2)/k1.
 fn normal_point(initial: &InitialCurvature) -> String {
     let InitialCurvature { curvature, slope } = initial;
     // zero without a sign: -0 + 0 = 0

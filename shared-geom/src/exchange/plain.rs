@@ -215,7 +215,7 @@ fn growing(blade: &Blade, lost: &mut Vec<String>) -> Vec<Station> {
     stations
 }
 
-/// Each station twice: at the begin and at the end of its piece.
+/// Each station twice: at the beginning and at the end of its piece.
 fn held(stations: &[Station], length: f64) -> Vec<Station> {
     let ends = stations.iter().skip(1).map(|next| next.arc_length);
     let ends = ends.chain([length]);

@@ -78,7 +78,7 @@ pub fn written(blade: &Blade, format: Format, folder: &Path) -> PathBuf {
 
 /// A blade after writing and reading.
 pub fn through(blade: &Blade, format: Format) -> Reading {
-    let folder = tempfile::tempdir().expect("there is room for a folder");
+    let folder = tempfile::tempdir().expect("a folder can be made");
     let first = written(blade, format, folder.path());
     let (_, reading) = read_with(&first, &Options::default()).expect("it is read again");
     reading

@@ -48,7 +48,7 @@ impl<'a> Cursor<'a> {
         self.encoding != Encoding::Text
     }
 
-    /// Begin of the last item read: in a text the line, from one; in a binary file the
+    /// Beginning of the last item read: in a text the line, from one; in a binary file the
     /// byte, from zero.
     pub(super) fn place(&self) -> usize {
         if self.is_binary() {

@@ -33,7 +33,7 @@ impl ElementShape {
         }
     }
 
-    /// Dimension of the entities that hold such elements.
+    /// Dimension of the entities that hold these elements.
     pub(super) fn dimension(self) -> u8 {
         match self {
             Self::Point => 0,

@@ -59,7 +59,7 @@ fn read_format(cursor: &mut Cursor) -> Result<(Version, Encoding), ReadProblem> 
 
 fn byte_order(cursor: &mut Cursor) -> Result<Encoding, ReadProblem> {
     let mut one = [0; 4];
-    one.copy_from_slice(cursor.take(4, "the number that tells the order of bytes")?);
+    one.copy_from_slice(cursor.take(4, "the number that shows the order of bytes")?);
     match (i32::from_le_bytes(one), i32::from_be_bytes(one)) {
         (1, _) => Ok(Encoding::Little),
         (_, 1) => Ok(Encoding::Big),

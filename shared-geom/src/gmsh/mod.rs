@@ -7,8 +7,8 @@
 //! [`write()`] writes MSH 4.1, ascii.
 //!
 //! An element of an entity that is reversed in its physical group (negative tag) is
-//! reversed on reading, as gmsh does itself when it writes MSH 2.2: `Physical
-//! Curve("skin") = {-1, 2}` gives lines that run on through both curves.
+//! reversed on reading, as gmsh does itself when it writes MSH 2.2:
+//! `Physical Curve("skin") = {-1, 2}` gives lines that run on through both curves.
 //!
 //! An element may be in several physical groups. MSH 4.1 lists them by entity; MSH 2.2
 //! lists the element once for each of them, with a different tag each time, and these

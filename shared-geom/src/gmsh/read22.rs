@@ -151,7 +151,7 @@ fn read_content(
     Ok((kind, nodes))
 }
 
-/// The next tag if the element has one, else 0 for none.
+/// The next tag if the element has one, else 0.
 fn optional_tag(
     fields: &mut Fields,
     present: bool,

@@ -96,7 +96,7 @@ pub(super) fn item<'r, 'a>(
     record(cursor, expected).ok_or(missing)
 }
 
-/// The record with the counts at the begin of a section.
+/// The record with the counts at the beginning of a section.
 pub(super) fn header<'r, 'a>(
     cursor: &'r mut Cursor<'a>,
     expected: &'static str,
@@ -105,7 +105,7 @@ pub(super) fn header<'r, 'a>(
     record(cursor, expected).ok_or(missing)
 }
 
-/// The line with a count at the begin of a section, in binary files too.
+/// The line with a count at the beginning of a section, in binary files too.
 pub(super) fn line_header<'a>(
     cursor: &mut Cursor<'a>,
     expected: &'static str,

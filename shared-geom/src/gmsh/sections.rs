@@ -209,7 +209,7 @@ fn close_section(reader: &mut Reader, section: &str, complete: bool) -> bool {
         found,
     };
     reader.problems.push(reader.cursor.place(), problem);
-    // a line that opens another section is read as such
+    // a line that opens another section is read as its beginning
     if line.is_some_and(|line| !line.starts_with("$End")) {
         reader.cursor = before;
     }

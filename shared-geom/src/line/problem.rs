@@ -30,7 +30,7 @@ pub enum LineProblem {
         /// Number of the point, from one.
         point: usize,
     },
-    /// A splined line that leads back.
+    /// A splined line with decreasing x.
     #[error(
         "point {point} of the line lies at x = {found} m, and the point before at {before} m: a splined line leads outward"
     )]

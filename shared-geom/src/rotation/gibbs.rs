@@ -106,10 +106,10 @@ pub struct Increment {
 
 /// Expresses `attitude` by parameters counted from the constant rotation `origin`.
 ///
-/// `g = g(R Rorigin^T)`, `dg/dt = G(g)^-1 omega`. The history of a step
-/// is relative to the last rotation in this way: the last attitude itself becomes `g =
-/// 0`, `dg/dt = omega`. Singular, as [`from_rotation`], if the two rotations are half a
-/// turn apart: keep the rotation of a step well below.
+/// `g = g(R Rorigin^T)`, `dg/dt = G(g)^-1 omega`. The history of a step is relative to
+/// the last rotation in this way: the last attitude itself becomes `g = 0`,
+/// `dg/dt = omega`. Singular, as [`from_rotation`], if the two rotations are half a turn
+/// apart: keep the rotation of a step well below.
 pub fn relative(attitude: &Attitude, origin: &Matrix3<f64>) -> Increment {
     let parameters = from_rotation(&(attitude.rotation * origin.transpose()));
     Increment {

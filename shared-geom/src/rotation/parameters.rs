@@ -360,7 +360,7 @@ mod tests {
         }
     }
 
-    // Both forms at x = 1, where the closed ones lose a few times eps/x^2 at most.
+    // Both forms at x = 1, at which the closed ones lose a few times eps/x^2 at most.
     #[test]
     fn series_and_closed_forms_meet() {
         let (series, closed) = (Scale::by_series(1.0), Scale::in_closed_form(1.0));

@@ -11,9 +11,9 @@
 //! ```
 //!
 //! since twist couples axial force and torque by `K14 = E k1 (Ip - J)`, of which `E Ip`
-//! is the larger part and `K55 + K66`; curvature couples axial force and bending by `K15
-//! = E k2 Iy`, `K16 = -E k3 Iz`; and an axial force along a line oblique to the section
-//! is a shear force too, `K12 = E A l2`.
+//! is the larger part and `K55 + K66`; curvature couples axial force and bending by
+//! `K15 = E k2 Iy`, `K16 = -E k3 Iz`; and an axial force along a line oblique to the
+//! section is a shear force too, `K12 = E A l2`.
 
 use std::fmt;
 
@@ -160,10 +160,10 @@ pub struct CurvatureMismatch {
 }
 
 impl Agreement {
-    /// Compares the curvature for which a section with the given 6x6 stiffness [N, N m, N
-    /// m^2] was solved with the line's. At the joint of two parts of the line, `line` has
-    /// both, and values between them agree as well: a mean of twist rates at a point at
-    /// which they change. All are by arc length.
+    /// Compares the curvature for which a section with the given 6x6 stiffness
+    /// [N, N m, N m^2] was solved with the line's. At the joint of two parts of the line,
+    /// `line` has both, and values between them agree as well: a mean of twist rates at a
+    /// point at which they change. All are by arc length.
     pub fn of(
         section: &InitialCurvature,
         line: [InitialCurvature; 2],

@@ -52,7 +52,7 @@ fn delta_is_the_coupling_that_the_difference_of_twist_makes() {
     let k14 = e * k1 * (polar - b * t.powi(3) / 3.0);
     let exact = k14 / (k[(0, 0)] * k[(3, 3)]).sqrt();
     let Agreement::Other(found) = agreement(&bent([5.0, 0.0, 0.0]), &bent([0.0; 3])) else {
-        panic!("a straight line is that of another beam");
+        panic!("a straight line is another beam's");
     };
     assert!(
         found.delta > exact && found.delta < 1.045 * exact,

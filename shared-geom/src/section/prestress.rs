@@ -64,8 +64,8 @@ pub struct Prestress {
     /// Third derivatives of the energy.
     pub third: CubicTable,
     /// Change of the stiffness of the section without internal force, per kelvin of an
-    /// even rise of temperature, over the components of the table, 4x4 symmetric [N/K, N
-    /// m/K, N m^2/K]; `None` if it was not computed.
+    /// even rise of temperature, over the components of the table, 4x4 symmetric
+    /// [N/K, N m/K, N m^2/K]; `None` if it was not computed.
     pub per_kelvin: Option<Matrix4<f64>>,
 }
 
@@ -241,8 +241,8 @@ impl Prestress {
         self.third.along(&prestress_part(&strain))
     }
 
-    /// The change of the 6x6 stiffness at a generalized strain; zero for the shears [N, N
-    /// m, N m^2].
+    /// The change of the 6x6 stiffness at a generalized strain; zero for the shears
+    /// [N, N m, N m^2].
     pub fn at_strain(&self, strain: &Vector6<f64>) -> Matrix6<f64> {
         among_six(&self.third.along(&prestress_part(strain)))
     }

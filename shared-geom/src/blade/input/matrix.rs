@@ -65,7 +65,7 @@ pub(super) fn upper() -> impl Iterator<Item = (usize, usize)> {
 }
 
 /// Reads a matrix of a table: 6 rows of 6, or the 21 numbers of the upper triangle row
-/// by row; in our axes, SI.
+/// by row; in Helicoid's axes, SI.
 pub(super) fn read(table: &Table<'_>, kind: Kind, frame: Option<&Frame>) -> Option<Matrix6<f64>> {
     let key = kind.key();
     let written = match table.is_nested(key) {

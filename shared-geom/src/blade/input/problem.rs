@@ -36,7 +36,7 @@ pub enum InputProblem {
         /// Another key.
         other: String,
     },
-    /// None of several ways.
+    /// None of several alternatives.
     #[error("{table} has neither {}", .known.join(" nor "))]
     Neither {
         /// The table as text.
@@ -116,7 +116,7 @@ pub enum InputProblem {
         /// Cells that are not reported one by one.
         count: usize,
     },
-    /// A weight where a mass is expected.
+    /// A weight instead of a mass.
     #[error("\"{unit}\" measures a weight, expected a mass")]
     Weight {
         /// The unit.

@@ -25,7 +25,7 @@ pub(super) struct BladeFile {
     pub remarks: Vec<String>,
 }
 
-/// Whether `text` is such a file.
+/// Whether `text` is a BeamDyn blade file.
 pub(super) fn recognize(text: &str) -> bool {
     text.lines().any(|line| is_named(line, "station_total"))
 }

@@ -20,7 +20,7 @@ pub(super) struct Primary {
     pub remarks: Vec<String>,
 }
 
-/// Whether `text` is such a file.
+/// Whether `text` is a BeamDyn primary file.
 pub(super) fn recognize(text: &str) -> bool {
     text.lines().any(|line| is_named(line, "kp_total"))
 }

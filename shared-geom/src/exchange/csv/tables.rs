@@ -233,7 +233,7 @@ fn body<'t, 'a>(
     Some(rows)
 }
 
-/// Notes an arc length below that of the previous station.
+/// Notes an arc length below the previous station.
 fn check_order(
     place: f64,
     line: &Line<'_>,

@@ -172,7 +172,7 @@ struct Reader {
     files: Vec<PathBuf>,
     /// Texts of all files so far.
     texts: Vec<String>,
-    /// Names of the open blocks, lower case, and where each begins: file and line.
+    /// Names of the open blocks, lower case, and their beginnings: file and line.
     blocks: Vec<(String, PathBuf, usize)>,
     bodies: Vec<Body>,
     /// Statements outside of all blocks, and their locations.

@@ -3,8 +3,8 @@
 //! Axes of the section: x to the leading edge, y to the suction side, z to the tip,
 //! origin on the line of `c2_def`; matrices in the order of their three axes. The K of a
 //! fully populated row is about the elastic center, in the principal axes of bending,
-//! which are the axes of the section turned by `pitch`, positive about +z. With `Q =
-//! Rz(pitch)`, `d = (x_e, y_e, 0)`, and shift and rotation as in [`crate::wrench`],
+//! which are the axes of the section turned by `pitch`, positive about +z. With
+//! `Q = Rz(pitch)`, `d = (x_e, y_e, 0)`, and shift and rotation as in [`crate::wrench`],
 //!
 //! ```text
 //! K_e = S^T U(d) K U(d)^T S        K = U(-d) S K_e S^T U(-d)^T        S = diag(Q, Q)
@@ -369,7 +369,7 @@ mod tests {
         assert!(short.matrix(place).1);
     }
 
-    // A round root has no principal axes: the angle is zero, whatever the last digits.
+    // A round root has no principal axes: the angle is zero, for any last digits.
     #[test]
     fn a_round_section_keeps_the_axes_of_the_section() {
         let mut k = Matrix6::from_diagonal(&[3.0, 3.0, 9.0, 5.0, 5.0, 4.0].into());

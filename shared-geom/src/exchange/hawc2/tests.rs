@@ -1,5 +1,5 @@
 //! HAWC2's files: reference data, round trips, bad input.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 use std::path::Path;
 
@@ -228,7 +228,7 @@ fn the_course_between_rows_is_told_with_its_size() {
         station.stiffness = crate::wrench::shift(&own, &offset);
     }
     let lost = write(&plate, "a").lost.join("\n");
-    // 1/4 9e8 0.02^2 / (1e6 + 9e4), the offset of 0.02 m being that of each row
+    // 1/4 9e8 0.02^2 / (1e6 + 9e4), 0.02 m being each row's offset
     let part = 0.25 * 9e8 * 0.02_f64.powi(2) / (1e6 + 0.25 * 9e8 * 0.02_f64.powi(2));
     assert!(
         lost.contains(&format!(

@@ -1,5 +1,5 @@
 //! The model for MBDyn: its bodies, laws and text.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 use nalgebra::{Matrix3, Vector2};
 

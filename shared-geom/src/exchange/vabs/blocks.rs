@@ -10,7 +10,7 @@ use crate::exchange::text::{Line, lines};
 pub(super) const MASS: &str = "The 6X6 Mass Matrix";
 pub(super) const STIFFNESS: &str = "Timoshenko Stiffness Matrix";
 
-/// Whether `text` is such an output.
+/// Whether `text` is an output of VABS.
 pub fn recognize(text: &str) -> bool {
     text.lines()
         .any(|line| begins(line, MASS) || begins(line, STIFFNESS))

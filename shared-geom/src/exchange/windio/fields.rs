@@ -1,4 +1,4 @@
-//! Fields of a windIO file: tables on a grid, and what is wrong with them.
+//! Fields of a windIO file: tables on a grid, and their problems.
 
 use super::super::problem::{ExchangeProblem, Problems};
 use super::super::text::{not_a_number, number};

@@ -1,5 +1,5 @@
 //! windIO files: reference data, round trips, bad input.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 use std::path::Path;
 
@@ -389,7 +389,7 @@ fn bad_fields_of_version_1_are_told() {
         "    twist_rad:",
         "key \"twist\" of six_x_six is missing",
     );
-    // a scalar where a list belongs
+    // a scalar instead of a list
     let grid = V1.lines().find(|line| line.contains("grid")).unwrap();
     let (head, _) = grid.split_once('[').unwrap();
     v1(

@@ -14,7 +14,7 @@ use super::super::problem::{ExchangeProblem, shortened};
 /// Deeper than any description of a turbine.
 const DEPTH: usize = 64;
 
-/// A value with the line of its begin, counted from one.
+/// A value with the line of its beginning, counted from one.
 #[derive(Debug)]
 pub(super) struct Node {
     pub line: usize,
