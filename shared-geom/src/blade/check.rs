@@ -3,8 +3,8 @@
 use super::{Blade, BladeDamping, BladeProblem, Interpolation, Side};
 use crate::section::{self, PropertyProblem};
 
-/// Part of the length of the line by which a station may lie beyond its end: a file
-/// rounds.
+/// Part of the length of the line by which a station may lie beyond its end:
+/// round-off of a file.
 const BEYOND: f64 = 1e-6;
 
 /// Smallest eigenvalue of a stiffness scaled to a unit diagonal treated as positive:

@@ -28,8 +28,8 @@ const GRAVITY: [(f64, Option<f64>, &str); 3] = [
     (32.174_048_556_430_45, None, "lbf/ft with slugs"),
     (386.088_582_677_165_4, Some(0.0254), "lbf/in with inches"),
 ];
-/// Largest ratio of gravity and the factor to the usual speed of sound for which a weight
-/// is reported.
+/// A weight is reported if gravity and the factor to the usual speed of sound differ by at
+/// most this factor.
 const NEAR: f64 = 3.0;
 /// A table that ends before this part of the line may be cut short.
 const CUT: f64 = 0.9;
@@ -41,7 +41,7 @@ const POLAR: f64 = 1e-6;
 /// Ratio of flap to chordwise stiffness above which the axes of a blade are likely
 /// exchanged.
 const EXCHANGED: f64 = 2.0;
-/// Part of the length that may lie beyond the stations: a file rounds.
+/// Part of the length that may lie beyond the stations: round-off of a file.
 const BEYOND: f64 = 1e-6;
 
 impl Blade {

@@ -272,7 +272,7 @@ fn rows(blade: &Blade, lost: &mut Vec<String>) -> Vec<(f64, Matrix6<f64>, Matrix
             (eta, stiffness, convention.from_ours(&station.mass))
         };
         match rows.last_mut() {
-            // The ramp ends at the jump at the tip, and begins at the jump elsewhere.
+            // At the tip the ramp ends at the jump, elsewhere it begins at the jump.
             Some(last) if last.0 >= eta && eta >= 1.0 => {
                 last.0 = 1.0 - RAMP;
                 rows.push(row(1.0));
