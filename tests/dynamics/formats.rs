@@ -99,7 +99,7 @@ fn modes_are_the_same_after_formats_that_carry_a_blade() {
             let is_rounded = (name, format) == ("iea15", Format::Dymore);
             let says_so = lost
                 .iter()
-                .any(|what| what.contains("not that of a rigid slice"));
+                .any(|what| what.contains("not the matrix of a rigid slice"));
             assert_eq!(is_rounded, says_so, "{name} {}: {lost:?}", format.name());
             let tolerance = if is_rounded { 2.5e-8 } else { 1e-9 };
             let case = format!("{name} through {}", format.title());

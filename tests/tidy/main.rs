@@ -1,9 +1,8 @@
 //! Rules of the tree that a machine can check.
 //!
 //! Each test reads the tree, collects all breaches of one rule as
-//! `file:line: what was found and what was expected`, and fails with the whole
-//! list. The rules themselves are in `CONTRIBUTING.md`; the order of the stages
-//! is [`imports::CRATES`].
+//! `file:line: what was found and what was expected`, and fails with the whole list. The
+//! rules are in `CONTRIBUTING.md`; the order of the stages is [`imports::CRATES`].
 
 mod circles;
 mod documents;
@@ -18,7 +17,7 @@ mod units;
 
 use tree::Tree;
 
-/// Fails with the list when there is a breach.
+/// Fails with the list if there is a breach.
 fn expect_none(rule: &str, breaches: Vec<String>) {
     assert!(
         breaches.is_empty(),

@@ -57,7 +57,7 @@ impl Curved {
     /// A small difference from the line of the beam that uses the properties, in words.
     pub fn remark(&self, user: &str, mismatch: &CurvatureMismatch) -> String {
         format!(
-            "{user}, properties \"{}\": {mismatch}; {}, and it is used as it is",
+            "{user}, properties \"{}\": {mismatch}; {}; the matrices are used as given",
             self.name,
             mismatch.size()
         )

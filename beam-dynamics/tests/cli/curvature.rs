@@ -54,8 +54,8 @@ fn a_piece_without_the_twist_of_its_section_is_refused() {
         format!(
             "error: a.dynamics.toml:9: blade \"b\", piece 1, properties \"strip\": the section was \
              solved for a beam with curvature [20, 0, 0] deg/m, and the line has curvature {line} \
-             deg/m; couplings Kij/sqrt(Kii Kjj) differ by {delta} at most, those of the section \
-             by curvature are up to 0.0204\n  help: {help}"
+             deg/m; couplings Kij/sqrt(Kii Kjj) differ by at most {delta}; the couplings of the \
+             section by curvature are up to 0.0204\n  help: {help}"
         )
     };
     let remedy = |cause: &str, line: &str| {
@@ -88,8 +88,8 @@ fn a_piece_with_that_twist_is_taken_and_a_near_one_told() {
     assert_good(&run);
     let told = "blade \"b\", piece 1, properties \"strip\": the section was solved for a beam with \
                 curvature [20, 0, 0] deg/m, and the line has curvature [19, 0, 0] deg/m; couplings \
-                Kij/sqrt(Kii Kjj) differ by 0.00102 at most, those of the section by curvature \
-                are up to 0.0204, and it is used as it is";
+                Kij/sqrt(Kii Kjj) differ by at most 0.00102; the couplings of the section by \
+                curvature are up to 0.0204; the matrices are used as given";
     assert!(run.out.contains(told), "{}", run.out);
 }
 

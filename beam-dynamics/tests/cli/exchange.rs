@@ -164,7 +164,8 @@ fn what_cannot_be_carried_is_told_with_its_size() {
             .contains("Could not be carried\n  six damping times become one")
     );
     assert!(
-        run.out.contains("3.500e-3 s: up to 2.50e-3 s apart"),
+        run.out
+            .contains("3.500e-3 s: they differ from it by up to 2.50e-3 s"),
         "{}",
         run.out
     );

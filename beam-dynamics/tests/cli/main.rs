@@ -420,7 +420,7 @@ fn a_folder_that_cannot_be_made_is_told() {
     );
     assert_eq!(
         run.err,
-        "error: folder \"results\" cannot be made: a file of this name is in the way\n  \
+        "error: folder \"results\" cannot be made: a file of this name exists\n  \
          help: name another folder with --out\n"
     );
 }

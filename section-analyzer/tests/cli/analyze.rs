@@ -280,7 +280,7 @@ fn results_need_a_folder() {
     let run = place.run(&["analyze", "strip.section.toml", "--out", "strip.msh"]);
     assert_eq!(
         run.err,
-        "error: folder \"strip.msh\" cannot be made: a file of this name is in the way\n  \
+        "error: folder \"strip.msh\" cannot be made: a file of this name exists\n  \
          help: name another folder with --out\n"
     );
     assert_eq!((run.code, run.out.as_str()), (2, ""));
