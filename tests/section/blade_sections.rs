@@ -1,9 +1,9 @@
-//! Sections of blades that the generator meshes: the active-twist blade beside its table,
-//! and a box-spar beside the theory of thin walls.
+//! Sections of blades meshed by the generator: the active-twist blade against its table,
+//! and a box-spar against the theory of thin walls.
 //!
 //! Sources: `tests/reference/theory/blade_table_13_3.json` (Masarati, Table 13.3, and an
-//! independent program on a mesh of its own, of the same plies and materials); Bredt's
-//! theory of thin-walled sections of several cells.
+//! independent program on its own mesh, of the same plies and materials); Bredt's theory of
+//! thin-walled sections of several cells.
 
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
