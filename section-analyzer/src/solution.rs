@@ -7,8 +7,8 @@ use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
 /// Properties of a section and its central solutions.
 ///
-/// Matrices are about the reference point, the origin of the mesh, in section
-/// axes; the order of components is that of [`shared_geom::wrench::COMPONENTS`].
+/// Matrices are about the reference point, the origin of the mesh, in section axes;
+/// components are in the order of [`shared_geom::wrench::COMPONENTS`].
 #[derive(Debug, Clone)]
 pub struct SectionSolution {
     /// Internal force per unit generalized strain (S-24), 6x6 \[N, N m, N m^2\].

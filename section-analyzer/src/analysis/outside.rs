@@ -62,7 +62,7 @@ pub enum OutsideWarning {
         thickness: f64,
     },
     /// No mass is given.
-    #[error("no mass is given: that of the property file is zero")]
+    #[error("no mass is given: the mass in the property file is zero")]
     NoMass,
 }
 

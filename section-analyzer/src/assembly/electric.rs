@@ -106,8 +106,8 @@ fn numbered(has: &[bool]) -> Vec<u32> {
     has.iter().map(number).collect()
 }
 
-/// Which cells of the mesh are dielectrics of the electric problem: cells with an electric
-/// law that are not between fingers, if there are conductors.
+/// For each cell of the mesh whether it is a dielectric of the electric problem: cells with
+/// an electric law that are not between fingers, if there are conductors.
 pub fn dielectric_cells(section: &Section) -> Vec<bool> {
     let mut is_dielectric: Vec<bool> = section
         .cells

@@ -9,7 +9,7 @@
 //! | symbol | meaning | unit | shape |
 //! | --- | --- | --- | --- |
 //! | `D` | law in section axes, order yz yy zz xx xy xz | Pa | 6x6 |
-//! | `S`, `Py`, `Pz` | place a rate, a y derivative, a z derivative of (ux, uy, uz) in the strain | - | 6x3 |
+//! | `S`, `Py`, `Pz` | map a rate, a y derivative, a z derivative of (ux, uy, uz) to the strain | - | 6x3 |
 //! | `E` | `int B0' D B0` | Pa | n x n |
 //! | `R` | `int B0' D Bpsi` | Pa m, Pa m^2 | n x 6 |
 //! | `A` | `int Bpsi' D Bpsi` | Pa m^2 .. Pa m^4 | 6x6 |

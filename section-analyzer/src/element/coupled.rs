@@ -8,8 +8,8 @@
 //! W   = int (eps' sigma + g' D) J dA
 //! ```
 //!
-//! Strains, stresses and their forces are those of [`super::forces`]. Minus Q_V is the free
-//! charge per length that maintains the potential.
+//! Strains, stresses and their forces are computed as in [`super::forces`]. Minus Q_V is
+//! the free charge per length that maintains the potential.
 //!
 //! # References
 //! - [Masarati], appendix G: the section matrices of piezoelectric beams.

@@ -93,7 +93,7 @@ mod tests {
     }
 
     /// A quarter of a circle by one parabola: its chord, and a resultant of pressure equal
-    /// to that of the chord, for any shape.
+    /// to the resultant on the chord, for any shape.
     #[test]
     fn pressure_on_a_curved_side_is_that_on_its_chord() {
         let h = std::f64::consts::FRAC_1_SQRT_2;

@@ -67,7 +67,7 @@ pub struct RestrainedWarping {
 pub enum NoRestrainedWarping {
     /// A material is not isotropic, and torsion is coupled with other strains.
     Anisotropic {
-        /// Name of the first such material.
+        /// Name of the first anisotropic material.
         material: String,
     },
     /// The beam is curved or twisted, and torsion is coupled with axial force and bending.

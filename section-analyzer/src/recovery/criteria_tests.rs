@@ -153,8 +153,8 @@ fn hashin_reserve_of_matrix_compression() {
     assert_relative_eq!(found.reserve_factor, root, max_relative = 1e-14);
 }
 
-/// With strengths 200, 400, 90 the principal stresses 100 +- 50 sqrt 2 of (150, 50, s12 =
-/// 50) govern in tension, the principal stresses of (60, -60, s12 = 0) in shear, and -300
+/// With strengths 200, 400, 90 the principal stresses 100 +- 50 sqrt 2 of (150, 50,
+/// s12 = 50) govern in tension, the principal stresses of (60, -60, s12 = 0) in shear, and -300
 /// in compression. In strains the shear is twice as large.
 #[test]
 fn principal_values_of_uniform_materials() {

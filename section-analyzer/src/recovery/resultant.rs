@@ -88,8 +88,8 @@ pub(super) fn centroid_and_size(section: &Section) -> ([f64; 2], f64) {
 mod tests {
     use super::*;
 
-    /// A moment of 2 N m, compared with a force of 10 N, counts as 2 N at l = 1 m and as 20
-    /// N at l = 0.1 m, where it is larger than the force.
+    /// A moment of 2 N m, compared with a force of 10 N, counts as 2 N at l = 1 m and as
+    /// 20 N at l = 0.1 m, where it is larger than the force.
     #[test]
     fn moments_are_made_comparable_by_the_size() {
         let expected = Vector6::new(10.0, 0.0, 0.0, 2.0, 0.0, 0.0);

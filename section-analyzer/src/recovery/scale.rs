@@ -13,7 +13,7 @@ pub(super) struct Scales {
     /// The largest stress, or the largest stress of the actions on a restrained section
     /// \[Pa\].
     pub stress: f64,
-    /// The largest strain, or the strain of such a stress \[-\].
+    /// The largest strain, or the strain of that stress \[-\].
     pub strain: f64,
 }
 

@@ -167,7 +167,7 @@ pub struct Recovery {
     /// The largest stress, or the largest stress of the actions on a restrained section:
     /// the reference for round-off \[Pa\].
     pub stress_scale: f64,
-    /// The largest strain, or the strain of such a stress \[-\].
+    /// The largest strain, or the strain of that stress \[-\].
     pub strain_scale: f64,
     /// Integration points, cell by cell.
     pub points: Vec<PointState>,

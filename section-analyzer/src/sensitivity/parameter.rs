@@ -24,7 +24,7 @@ pub enum Parameter {
     Node {
         /// Index of the node in the mesh.
         node: usize,
-        /// Which coordinate.
+        /// The coordinate.
         axis: Axis,
     },
     /// A coordinate of a node of the mesh file, with all nodes and angles that depend on
@@ -39,7 +39,7 @@ pub enum Parameter {
 pub struct MeshNode {
     /// Tag of the node in the mesh file.
     pub tag: u64,
-    /// Which coordinate.
+    /// The coordinate.
     pub axis: Axis,
     /// Its value \[m\].
     pub value: f64,

@@ -15,7 +15,7 @@ pub struct DecayingMode {
 /// The slowest decaying solutions of a section, as far as found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EndEffects {
-    /// The modes, those of equal rates once, the slowest first.
+    /// The modes, each rate once, the slowest first.
     pub modes: Vec<DecayingMode>,
     /// Number of requested modes.
     pub wanted: usize,

@@ -145,8 +145,9 @@ impl PiezoSolution {
     }
 
     /// Voltages of all electrodes under an internal force and given voltages, one for each
-    /// electrode, of which only those of driven electrodes are used \[V\]: floating ones have
-    /// the voltage of zero charge per length. `None` as in [`PiezoSolution::in_circuit`].
+    /// electrode, of which only the voltages of driven electrodes are used \[V\]: floating
+    /// ones have the voltage of zero charge per length. `None` as in
+    /// [`PiezoSolution::in_circuit`].
     ///
     /// ```text
     /// 0 = -Theta_f' C theta + freecap_fd V_d + freecap_ff V_f

@@ -116,7 +116,7 @@ impl Entries {
         }
     }
 
-    /// Compares principal values and angles; those of inertia only if both have mass.
+    /// Compares principal values and angles; of inertia only if both have mass.
     pub fn principal_axes(&mut self, a: &SectionProperties, b: &SectionProperties) {
         let massive = a.mass[(0, 0)] > 0.0 && b.mass[(0, 0)] > 0.0;
         let (a, b) = (&a.principal_axes, &b.principal_axes);
