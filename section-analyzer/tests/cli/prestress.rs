@@ -122,7 +122,8 @@ fn the_table_is_moved_and_compared() {
     green.prestress = Some(prestress);
     place.write("d.json", &section::write(&green));
     let run = place.run(&["compare", "b.json", "d.json"]);
-    let words = "the prestress of A is by the strain of biot, that of B by green";
+    let words =
+        "the prestress of A uses the strain of biot, the prestress of B the strain of green";
     assert!(run.code == 1 && run.out.contains(words), "{}", run.out);
 }
 
