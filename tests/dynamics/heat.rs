@@ -233,6 +233,6 @@ fn what_is_heated_is_told() {
     );
     assert_eq!(
         told("temperature = 20", "temperature = \"= 40 + t\""),
-        ["heat and imposed strains of blade \"bar\", piece 1: temperature 40 K at the time zero"]
+        ["heat and imposed strains of blade \"bar\", piece 1: temperature 40 K at time zero"]
     );
 }
