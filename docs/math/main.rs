@@ -25,7 +25,9 @@ fn render_chapters(value: &mut Value, wrong: &mut Vec<String>) {
                 }
             }
         }
-        entries.values_mut().for_each(|it| render_chapters(it, wrong));
+        entries
+            .values_mut()
+            .for_each(|it| render_chapters(it, wrong));
     } else if let Value::Array(items) = value {
         items.iter_mut().for_each(|it| render_chapters(it, wrong));
     }
@@ -51,7 +53,11 @@ fn main() -> ExitCode {
     let mut arguments = std::env::args().skip(1);
     if arguments.next().as_deref() == Some("supports") {
         let is_html = arguments.next().as_deref() == Some("html");
-        return if is_html { ExitCode::SUCCESS } else { ExitCode::FAILURE };
+        return if is_html {
+            ExitCode::SUCCESS
+        } else {
+            ExitCode::FAILURE
+        };
     }
     match run() {
         Ok(()) => ExitCode::SUCCESS,

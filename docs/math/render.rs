@@ -45,7 +45,11 @@ pub fn rendered(page: &str) -> Result<String, Vec<(usize, String)>> {
             out.push('\n');
         }
     }
-    if wrong.is_empty() { Ok(out) } else { Err(wrong) }
+    if wrong.is_empty() {
+        Ok(out)
+    } else {
+        Err(wrong)
+    }
 }
 
 /// A displayed formula, its numbers in a column on the right.
@@ -119,7 +123,11 @@ fn outside_of_environments<'a>(tex: &'a str, separator: &str) -> Vec<&'a str> {
         }
         // A backslash takes the character after it along, so that "\&" is none.
         let characters = if rest.starts_with('\\') { 2 } else { 1 };
-        at += rest.chars().take(characters).map(char::len_utf8).sum::<usize>();
+        at += rest
+            .chars()
+            .take(characters)
+            .map(char::len_utf8)
+            .sum::<usize>();
     }
     pieces.push(&tex[start..]);
     pieces

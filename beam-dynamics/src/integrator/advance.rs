@@ -2,10 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::corrector::{Corrector, Meter};
+use super::corrector::Corrector;
 use super::formula::{Formula, STAGES};
 use super::lengths::{Accepted, Lengths, Plan, cut_by};
 use super::limits::MOST_CROWDED;
+use super::meter::Meter;
 use super::prediction::Past;
 use super::speeds::Speeds;
 use super::{

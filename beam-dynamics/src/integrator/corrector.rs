@@ -11,48 +11,14 @@
 use std::sync::Arc;
 
 use super::formula::{Formula, STAGES};
-use super::{Counters, Dae, Jacobians, Reason, StepLimits};
+use super::meter::Meter;
+use super::{Dae, Jacobians, Reason, StepLimits};
 use crate::assembly::{Combination, Pattern, Residual, Sparse};
 use crate::solver::{Iteration, StepSolver, Worst};
 
 mod stages;
 
 use stages::StageMatrix;
-
-/// Counts the work of a step, and times its phases, each from the end of the one before: a
-/// look at the clock costs as much as a phase of a small model.
-pub(super) struct Meter<'a> {
-    /// The counters so far.
-    pub counters: &'a mut Counters,
-    /// The time that passes [s].
-    clock: &'a dyn Fn() -> f64,
-    /// When the phase began that is under way [s].
-    began: f64,
-}
-
-impl<'a> Meter<'a> {
-    /// The first phase began at the time `began` \[s\].
-    pub fn new(counters: &'a mut Counters, clock: &'a dyn Fn() -> f64, began: f64) -> Self {
-        Self {
-            counters,
-            clock,
-            began,
-        }
-    }
-
-    /// Ends a phase, and adds its time to the counter that `of` picks.
-    pub fn end_phase(&mut self, of: fn(&mut Counters) -> &mut f64) {
-        let now = (self.clock)();
-        *of(self.counters) += now - self.began;
-        self.began = now;
-    }
-}
-
-impl std::fmt::Debug for Meter<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.counters.fmt(f)
-    }
-}
 
 /// A residual or correction so far below its limit is nothing but round-off.
 const ROUND_OFF: f64 = 1e-3;

@@ -147,7 +147,7 @@ fn a_stiffness_that_is_not_positive_definite_is_told_with_its_reach() {
         &[
             "a.blade.toml:15: stiffness is not positive definite from 7.99999",
             "m to 10 m, about station 2 at 10 m: there its smallest scaled eigenvalue is -2.500e-1",
-            "help: check the signs of the couplings, and that frame and order are",
+            "help: check the signs of the couplings, and that frame and order agree",
         ],
     );
 }

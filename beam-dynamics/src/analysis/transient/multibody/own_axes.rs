@@ -139,12 +139,7 @@ impl OwnAxes {
         })
     }
 
-    fn bend(
-        &self,
-        origin: &Matrix3<f64>,
-        rotation: &Matrix3<f64>,
-        omega: &Vector3<f64>,
-    ) -> Bend {
+    fn bend(&self, origin: &Matrix3<f64>, rotation: &Matrix3<f64>, omega: &Vector3<f64>) -> Bend {
         let (e_1, e) = (origin * self.axis, rotation * self.axis);
         let (u, d) = (e_1.cross(&e), 1.0 + e_1.dot(&e));
         let rate = omega.cross(&e);
