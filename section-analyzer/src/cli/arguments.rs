@@ -217,7 +217,7 @@ pub(super) enum Command {
     Rotate(RotateArguments),
     #[command(about = first_line(SCHEMA), long_about = SCHEMA, after_help = SCHEMA_EXAMPLE)]
     Schema {
-        /// What to write
+        /// Format of the description
         #[arg(long, value_enum, default_value_t = SchemaFormat::Json)]
         format: SchemaFormat,
         /// File to write instead of printing

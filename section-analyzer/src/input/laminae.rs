@@ -114,7 +114,7 @@ fn ply(table: &Table<'_>) -> WrittenPly {
 }
 
 impl WrittenLamina {
-    /// Its name, or that of its curve.
+    /// Its name, or the name of its curve.
     fn called(&self) -> Option<&str> {
         let name = self.name.as_ref().or(self.curve.as_ref());
         name.map(|name| name.text.as_str())

@@ -311,7 +311,7 @@ pub enum InputProblem {
     TableRow {
         /// The row as written.
         found: String,
-        /// What was expected.
+        /// Description of the expected row.
         expected: String,
     },
     /// A cell with two values.

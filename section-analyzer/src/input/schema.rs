@@ -40,7 +40,7 @@ pub struct TableSchema {
     pub families: &'static [Family],
 }
 
-/// Keys that belong together and exclude those of other families.
+/// Keys that belong together and exclude the keys of other families.
 #[derive(Debug)]
 pub struct Family {
     /// The name of the family: `isotropic`.

@@ -16,8 +16,9 @@
 //! | `c` | stiffness in material axes, order 11 22 33 23 13 12 | Pa | 6x6 |
 //! | `d` | stiffness in section axes, order yz yy zz xx xy xz | Pa | 6x6 |
 //!
-//! The axes are (S-8). The fourth-order tensor is rotated (S-9), `d_abcd = q_ai q_bj q_ck
-//! q_dl c_ijkl`, without an explicit transformation matrix of the six components.
+//! The axes are (S-8). The fourth-order tensor is rotated (S-9),
+//! `d_abcd = q_ai q_bj q_ck q_dl c_ijkl`, without an explicit transformation matrix of the
+//! six components.
 
 use nalgebra::{Matrix3, Matrix6, Vector6};
 

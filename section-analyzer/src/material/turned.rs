@@ -1,5 +1,5 @@
-//! Materials whose constants are given in their own axes of the data: orientation of
-//! these axes in the axes of the material, and the constants there.
+//! Materials whose constants are given in axes of the data, other than the material axes:
+//! orientation of these axes in the material axes, and the constants there.
 //!
 //! # Symbols
 //!

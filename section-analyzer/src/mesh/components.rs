@@ -4,7 +4,7 @@ use super::findings::NarrowGap;
 use super::plane::{PlaneMesh, polygon_area};
 use super::problem::{MeshProblem, Part};
 
-/// States that all cells are connected through sides. `neighbors` are the pairs of cells
+/// Checks that all cells are connected through sides. `neighbors` are the pairs of cells
 /// that share one, `coincident` the pairs of nodes at the same position, `gaps` possible
 /// explanations, and `label(cell)` is the physical surface of a cell.
 pub(super) fn check_connected(

@@ -1,4 +1,4 @@
-//! Cells that overlap, hang on each other, or nearly touch.
+//! Cells that overlap, have hanging nodes, or nearly touch.
 //!
 //! All cells are counterclockwise, and each inner side is shared by two cells that pass
 //! it in opposite directions. The number of cells that cover a point is then the winding
@@ -61,7 +61,7 @@ struct Search<'a> {
     covered: HashSet<[usize; 2]>,
     /// Hanging nodes, with the side on which they lie.
     hung: HashSet<(u32, usize)>,
-    /// Sides with a node that hangs on them.
+    /// Sides with a hanging node on them.
     carrying: HashSet<usize>,
     /// Sides that nearly touch, with a position and the distance.
     near: Vec<(SidePair, [f64; 2], f64)>,
@@ -220,8 +220,8 @@ impl Search<'_> {
         }
     }
 
-    /// Whether an end of the side `other` hangs on the side `one`, which is parallel to
-    /// `other`.
+    /// Whether an end of the side `other` is a hanging node on the side `one`, which is
+    /// parallel to `other`.
     fn hang(&mut self, one: usize, other: usize, tolerance: f64) {
         let [on, of] = [one, other].map(|side| self.boundary.sides[side]);
         let carrier = self.mesh.cells[on.cell].nodes();

@@ -53,8 +53,8 @@ const GOOD_MIDDLE: f64 = 0.05;
 pub enum ShapeMeasure {
     /// Least over largest Jacobian determinant in the cell.
     Jacobian,
-    /// Square of the longest side over the area, relative to that of the square or
-    /// of the equilateral triangle: of a rectangle, length over width.
+    /// Square of the longest side over the area, relative to the square or the
+    /// equilateral triangle: for a rectangle, length over width.
     Aspect,
     /// Smallest angle at a corner, between the tangents of its sides.
     SmallestAngle,

@@ -62,6 +62,7 @@ pub enum VolumeForce {
     Force(Vector3<f64>),
     /// The density of each material times this acceleration, in section axes \[m/s^2\]:
     /// for weight the acceleration of gravity, for a rotating blade the centrifugal
+    /// acceleration, outward.
     Acceleration(Vector3<f64>),
 }
 

@@ -93,8 +93,8 @@ fn property_file_holds_the_properties() {
 }
 
 /// One row per region and one for the sum: A = b h, Izz = h b^3/12 and so on of the strip
-/// in SI, to round-off; every number with all its digits. Gamma of a strip is `b^3
-/// h^3/144` except for its ends, 4.8 (h/b)^2 = 2 % of it.
+/// in SI, to round-off; every number with all its digits. Gamma of a strip is
+/// `b^3 h^3/144` except for its ends, 4.8 (h/b)^2 = 2 % of it.
 #[test]
 fn tables_hold_areas_and_constants() {
     let place = strip();

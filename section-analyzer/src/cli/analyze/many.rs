@@ -88,7 +88,7 @@ struct Listener<'a, 'b> {
     progress: Progress,
     waiting: BTreeMap<usize, Box<Outcome>>,
     told: usize,
-    /// Why the terminal accepts no more output. The run continues.
+    /// Reason for which the terminal accepts no more output. The run continues.
     closed: Option<std::io::Error>,
 }
 

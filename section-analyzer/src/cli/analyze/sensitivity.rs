@@ -106,7 +106,7 @@ pub(super) fn analyzed(
     };
     let analysis = Analysis::new(&input.section)?;
     let derivatives = analysis.sensitivities(&parameters).map_err(|problem| {
-        // the parameters are those of the section
+        // the parameters belong to the section
         let unknowns = match problem {
             SensitivityProblem::OutOfMemory { unknowns } => unknowns,
             _ => analysis.domain().unknowns(),

@@ -140,7 +140,7 @@ pub enum MatrixProblem {
     /// None or both of two alternatives are given.
     #[error("{found}, expected one of them")]
     Form {
-        /// What was found.
+        /// Description of the given data.
         found: &'static str,
     },
 }

@@ -17,9 +17,9 @@ pub(super) struct Builder<'a> {
     pub mesh: &'a mut Mesh,
     pub laminae: &'a [Lamina],
     pub segments: &'a [Segment],
-    /// Inner nodes of each laminate.
+    /// The layers of each laminate.
     pub layers: &'a [Layers],
-    /// Data of the cells made.
+    /// The faces of the cells made.
     pub faces: Vec<LaminaFace>,
     next_node: u64,
     next_cell: u64,

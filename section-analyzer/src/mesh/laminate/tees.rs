@@ -7,8 +7,9 @@
 //! ```text
 //!            w |  |  |  levels h of the wall that ends
 //!              |  |  |
-//!     ---------*--*--*---------  face at the level F of the continuous wall a     |row
-//!     |     b ---------*--*--*---------> t
+//!     ---------*--*--*---------  face at the level F of the continuous wall
+//!        a     |row  |     b
+//!     ---------*--*--*---------> t
 //!
 //! s(h) = (h - F n . m) / (t . m)       position along t of the level h
 //! ```

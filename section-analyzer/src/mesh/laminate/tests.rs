@@ -305,7 +305,7 @@ fn lines_that_do_not_fit_the_cells_are_told() {
     let along = "line 1 of curve \"skin\" at (1, 1) runs along the border of cells without \
                  being one of their sides";
     assert_eq!(told(&[&[4, 6]], left), [along]);
-    // a line with a node in its middle on a cell that has none there
+    // a line with a middle node on a cell without one
     let order = "line 1 of curve \"skin\" at (0.5, 1.004) has a node in its middle that the side \
                  of the cell there does not have";
     assert_eq!(told(&[&[4, 3, 10]], left), [order]);

@@ -52,7 +52,7 @@ pub fn of_laminae(
     (own, told)
 }
 
-/// Counts one more cell of a laminate with a reported cell; false if it has none.
+/// Counts one more cell of a laminate with a reported cell; otherwise false.
 fn counted(told: &mut [Told], lamina: usize) -> bool {
     let known = told.iter_mut().find(|(known, _)| *known == lamina);
     match known {

@@ -67,8 +67,8 @@ fn trapezoid_has_its_closed_forms() {
     has(&trapezoid, [0.5, 4.0 / 1.5, 0.25 * PI, 0.75 * PI, 0.0]);
 }
 
-/// With the middle node at 1/2 + d along a side the derivative along it varies from 1 - 4
-/// d to 1 + 4 d, at the opposite side it is 1: J is linear between these.
+/// With the middle node at 1/2 + d along a side the derivative along it varies from
+/// 1 - 4 d to 1 + 4 d, at the opposite side it is 1: J is linear between these.
 #[test]
 fn a_middle_moved_along_its_side_lowers_the_jacobian() {
     let d = 0.15;

@@ -379,8 +379,8 @@ fn what_does_not_fit_is_told_where() {
     ));
 }
 
-/// Ordinates of NACA Report 460, in percent of the chord with three decimals: 0012 at 30
-/// % and at the trailing edge, 4412 near its highest point at 40 %.
+/// Ordinates of NACA Report 460, in percent of the chord with three decimals: 0012 at
+/// 30 % and at the trailing edge, 4412 near its highest point at 40 %.
 #[test]
 fn airfoils_are_those_of_the_report() {
     let at = |digits: &str, is_closed: bool, half: Half, part: f64| {
