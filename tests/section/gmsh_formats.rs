@@ -236,7 +236,7 @@ fn a_mesh_that_stands_upright_is_refused_with_the_way_out() {
         assert_eq!(
             problems.unwrap_err().to_string(),
             "error: test: the mesh lies in the plane y = 0, expected a plane z = constant\n  \
-             help: turn it by -90 degrees about the mesh axis x into the x-y plane (in gmsh, \
+             help: rotate it by -90 degrees about the mesh axis x into the x-y plane (in gmsh, \
              Rotate), where x is the section axis y and y is the section axis z"
         );
     }
@@ -273,7 +273,7 @@ fn a_cell_belongs_to_the_region_of_one_of_its_groups() {
         let problems = of(&["right", "all"]).unwrap_err().to_string();
         let example = read("groups", format).cells[4].tag;
         let expected = format!(
-            "a.section.toml:10: regions \"right\" (line 7) and \"all\" both claim 4 cells (cell \
+            "a.section.toml:10: regions \"right\" (line 7) and \"all\" both contain 4 cells (cell \
              {example} for example), expected every cell in one region\n  help: a cell has one \
              material"
         );

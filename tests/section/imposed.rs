@@ -428,6 +428,6 @@ fn loads_and_states_superpose() {
     assert!(cell < section.cells.len() && (there.stress - bare.stress).amax() > 1e-3 * scale);
 
     let unknown = recoverer.recover(&load(1.0, &["cold"])).unwrap_err();
-    let told = "load \"load\" acts with \"cold\", which is no imposed state of the section";
+    let told = "load \"load\" acts with \"cold\", which is not an imposed state of the section";
     assert_eq!(unknown.to_string(), told);
 }

@@ -649,7 +649,7 @@ fn wrong_voltages_are_told_with_the_nearest_name() {
     let found = failure("topp");
     assert_eq!(
         found.to_string(),
-        "load \"load\" has a voltage for \"topp\", which is no electrode of the section"
+        "load \"load\" has a voltage for \"topp\", which is not an electrode of the section"
     );
     assert_eq!(found.help().unwrap(), "did you mean \"top\"?");
     assert!(matches!(failure("bottom"), Failure::NotDriven { .. }));
