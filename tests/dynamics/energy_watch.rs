@@ -115,7 +115,7 @@ fn modes_with_negative_damping_are_told_beyond_those_listed() {
             .collect::<Vec<_>>()
     };
     for (count, place) in [
-        (10, "negative damping beyond those listed"),
+        (10, "negative damping beyond the listed ones"),
         (48, "2 modes have negative"),
     ] {
         let found = remarks(FINITE_VOLUME, count);
