@@ -1,9 +1,10 @@
 //! Motion in time: initialization, then step after step, each passed to a recorder.
 //!
-//! 1. Places and velocities are made to fulfill the constraints, with the smallest
+//! 1. Positions and velocities are changed to fulfill the constraints, with the smallest weighted
+//!   change; momenta, their rates and the multipliers follow.
 //!    weighted change; momenta, their rates and the multipliers follow.
 //! 2. The integrator makes one accepted step after the other, to the last instant.
-//! 3. What ends a run early is told with the equation that is worst and the likely cause.
+//! 3. The reason for an early end is reported with the worst equation and the likely cause.
 
 use crate::assembly::Slack;
 use crate::assembly::massless;

@@ -96,7 +96,7 @@ pub fn difference(model: &Model, snapshot: &Snapshot) -> Option<String> {
     }
     let (found, expected) = (snapshot.multipliers, model.system.numbering().multipliers());
     (found != expected)
-        .then(|| format!("its joints have {found} constraints, those of the model {expected}"))
+        .then(|| format!("its joints have {found} constraints, the model {expected}"))
 }
 
 /// A state of the given numbers of nodes, multipliers and scalars; the rest is memory.
