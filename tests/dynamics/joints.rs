@@ -65,8 +65,8 @@ fn check(case: &str, found: &[Complex<f64>], expected: Vec<Complex<f64>>, tolera
 const MASS: f64 = 3.0;
 const CENTER: f64 = 2.0;
 const OFFSET: f64 = 0.4;
-/// Central inertia of a flat blade: z = 0 for all of its mass, as in thin-blade theory, so that `jx
-/// + jy = jz`.
+/// Central inertia of a flat blade: z = 0 for all of its mass, as in thin-blade theory, so that
+/// `jx + jy = jz`.
 const CENTRAL: [f64; 3] = [0.1, 1.5, 1.6];
 
 /// A blade along x on one hinge at the offset, held by the turning frame.

@@ -118,8 +118,8 @@ pub(super) struct EnergyWatch {
     then: Vec<Energy>,
     /// Largest decrease of potentials: elastic, of gravity, electric [J].
     falls: [f64; 3],
-    /// Energies of the error of the iteration: of positions [J], and of displacements in a step [J
-    /// s^2].
+    /// Energies of the error of the iteration: of positions [J], and of displacements in a
+    /// step [J s^2].
     left: [f64; 2],
     steps: usize,
     length: f64,
