@@ -82,11 +82,11 @@ fn nothing_happens_when_the_end_is_reached() {
 }
 
 /// The error at the end follows the tolerance: of a method of order p the local error is h^(p+1),
-/// the error at the end h^p, so that a tolerance of 1/100 gives 100^(p/(p+1)) of it, or, where the
-/// local error is less than its estimate, as sometimes for Radau IIA, up to 100
-/// times smaller. The step length is kept while the wished length is within a tenth of it:
-/// p ln 1.1 / ln 100 of the exponent. At 1e-6 the cubic scheme takes 30 steps, the first of which are short because
-/// there are no previous ones; the exponent is for many steps.
+/// the error at the end h^p, so that a tolerance of 1/100 makes it 100^(p/(p+1)) times smaller, or,
+/// where the local error is less than its estimate, as sometimes for Radau IIA, up to 100 times
+/// smaller. The step length is kept while the wished length is within a tenth of it: p ln 1.1 / ln
+/// 100 of the exponent. At 1e-6 the cubic scheme takes 30 steps, the first of which are short
+/// because there are no previous ones; the exponent is for many steps.
 #[test]
 fn variable_steps_keep_the_local_error() {
     let exact = [0.134_994_926_127_77, 0.990_846_289_754_25];
