@@ -103,7 +103,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 10\nstep = 0.01",
         &[
             "the motion has grown beyond the model: node \"cart\"",
-            "\"push\" acts on what it senses and feeds it",
+            "\"push\" acts on sensed quantities and feeds the motion",
             "the sign and the gain of the drive",
         ],
     ),
@@ -112,7 +112,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 10\nstep = { first = 0.01, least = 1e-6 }",
         &[
             "the motion has grown beyond the model",
-            "\"load 1\" acts on what it senses",
+            "\"load 1\" acts on sensed quantities",
         ],
     ),
     (
@@ -120,7 +120,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 2\nstep = 0.01",
         &[
             "without a value",
-            "\"pull\" has no value at what it senses there",
+            "\"pull\" has no value at the sensed quantities there",
             "sqrt(max(0, ...))",
         ],
     ),
@@ -129,7 +129,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 2\nstep = 0.01",
         &[
             "\"late\" has no value at 0.5",
-            "wherever the nodes are",
+            "at any position of the nodes",
             "end the run before",
         ],
     ),
@@ -148,7 +148,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         &[
             "largest error: position along x of node \"cart\", off by",
             "the least step, 1.000e-2 s, is too long",
-            "let \"least\" be",
+            "set \"least\" to",
         ],
     ),
     (
@@ -157,7 +157,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 1\nstep = { first = 0.05, least = 0.05, tolerance = 1 }\nnewton = { iterations = 2 }",
         &[
             "worst equation: force balance along x of node \"cart\", off by",
-            "was still coming nearer when its 2 iterations were used up",
+            "was still converging when its 2 iterations were used up",
             "newton = { iterations = 15 }",
         ],
     ),
@@ -165,7 +165,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "[[load]]\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= if(place > 0.3, -1e5, 1)\"",
         "to = 1\nstep = { first = 0.01, least = 0.002, tolerance = 1e-9 }",
         &[
-            "the iteration goes to and fro",
+            "the iteration oscillates",
             "\"load 1\"",
             "make the law smoother",
         ],
@@ -175,13 +175,13 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 1\nstep = { first = 0.01, least = 0.0005, tolerance = 1e-10 }",
         &[
             "a force or a stiffness jumps within the step",
-            "\"load 1\" acts on what it senses",
+            "\"load 1\" acts on sensed quantities",
         ],
     ),
     (
         "[[load]]\nnode = \"cart\"\nforce = [1e100, 0, 0]",
         "to = 1\nstep = 0.01",
-        &["a mass, a load or another number of the model is beyond reason"],
+        &["a mass, a load or another number of the model is unreasonably large"],
     ),
 ];
 
