@@ -3,6 +3,7 @@
 
 mod areas;
 mod blade_section;
+mod cell_colors;
 mod cell_pieces;
 mod comparison;
 mod distributed;
@@ -56,6 +57,7 @@ pub use field_plot::FieldPlot;
 pub use files::OutputFiles;
 pub use imposed::imposed_report;
 pub use mesh_plot::MeshPlot;
+pub use outline::Outline;
 pub use outside::{outside_properties, outside_warping_csv};
 pub use piezo::{electrodes_csv, piezo_report};
 pub use prestress::prestress_report;

@@ -8,19 +8,17 @@
 //!     o
 //! ```
 
-use std::collections::HashMap;
-
 use plotters::backend::DrawingBackend;
 use plotters::style::{RGBColor, WHITE};
 use shared_geom::figure::{
     Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, diverging, tick_label,
 };
 
+use super::cell_colors::fill_cells;
 use super::figure_parts::{
     BELOW, Figure, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_color_bar, draw_title,
-    fill_cell,
 };
-use super::outline::{Side, SideRole, cell_points, side_points, sides, widths};
+use super::outline::{Outline, Side, SideRole, side_points};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use crate::input::InputSummary;
 use crate::material::ElasticLaw;
@@ -54,7 +52,7 @@ pub struct FiberPlot<'a> {
     section: &'a Section,
     unit: PlotUnit,
     plane: Plane,
-    sides: Vec<Side>,
+    sides: &'a [Side],
     /// Width of the walls on the figure [figure pixels].
     wall: f64,
     /// End of the scale of angles [deg].
@@ -79,7 +77,7 @@ fn line_angle(angle: f64) -> f64 {
 
 impl<'a> FiberPlot<'a> {
     /// The figure of `section`; `None` if all its materials are isotropic.
-    pub fn new(section: &'a Section, summary: &InputSummary) -> Option<Self> {
+    pub fn new(section: &'a Section, outline: &'a Outline, summary: &InputSummary) -> Option<Self> {
         let cells = (0..section.cells.len()).filter(|&cell| has_directions(section, cell));
         let cells: Vec<_> = cells.collect();
         let angle = |&cell: &usize| line_angle(section.cells[cell].fiber_angle).abs();
@@ -91,15 +89,13 @@ impl<'a> FiberPlot<'a> {
         let pixel = (0..2).map(|axis| bare.size(axis) / (room[axis] - 2.0 * MARGIN));
         let margin = MARGIN * pixel.fold(0.0, f64::max);
         let plane = Plane::fitted(bare.grown(margin), [LEFT, TOP], room);
-        let sides = sides(section);
-        let (wall, _) = widths(section, &sides);
         let flags = spread(section, &plane, &cells);
         Some(Self {
             section,
             unit: PlotUnit::of(summary, bare.largest()),
-            wall: wall * plane.scale,
+            wall: outline.wall * plane.scale,
             plane,
-            sides,
+            sides: &outline.sides,
             scale: scale.unwrap_or(90.0),
             flags,
         })
@@ -117,16 +113,10 @@ impl<'a> FiberPlot<'a> {
 
     fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
-        for (index, cell) in self.section.mesh.cells.iter().enumerate() {
-            let is_thin = self.wall < THINNEST;
-            fill_cell(
-                canvas,
-                cell_points(cell, &place),
-                self.color(index),
-                is_thin,
-            )?;
-        }
-        for side in &self.sides {
+        let is_thin = self.wall < THINNEST;
+        let color = |cell| self.color(cell);
+        fill_cells(canvas, (self.section, self.sides), &place, color, is_thin)?;
+        for side in self.sides {
             let (width, color) = match side.role {
                 SideRole::Boundary => (2.0, INK),
                 SideRole::Interface => (1.2, FAINT),
@@ -262,11 +252,8 @@ impl Flag {
 
     /// Whether the arrows of both can be told apart.
     fn leaves_room(&self, other: &Self) -> bool {
-        let room = match self.points_elsewhere(other) {
-            true => CLOSE,
-            false => SPACING,
-        };
-        self.distance(other) >= room
+        let distance = self.distance(other);
+        distance >= SPACING || (distance >= CLOSE && self.points_elsewhere(other))
     }
 }
 
@@ -274,15 +261,18 @@ impl Flag {
 /// one for each physical surface with directions that no flag near it shows.
 fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
     let mut chosen: Vec<Flag> = Vec::new();
-    let mut near = HashMap::<[i64; 2], Vec<Flag>>::new();
+    // by squares as wide as the distance, with a rim of empty ones
+    let [columns, rows] = [0, 1].map(|axis| (plane.frame[axis] / SPACING) as usize + 3);
+    let mut near: Vec<Vec<Flag>> = vec![Vec::new(); columns * rows];
     for &cell in cells {
         let flag = Flag::of(section, plane, cell);
-        let [column, row] = flag.foot.map(|x| (x / SPACING).floor() as i64);
-        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [column + i, row + j]));
-        let mut others = around.filter_map(|key| near.get(&key)).flatten();
-        if others.all(|other| flag.leaves_room(other)) {
+        let square = |axis: usize| ((flag.foot[axis] - plane.corner[axis]) / SPACING) as usize + 1;
+        let (column, row) = (square(0).min(columns - 2), square(1).min(rows - 2));
+        let mut around = (row - 1..=row + 1)
+            .flat_map(|row| &near[row * columns + column - 1..=row * columns + column + 1]);
+        if around.all(|others| others.iter().all(|other| flag.leaves_room(other))) {
             chosen.push(flag);
-            near.entry([column, row]).or_default().push(flag);
+            near[row * columns + column].push(flag);
         }
     }
     let group = |cell: usize| section.mesh.cells[cell].group;

@@ -6,10 +6,9 @@ use shared_geom::figure::{
     Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, category, tick_label,
 };
 
-use super::figure_parts::{
-    BELOW, Figure, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_title, fill_cell,
-};
-use super::outline::{Side, SideRole, cell_points, side_points, sides, widths};
+use super::cell_colors::fill_cells;
+use super::figure_parts::{BELOW, Figure, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_title};
+use super::outline::{Outline, Side, SideRole, side_points};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use super::text::rounded;
 use crate::input::InputSummary;
@@ -35,7 +34,7 @@ pub struct MeshPlot<'a> {
     /// Larger side of the section's box [m].
     size: f64,
     plane: Plane,
-    sides: Vec<Side>,
+    sides: &'a [Side],
     marks: Vec<Mark>,
     /// Number of the color of each material; those of no cell have none.
     color_of: Vec<usize>,
@@ -66,7 +65,12 @@ enum Shape {
 
 impl<'a> MeshPlot<'a> {
     /// The figure of `section`; without centers when the analysis failed.
-    pub fn new(section: &'a Section, summary: &InputSummary, centers: Option<&Centers>) -> Self {
+    pub fn new(
+        section: &'a Section,
+        outline: &'a Outline,
+        summary: &InputSummary,
+        centers: Option<&Centers>,
+    ) -> Self {
         let bare = Extent::of(section.mesh.nodes.iter().copied());
         let size = bare.largest();
         let marks = marks(centers);
@@ -79,17 +83,15 @@ impl<'a> MeshPlot<'a> {
         }
         let room = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
         let plane = Plane::fitted(extent.grown(0.05 * size), [LEFT, TOP], room);
-        let sides = sides(section);
-        let (wall, cell) = widths(section, &sides);
         let (color_of, colors) = colors(section);
         Self {
             section,
             unit: PlotUnit::of(summary, size),
             size,
-            wall: wall * plane.scale,
-            cell: cell * plane.scale,
+            wall: outline.wall * plane.scale,
+            cell: outline.cell * plane.scale,
             plane,
-            sides,
+            sides: &outline.sides,
             marks,
             color_of,
             colors,
@@ -142,15 +144,13 @@ impl<'a> MeshPlot<'a> {
     fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let section = self.section;
         let place = |node: u32| self.plane.place(section.mesh.nodes[node as usize]);
-        for (cell, made_of) in section.mesh.cells.iter().zip(&section.cells) {
-            let color = category(self.color_of[made_of.material]);
-            let is_thin = self.wall < THINNEST;
-            fill_cell(canvas, cell_points(cell, &place), color, is_thin)?;
-        }
-        if self.wall < THINNEST {
+        let color = |cell: usize| category(self.color_of[section.cells[cell].material]);
+        let is_thin = self.wall < THINNEST;
+        fill_cells(canvas, (section, self.sides), &place, color, is_thin)?;
+        if is_thin {
             return Ok(());
         }
-        for side in &self.sides {
+        for side in self.sides {
             let (width, color) = match side.role {
                 SideRole::Boundary if self.wall > 40.0 => (3.0, INK),
                 SideRole::Interface if self.wall > 40.0 => (2.0, INK),

@@ -1,5 +1,6 @@
 //! The analysis of one section, with its files and an outcome in words.
 
+use std::cell::LazyCell;
 use std::path::PathBuf;
 
 use shared_geom::error::{Diagnostics, Place};
@@ -18,7 +19,7 @@ use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
-    AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, add_prestress, areas_csv,
+    AnalysisRecord, Outline, OutputFiles, ResultWriter, WarpingPlot, add_prestress, areas_csv,
     constants_csv, end_effects, failure_report, imposed_report, piezo_report, prestress_report,
     properties, report, warping_vtu,
 };
@@ -321,8 +322,9 @@ fn write_figures(
     results: &mut ResultWriter,
 ) -> Result<(), OutputProblem> {
     let files = results.files().clone();
-    draw_section(input, Some(centers), results)?;
-    let warping = || WarpingPlot::new(&input.section, solution);
+    let outline = LazyCell::new(|| Outline::new(&input.section));
+    draw_section(input, &outline, Some(centers), results)?;
+    let warping = || WarpingPlot::new(&input.section, &outline, solution);
     results.figure(files.warping(), warping)?;
     let fields = warping_vtu(&input.section, solution);
     results.add(files.warping_field(), |file| fields.write(file))
@@ -363,5 +365,6 @@ fn write_failure(
     } = input;
     let files = results.files().clone();
     results.text(files.report(), &failure_report(section, summary, failure))?;
-    draw_section(input, None, results)
+    let outline = LazyCell::new(|| Outline::new(section));
+    draw_section(input, &outline, None, results)
 }
