@@ -229,7 +229,7 @@ mod tests {
         };
         let is_there = |i: usize, j: usize| (i, j) != (3, 4) && i + j != 2;
         let mut one_by_one = Vec::new();
-        let mut border = Vec::new();
+        let mut border: Vec<[[f64; 2]; 2]> = Vec::new();
         for i in 0..8 {
             for j in (0..9).filter(|j| is_there(i, *j)) {
                 let square = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
