@@ -66,7 +66,7 @@ pub use property_report::{property_axes, property_centers, property_report};
 pub use record::AnalysisRecord;
 pub use report::{checks, failure_report, input_report, report};
 pub use restrained::constants_csv;
-pub use results::ResultWriter;
+pub use results::{Figures, ResultWriter};
 pub use sensitivity::{sensitivity_json, sensitivity_table};
 pub use stress_plots::{failure_indices_of_cells, stress_plots};
 pub use stress_report::stress_report;
