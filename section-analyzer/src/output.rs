@@ -17,6 +17,7 @@ mod field_plot;
 mod figure_parts;
 mod files;
 mod imposed;
+mod layup_strip;
 mod mesh_plot;
 mod outline;
 mod outside;

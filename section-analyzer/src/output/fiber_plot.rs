@@ -16,8 +16,9 @@ use shared_geom::figure::{
 
 use super::cell_colors::fill_cells;
 use super::figure_parts::{
-    BELOW, Figure, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_color_bar, draw_title,
+    BELOW, Figure, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TITLE, TOP, draw_color_bar, draw_title,
 };
+use super::layup_strip::LayupStrip;
 use super::outline::{Outline, Side, SideRole, side_points};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use crate::input::InputSummary;
@@ -59,6 +60,8 @@ pub struct FiberPlot<'a> {
     scale: f64,
     /// Cells that bear a flag.
     flags: Vec<usize>,
+    /// The plies of a wall, where they are too thin to be seen.
+    layup: Option<LayupStrip>,
 }
 
 /// Whether any cell of the section has a material with directions.
@@ -94,11 +97,17 @@ impl<'a> FiberPlot<'a> {
             section,
             unit: PlotUnit::of(summary, bare.largest()),
             wall: outline.wall * plane.scale,
+            layup: LayupStrip::new(section, outline, plane.scale),
             plane,
             sides: &outline.sides,
             scale: scale.unwrap_or(90.0),
             flags,
         })
+    }
+
+    /// Lower edge of the legend \[figure pixels\].
+    fn bottom(&self) -> f64 {
+        TOP + self.plane.frame[1] + BELOW + LEGEND
     }
 
     fn color(&self, cell: usize) -> RGBColor {
@@ -131,7 +140,8 @@ impl<'a> FiberPlot<'a> {
         for &cell in &self.flags {
             let foot = self.plane.place(center(self.section, cell));
             let angle = self.section.cells[cell].plane_angle;
-            draw_flag(canvas, foot, angle, self.color(cell))?;
+            let rim = if self.wall < SPARED { 0.0 } else { RIM };
+            draw_flag(canvas, foot, angle, (self.color(cell), rim))?;
         }
         Ok(())
     }
@@ -140,7 +150,7 @@ impl<'a> FiberPlot<'a> {
         let top = TOP + self.plane.frame[1] + BELOW;
         let label = Label::new(0.88 * TEXT).colored(INK);
         let foot = [LEFT + 10.0, top + 1.1 * LINE];
-        draw_flag(canvas, foot, 0.0, diverging(0.0))?;
+        draw_flag(canvas, foot, 0.0, (diverging(0.0), RIM))?;
         let beside = [foot[0] + ARROW + 16.0, foot[1] - POLE];
         canvas.text("s", beside, label)?;
         canvas.text(
@@ -214,14 +224,20 @@ impl Drawing for FiberPlot<'_> {
         self.plane.draw_axes(canvas, &self.unit)?;
         self.draw_cells(canvas)?;
         self.draw_flags(canvas)?;
-        self.draw_legend(canvas)
+        self.draw_legend(canvas)?;
+        let Some(layup) = &self.layup else {
+            return Ok(());
+        };
+        layup.draw_cut(canvas, &self.plane)?;
+        let color = |cell| self.color(cell);
+        layup.draw(canvas, (self.section, &self.unit), self.bottom(), color)
     }
 }
 
 impl Figure for FiberPlot<'_> {
     fn size(&self) -> (u32, u32) {
-        let height = TOP + self.plane.frame[1] + BELOW + LEGEND;
-        (WIDTH, height.ceil() as u32)
+        let layup = self.layup.as_ref().map_or(0.0, LayupStrip::height);
+        (WIDTH, (self.bottom() + layup).ceil() as u32)
     }
 }
 
@@ -307,12 +323,13 @@ fn center(section: &Section, cell: usize) -> [f64; 2] {
     }
 }
 
-/// A flag with its foot at a place of the figure and its arrow at `angle` from +y.
+/// A flag with its foot at a place of the figure and its arrow at `angle` from +y; its foot
+/// has a color, and all of it a white rim \[figure pixels\].
 fn draw_flag<B: DrawingBackend>(
     canvas: &Canvas<B>,
     foot: [f64; 2],
     angle: f64,
-    color: RGBColor,
+    (color, rim): (RGBColor, f64),
 ) -> Result<(), FigureProblem> {
     let (sine, cosine) = angle.sin_cos();
     // z runs up, the figure's second coordinate down
@@ -329,9 +346,11 @@ fn draw_flag<B: DrawingBackend>(
         ]
     };
     // a white rim keeps it apart from dark colors
-    canvas.line(&line, 3.5 + 2.0 * RIM, WHITE)?;
-    canvas.polygon(&head(RIM), WHITE)?;
-    canvas.disc(foot, 9.5 + RIM, WHITE)?;
+    if rim > 0.0 {
+        canvas.line(&line, 3.5 + 2.0 * rim, WHITE)?;
+        canvas.polygon(&head(rim), WHITE)?;
+        canvas.disc(foot, 9.5 + rim, WHITE)?;
+    }
     canvas.line(&line, 3.5, INK)?;
     canvas.polygon(&head(0.0), INK)?;
     canvas.disc(foot, 9.5, INK)?;

@@ -7,7 +7,9 @@ use shared_geom::figure::{
 };
 
 use super::cell_colors::fill_cells;
-use super::figure_parts::{BELOW, Figure, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_title};
+use super::figure_parts::{
+    BELOW, Figure, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TITLE, TOP, draw_title,
+};
 use super::outline::{Outline, Side, SideRole, side_points};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use super::text::rounded;
@@ -23,6 +25,8 @@ const NARROWEST: f64 = 7.0;
 const REACH: f64 = 1.0;
 /// Lines between cells of one material are darker than the cells by this factor.
 const SHADE: f64 = 0.62;
+/// Width of the white rim of a mark [figure pixels].
+const RIM: f64 = 2.25;
 /// Materials in the legend at most.
 const NAMES: usize = 12;
 
@@ -169,7 +173,8 @@ impl<'a> MeshPlot<'a> {
             .iter()
             .filter(|mark| self.plane.shows(mark.place))
         {
-            mark.shape.draw(canvas, self.plane.place(mark.place))?;
+            let rim = if self.wall < SPARED { 0.0 } else { RIM };
+            mark.shape.draw(canvas, self.plane.place(mark.place), rim)?;
         }
         Ok(())
     }
@@ -233,18 +238,19 @@ impl Figure for MeshPlot<'_> {
 }
 
 impl Shape {
-    /// Draws the shape in black with a white rim. Ring, triangle and cross around
+    /// Draws the shape in black with a white rim \[figure pixels\]. Ring, triangle and cross around
     /// one point leave each other free.
     fn draw<B: DrawingBackend>(
         self,
         canvas: &Canvas<B>,
         center: [f64; 2],
+        rim: f64,
     ) -> Result<(), FigureProblem> {
         let [x, y] = center;
         let at = |dx: f64, dy: f64| [x + dx, y + dy];
         let rimmed = |lines: &[&[[f64; 2]]]| {
-            for points in lines {
-                canvas.line(points, 8.0, WHITE)?;
+            for points in lines.iter().filter(|_| rim > 0.0) {
+                canvas.line(points, 3.5 + 2.0 * rim, WHITE)?;
             }
             lines
                 .iter()
@@ -252,7 +258,8 @@ impl Shape {
         };
         match self {
             Self::Disc => {
-                canvas.disc(center, 7.0, WHITE)?;
+                // as wide as the dot can have it inside of the ring
+                canvas.disc(center, 5.0 + rim.min(2.0), WHITE)?;
                 canvas.disc(center, 5.0, BLACK)
             }
             Self::Ring => {
@@ -286,8 +293,8 @@ impl Shape {
                 canvas.line(&[[x - 26.0, y], [x + 26.0, y]], 3.5, BLACK)?;
                 canvas.line(&[[x, y - 26.0], [x, y + 26.0]], 3.5, BLACK)
             }
-            Self::Triangle => self.draw(canvas, [x, y + 8.0]),
-            Self::Ring | Self::Disc => self.draw(canvas, [x, y]),
+            Self::Triangle => self.draw(canvas, [x, y + 8.0], RIM),
+            Self::Ring | Self::Disc => self.draw(canvas, [x, y], RIM),
         }
     }
 }

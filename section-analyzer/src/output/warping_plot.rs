@@ -217,7 +217,7 @@ impl<'a> WarpingPlot<'a> {
             canvas.text(text, [x, bottom + 26.0], label)?;
         }
         let words = [
-            "color: warping along x, relative to its largest; dark outline: warping in the plane,",
+            "color: warping along x over its largest [-]; dark outline: warping in the plane,",
             "exaggerated; above each panel: the largest along x and in the y-z plane",
         ];
         let label = Label {
