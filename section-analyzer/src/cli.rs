@@ -8,6 +8,7 @@ use clap::Parser;
 use shared_geom::error::{Diagnostics, Explain};
 
 use crate::input::{self, Input};
+use crate::output::Figures;
 
 mod analyze;
 mod arguments;
@@ -98,7 +99,11 @@ fn dispatch(
             load,
             out,
             no_figures,
-        } => stress::recover_file(&file, &load, (out, !no_figures), terminal),
+            svg,
+        } => {
+            let figures = Figures::asked(no_figures, svg);
+            stress::recover_file(&file, &load, (out, figures), terminal)
+        }
         Command::Matrices { file, out } => matrices::analyze_file(&file, out, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
         Command::Report(arguments) => report::report_files(&arguments, terminal),

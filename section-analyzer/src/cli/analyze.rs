@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::arguments::AnalyzeArguments;
 use super::{DONE, Stop, Terminal, WRONG_INPUT, list};
 use crate::input;
+use crate::output::Figures;
 
 mod electrodes;
 mod lines;
@@ -51,8 +52,8 @@ impl Job {
 struct Run {
     /// Whether sections are solved even if nothing has changed.
     force: bool,
-    /// Whether figures are drawn.
-    figures: bool,
+    /// Which figures are drawn.
+    figures: Figures,
     /// Numbers of the nodes whose coordinates are parameters of the derivatives; `None`
     /// if no derivatives are requested.
     sensitivity: Option<Vec<u64>>,
@@ -80,7 +81,7 @@ pub(super) fn analyze_files(
     }
     let run = Run {
         force: arguments.force,
-        figures: !arguments.no_figures,
+        figures: Figures::asked(arguments.no_figures, arguments.svg),
         sensitivity: arguments
             .sensitivity
             .then(|| arguments.sensitivity_nodes.clone()),

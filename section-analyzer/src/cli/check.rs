@@ -1,11 +1,12 @@
 //! `section-analyzer check`: reports problems of a section file, without solving it.
 
+use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
 use super::figures::draw_section;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
 use crate::input::{self, Input};
-use crate::output::{OutputFiles, ResultWriter, input_report};
+use crate::output::{Outline, OutputFiles, ResultWriter, input_report};
 
 /// Reads and checks a section file; draws the section into the folder `out`.
 pub(super) fn check_file(
@@ -32,7 +33,8 @@ fn draw(
     let files = OutputFiles::new(folder, &input::name_of(file))
         .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
     let mut results = ResultWriter::beside(files);
-    let drawn = draw_section(input, None, &mut results);
+    let outline = LazyCell::new(|| Outline::new(&input.section));
+    let drawn = draw_section(input, &outline, None, &mut results);
     let told = drawn.map_err(|problem| terminal.tell(&problem, NOT_REACHED));
     list("Written", &results.abandon(), terminal)?;
     told

@@ -1,15 +1,18 @@
 //! The figures of a section that need no solution.
 
+use std::cell::LazyCell;
+
 use shared_geom::files::OutputProblem;
 
 use crate::input::Input;
-use crate::output::{FiberPlot, MeshPlot, ResultWriter};
+use crate::output::{FiberPlot, MeshPlot, Outline, ResultWriter};
 use crate::properties::Centers;
 
 /// Draws the mesh, with the centers if known, and the fibers if a material has
 /// directions.
 pub(super) fn draw_section(
     input: &Input,
+    outline: &LazyCell<Outline, impl FnOnce() -> Outline>,
     centers: Option<&Centers>,
     results: &mut ResultWriter,
 ) -> Result<(), OutputProblem> {
@@ -17,6 +20,8 @@ pub(super) fn draw_section(
         section, summary, ..
     } = input;
     let files = results.files().clone();
-    results.figure(files.mesh(), || MeshPlot::new(section, summary, centers))?;
-    results.figure_where(files.fibers(), || FiberPlot::new(section, summary))
+    results.figure(files.mesh(), || {
+        MeshPlot::new(section, outline, summary, centers)
+    })?;
+    results.figure_where(files.fibers(), || FiberPlot::new(section, outline, summary))
 }

@@ -13,8 +13,8 @@ use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, words};
 use crate::failure::Failure;
 use crate::input::{self, Input, InputProblem};
 use crate::output::{
-    OutputFiles, ResultWriter, distributed_load, failure_indices_of_cells, stress_cells_csv,
-    stress_nodes_csv, stress_plots, stress_points_csv, stress_report, stress_vtu,
+    Figures, OutputFiles, ResultWriter, distributed_load, failure_indices_of_cells,
+    stress_cells_csv, stress_nodes_csv, stress_plots, stress_points_csv, stress_report, stress_vtu,
 };
 use crate::recovery::{LoadCase, Recoverer, Recovery};
 use crate::section::DistributedLoad;
@@ -34,11 +34,11 @@ impl Explain for NoLoad {
 }
 
 /// Analyzes a section and writes its stresses under the loads of the command line, or
-/// else under the loads of its file, into the folder `out`, with or without `figures`.
+/// else under the loads of its file, into the folder `out`, with these figures.
 pub(super) fn recover_file(
     file: &Path,
     load: &LoadArguments,
-    (out, figures): (Option<PathBuf>, bool),
+    (out, figures): (Option<PathBuf>, Figures),
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
     let mut input = terminal.read(file)?;

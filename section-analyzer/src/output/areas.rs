@@ -77,27 +77,27 @@ fn boundary(total: &AreaProperties) -> String {
 const HEADING: [&str; 18] = [
     "region",
     "cells",
-    "area_m2",
-    "centroid_y_m",
-    "centroid_z_m",
-    "first_moment_y_m3",
-    "first_moment_z_m3",
-    "iyy_m4",
-    "izz_m4",
-    "iyz_m4",
-    "central_iyy_m4",
-    "central_izz_m4",
-    "central_iyz_m4",
-    "perimeter_m",
-    "outer_perimeter_m",
+    "area [m^2]",
+    "centroid_y [m]",
+    "centroid_z [m]",
+    "first_moment_y [m^3]",
+    "first_moment_z [m^3]",
+    "iyy [m^4]",
+    "izz [m^4]",
+    "iyz [m^4]",
+    "central_iyy [m^4]",
+    "central_izz [m^4]",
+    "central_iyz [m^4]",
+    "perimeter [m]",
+    "outer_perimeter [m]",
     "holes",
-    "hole_perimeter_m",
-    "mass_kg_per_m",
+    "hole_perimeter [m]",
+    "mass [kg/m]",
 ];
 
 /// A row a region and one of the whole section, called `total`, as CSV.
 ///
-/// `first_moment_y_m3` is `int y dA`, `iyy_m4` is `int z^2 dA`, `izz_m4` is
+/// `first_moment_y` is `int y dA`, `iyy` is `int z^2 dA`, `izz` is
 /// `int y^2 dA`, all about the reference point; those called central are about the
 /// centroid of the row.
 pub fn areas_csv(areas: &AreaTable) -> String {

@@ -34,6 +34,21 @@ impl Patterns {
         }
     }
 
+    /// The triangles of a cell with these nodes \[figure pixels\] by its corners, where it is
+    /// so small that its pattern has one piece along a side.
+    pub fn of_corners<const N: usize>(
+        &self,
+        kind: CellKind,
+        nodes: &[[f64; N]; 9],
+    ) -> Option<&'static [[usize; 3]]> {
+        let nodes = &nodes[..kind.node_count()];
+        let is_small = extent(nodes, 0).max(extent(nodes, 1)) <= self.size;
+        is_small.then_some(match kind.corner_count() {
+            3 => &[[0, 1, 2]],
+            _ => &[[0, 1, 3], [1, 2, 3]],
+        })
+    }
+
     /// The pattern of a cell that has its nodes at the first two values of `nodes`
     /// \[figure pixels\], with `least` pieces or more along a side.
     pub fn of<const N: usize>(
@@ -113,6 +128,26 @@ fn extent<const N: usize>(nodes: &[[f64; N]], axis: usize) -> f64 {
 mod tests {
     use super::*;
     use crate::mesh::polygon_area;
+
+    /// Corners of small cells are the points of their patterns.
+    #[test]
+    fn small_cells_have_the_triangles_of_their_pattern() {
+        for kind in CellKind::ALL {
+            let mut nodes = [[0.0; 2]; 9];
+            nodes[..kind.node_count()].copy_from_slice(kind.reference_nodes());
+            let pattern = Pattern::new(kind, 1);
+            let places: Vec<_> = pattern.at(&nodes).collect();
+            let found = pattern
+                .triangles
+                .iter()
+                .map(|t| t.map(|point| places[point]));
+            let found: Vec<_> = found.collect();
+            let by_corners = Patterns::new(2.0).of_corners(kind, &nodes).unwrap();
+            let expected = by_corners.iter().map(|t| t.map(|corner| nodes[corner]));
+            assert_eq!(found, expected.collect::<Vec<_>>(), "{kind:?}");
+            assert!(Patterns::new(0.9).of_corners(kind, &nodes).is_none());
+        }
+    }
 
     /// The pieces of a reference cell, placed on itself, have its area.
     #[test]

@@ -8,19 +8,18 @@
 //!     o
 //! ```
 
-use std::collections::HashMap;
-
 use plotters::backend::DrawingBackend;
 use plotters::style::{RGBColor, WHITE};
 use shared_geom::figure::{
     Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, diverging, tick_label,
 };
 
+use super::cell_colors::fill_cells;
 use super::figure_parts::{
-    BELOW, Figure, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_color_bar, draw_title,
-    fill_cell,
+    BELOW, Figure, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TITLE, TOP, draw_color_bar, draw_title,
 };
-use super::outline::{Side, SideRole, cell_points, side_points, sides, widths};
+use super::layup_strip::LayupStrip;
+use super::outline::{Outline, Side, SideRole, side_points};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use crate::input::InputSummary;
 use crate::material::ElasticLaw;
@@ -54,13 +53,15 @@ pub struct FiberPlot<'a> {
     section: &'a Section,
     unit: PlotUnit,
     plane: Plane,
-    sides: Vec<Side>,
+    sides: &'a [Side],
     /// Width of the walls on the figure [figure pixels].
     wall: f64,
     /// End of the scale of angles [deg].
     scale: f64,
     /// Cells that bear a flag.
     flags: Vec<usize>,
+    /// The plies of a wall, where they are too thin to be seen.
+    layup: Option<LayupStrip>,
 }
 
 /// Whether any cell of the section has a material with directions.
@@ -79,7 +80,7 @@ fn line_angle(angle: f64) -> f64 {
 
 impl<'a> FiberPlot<'a> {
     /// The figure of `section`; `None` if all its materials are isotropic.
-    pub fn new(section: &'a Section, summary: &InputSummary) -> Option<Self> {
+    pub fn new(section: &'a Section, outline: &'a Outline, summary: &InputSummary) -> Option<Self> {
         let cells = (0..section.cells.len()).filter(|&cell| has_directions(section, cell));
         let cells: Vec<_> = cells.collect();
         let angle = |&cell: &usize| line_angle(section.cells[cell].fiber_angle).abs();
@@ -91,18 +92,22 @@ impl<'a> FiberPlot<'a> {
         let pixel = (0..2).map(|axis| bare.size(axis) / (room[axis] - 2.0 * MARGIN));
         let margin = MARGIN * pixel.fold(0.0, f64::max);
         let plane = Plane::fitted(bare.grown(margin), [LEFT, TOP], room);
-        let sides = sides(section);
-        let (wall, _) = widths(section, &sides);
         let flags = spread(section, &plane, &cells);
         Some(Self {
             section,
             unit: PlotUnit::of(summary, bare.largest()),
-            wall: wall * plane.scale,
+            wall: outline.wall * plane.scale,
+            layup: LayupStrip::new(section, outline, plane.scale),
             plane,
-            sides,
+            sides: &outline.sides,
             scale: scale.unwrap_or(90.0),
             flags,
         })
+    }
+
+    /// Lower edge of the legend \[figure pixels\].
+    fn bottom(&self) -> f64 {
+        TOP + self.plane.frame[1] + BELOW + LEGEND
     }
 
     fn color(&self, cell: usize) -> RGBColor {
@@ -117,16 +122,10 @@ impl<'a> FiberPlot<'a> {
 
     fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
-        for (index, cell) in self.section.mesh.cells.iter().enumerate() {
-            let is_thin = self.wall < THINNEST;
-            fill_cell(
-                canvas,
-                cell_points(cell, &place),
-                self.color(index),
-                is_thin,
-            )?;
-        }
-        for side in &self.sides {
+        let is_thin = self.wall < THINNEST;
+        let color = |cell| self.color(cell);
+        fill_cells(canvas, (self.section, self.sides), &place, color, is_thin)?;
+        for side in self.sides {
             let (width, color) = match side.role {
                 SideRole::Boundary => (2.0, INK),
                 SideRole::Interface => (1.2, FAINT),
@@ -141,7 +140,8 @@ impl<'a> FiberPlot<'a> {
         for &cell in &self.flags {
             let foot = self.plane.place(center(self.section, cell));
             let angle = self.section.cells[cell].plane_angle;
-            draw_flag(canvas, foot, angle, self.color(cell))?;
+            let rim = if self.wall < SPARED { 0.0 } else { RIM };
+            draw_flag(canvas, foot, angle, (self.color(cell), rim))?;
         }
         Ok(())
     }
@@ -150,7 +150,7 @@ impl<'a> FiberPlot<'a> {
         let top = TOP + self.plane.frame[1] + BELOW;
         let label = Label::new(0.88 * TEXT).colored(INK);
         let foot = [LEFT + 10.0, top + 1.1 * LINE];
-        draw_flag(canvas, foot, 0.0, diverging(0.0))?;
+        draw_flag(canvas, foot, 0.0, (diverging(0.0), RIM))?;
         let beside = [foot[0] + ARROW + 16.0, foot[1] - POLE];
         canvas.text("s", beside, label)?;
         canvas.text(
@@ -224,14 +224,20 @@ impl Drawing for FiberPlot<'_> {
         self.plane.draw_axes(canvas, &self.unit)?;
         self.draw_cells(canvas)?;
         self.draw_flags(canvas)?;
-        self.draw_legend(canvas)
+        self.draw_legend(canvas)?;
+        let Some(layup) = &self.layup else {
+            return Ok(());
+        };
+        layup.draw_cut(canvas, &self.plane)?;
+        let color = |cell| self.color(cell);
+        layup.draw(canvas, (self.section, &self.unit), self.bottom(), color)
     }
 }
 
 impl Figure for FiberPlot<'_> {
     fn size(&self) -> (u32, u32) {
-        let height = TOP + self.plane.frame[1] + BELOW + LEGEND;
-        (WIDTH, height.ceil() as u32)
+        let layup = self.layup.as_ref().map_or(0.0, LayupStrip::height);
+        (WIDTH, (self.bottom() + layup).ceil() as u32)
     }
 }
 
@@ -262,11 +268,8 @@ impl Flag {
 
     /// Whether the arrows of both can be told apart.
     fn leaves_room(&self, other: &Self) -> bool {
-        let room = match self.points_elsewhere(other) {
-            true => CLOSE,
-            false => SPACING,
-        };
-        self.distance(other) >= room
+        let distance = self.distance(other);
+        distance >= SPACING || (distance >= CLOSE && self.points_elsewhere(other))
     }
 }
 
@@ -274,15 +277,18 @@ impl Flag {
 /// one for each physical surface with directions that no flag near it shows.
 fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
     let mut chosen: Vec<Flag> = Vec::new();
-    let mut near = HashMap::<[i64; 2], Vec<Flag>>::new();
+    // by squares as wide as the distance, with a rim of empty ones
+    let [columns, rows] = [0, 1].map(|axis| (plane.frame[axis] / SPACING) as usize + 3);
+    let mut near: Vec<Vec<Flag>> = vec![Vec::new(); columns * rows];
     for &cell in cells {
         let flag = Flag::of(section, plane, cell);
-        let [column, row] = flag.foot.map(|x| (x / SPACING).floor() as i64);
-        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [column + i, row + j]));
-        let mut others = around.filter_map(|key| near.get(&key)).flatten();
-        if others.all(|other| flag.leaves_room(other)) {
+        let square = |axis: usize| ((flag.foot[axis] - plane.corner[axis]) / SPACING) as usize + 1;
+        let (column, row) = (square(0).min(columns - 2), square(1).min(rows - 2));
+        let mut around = (row - 1..=row + 1)
+            .flat_map(|row| &near[row * columns + column - 1..=row * columns + column + 1]);
+        if around.all(|others| others.iter().all(|other| flag.leaves_room(other))) {
             chosen.push(flag);
-            near.entry([column, row]).or_default().push(flag);
+            near[row * columns + column].push(flag);
         }
     }
     let group = |cell: usize| section.mesh.cells[cell].group;
@@ -317,12 +323,13 @@ fn center(section: &Section, cell: usize) -> [f64; 2] {
     }
 }
 
-/// A flag with its foot at a place of the figure and its arrow at `angle` from +y.
+/// A flag with its foot at a place of the figure and its arrow at `angle` from +y; its foot
+/// has a color, and all of it a white rim \[figure pixels\].
 fn draw_flag<B: DrawingBackend>(
     canvas: &Canvas<B>,
     foot: [f64; 2],
     angle: f64,
-    color: RGBColor,
+    (color, rim): (RGBColor, f64),
 ) -> Result<(), FigureProblem> {
     let (sine, cosine) = angle.sin_cos();
     // z runs up, the figure's second coordinate down
@@ -339,9 +346,11 @@ fn draw_flag<B: DrawingBackend>(
         ]
     };
     // a white rim keeps it apart from dark colors
-    canvas.line(&line, 3.5 + 2.0 * RIM, WHITE)?;
-    canvas.polygon(&head(RIM), WHITE)?;
-    canvas.disc(foot, 9.5 + RIM, WHITE)?;
+    if rim > 0.0 {
+        canvas.line(&line, 3.5 + 2.0 * rim, WHITE)?;
+        canvas.polygon(&head(rim), WHITE)?;
+        canvas.disc(foot, 9.5 + rim, WHITE)?;
+    }
     canvas.line(&line, 3.5, INK)?;
     canvas.polygon(&head(0.0), INK)?;
     canvas.disc(foot, 9.5, INK)?;

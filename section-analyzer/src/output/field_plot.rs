@@ -161,7 +161,11 @@ impl<'a> FieldPlot<'a> {
             self.swelling(),
         );
         let color = |value| self.scale.color(value);
-        canvas.shade(&[rim.triangles(), surface.triangles].concat(), color)?;
+        let mut triangles = [rim.triangles(), surface.triangles].concat();
+        for triangle in &mut triangles {
+            triangle.values = triangle.values.map(|value| self.scale.drawn(value));
+        }
+        canvas.shade(&triangles, color)?;
         self.draw_borders(canvas)?;
         for line in &rim.outlines {
             canvas.line(line, if self.wall > 40.0 { 3.0 } else { 2.0 }, INK)?;

@@ -20,6 +20,10 @@ pub(super) const BELOW: f64 = 135.0;
 /// Walls thinner than this cannot be seen: they are drawn as wide [figure pixels].
 pub(super) const THINNEST: f64 = 5.0;
 
+/// Walls thinner than this have no white around what stands on them, which would erase
+/// them [figure pixels].
+pub(super) const SPARED: f64 = 30.0;
+
 /// Size of a title that stands alone above a frame.
 pub(super) const TITLE: f64 = 1.15 * TEXT;
 /// Letters are at most this much wider when they are bold.

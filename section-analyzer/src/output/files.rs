@@ -197,9 +197,12 @@ fn in_file(name: &str) -> String {
     name.chars().map(letter).collect()
 }
 
-/// Removes files; one that does not exist is no problem.
+/// Removes files, figures in both formats; one that does not exist is no problem.
 fn remove<const N: usize>(files: [PathBuf; N]) {
     for file in files {
+        if file.extension().is_some_and(|ending| ending == "png") {
+            let _ = std::fs::remove_file(file.with_extension("svg"));
+        }
         let _ = std::fs::remove_file(file);
     }
 }

@@ -6,10 +6,11 @@ use shared_geom::figure::{
     Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, category, tick_label,
 };
 
+use super::cell_colors::fill_cells;
 use super::figure_parts::{
-    BELOW, Figure, HIGHEST, LEFT, RIGHT, THINNEST, TITLE, TOP, draw_title, fill_cell,
+    BELOW, Figure, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TITLE, TOP, draw_title,
 };
-use super::outline::{Side, SideRole, cell_points, side_points, sides, widths};
+use super::outline::{Outline, Side, SideRole, side_points};
 use super::plane::{Extent, INK, Plane, PlotUnit};
 use super::text::rounded;
 use crate::input::InputSummary;
@@ -24,6 +25,8 @@ const NARROWEST: f64 = 7.0;
 const REACH: f64 = 1.0;
 /// Lines between cells of one material are darker than the cells by this factor.
 const SHADE: f64 = 0.62;
+/// Width of the white rim of a mark [figure pixels].
+const RIM: f64 = 2.25;
 /// Materials in the legend at most.
 const NAMES: usize = 12;
 
@@ -35,7 +38,7 @@ pub struct MeshPlot<'a> {
     /// Larger side of the section's box [m].
     size: f64,
     plane: Plane,
-    sides: Vec<Side>,
+    sides: &'a [Side],
     marks: Vec<Mark>,
     /// Number of the color of each material; those of no cell have none.
     color_of: Vec<usize>,
@@ -66,7 +69,12 @@ enum Shape {
 
 impl<'a> MeshPlot<'a> {
     /// The figure of `section`; without centers when the analysis failed.
-    pub fn new(section: &'a Section, summary: &InputSummary, centers: Option<&Centers>) -> Self {
+    pub fn new(
+        section: &'a Section,
+        outline: &'a Outline,
+        summary: &InputSummary,
+        centers: Option<&Centers>,
+    ) -> Self {
         let bare = Extent::of(section.mesh.nodes.iter().copied());
         let size = bare.largest();
         let marks = marks(centers);
@@ -79,17 +87,15 @@ impl<'a> MeshPlot<'a> {
         }
         let room = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
         let plane = Plane::fitted(extent.grown(0.05 * size), [LEFT, TOP], room);
-        let sides = sides(section);
-        let (wall, cell) = widths(section, &sides);
         let (color_of, colors) = colors(section);
         Self {
             section,
             unit: PlotUnit::of(summary, size),
             size,
-            wall: wall * plane.scale,
-            cell: cell * plane.scale,
+            wall: outline.wall * plane.scale,
+            cell: outline.cell * plane.scale,
             plane,
-            sides,
+            sides: &outline.sides,
             marks,
             color_of,
             colors,
@@ -142,15 +148,13 @@ impl<'a> MeshPlot<'a> {
     fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let section = self.section;
         let place = |node: u32| self.plane.place(section.mesh.nodes[node as usize]);
-        for (cell, made_of) in section.mesh.cells.iter().zip(&section.cells) {
-            let color = category(self.color_of[made_of.material]);
-            let is_thin = self.wall < THINNEST;
-            fill_cell(canvas, cell_points(cell, &place), color, is_thin)?;
-        }
-        if self.wall < THINNEST {
+        let color = |cell: usize| category(self.color_of[section.cells[cell].material]);
+        let is_thin = self.wall < THINNEST;
+        fill_cells(canvas, (section, self.sides), &place, color, is_thin)?;
+        if is_thin {
             return Ok(());
         }
-        for side in &self.sides {
+        for side in self.sides {
             let (width, color) = match side.role {
                 SideRole::Boundary if self.wall > 40.0 => (3.0, INK),
                 SideRole::Interface if self.wall > 40.0 => (2.0, INK),
@@ -169,7 +173,8 @@ impl<'a> MeshPlot<'a> {
             .iter()
             .filter(|mark| self.plane.shows(mark.place))
         {
-            mark.shape.draw(canvas, self.plane.place(mark.place))?;
+            let rim = if self.wall < SPARED { 0.0 } else { RIM };
+            mark.shape.draw(canvas, self.plane.place(mark.place), rim)?;
         }
         Ok(())
     }
@@ -233,18 +238,19 @@ impl Figure for MeshPlot<'_> {
 }
 
 impl Shape {
-    /// Draws the shape in black with a white rim. Ring, triangle and cross around
+    /// Draws the shape in black with a white rim \[figure pixels\]. Ring, triangle and cross around
     /// one point leave each other free.
     fn draw<B: DrawingBackend>(
         self,
         canvas: &Canvas<B>,
         center: [f64; 2],
+        rim: f64,
     ) -> Result<(), FigureProblem> {
         let [x, y] = center;
         let at = |dx: f64, dy: f64| [x + dx, y + dy];
         let rimmed = |lines: &[&[[f64; 2]]]| {
-            for points in lines {
-                canvas.line(points, 8.0, WHITE)?;
+            for points in lines.iter().filter(|_| rim > 0.0) {
+                canvas.line(points, 3.5 + 2.0 * rim, WHITE)?;
             }
             lines
                 .iter()
@@ -252,7 +258,8 @@ impl Shape {
         };
         match self {
             Self::Disc => {
-                canvas.disc(center, 7.0, WHITE)?;
+                // as wide as the dot can have it inside of the ring
+                canvas.disc(center, 5.0 + rim.min(2.0), WHITE)?;
                 canvas.disc(center, 5.0, BLACK)
             }
             Self::Ring => {
@@ -286,8 +293,8 @@ impl Shape {
                 canvas.line(&[[x - 26.0, y], [x + 26.0, y]], 3.5, BLACK)?;
                 canvas.line(&[[x, y - 26.0], [x, y + 26.0]], 3.5, BLACK)
             }
-            Self::Triangle => self.draw(canvas, [x, y + 8.0]),
-            Self::Ring | Self::Disc => self.draw(canvas, [x, y]),
+            Self::Triangle => self.draw(canvas, [x, y + 8.0], RIM),
+            Self::Ring | Self::Disc => self.draw(canvas, [x, y], RIM),
         }
     }
 }

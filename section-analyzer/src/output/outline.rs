@@ -37,12 +37,26 @@ pub(super) struct Side {
     pub other: Option<usize>,
 }
 
-/// Every side of the mesh, once, in the order of the cells; parts are materials.
-pub(super) fn sides(section: &Section) -> Vec<Side> {
-    sides_by(&section.mesh.cells, |cell| section.cells[cell].material)
+/// The sides of a section and its widths, which all figures of it share.
+#[derive(Debug)]
+pub struct Outline {
+    /// Every side of the mesh, once, in the order of the cells; parts are materials.
+    pub(super) sides: Vec<Side>,
+    /// Mean thickness of the walls, and mean width of the cells [m].
+    pub(super) wall: f64,
+    pub(super) cell: f64,
 }
 
-/// The same with cells parted by the number that `part` gives each.
+impl Outline {
+    /// Of the cells of `section`.
+    pub fn new(section: &Section) -> Self {
+        let sides = sides_by(&section.mesh.cells, |cell| section.cells[cell].material);
+        let (wall, cell) = widths(section, &sides);
+        Self { sides, wall, cell }
+    }
+}
+
+/// Every side of the mesh, once, in the order of the cells, with cells parted by the number that `part` gives each.
 pub(super) fn sides_by(cells: &[SectionCell], part: impl Fn(usize) -> usize) -> Vec<Side> {
     let mut sides: Vec<Side> = Vec::new();
     let mut known = KnownSides::default();
@@ -108,43 +122,56 @@ pub(super) fn side_points(
     middle: Option<u32>,
     place: &impl Fn(u32) -> [f64; 2],
 ) -> Vec<[f64; 2]> {
-    let [a, b] = ends.map(place);
-    let Some(m) = middle.map(place) else {
-        return vec![a, b];
-    };
+    let mut points = Vec::with_capacity(2);
+    add_side(&mut points, ends.map(place), middle.map(place));
+    points
+}
+
+/// Adds the points of a side between these ends.
+fn add_side(points: &mut Vec<[f64; 2]>, [a, b]: [[f64; 2]; 2], middle: Option<[f64; 2]>) {
     let mean = [0, 1].map(|axis| 0.5 * (a[axis] + b[axis]));
-    if squared(m, mean) <= STRAIGHT * STRAIGHT * squared(a, b) {
-        return vec![a, b];
-    }
+    let is_straight = |m: &[f64; 2]| squared(*m, mean) <= STRAIGHT * STRAIGHT * squared(a, b);
+    let Some(m) = middle.filter(|m| !is_straight(m)) else {
+        return points.extend([a, b]);
+    };
     let point = |piece: usize| {
         let shape = line3(2.0 * piece as f64 / PIECES as f64 - 1.0);
         [0, 1].map(|axis| shape.n[0] * a[axis] + shape.n[1] * b[axis] + shape.n[2] * m[axis])
     };
-    (0..=PIECES).map(point).collect()
+    points.extend((0..=PIECES).map(point));
 }
 
 /// The corners of the polygon that a cell is drawn as.
 pub(super) fn cell_points(cell: &SectionCell, place: &impl Fn(u32) -> [f64; 2]) -> Vec<[f64; 2]> {
-    let mut points = Vec::new();
+    let mut points = Vec::with_capacity(4);
+    add_cell(&mut points, cell, place);
+    points
+}
+
+/// Adds the corners of the polygon that a cell is drawn as.
+fn add_cell(points: &mut Vec<[f64; 2]>, cell: &SectionCell, place: &impl Fn(u32) -> [f64; 2]) {
     for (ends, middle) in cell.kind.sides(cell.nodes()) {
-        points.extend(side_points(ends, middle, place));
+        add_side(points, ends.map(place), middle.map(place));
         // the last point of a side is the first of the next
         points.pop();
     }
-    points
 }
 
 /// Mean thickness of the walls (area over half the length of the boundary), and
 /// mean width of the cells (area over a quarter of their circumference) [m].
 pub(super) fn widths(section: &Section, sides: &[Side]) -> (f64, f64) {
     let place = |node: u32| section.mesh.nodes[node as usize];
-    let boundary = sides.iter().filter(|side| side.role == SideRole::Boundary);
-    let boundary: f64 = boundary
-        .map(|side| length(&side_points(side.ends, side.middle, &place)))
-        .sum();
+    let mut points = Vec::new();
+    let mut boundary = 0.0;
+    for side in sides.iter().filter(|side| side.role == SideRole::Boundary) {
+        points.clear();
+        add_side(&mut points, side.ends.map(place), side.middle.map(place));
+        boundary += length(&points);
+    }
     let (mut area, mut width) = (0.0, 0.0);
     for cell in &section.mesh.cells {
-        let mut points = cell_points(cell, &place);
+        points.clear();
+        add_cell(&mut points, cell, &place);
         let cell_area = polygon_area(points.iter().copied());
         points.push(points[0]);
         area += cell_area;
@@ -213,7 +240,7 @@ mod tests {
 
     #[test]
     fn sides_are_counted_once_with_their_role() {
-        let sides = sides(&tube());
+        let sides = Outline::new(&tube()).sides;
         let count =
             |role: fn(SideRole) -> bool| sides.iter().filter(|side| role(side.role)).count();
         assert_eq!(count(|role| role == SideRole::Boundary), 48);
@@ -231,7 +258,7 @@ mod tests {
     #[test]
     fn walls_and_cells_have_their_width() {
         let section = tube();
-        let (wall, cell) = widths(&section, &sides(&section));
+        let Outline { wall, cell, .. } = Outline::new(&section);
         assert!((wall / 0.1 - 1.0).abs() < 1e-3, "{wall}");
         // cells of 0.05 by 0.95 * 2 pi / 24: four areas over the circumference
         let length = 0.95 * 2.0 * PI / 24.0;

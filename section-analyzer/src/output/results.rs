@@ -17,7 +17,34 @@ pub struct ResultWriter {
     files: OutputFiles,
     earlier: Vec<String>,
     written: Vec<PathBuf>,
-    draws: bool,
+    figures: Figures,
+}
+
+/// Which figures are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Figures {
+    /// None.
+    None,
+    /// Each as PNG.
+    Png,
+    /// Each as PNG and as SVG.
+    PngAndSvg,
+}
+
+impl Figures {
+    /// Those of a command with the options `--no-figures` and `--svg`.
+    pub fn asked(no_figures: bool, svg: bool) -> Self {
+        match (no_figures, svg) {
+            (true, _) => Self::None,
+            (false, false) => Self::Png,
+            (false, true) => Self::PngAndSvg,
+        }
+    }
+
+    /// Whether any is drawn.
+    pub fn are_drawn(self) -> bool {
+        self != Self::None
+    }
 }
 
 impl ResultWriter {
@@ -31,7 +58,7 @@ impl ResultWriter {
             files,
             earlier,
             written: Vec::new(),
-            draws: true,
+            figures: Figures::Png,
         }
     }
 
@@ -41,18 +68,18 @@ impl ResultWriter {
             files,
             earlier: Vec::new(),
             written: Vec::new(),
-            draws: true,
+            figures: Figures::Png,
         }
     }
 
-    /// The same, with figures drawn or left out.
-    pub fn with_figures(self, draws: bool) -> Self {
-        Self { draws, ..self }
+    /// The same, with these figures.
+    pub fn with_figures(self, figures: Figures) -> Self {
+        Self { figures, ..self }
     }
 
     /// Whether figures are drawn.
     pub fn draws(&self) -> bool {
-        self.draws
+        self.figures.are_drawn()
     }
 
     /// Where the files of the section lie.
@@ -90,14 +117,23 @@ impl ResultWriter {
         file: PathBuf,
         figure: impl FnOnce() -> Option<F>,
     ) -> Result<(), OutputProblem> {
-        match self.draws.then(figure).flatten() {
-            Some(figure) => self.add(file, |file| write_figure(file, figure.size(), &figure)),
-            None => {
+        let vector = file.with_extension("svg");
+        let figure = self.draws().then(figure).flatten();
+        let draw = |file: &Path| {
+            let drawn = figure
+                .as_ref()
+                .map(|figure| write_figure(file, figure.size(), figure));
+            drawn.unwrap_or(Ok(()))
+        };
+        let wanted = [true, self.figures == Figures::PngAndSvg];
+        for (file, is_wanted) in [file, vector].into_iter().zip(wanted) {
+            match is_wanted && figure.is_some() {
+                true => self.add(file, draw)?,
                 // One that does not exist is no problem.
-                let _ = std::fs::remove_file(file);
-                Ok(())
+                false => drop(std::fs::remove_file(file)),
             }
         }
+        Ok(())
     }
 
     /// Notes a file of the section that `write` writes.

@@ -10,8 +10,9 @@ use shared_geom::wrench::COMPONENTS;
 
 use super::cell_pieces::{PIECE, Patterns};
 use super::figure_parts::{Figure, THINNEST, draw_color_bar, draw_title, fill_cell};
-use super::outline::{Side, SideRole, side_points, sides, widths};
+use super::outline::{Outline, Side, SideRole, side_points};
 use super::plane::{Extent, INK, Plane};
+use crate::mesh::distance;
 use crate::section::Section;
 use crate::solution::SectionSolution;
 
@@ -33,6 +34,10 @@ const BAR: f64 = 220.0;
 /// Size of the pieces of a cell that have one color each, where walls are so thin that
 /// their rims are drawn too [figure pixels].
 const FLAT: f64 = 5.0;
+/// Sides shorter than this are drawn straight where they are as good as that: their middle
+/// this close to that of a straight one [figure pixels].
+const SHORT: f64 = 12.0;
+const AS_STRAIGHT: f64 = 0.05;
 /// Outline of the section before it warps.
 const FAINT: RGBColor = RGBColor(150, 150, 150);
 
@@ -41,7 +46,7 @@ const FAINT: RGBColor = RGBColor(150, 150, 150);
 pub struct WarpingPlot<'a> {
     section: &'a Section,
     warping: &'a DMatrix<f64>,
-    sides: Vec<Side>,
+    sides: &'a [Side],
     /// Box of the section with room for its warping [m].
     extent: Extent,
     /// Larger side of the section's box [m].
@@ -63,17 +68,16 @@ struct Panel<'p> {
 
 impl<'a> WarpingPlot<'a> {
     /// The figure of `solution` on `section`.
-    pub fn new(section: &'a Section, solution: &'a SectionSolution) -> Self {
+    pub fn new(section: &'a Section, outline: &'a Outline, solution: &'a SectionSolution) -> Self {
         let bare = Extent::of(section.mesh.nodes.iter().copied());
         let size = bare.largest();
         let extent = bare.grown((EXAGGERATED + MARGIN) * size);
         let (columns, room) = layout(&extent);
-        let sides = sides(section);
         Self {
             section,
             warping: &solution.warping,
-            wall: widths(section, &sides).0,
-            sides,
+            wall: outline.wall,
+            sides: &outline.sides,
             extent,
             size,
             columns,
@@ -84,10 +88,11 @@ impl<'a> WarpingPlot<'a> {
     /// Largest warping along x and in the plane, under one unit force.
     fn largest(&self, component: usize) -> [f64; 2] {
         let nodes = 0..self.section.mesh.nodes.len();
-        nodes.fold([0.0_f64; 2], |[along, across], node| {
+        let [along, squared] = nodes.fold([0.0_f64; 2], |[along, across], node| {
             let [ux, uy, uz] = self.of_node(node, component);
-            [along.max(ux.abs()), across.max(uy.hypot(uz))]
-        })
+            [along.max(ux.abs()), across.max(uy * uy + uz * uz)]
+        });
+        [along, squared.sqrt()]
     }
 
     fn of_node(&self, node: usize, component: usize) -> [f64; 3] {
@@ -140,16 +145,19 @@ impl<'a> WarpingPlot<'a> {
                 let axial = self.warping[(3 * node as usize, panel.component)];
                 *at = [x, y, panel.relative(axial)];
             }
+            let triangle = |corners: [[f64; 3]; 3]| ValueTriangle {
+                corners: corners.map(|[x, y, _]| [x, y]),
+                values: corners.map(|[_, _, value]| value),
+            };
+            if let Some(corners) = patterns.of_corners(cell.kind, &nodes) {
+                triangles.extend(corners.iter().map(|t| triangle(t.map(|k| nodes[k]))));
+                continue;
+            }
             let pattern = patterns.of(cell.kind, &nodes, 1);
             points.clear();
             points.extend(pattern.at(&nodes));
-            triangles.extend(pattern.triangles.iter().map(|corners| {
-                let corners = corners.map(|corner| points[corner]);
-                ValueTriangle {
-                    corners: corners.map(|[x, y, _]| [x, y]),
-                    values: corners.map(|[_, _, value]| value),
-                }
-            }));
+            let corners = pattern.triangles.iter();
+            triangles.extend(corners.map(|corners| triangle(corners.map(|k| points[k]))));
         }
         if !thin {
             return canvas.shade(&triangles, diverging);
@@ -186,7 +194,12 @@ impl<'a> WarpingPlot<'a> {
             canvas.line(&side_points(side.ends, side.middle, &before), 1.5, FAINT)?;
         }
         for side in boundary().filter(|_| panel.has_in_plane()) {
-            canvas.line(&side_points(side.ends, side.middle, &after), 2.5, INK)?;
+            let [a, b] = side.ends.map(after);
+            let mean = [0, 1].map(|axis| 0.5 * (a[axis] + b[axis]));
+            let is_long = distance(a, b) > SHORT;
+            let is_curved = |&m: &u32| is_long || distance(after(m), mean) > AS_STRAIGHT;
+            let middle = side.middle.filter(is_curved);
+            canvas.line(&side_points(side.ends, middle, &after), 2.5, INK)?;
         }
         Ok(())
     }
@@ -204,7 +217,7 @@ impl<'a> WarpingPlot<'a> {
             canvas.text(text, [x, bottom + 26.0], label)?;
         }
         let words = [
-            "color: warping along x, relative to its largest; dark outline: warping in the plane,",
+            "color: warping along x over its largest [-]; dark outline: warping in the plane,",
             "exaggerated; above each panel: the largest along x and in the y-z plane",
         ];
         let label = Label {

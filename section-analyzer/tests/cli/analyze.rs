@@ -117,16 +117,16 @@ fn tables_hold_areas_and_constants() {
     };
     for (name, expected) in [
         ("cells", 32.0),
-        ("area_m2", b * h),
-        ("iyy_m4", b * h.powi(3) / 12.0),
-        ("central_izz_m4", b.powi(3) * h / 12.0),
-        ("perimeter_m", 2.0 * (b + h)),
-        ("outer_perimeter_m", 2.0 * (b + h)),
+        ("area [m^2]", b * h),
+        ("iyy [m^4]", b * h.powi(3) / 12.0),
+        ("central_izz [m^4]", b.powi(3) * h / 12.0),
+        ("perimeter [m]", 2.0 * (b + h)),
+        ("outer_perimeter [m]", 2.0 * (b + h)),
     ] {
         let found = column(name);
         assert!((found / expected - 1.0).abs() < 1e-12, "{name}: {found}");
     }
-    assert_eq!((column("holes"), column("hole_perimeter_m")), (0.0, 0.0));
+    assert_eq!((column("holes"), column("hole_perimeter [m]")), (0.0, 0.0));
 
     let constants = place.read("results/strip.constants.csv");
     assert!(constants.starts_with("quantity,value,unit\nshear_flow_center_y,"));

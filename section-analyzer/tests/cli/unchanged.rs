@@ -212,6 +212,30 @@ fn a_run_without_figures_is_another_run() {
     assert_eq!(results(&place), drawn);
 }
 
+/// With `--svg` each figure has an SVG too, which a run without the option removes.
+#[test]
+fn each_figure_is_drawn_as_svg_too_where_it_is_wanted() {
+    let place = Workplace::with(&[], &[]);
+    analyze(&place, &["--svg"]);
+    let both = results(&place);
+    let (png, svg) = (
+        both.iter().filter(|name| name.ends_with(".png")),
+        both.iter().filter(|name| name.ends_with(".svg")),
+    );
+    let names = |name: &String| name[..name.len() - 4].to_owned();
+    let png: Vec<_> = png.map(names).collect();
+    assert!(png.len() > 1);
+    assert_eq!(png, svg.map(names).collect::<Vec<_>>());
+    assert!(analyze(&place, &["--svg"]).contains(UNCHANGED));
+    let drawn = place.read("results/a.warping.svg");
+    assert!(drawn.contains("warping per unit internal force"));
+
+    analyze(&place, &[]);
+    assert!(!results(&place).iter().any(|name| name.ends_with(".svg")));
+    let run = place.run(&["analyze", "a.section.toml", "--svg", "--no-figures"]);
+    assert_eq!(run.code, 2);
+}
+
 /// Without the record of the previous run its figures are not known.
 #[test]
 fn figures_go_without_a_record_too() {

@@ -165,6 +165,28 @@ impl<B: DrawingBackend> Canvas<B> {
         Ok(self.area.draw(&PathElement::new(corners, color))?)
     }
 
+    /// Whether shapes become pixels, of which those that lie below others need no drawing.
+    pub fn is_bitmap(&self) -> bool {
+        matches!(self.medium, Medium::Bitmap(_))
+    }
+
+    /// Fills the region within these straight pieces of its border, in any order, all with
+    /// the region on the same hand; on a bitmap only, where it gives the pixels of the
+    /// polygons that the region is made of.
+    pub fn region(&self, border: &[[[f64; 2]; 2]], color: RGBColor) {
+        let Medium::Bitmap(sheet) = &self.medium else {
+            return;
+        };
+        let scale = f64::from(self.scale);
+        let finer = |piece: &[[f64; 2]; 2]| piece.map(|[x, y]| [scale * x, scale * y]);
+        let border: Vec<_> = border.iter().map(finer).collect();
+        let mut sheet = sheet.borrow_mut();
+        let (width, height) = sheet.size();
+        raster::each_span_within(&border, width, height, |span| {
+            sheet.fill(span.row, span.start, span.end, bytes(color));
+        });
+    }
+
     /// Draws the line through these points, `width` wide \[figure pixels\].
     ///
     /// # Errors

@@ -25,6 +25,9 @@ pub(super) fn each_span(corners: &[[f64; 2]], width: u32, height: u32, draw: imp
     }
     // of few corners on the stack: most polygons are pieces of cells
     let size = (width, height);
+    if holds_no_center(corners, size) {
+        return;
+    }
     match corners.len() {
         ..=FEW => {
             let buffers = (&mut [Side::default(); FEW][..], &mut [0.0; FEW][..]);
@@ -35,6 +38,17 @@ pub(super) fn each_span(corners: &[[f64; 2]], width: u32, height: u32, draw: imp
             each_row(corners, buffers, size, draw);
         }
     }
+}
+
+/// Whether a polygon lies between the centers of pixels, as small cells do.
+pub(super) fn holds_no_center(corners: &[[f64; 2]], (width, height): (u32, u32)) -> bool {
+    let (mut low, mut high) = (corners[0], corners[0]);
+    for [x, y] in &corners[1..] {
+        (low[0], high[0]) = (low[0].min(*x), high[0].max(*x));
+        (low[1], high[1]) = (low[1].min(*y), high[1].max(*y));
+    }
+    first_center(low[1], height) == first_center(high[1], height)
+        || first_center(low[0], width) == first_center(high[0], width)
 }
 
 fn each_row(
@@ -65,6 +79,45 @@ fn each_row(
         }
         for pair in found.chunks_exact(2) {
             let (start, end) = (first_center(pair[0], width), first_center(pair[1], width));
+            if start < end {
+                draw(Span { row, start, end });
+            }
+        }
+    }
+}
+
+/// Calls `draw` with the spans of pixels inside the region that these straight pieces of
+/// its border enclose, in any order, all with the region on the same hand.
+///
+/// The pixels are those of the cells that make the region, if each is filled alone: what
+/// lies between two cells of one color needs no drawing.
+pub(super) fn each_span_within(
+    border: &[[[f64; 2]; 2]],
+    width: u32,
+    height: u32,
+    mut draw: impl FnMut(Span),
+) {
+    let rows = |side: &Side| first_center(side.low, height)..first_center(side.high, height);
+    let mut crossings = Vec::with_capacity(2 * border.len());
+    for &[a, b] in border {
+        if ![a, b].as_flattened().iter().all(|value| value.is_finite()) {
+            return;
+        }
+        let side = Side::new(a, b);
+        let turn = if a[1] < b[1] { 1 } else { -1 };
+        crossings.extend(rows(&side).map(|row| {
+            let y = f64::from(row) + 0.5;
+            (row, side.x + (y - side.low) * side.slope, turn)
+        }));
+    }
+    crossings.sort_unstable_by(|(row, x, _), (other, y, _)| row.cmp(other).then(x.total_cmp(y)));
+    let mut turns = 0;
+    for pair in crossings.windows(2) {
+        let [(row, left, turn), (_, right, _)] = [pair[0], pair[1]];
+        turns += turn;
+        // where the last of a row has been passed, none is left
+        if turns != 0 {
+            let (start, end) = (first_center(left, width), first_center(right, width));
             if start < end {
                 draw(Span { row, start, end });
             }
@@ -164,6 +217,44 @@ mod tests {
             let fan = (0..4).map(|k| pixels(&[corners[k], corners[(k + 1) % 4], center]));
             assert_eq!(fan.sum::<usize>(), 80 * 80);
         }
+    }
+
+    /// Squares of a board beside each other: filled alone, and as one region with a hole, of
+    /// which the borders between squares are not drawn.
+    #[test]
+    fn regions_have_the_pixels_of_their_cells() {
+        let at = |i: usize, j: usize| {
+            let (i, j) = (i as f64, j as f64);
+            [8.3 + 7.1 * i + 0.9 * j, 11.7 + 6.3 * j - 1.3 * i]
+        };
+        let is_there = |i: usize, j: usize| (i, j) != (3, 4) && i + j != 2;
+        let mut one_by_one = Vec::new();
+        let mut border: Vec<[[f64; 2]; 2]> = Vec::new();
+        for i in 0..8 {
+            for j in (0..9).filter(|j| is_there(i, *j)) {
+                let square = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+                each_span(&square, 100, 100, |span| one_by_one.push(span));
+                for k in 0..4 {
+                    let side = [square[k], square[(k + 1) % 4]];
+                    match border.iter().position(|&[a, b]| [b, a] == side) {
+                        Some(known) => drop(border.swap_remove(known)),
+                        None => border.push(side),
+                    }
+                }
+            }
+        }
+        let sorted = |spans: Vec<Span>| {
+            let pixels = spans
+                .iter()
+                .flat_map(|s| (s.start..s.end).map(|x| (s.row, x)));
+            let mut pixels: Vec<_> = pixels.collect();
+            pixels.sort_unstable();
+            pixels
+        };
+        let mut together = Vec::new();
+        each_span_within(&border, 100, 100, |span| together.push(span));
+        assert!(together.len() < one_by_one.len() / 3);
+        assert_eq!(sorted(together), sorted(one_by_one));
     }
 
     /// A disc has its area within the pixels of its rim.

@@ -1,6 +1,6 @@
 //! Triangles filled with the values in them, on a grid of pixels.
 
-use super::raster::each_span;
+use super::raster::{each_span, holds_no_center};
 use super::sheet::Sheet;
 
 /// A triangle with a value at each corner, linear in between.
@@ -89,11 +89,14 @@ pub(super) fn shade(sheet: &mut Sheet, triangle: &ValueTriangle, color: impl Fn(
     if !triangle.values.iter().all(|value| value.is_finite()) {
         return;
     }
+    let (width, height) = sheet.size();
+    if holds_no_center(&triangle.corners, (width, height)) {
+        return;
+    }
     let [origin, dx, dy] = triangle.plane();
     // Pixels on the rim must not leave the range of the corners by round-off.
     let [a, b, c] = triangle.values;
     let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-    let (width, height) = sheet.size();
     each_span(&triangle.corners, width, height, |span| {
         let at_row = origin + dy * (f64::from(span.row) + 0.5);
         let value = |x: i32| (at_row + dx * (f64::from(x) + 0.5)).clamp(low, high);

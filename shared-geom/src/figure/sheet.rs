@@ -26,6 +26,8 @@ type Pixel = [u8; CHANNELS];
 type Square = [[Pixel; SIDE]; SIDE];
 
 const WHITE: Pixel = [u8::MAX; CHANNELS];
+/// Bytes of a white row of a square.
+const WHITE_ROW: [u8; CHANNELS * SIDE] = [u8::MAX; CHANNELS * SIDE];
 /// Opacity above which a color hides the color below it.
 const OPAQUE: f64 = 1.0 - 1.0 / 256.0;
 
@@ -148,7 +150,12 @@ impl Sheet {
 }
 
 /// The mean colors of two pixels by two of these rows.
+///
+/// Most rows of the squares of a figure are white, and so is `mean` before.
 fn average(mean: &mut [u8], [above, below]: [&[Pixel; SIDE]; OVERSAMPLING as usize]) {
+    if above.as_flattened() == WHITE_ROW && below.as_flattened() == WHITE_ROW {
+        return;
+    }
     let mut sums = [0_u16; CHANNELS * SIDE];
     let rows = above.as_flattened().iter().zip(below.as_flattened());
     for (sum, (above, below)) in sums.iter_mut().zip(rows) {

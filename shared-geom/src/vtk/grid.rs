@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use super::array::{Array, Values};
+use super::escape::escaped;
 use crate::files::{OutputProblem, unwritable};
 use crate::mesh::CellKind;
 
@@ -15,6 +16,8 @@ pub struct FieldFile {
     connectivity: Vec<u64>,
     offsets: Vec<u64>,
     types: Vec<u8>,
+    /// Numbers by their names, of the grid as a whole.
+    of_all: Vec<(String, i64)>,
     of_points: Vec<Array>,
     of_cells: Vec<Array>,
 }
@@ -83,6 +86,12 @@ impl FieldFile {
         self.of_points.push(array);
     }
 
+    /// Adds a number with a name to the grid as a whole, such as the one by which an array
+    /// of its cells tells what is called so.
+    pub fn field_number(&mut self, name: &str, number: i64) {
+        self.of_all.push((name.to_owned(), number));
+    }
+
     /// Writes the grid as XML, arrays in binary.
     ///
     /// # Errors
@@ -103,8 +112,12 @@ impl FieldFile {
         write!(
             out,
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" \
-             byte_order=\"LittleEndian\" header_type=\"UInt64\"><UnstructuredGrid>\
-             <Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">"
+             byte_order=\"LittleEndian\" header_type=\"UInt64\"><UnstructuredGrid>"
+        )?;
+        write_fields(out, &self.of_all)?;
+        write!(
+            out,
+            "<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">"
         )?;
         write_arrays(out, "PointData", &self.of_points)?;
         write_arrays(out, "CellData", &self.of_cells)?;
@@ -118,6 +131,23 @@ impl FieldFile {
         write_arrays(out, "Cells", &of_cells)?;
         writeln!(out, "</Piece></UnstructuredGrid></VTKFile>")
     }
+}
+
+/// Writes numbers with names, where there are any.
+fn write_fields(out: &mut impl Write, fields: &[(String, i64)]) -> io::Result<()> {
+    if fields.is_empty() {
+        return Ok(());
+    }
+    write!(out, "<FieldData>")?;
+    for (name, number) in fields {
+        let name = escaped(name);
+        write!(
+            out,
+            "<DataArray type=\"Int64\" Name=\"{name}\" NumberOfTuples=\"1\" \
+             format=\"ascii\">{number}</DataArray>"
+        )?;
+    }
+    write!(out, "</FieldData>")
 }
 
 /// Writes arrays as the content of an element.

@@ -1,5 +1,6 @@
 //! The analysis of one section, with its files and its outcome as text.
 
+use std::cell::LazyCell;
 use std::path::PathBuf;
 
 use shared_geom::error::{Diagnostics, Place};
@@ -18,9 +19,9 @@ use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
-    AnalysisRecord, OutputFiles, ResultWriter, WarpingPlot, add_prestress, areas_csv,
-    constants_csv, end_effects, failure_report, imposed_report, piezo_report, prestress_report,
-    properties, report, warping_vtu,
+    AnalysisRecord, Figures, Outline, OutputFiles, ResultWriter, WarpingPlot, add_prestress,
+    areas_csv, constants_csv, end_effects, failure_report, imposed_report, piezo_report,
+    prestress_report, properties, report, warping_vtu,
 };
 use crate::properties::{Centers, NoRestrainedWarping, RestrainedWarping};
 use crate::recovery::Recovery;
@@ -133,7 +134,7 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
     };
     let solve = || {
         let results = ResultWriter::new(files).with_figures(run.figures);
-        let in_circuit = |found| InCircuit::new(&input, found, run.figures);
+        let in_circuit = |found| InCircuit::new(&input, found, run.figures.are_drawn());
         match analyzed(&input, parameters).and_then(in_circuit) {
             Ok(found) => solved(job, &input, &found, results, &made_from),
             Err(failure) => failed(job, &input, &failure, results),
@@ -156,7 +157,11 @@ fn made_from(input: &Input, run: &Run) -> String {
     parts.extend(asked.as_ref().map(|asked| asked.as_bytes()));
     let open = format!("open {:?}", run.open);
     parts.extend((!run.open.is_empty()).then_some(open.as_bytes()));
-    parts.extend((!run.figures).then_some(&b"no figures"[..]));
+    match run.figures {
+        Figures::None => parts.push(b"no figures"),
+        Figures::Png => {}
+        Figures::PngAndSvg => parts.push(b"svg"),
+    }
     sha256_of(&parts)
 }
 
@@ -321,8 +326,9 @@ fn write_figures(
     results: &mut ResultWriter,
 ) -> Result<(), OutputProblem> {
     let files = results.files().clone();
-    draw_section(input, Some(centers), results)?;
-    let warping = || WarpingPlot::new(&input.section, solution);
+    let outline = LazyCell::new(|| Outline::new(&input.section));
+    draw_section(input, &outline, Some(centers), results)?;
+    let warping = || WarpingPlot::new(&input.section, &outline, solution);
     results.figure(files.warping(), warping)?;
     let fields = warping_vtu(&input.section, solution);
     results.add(files.warping_field(), |file| fields.write(file))
@@ -363,5 +369,6 @@ fn write_failure(
     } = input;
     let files = results.files().clone();
     results.text(files.report(), &failure_report(section, summary, failure))?;
-    draw_section(input, None, results)
+    let outline = LazyCell::new(|| Outline::new(section));
+    draw_section(input, &outline, None, results)
 }

@@ -16,6 +16,13 @@ const NOTHING: RGBColor = RGBColor(225, 225, 225);
 const UNIFORM: f64 = 1e-6;
 /// Values below this part of the largest are round-off.
 const NOISE: f64 = 1e-9;
+/// Color of what fails, which is none of the others.
+const FAILED: RGBColor = RGBColor(214, 20, 60);
+/// A value of what fails: all of it looks the same.
+const BEYOND: f64 = 2.0;
+/// Room at the end of the bar for what fails, and free of it before [figure pixels].
+const BOX: f64 = 190.0;
+const GAP: f64 = 40.0;
 /// Height of the bar and length of a tick [figure pixels].
 const HEIGHT: f64 = 44.0;
 const TICK: f64 = 10.0;
@@ -102,6 +109,23 @@ impl Scale {
         self.high.max(-self.low)
     }
 
+    /// The value that is drawn in place of `value`: indices are shown from 0 to 1, whatever
+    /// their range, so that safe and failed are told apart in all figures.
+    pub fn drawn(&self, value: f64) -> f64 {
+        match self.quantity {
+            Quantity::Index if value > 1.0 => BEYOND,
+            _ => value,
+        }
+    }
+
+    /// Ends of the bar [SI].
+    fn ends(&self) -> [f64; 2] {
+        match self.quantity {
+            Quantity::Index => [0.0, 1.0],
+            _ => [self.low, self.high],
+        }
+    }
+
     /// Color of a value [SI].
     pub fn color(&self, value: f64) -> RGBColor {
         if self.is_zero() {
@@ -109,9 +133,9 @@ impl Scale {
         }
         match self.quantity {
             Quantity::SignedStress | Quantity::Potential => diverging(value / self.largest()),
-            Quantity::Stress | Quantity::Index | Quantity::ElectricField => {
-                sequential(value / self.high)
-            }
+            Quantity::Stress | Quantity::ElectricField => sequential(value / self.high),
+            Quantity::Index if value > 1.0 => FAILED,
+            Quantity::Index => sequential(value),
         }
     }
 
@@ -159,13 +183,22 @@ impl Scale {
             return Ok(());
         }
         let bottom = top + HEIGHT;
-        let color = |part: f64| self.color(self.low + part * (self.high - self.low));
-        draw_color_bar(canvas, [left, top], [right, bottom], color)?;
-
         let label = Label::new(0.88 * TEXT)
             .colored(INK)
             .anchored(Anchor::Middle);
-        let [low, high] = [self.low, self.high].map(|value| value / self.factor);
+        let mut right = right;
+        if self.quantity == Quantity::Index && self.high > 1.0 {
+            let (low, high) = ([right - BOX, top], [right, bottom]);
+            draw_color_bar(canvas, low, high, |_| FAILED)?;
+            let below = [right - 0.5 * BOX, bottom + TICK + 0.7 * TEXT];
+            canvas.text("above 1: fails", below, label)?;
+            right -= BOX + GAP;
+        }
+        let [low, high] = self.ends();
+        let color = |part: f64| self.color(low + part * (high - low));
+        draw_color_bar(canvas, [left, top], [right, bottom], color)?;
+
+        let [low, high] = [low, high].map(|value| value / self.factor);
         for (tick, text) in Ticks::between(low, high, 9).labeled() {
             let x = left + (right - left) * (tick - low) / (high - low);
             canvas.line(&[[x, bottom], [x, bottom + TICK]], 2.0, INK)?;
@@ -184,7 +217,7 @@ impl Scale {
 
     fn axis_name(&self, name: &str) -> String {
         match self.quantity {
-            Quantity::Index => format!("{name} (at most 1 means safe)"),
+            Quantity::Index => format!("{name} [-] (at most 1 means safe)"),
             _ => format!("{name} [{}]", self.unit),
         }
     }

@@ -80,7 +80,7 @@ fn largest_failure_index_is_shown_where_there_is_one() {
     let drawn = drawn(&section, &recovery, &failure);
     let (word, text) = &drawn[3];
     assert_eq!(*word, "failure");
-    assert!(text.contains("largest failure index (at most 1 means safe)"));
+    assert!(text.contains("largest failure index [-] (at most 1 means safe)"));
     assert!(text.contains(
         "of each cell, by its mean stress: max stress, Tsai-Wu; white: without strengths"
     ));
@@ -93,6 +93,23 @@ fn largest_failure_index_is_shown_where_there_is_one() {
     let place = format!("max 1.5 at (y, z) = ({}, {}) mm", shown(y), shown(z));
     assert!(text.contains(&place), "{place}");
     assert!(text.contains("min 0.5 at"));
+    // the cell that fails is marked, and so is its color
+    assert!(text.contains("above 1: fails"));
+    assert!(text.matches("fill=\"#D6143C\"").count() > 1);
+}
+
+/// An index has its color whatever the largest one is, and all that fail have another.
+#[test]
+fn indices_are_shown_from_0_to_1() {
+    let color = |highest: f64, value: f64| {
+        let scale = Scale::new(Quantity::Index, [0.1, highest], 0.0);
+        scale.color(scale.drawn(value))
+    };
+    assert_eq!(color(0.2, 0.17), color(0.98, 0.17));
+    assert_eq!(color(0.2, 0.17), shared_geom::figure::sequential(0.17));
+    assert_eq!(color(1.0, 1.0), shared_geom::figure::sequential(1.0));
+    assert_eq!(color(50.0, 1.001), color(50.0, 50.0));
+    assert_ne!(color(50.0, 1.001), color(50.0, 1.0));
 }
 
 /// A stress that is the same everywhere has no places; one that is round-off of

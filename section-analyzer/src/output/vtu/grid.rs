@@ -18,7 +18,18 @@ pub(super) fn section_grid(
         file.add_cell(Cell::Section(cell.kind), points.into_iter().map(u64::from));
     }
     add_cell_values(&mut file, section);
+    add_names(&mut file, section);
     file
+}
+
+/// What the numbers of regions and materials mean.
+fn add_names(file: &mut FieldFile, section: &Section) {
+    for (number, name) in section.mesh.groups.iter().enumerate() {
+        file.field_number(&format!("region {name}"), number as i64);
+    }
+    for (number, material) in section.materials.iter().enumerate() {
+        file.field_number(&format!("material {}", material.name), number as i64);
+    }
 }
 
 /// What the cells are made of.

@@ -143,6 +143,28 @@ fn stress_has_a_point_for_each_state_and_its_values() {
     );
 }
 
+/// An array a name, which holds the number that cells of that name have.
+#[test]
+fn regions_and_materials_are_named() {
+    let section = rectangle(CellKind::Quadrilateral4);
+    let solution = analyze(&section).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.vtu");
+    warping_vtu(&section, &solution).write(&path).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    let (fields, rest) = text.split_once("</FieldData><Piece").unwrap();
+    assert!(!rest.contains("FieldData"));
+    for (number, name) in section.mesh.groups.iter().enumerate() {
+        let array = format!(
+            "<DataArray type=\"Int64\" Name=\"region {name}\" NumberOfTuples=\"1\" \
+             format=\"ascii\">{number}</DataArray>"
+        );
+        assert!(fields.contains(&array), "{array}");
+    }
+    let material = format!("Name=\"material {}\"", section.materials[0].name);
+    assert!(fields.contains(&material));
+}
+
 /// The six components of a symmetric tensor of VTK: xx yy zz xy yz xz.
 #[test]
 fn tensors_are_in_the_order_of_vtk_with_half_the_engineering_shears() {
