@@ -14,6 +14,7 @@ mod lengths;
 mod source;
 mod tree;
 mod units;
+mod words;
 
 use tree::Tree;
 
@@ -118,4 +119,9 @@ fn formulas_of_the_book_are_latex_that_renders() {
         problems.into_iter().map(breach).collect::<Vec<_>>()
     });
     expect_none("formulas", wrong.collect());
+}
+
+#[test]
+fn words_that_are_out_stay_out() {
+    expect_none("words", words::out(&Tree::read()));
 }

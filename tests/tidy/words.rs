@@ -1,0 +1,74 @@
+//! Words that the project does not use: its readers are engineers, many of whom read English as
+//! a second language.
+
+use crate::source::words;
+use crate::tree::{File, Tree};
+
+/// Phrases that are out, with the phrase to write, and the number of uses that are left.
+const OUT: [(&str, &str, usize); 2] = [("told", "reported, given", 0), ("tells", "reports", 0)];
+
+/// Pages made by a program from strings in the sources.
+const MADE: &str = "docs/src/validation-";
+
+/// Phrases that are used more often than is left to them.
+pub fn out(tree: &Tree) -> Vec<String> {
+    let mut breaches = Vec::new();
+    for (phrase, instead, left) in OUT {
+        let found: Vec<_> = tree
+            .files
+            .iter()
+            .filter(|file| !file.path.starts_with(MADE) && !file.path.starts_with("tests/tidy/"))
+            .flat_map(|file| uses(file, phrase))
+            .collect();
+        if found.len() > left {
+            let advice = format!("\"{phrase}\" is out, write \"{instead}\" ({left} uses are left)");
+            breaches.extend(found.iter().map(|(file, line)| file.breach(*line, &advice)));
+        }
+    }
+    breaches
+}
+
+/// Lines (from zero) of a file whose text has a phrase.
+fn uses<'a>(file: &'a File, phrase: &'a str) -> impl Iterator<Item = (&'a File, usize)> {
+    let is_text = file.is_rust() || file.is_markdown();
+    let lines = file.text.lines().enumerate().filter(move |_| is_text);
+    let uses = lines.filter(move |(_, line)| {
+        let text = text_of(file, line).to_lowercase();
+        words(&text, phrase).next().is_some()
+    });
+    uses.map(move |(number, _)| (file, number))
+}
+
+/// The text of a line that people read: of a source its comment, or its strings without their
+/// placeholders; of a page all but code spans.
+fn text_of(file: &File, line: &str) -> String {
+    let start = line.trim_start();
+    if file.is_markdown() || start.starts_with("//") {
+        return start.split('`').step_by(2).collect();
+    }
+    let strings = line.split('"').skip(1).step_by(2);
+    let outside = |text: &str| -> String {
+        let pieces = text.split('{');
+        let after = |piece: &str| piece.split_once('}').map_or(piece, |it| it.1).to_owned();
+        pieces.map(after).collect()
+    };
+    strings.map(outside).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn phrases_are_found_in_comments_strings_and_pages_only() {
+        let source = "// It tells.\nlet told = f(\"a {told} b\");\nlet a = \"is told\";\n";
+        let page = "He told `told` us.\n`told` retold\n";
+        let tree = Tree::of(&[("a/src/b.rs", source), ("docs/src/a.md", page)]);
+        let lines = |phrase| {
+            let found = tree.files.iter().flat_map(move |file| uses(file, phrase));
+            found.map(|(_, line)| line).collect::<Vec<_>>()
+        };
+        assert_eq!(lines("told"), [2, 0]);
+        assert_eq!(lines("tells"), [0]);
+    }
+}
