@@ -1,5 +1,5 @@
-//! The cases, run as their pages say: `cases/section/<name>`, `cases/dynamics/<name>` and
-//! the gallery of the book.
+//! The cases, run as their pages say: `cases/section/<name>`, `cases/dynamics/<name>`, and
+//! the gallery and the tutorials of the book.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
@@ -8,4 +8,5 @@ mod gallery;
 mod motions;
 #[path = "../common/record.rs"]
 mod record;
+mod tutorials;
 mod workplace;
